@@ -63,7 +63,7 @@ OperatorVariant variant_of(const CurvatureSubject& s, std::string name, const Co
 
 }   // namespace
 
-CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source) {
+CotangentComparison compare_operators(SharedMesh source) {
     CotangentComparison c;
     c.subject = curvature_subject(std::move(source));
     const TriangleMesh& mesh = c.subject.mesh();

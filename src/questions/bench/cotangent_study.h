@@ -28,7 +28,7 @@ struct CotangentComparison {
     double sign_change = 0;                        // share of vertices where the two differ in sign
     std::vector<OperatorVariant> variants;         // half sum (the default), mean of opposite vertices, clamped
 };
-CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source);
+CotangentComparison compare_operators(SharedMesh source);
 
 /// A flat square whose inner vertices were moved within it: every curvature is zero, whatever the triangles.
 struct PlaneTest {

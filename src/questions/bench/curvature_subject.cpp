@@ -32,7 +32,7 @@ double coordinate_step(const TriangleMesh& mesh) {
     return 0;
 }
 
-CurvatureSubject curvature_subject(std::shared_ptr<const LibraryMesh> source) {
+CurvatureSubject curvature_subject(SharedMesh source) {
     CurvatureSubject subject;
     subject.source = std::move(source);
     subject.diagonal = bounding_box(subject.mesh()).diagonal();

@@ -7,8 +7,7 @@
 namespace meshfolio {
 
 /// A mesh whose curvature is estimated.
-struct CurvatureSubject {
-    std::shared_ptr<const LibraryMesh> source;
+struct CurvatureSubject : OnMesh {
     double diagonal = 0;                   // of the bounding box [length]
     double mean_edge = 0;                  // [length]
     int interior = 0;                      // vertices in use, manifold and not on the boundary
@@ -16,14 +15,11 @@ struct CurvatureSubject {
     Positions centred;                     // n × 3, about the box centre [length]
     Positions uniform;                     // n × 3, Δ_uniform x, boundary included [length]
 
-    const TriangleMesh& mesh() const { return source->mesh(); }
-    const MeshTopology& topology() const { return source->prepared->topology; }
-    const std::string& name() const { return source->name; }
     bool inside(int vertex) const;   // in use, manifold and not on the boundary
     /// Is a ½‖Δ_uniform x‖ of this size left by coordinates that are rounded to so many decimals? Not by doubles.
     bool is_rounding(double length) const;
 };
-CurvatureSubject curvature_subject(std::shared_ptr<const LibraryMesh> source);
+CurvatureSubject curvature_subject(SharedMesh source);
 
 /// The smallest of 1, 0.1, …, 10⁻⁸ that all coordinates are multiples of, as in a file of so many decimals; 0 if there is none.
 double coordinate_step(const TriangleMesh& mesh);

@@ -109,8 +109,7 @@ MeshClass MeshCharacter::kind() const {
 }
 
 double median_face_angle(const TriangleMesh& mesh, const MeshTopology& topology) {
-    std::vector<double> angles;
-    for (const EdgeAngle& edge : edge_angles(mesh, topology)) angles.push_back(edge.degrees);
+    const std::vector<double> angles = each_of(edge_angles(mesh, topology), [&](const EdgeAngle& edge) { return edge.degrees; });
     return median_of(angles);
 }
 

@@ -96,7 +96,7 @@ private:
 
 }   // namespace
 
-SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, OperatorKind kind, AreaForm area) {
+SmoothingSubject smoothing_subject(SharedMesh source, OperatorKind kind, AreaForm area) {
     SmoothingSubject subject;
     subject.source = std::move(source);
     subject.kind = kind;
@@ -105,7 +105,7 @@ SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, Op
     subject.top = largest_eigenvalue(subject.laplacian);
     subject.bottom = definiteness(subject.laplacian, assembly_of(kind));
     subject.critical = largest_stable_step(subject.top);
-    if (kind == OperatorKind::cotan && subject.source->prepared->preflight.zero_area_faces > 0)
+    if (kind == OperatorKind::cotan && subject.preflight().zero_area_faces > 0)
         subject.critical_floored = largest_stable_step(largest_eigenvalue(floored_laplace_beltrami(subject.mesh(), area)));
     subject.mean_edge = mean_edge_length(subject.mesh());
     subject.diagonal = bounding_box(subject.mesh()).diagonal();
@@ -143,10 +143,10 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     run.lambda = lambda;
     run.iterations = iterations;
     run.in_view = subject.mesh().X;
-    const bool closed = subject.source->prepared->preflight.closed();
+    const bool closed = subject.preflight().closed();
     const double first_volume = signed_volume(subject.mesh());
     if (closed) run.volume = {1};
-    const SizeWatch sizes(subject, subject.source->prepared->topology);
+    const SizeWatch sizes(subject, subject.topology());
     run.size = {1};
 
     SmoothingOptions options{
@@ -214,13 +214,11 @@ Amplification top_mode_amplification(const SmoothingSubject& subject, double lam
 
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
     const TriangleMesh mesh = moved_to(subject.mesh(), X);
-    return subject.mean_edge * cotangent_mean_curvature(mesh, subject.source->prepared->topology, laplace_beltrami(mesh));
+    return subject.mean_edge * cotangent_mean_curvature(mesh, subject.topology(), laplace_beltrami(mesh));
 }
 
 double largest_product(const Smoothed& run) {
-    double largest = 0;
-    for (const StepStability& step : run.steps) largest = std::max(largest, step.top);
-    return largest;
+    return largest_of(run.steps, [&](const StepStability& step) { return step.top; });
 }
 
 std::string share_left(double share) { return share < 1e-12 ? smoothing_words.line("left.nothing") : readable_percent(share, 2); }

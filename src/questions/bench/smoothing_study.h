@@ -14,8 +14,7 @@ namespace meshfolio {
 inline constexpr report::Words smoothing_words("smoothing");
 
 /// A mesh with its operator and the limit of explicit smoothing on it.
-struct SmoothingSubject {
-    std::shared_ptr<const LibraryMesh> source;
+struct SmoothingSubject : OnMesh {
     OperatorKind kind = OperatorKind::cotan;
     AreaForm area = AreaForm::barycentric;
     LaplaceBeltrami laplacian;     // of the input, frozen
@@ -29,11 +28,8 @@ struct SmoothingSubject {
 
     /// Twice the inverse of the Gershgorin bound; 0 where no step is proved stable.
     double safe() const { return bottom.semidefinite() ? 2 / top.upper_bound : 0; }
-    const TriangleMesh& mesh() const { return source->mesh(); }
-    const std::string& name() const { return source->name; }
 };
-SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, OperatorKind kind = OperatorKind::cotan,
-                                   AreaForm area = AreaForm::barycentric);
+SmoothingSubject smoothing_subject(SharedMesh source, OperatorKind kind = OperatorKind::cotan, AreaForm area = AreaForm::barycentric);
 
 /// What a factor of the implicit scheme costs, whatever λ.
 FactorOperations implicit_operations_of(const SmoothingSubject& subject);

@@ -24,7 +24,7 @@ std::vector<int> mode_counts(const QuestionSettings& settings, int n) {
     return each_once(counts);
 }
 
-SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+SpectralStudy spectral_study(SharedMesh source, const QuestionSettings& settings) {
     SpectralStudy study;
     study.source = std::move(source);
     study.diagonal = bounding_box(study.mesh()).diagonal();
@@ -106,9 +106,8 @@ double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r) 
 }
 
 double largest_parseval_gap(const SpectralStudy& study) {
-    double gap = 0;
-    for (const Reconstruction& r : study.reconstructions) gap = std::max(gap, std::abs(r.predicted_rms - r.difference.area_weighted_rms));
-    return gap;
+    return largest_of(study.reconstructions,
+                      [&](const Reconstruction& r) { return std::abs(r.predicted_rms - r.difference.area_weighted_rms); });
 }
 
 }   // namespace meshfolio

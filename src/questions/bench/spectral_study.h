@@ -17,8 +17,7 @@ struct Reconstruction {
     double predicted_rms = 0;    // area-weighted, from the coefficients alone [length]
 };
 
-struct SpectralStudy {
-    std::shared_ptr<const LibraryMesh> source;
+struct SpectralStudy : OnMesh {
     double diagonal = 0;   // of the bounding box [length]
     LaplaceBeltrami laplacian;
     Spectrum spectrum;
@@ -27,17 +26,15 @@ struct SpectralStudy {
     std::vector<Reconstruction> reconstructions;   // ascending k
     double seconds = 0;                            // of the eigensolve
 
-    const TriangleMesh& mesh() const { return source->mesh(); }
-    const std::string& name() const { return source->name; }
     int modes() const { return static_cast<int>(spectrum.eigenvalues.size()); }
-    int vertices() const { return source->prepared->preflight.vertices_in_use; }
+    int vertices() const { return source->preflight().vertices_in_use; }
 };
 
 /// The k of the settings, else those of the assignment, 5, 15 and large, with steps in between; of n modes.
 std::vector<int> mode_counts(const QuestionSettings& settings, int n);
 
 /// From one eigensolve, for the k of the settings or else those of the assignment, 5, 15 and large, with steps in between.
-SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+SpectralStudy spectral_study(SharedMesh source, const QuestionSettings& settings);
 
 /// Smallest k whose error is at most `share` of the box diagonal; 0 when no k that was computed reaches it.
 int smallest_k_below(const SpectralStudy& study, double share);

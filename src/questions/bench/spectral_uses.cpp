@@ -76,9 +76,7 @@ std::vector<MistakeErrors> mistake_study(const SpectralStudy& study, bool quick)
     for (const int k : {5, 10, 15, 30, 60, 150}) counts.push_back(std::min(k, most));
     const LaplaceBeltrami other = laplace_operator(study.mesh(), OperatorKind::edge_normalised);
     const Spectrum edge_normalised = modes_if_any(other, most);
-    std::vector<MistakeErrors> errors;
-    for (const int k : each_once(counts)) errors.push_back(mistakes_at(study, edge_normalised, other, k));
-    return errors;
+    return each_of(each_once(counts), [&](const int k) { return mistakes_at(study, edge_normalised, other, k); });
 }
 
 ModeCost mode_cost(int k, double n, double factor_entries) {
@@ -98,7 +96,7 @@ double factor_entries(const SpectralStudy& study) {
 
 LimbStudy limb_study(const SpectralStudy& study) {
     LimbStudy result;
-    if (!study.source->prepared->preflight.closed()) return result;
+    if (!study.preflight().closed()) return result;
     const Vector thickness = local_thickness(study.mesh());
     std::vector<int> order = where_finite(thickness, thickness);
     std::ranges::stable_sort(order, {}, [&](int v) { return thickness[v]; });

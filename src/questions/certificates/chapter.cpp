@@ -6,11 +6,11 @@ namespace meshfolio::certificates {
 
 namespace {
 
-Certified certified(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+Certified certified(SharedMesh source, const QuestionSettings& settings) {
     Certified c;
     c.source = std::move(source);
     c.laplacian = laplace_beltrami(c.mesh());
-    c.angle_deficits = angle_deficit(c.mesh(), c.source->prepared->topology);
+    c.angle_deficits = angle_deficit(c.mesh(), c.topology());
     corner_cotangents(c.mesh(), &c.without_area);
     const Spectrum spectrum = smallest_eigenpairs(c.laplacian, settings.k.empty() ? 15 : std::ranges::max(settings.k));
     c.modes = static_cast<int>(spectrum.eigenvalues.size());

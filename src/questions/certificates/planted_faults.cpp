@@ -174,9 +174,7 @@ FaultTrial trial_of(const Specimen& specimen, const std::vector<report::Check>& 
 
 std::vector<FaultTrial> trials_of(const Specimen& specimen) {
     const std::vector<report::Check> sound_checks = checks_of(specimen);
-    std::vector<FaultTrial> trials;
-    for (const PlantedFault& fault : planted_faults()) trials.push_back(trial_of(specimen, sound_checks, fault));
-    return trials;
+    return each_of(planted_faults(), [&](const PlantedFault& fault) { return trial_of(specimen, sound_checks, fault); });
 }
 
 report::Check check_of(const FaultTrial& trial) {

@@ -62,7 +62,7 @@ bool ClaimBench::is_itself(std::string_view name) {
     const ReportMesh& m = mesh(name);
     if (!m.entry) return m.original;
     const auto agrees = [](double measured, double expected) { return std::abs(measured / expected - 1) < 1e-4; };
-    const Preflight& p = m.mesh->prepared->preflight;
+    const Preflight& p = m.mesh->preflight();
     return p.vertices_in_use == m.entry->vertices && p.triangles == m.entry->triangles && agrees(p.mean_edge, m.entry->mean_edge) &&
            agrees(subject(name).critical, m.entry->critical);
 }
@@ -140,7 +140,7 @@ const SmoothingSubject& ClaimBench::subject(std::string_view name) {
 double ClaimBench::uniform_limit(std::string_view name) {
     const auto& source = mesh(name).mesh;
     return kept(uniform_limits_, source.get(),
-                [&] { return largest_stable_step(largest_eigenvalue(uniform_operator(source->prepared->topology))); });
+                [&] { return largest_stable_step(largest_eigenvalue(uniform_operator(source->topology()))); });
 }
 
 double ClaimBench::raw_step(std::string_view name, double lambda) {
@@ -149,7 +149,7 @@ double ClaimBench::raw_step(std::string_view name, double lambda) {
 
 double ClaimBench::raw_length(std::string_view name, double length, int power) {
     const ReportMesh& m = mesh(name);
-    return is_itself(name) ? length : length * std::pow(m.mesh->prepared->preflight.mean_edge / m.entry->mean_edge, power);
+    return is_itself(name) ? length : length * std::pow(m.mesh->preflight().mean_edge / m.entry->mean_edge, power);
 }
 
 const Smoothed& ClaimBench::run(std::string_view name, const RunKey& key) {

@@ -29,7 +29,7 @@ double cotangent_error(ClaimBench& bench, const Sampling& s) { return error_of(b
 double deficit_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, "K.barycentric"); }
 
 std::vector<Case> over_samplings(ClaimBench& bench, double (*value)(ClaimBench&, const Sampling&)) {
-    return each(samplings, [&](const Sampling& s) { return Case{s.said(), value(bench, s)}; });
+    return each_of(samplings, [&](const Sampling& s) { return Case{s.said(), value(bench, s)}; });
 }
 
 Measurement uniform_inaccurate(ClaimBench& bench, const MeshNames&) {
@@ -137,7 +137,7 @@ Measurement places_of_extrema(ClaimBench&, const MeshNames&) {
     const auto ratio = [](const Ellipsoid& e) {
         return Case{(e.b < e.c ? "b < c, " : "b > c, ") + axes_text(e), tip_curvature_by_angle(e, 0) / tip_curvature_by_angle(e, pi / 2)};
     };
-    return {.cases = each(std::array{tall_ellipsoid, flat_ellipsoid}, ratio), .remark = words.say("claims_s3_extrema.remark")};
+    return {.cases = each_of(std::array{tall_ellipsoid, flat_ellipsoid}, ratio), .remark = words.say("claims_s3_extrema.remark")};
 }
 
 }   // namespace

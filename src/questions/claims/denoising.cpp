@@ -72,10 +72,10 @@ Measurement minima_in_order(ClaimBench& bench, const MeshNames&) {
 Measurement curves_meet(ClaimBench& bench, const MeshNames&) {
     const Curves curves = bunny_curves(bench);
     const auto larger = [&](std::size_t t) { return 100 * (curves.back()[t] / curves.front()[t] - 1); };
-    return {.cases = each(std::array{20, 45},
-                          [&](int t) {
-                              return Case{counted(t, "iteration"), larger(t)};
-                          }),
+    return {.cases = each_of(std::array{20, 45},
+                             [&](int t) {
+                                 return Case{counted(t, "iteration"), larger(t)};
+                             }),
             .remark = words.say("claims_s0_curves_meet.remark", "apart"_a = readable(larger(0)))};
 }
 
@@ -104,7 +104,7 @@ Measurement minima_of_report(ClaimBench& bench, const MeshNames&) {
 /// Noise of that share of the box diagonal; implicit steps of a tenth of a squared mean edge, so that the best comes after several.
 NoisyKey gentle_run(ClaimBench& bench, std::string_view name, double relative, int iterations) {
     const LibraryMesh& source = *bench.mesh(name).mesh;
-    const double edge = source.prepared->preflight.mean_edge;
+    const double edge = source.preflight().mean_edge;
     return {.sigma = Vector3::Constant(relative * bounding_box(source.mesh()).diagonal()),
             .lambda = 0.1 * edge * edge,
             .iterations = iterations};
@@ -122,7 +122,7 @@ double edges_over_rest(ClaimBench& bench, std::string_view name) {
     NoisyKey key = gentle_run(bench, name, 0.003, 15);
     key.iterations = best_of(bench.denoised(name, key));
     const Positions X = smooth(noisy_mesh(bench, name, key), {.scheme = key.scheme, .lambda = key.lambda, .iterations = key.iterations}).X;
-    const std::vector<char> on_edge = feature_vertices(clean, source.prepared->topology);
+    const std::vector<char> on_edge = feature_vertices(clean, source.topology());
     const FlaggedMeans squares = flagged_means((X - clean.X).rowwise().squaredNorm(), on_edge);
     return std::sqrt(squares.there / squares.elsewhere);
 }
@@ -131,7 +131,7 @@ Measurement better_where_flat(ClaimBench& bench, const MeshNames& meshes) {
     const auto at_edges = [&](std::string_view name) {
         return Case{words.line("claims_s0_flat.case", "mesh"_a = bench.mesh(name).mesh->name), edges_over_rest(bench, name)};
     };
-    return {.cases = each(meshes, at_edges), .remark = words.say("claims_s0_flat.remark")};
+    return {.cases = each_of(meshes, at_edges), .remark = words.say("claims_s0_flat.remark")};
 }
 
 const std::vector<double>& cow_errors(ClaimBench& bench, double relative) {
@@ -179,7 +179,7 @@ constexpr int box_iterations = 10;   // S1 took 200 of steps it does not name; t
 /// From 0.01 to 100 squared mean edges, with noise of `percent` % of the box in each axis.
 Sweep step_sweep(ClaimBench& bench, std::string_view name, double percent) {
     const LibraryMesh& source = *bench.mesh(name).mesh;
-    const double edge = source.prepared->preflight.mean_edge;
+    const double edge = source.preflight().mean_edge;
     Sweep sweep;
     for (const double multiple : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0}) {
         const NoisyKey key{
@@ -210,7 +210,7 @@ Measurement low_noise_works(ClaimBench& bench, const MeshNames& meshes) {
         const Sweep sweep = step_sweep(bench, name, 1);
         return Case{bench.mesh(name).mesh->name + ", 1 % noise", sweep.noisy / sweep.least()};
     };
-    return {.cases = each(meshes, gained), .remark = words.say("claims_s1_low_noise.remark")};
+    return {.cases = each_of(meshes, gained), .remark = words.say("claims_s1_low_noise.remark")};
 }
 
 Measurement hopeless_noise(ClaimBench& bench, const MeshNames& meshes) {
@@ -218,7 +218,7 @@ Measurement hopeless_noise(ClaimBench& bench, const MeshNames& meshes) {
     Names gains;
     for (const std::string_view name : meshes) {
         const Sweep sweep = step_sweep(bench, name, 20);
-        m.cases.push_back({bench.mesh(name).mesh->name, sweep.least() / bench.mesh(name).mesh->prepared->preflight.mean_edge});
+        m.cases.push_back({bench.mesh(name).mesh->name, sweep.least() / bench.mesh(name).mesh->preflight().mean_edge});
         gains.push_back(readable_percent(1 - sweep.least() / sweep.noisy, 2));
     }
     m.remark = words.say("claims_s1_hopeless.remark", "gains"_a = listed(gains));

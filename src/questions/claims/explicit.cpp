@@ -49,7 +49,7 @@ Measurement bunny_too_large(ClaimBench& bench, const MeshNames&) {
                                "limits"_a = readable(step / bench.subject("bunny").critical)),
                     reach(bench, "bunny", {explicit_euler, step, 100})};
     };
-    return {.cases = each(std::array{8e-7, 3e-6, 1e-5, 1e-4}, reached), .remark = words.say("claims_s0_bunny_too_large.remark")};
+    return {.cases = each_of(std::array{8e-7, 3e-6, 1e-5, 1e-4}, reached), .remark = words.say("claims_s0_bunny_too_large.remark")};
 }
 
 /// Roughness left by ten steps of λ, over that left by a hundred of λ/10.
@@ -75,7 +75,7 @@ Measurement small_uniform_steps(ClaimBench& bench, const MeshNames&) {
     const auto compared = [&](double lambda) {
         return Case{"uniform, λ = " + plain_text(lambda), coarse_over_fine(bench, "bunny", lambda, OperatorKind::uniform)};
     };
-    return {.cases = each(std::array{0.05, 0.5, 1.0}, compared), .remark = words.say("claims_s2_small_steps.remark")};
+    return {.cases = each_of(std::array{0.05, 0.5, 1.0}, compared), .remark = words.say("claims_s2_small_steps.remark")};
 }
 
 /// √(mean squared distance of the vertices from their mean). [length]
@@ -94,7 +94,7 @@ Measurement cube_too_large(ClaimBench& bench, const MeshNames&) {
 
 Measurement cube_deforms(ClaimBench& bench, const MeshNames&) {
     const auto shrunk = [&](int t) { return Case{counted(t, "iteration"), 100 * (1 - size_left(bench, t))}; };
-    return {.cases = each(std::array{1, 10, 100}, shrunk), .remark = words.say("claims_s0_cube_deforms.remark")};
+    return {.cases = each_of(std::array{1, 10, 100}, shrunk), .remark = words.say("claims_s0_cube_deforms.remark")};
 }
 
 Measurement limits_differ(ClaimBench& bench, const MeshNames& meshes) {
@@ -170,10 +170,10 @@ Measurement good_at_0005(ClaimBench& bench, const MeshNames&) {
 
 Measurement distorts_beyond_one(ClaimBench& bench, const MeshNames&) {
     const double limit = bench.uniform_limit("fandisk_ns");
-    return {.cases = each(std::array{1.05, 1.2, 1.5, 2.0},
-                          [&](double lambda) {
-                              return Case{"λ = " + plain_text(lambda), lambda / limit};
-                          }),
+    return {.cases = each_of(std::array{1.05, 1.2, 1.5, 2.0},
+                             [&](double lambda) {
+                                 return Case{"λ = " + plain_text(lambda), lambda / limit};
+                             }),
             .remark = words.say("claims_s3_beyond_one.remark", "limit"_a = readable(limit, 4))};
 }
 

@@ -41,11 +41,10 @@ struct OperatorSweeps {
 };
 OperatorSweeps operator_sweeps(ClaimBench& bench) {
     const Positions clean = bench.clean_form("fandisk_ns").value();
-    const double edge = bench.mesh("fandisk_ns").mesh->prepared->preflight.mean_edge;
+    const double edge = bench.mesh("fandisk_ns").mesh->preflight().mean_edge;
     // Δ_uniform ≈ h²/4 Δ: the same diffusion with either operator.
     const std::vector<double> uniform{0.1, 0.2, 0.4, 0.8, 1.6};
-    std::vector<double> cotangent;
-    for (const double lambda : uniform) cotangent.push_back(lambda * edge * edge / 4);
+    const std::vector<double> cotangent = each_of(uniform, [&](const double lambda) { return lambda * edge * edge / 4; });
     const auto sweep = [&](OperatorKind kind, const std::vector<double>& lambdas) {
         return sweep_of(bench, "fandisk_ns", clean, {implicit_euler, 0, 3, kind}, lambdas);
     };
@@ -78,12 +77,12 @@ double least_error(ClaimBench& bench, double sigma, SmoothingScheme scheme, doub
 }
 
 Measurement noise_needs_implicit(ClaimBench& bench, const MeshNames&) {
-    const double edge = bench.mesh("fandisk").mesh->prepared->preflight.mean_edge;
+    const double edge = bench.mesh("fandisk").mesh->preflight().mean_edge;
     const auto compared = [&](double share) {
         return Case{words.line("claims_s3_implicit_needed.case", "share"_a = plain_text(share)),
                     least_error(bench, share * edge, explicit_euler, 1, 60) / least_error(bench, share * edge, implicit_euler, 5, 10)};
     };
-    return {.cases = each(std::array{0.2, 0.5, 1.0}, compared), .remark = words.say("claims_s3_implicit_needed.remark")};
+    return {.cases = each_of(std::array{0.2, 0.5, 1.0}, compared), .remark = words.say("claims_s3_implicit_needed.remark")};
 }
 
 }   // namespace

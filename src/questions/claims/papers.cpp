@@ -10,12 +10,12 @@ namespace {
 Measurement deficits_sum_up(ClaimBench& bench, const MeshNames& meshes) {
     const auto error = [&](std::string_view name) {
         const LibraryMesh& source = *bench.mesh(name).mesh;
-        const Preflight& p = source.prepared->preflight;
-        const Vector deficits = angle_deficit(source.mesh(), source.prepared->topology);
+        const Preflight& p = source.preflight();
+        const Vector deficits = angle_deficit(source.mesh(), source.topology());
         return Case{source.name + ", χ = " + std::to_string(p.euler_characteristic),
                     p.manifold() ? gauss_bonnet_error(deficits, p.euler_characteristic) : std::nan("")};
     };
-    return {.cases = each(meshes, error), .remark = words.say("claims_meyer_gauss_bonnet.remark")};
+    return {.cases = each_of(meshes, error), .remark = words.say("claims_meyer_gauss_bonnet.remark")};
 }
 
 /// Order of the error of the cotangent H with these areas, between a coarse and a fine mesh.
@@ -33,7 +33,7 @@ Measurement mixed_areas_converge(ClaimBench& bench, const MeshNames&) {
 }
 
 Measurement no_pointwise_convergence(ClaimBench& bench, const MeshNames&) {
-    return {.cases = each(std::array{"barycentric", "mixed"}, [&](const char* areas) {
+    return {.cases = each_of(std::array{"barycentric", "mixed"}, [&](const char* areas) {
                 return Case{
                     words.line("claims_wardetzky_pointwise.case", "areas"_a = areas, "sampling"_a = sampled(MeshKind::random, "sphere")),
                     order_on(bench, "sphere", MeshKind::random, areas)};
@@ -77,7 +77,7 @@ Measurement delaunay_limit(ClaimBench& bench, const MeshNames& meshes) {
         const LaplaceBeltrami delaunay = laplace_operator(source.mesh(), OperatorKind::idt_original_mass);
         return Case{source.name, largest_stable_step(largest_eigenvalue(delaunay)) / bench.subject(name).critical};
     };
-    return {.cases = each(meshes, gained), .remark = words.say("claims_rippa_delaunay.remark")};
+    return {.cases = each_of(meshes, gained), .remark = words.say("claims_rippa_delaunay.remark")};
 }
 
 }   // namespace

@@ -14,13 +14,6 @@ using enum Effort;
 using enum About::Scope;
 using enum SmoothingScheme;
 
-/// A case for each of these meshes, steps, …
-template <class Range>
-std::vector<Case> each(const Range& range, const auto& case_of) {
-    std::vector<Case> cases;
-    for (const auto& one : range) cases.push_back(case_of(one));
-    return cases;
-}
 /// The error left by each of several steps.
 struct Sweep {
     std::vector<double> steps, errors;   // errors: rms [length]

@@ -30,7 +30,7 @@ Measurement clamped_limit(ClaimBench& bench, const MeshNames& meshes) {
         const double clamped = largest_stable_step(largest_eigenvalue(laplace_operator(source.mesh(), OperatorKind::clamped)));
         return Case{source.name, clamped / bench.subject(name).critical};
     };
-    return {.cases = each(meshes, gained), .remark = words.say("claims_s3_clamp_stable.remark")};
+    return {.cases = each_of(meshes, gained), .remark = words.say("claims_s3_clamp_stable.remark")};
 }
 
 std::string k_text(int k) { return "k = " + std::to_string(k); }
@@ -39,7 +39,7 @@ std::string k_text(int k) { return "k = " + std::to_string(k); }
 double error_at(const SpectralStudy& study, int k) { return 100 * study.rms[std::min(k, study.modes())] / study.diagonal; }
 
 Measurement errors_at(ClaimBench& bench, const MeshNames& meshes, int k) {
-    return {.cases = each(meshes, [&](std::string_view name) {
+    return {.cases = each_of(meshes, [&](std::string_view name) {
                 const SpectralStudy& study = bench.spectrum(name);
                 return Case{study.name() + ", " + k_text(std::min(k, study.modes())), error_at(study, k)};
             })};
@@ -70,11 +70,11 @@ Measurement near_original(ClaimBench& bench, const MeshNames& meshes) {
 Measurement more_is_better(ClaimBench& bench, const MeshNames&) {
     const SpectralStudy& study = bench.spectrum("cow");
     int before = 5;
-    return {.cases = each(std::array{10, 30, 150},
-                          [&](int k) {
-                              const int last = std::exchange(before, k);
-                              return Case{k_text(k) + " after " + std::to_string(last), error_at(study, k) / error_at(study, last)};
-                          }),
+    return {.cases = each_of(std::array{10, 30, 150},
+                             [&](int k) {
+                                 const int last = std::exchange(before, k);
+                                 return Case{k_text(k) + " after " + std::to_string(last), error_at(study, k) / error_at(study, last)};
+                             }),
             .remark = words.say("claims_s1_more_modes.remark")};
 }
 

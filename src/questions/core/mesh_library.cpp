@@ -134,30 +134,28 @@ struct MeshLibrary::Found {
 struct MeshLibrary::Shelf {
     std::mutex mutex;
     using Key = std::pair<MeshLookup, fs::path>;   // and the base folder
-    std::map<Key, std::shared_ptr<const LibraryMesh>> meshes;
+    std::map<Key, SharedMesh> meshes;
     std::map<Key, std::exception_ptr> unusable;   // a mesh that cannot be had is looked for once, too
     std::mutex copies_mutex;
-    std::map<std::pair<std::shared_ptr<const LibraryMesh>, int>, std::shared_ptr<const LibraryMesh>> copies;   // and their vertices at most
+    std::map<std::pair<SharedMesh, int>, SharedMesh> copies;   // and their vertices at most
     std::mutex digest_mutex;
     std::map<std::string, std::string> digests;   // by path, or the name of a bundled mesh
 
-    using MeshPointer = std::shared_ptr<const LibraryMesh>;
-
     /// Holds the lock while decimating, for several sections want the same copy. Isolated, so that a waiting thread takes no task that
     /// locks.
-    MeshPointer decimated_to(int vertices, const MeshPointer& mesh) {
+    SharedMesh decimated_to(int vertices, const SharedMesh& mesh) {
         if (mesh->mesh().vertex_count() <= vertices) return mesh;
         const std::lock_guard lock(copies_mutex);
         return tbb::this_task_arena::isolate([&] { return copy(vertices, mesh); });
     }
 
     /// One of tens of thousands is made from the one of ten times as many, so that a large mesh is decimated once.
-    MeshPointer copy(int vertices, const MeshPointer& mesh) {
+    SharedMesh copy(int vertices, const SharedMesh& mesh) {
         const TriangleMesh& whole = mesh->mesh();
         if (whole.vertex_count() <= vertices) return mesh;
-        MeshPointer& made = copies[{mesh, vertices}];
+        SharedMesh& made = copies[{mesh, vertices}];
         if (made) return made;
-        const MeshPointer source = vertices < largest_copy ? copy(std::min(10 * vertices, largest_copy), mesh) : mesh;
+        const SharedMesh source = vertices < largest_copy ? copy(std::min(10 * vertices, largest_copy), mesh) : mesh;
         LibraryMesh small = *mesh;
         small.is_copy = true;
         small.prepared =
@@ -262,12 +260,12 @@ std::optional<MeshLibrary::Found> MeshLibrary::found(const MeshLookup& lookup, c
     }
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::loaded(const MeshLookup& lookup, const fs::path& base) const {
+SharedMesh MeshLibrary::loaded(const MeshLookup& lookup, const fs::path& base) const {
     const auto mesh = whole(lookup, base);
     return mesh && most_vertices_ > 0 ? shelf_->decimated_to(most_vertices_, mesh) : mesh;
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::whole(const MeshLookup& lookup, const fs::path& base) const {
+SharedMesh MeshLibrary::whole(const MeshLookup& lookup, const fs::path& base) const {
     note(lookup);
     // Held while reading: a mesh that two questions want is read once. Isolated as in decimated_to().
     const std::lock_guard lock(shelf_->mutex);
@@ -282,7 +280,7 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::whole(const MeshLookup& lookup, 
     }
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::read(const MeshLookup& lookup, const fs::path& base) const {
+SharedMesh MeshLibrary::read(const MeshLookup& lookup, const fs::path& base) const {
     const std::optional<Found> where = found(lookup, base);
     if (!where) return nullptr;
     std::string from_file;
@@ -298,32 +296,29 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::read(const MeshLookup& lookup, c
     return mesh;
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::role(const std::string& name) const {
+SharedMesh MeshLibrary::role(const std::string& name) const {
     if (!own_.empty()) return own_meshes().front();
     return loaded({.by = MeshLookup::By::role, .name = name}, {});
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::file(const fs::path& path, const fs::path& base) const {
+SharedMesh MeshLibrary::file(const fs::path& path, const fs::path& base) const {
     return loaded({.by = MeshLookup::By::file, .path = path}, base);
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::original(const std::string& name, const fs::path& path, const std::string& stand_in,
-                                                         const fs::path& base) const {
+SharedMesh MeshLibrary::original(const std::string& name, const fs::path& path, const std::string& stand_in, const fs::path& base) const {
     if (!own_.empty()) return own_meshes().front();
     return loaded({.by = MeshLookup::By::original, .name = name, .path = path, .stand_in = stand_in}, base);
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::in_data(const fs::path& file) const {
-    return loaded({.by = MeshLookup::By::in_data, .path = file}, {});
-}
+SharedMesh MeshLibrary::in_data(const fs::path& file) const { return loaded({.by = MeshLookup::By::in_data, .path = file}, {}); }
 
 bool MeshLibrary::has_own_meshes() const {
     note({.by = MeshLookup::By::own});   // whoever asks depends on the answer
     return !own_.empty();
 }
 
-std::vector<std::shared_ptr<const LibraryMesh>> MeshLibrary::own_meshes() const {
-    std::vector<std::shared_ptr<const LibraryMesh>> meshes;
+LibraryMeshes MeshLibrary::own_meshes() const {
+    LibraryMeshes meshes;
     for (const fs::path& path : own_) meshes.push_back(loaded({.by = MeshLookup::By::own, .path = path}, {}));
     return meshes;
 }

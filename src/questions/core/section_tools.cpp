@@ -147,6 +147,10 @@ std::string joined(const Names& parts, std::string_view separator) {
     return all;
 }
 
+std::string span_of(const std::string& low, const std::string& high) {
+    return low == high ? low : report::Words("figures").line("span", "low"_a = low, "high"_a = high);
+}
+
 report::Text said_of(const Names& meshes, const report::Words& words, std::string_view key) {
     return meshes.empty() ? report::Text() : words.say(key, "meshes"_a = listed(meshes));
 }

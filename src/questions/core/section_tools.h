@@ -28,7 +28,6 @@ namespace meshfolio {
 using namespace report::literals;
 using report::check_at_least, report::check_at_most, report::check_near, report::undecided;
 
-using LibraryMeshes = std::vector<std::shared_ptr<const LibraryMesh>>;
 using Names = std::vector<std::string>;
 
 // ---- the section ----------------------------------------------------------------------------------------------------------
@@ -108,6 +107,19 @@ Names names_of(const std::vector<Study>& studies) {
 
 // ---- numbers --------------------------------------------------------------------------------------------------------------
 
+/// f of each element.
+auto each_of(const auto& range, const auto& f) {
+    std::vector<std::remove_cvref_t<decltype(std::invoke(f, *std::begin(range)))>> values;
+    for (const auto& element : range) values.push_back(std::invoke(f, element));
+    return values;
+}
+/// The largest f of an element, at least 0; NaN is left out.
+double largest_of(const auto& range, const auto& f) {
+    double largest = 0;
+    for (const auto& element : range) largest = std::max<double>(largest, std::invoke(f, element));
+    return largest;
+}
+
 /// Ascending, each value once: a step named twice in the settings is one run.
 template <class Number>
 std::vector<Number> each_once(std::vector<Number> values) {
@@ -164,12 +176,8 @@ std::string listed(const Names& names);
 /// "a; b; c".
 std::string joined(const Names& parts, std::string_view separator = "; ");
 
-/// What was found, and under which condition: "3.4 % on cube", "at 0.5 λ_crit".
-struct Observed {
-    std::string what, condition;
-};
-/// "a, b and c, each time under x" where all conditions are the same, else "a (under x) and b (under y)".
-std::string listed_observed(const std::vector<Observed>& observed);
+/// "0.3 to 0.9", or "0.3" where both are alike.
+std::string span_of(const std::string& low, const std::string& high);
 
 /// The message about these {{meshes}}; nothing where there are none.
 report::Text said_of(const Names& meshes, const report::Words& words, std::string_view key);

@@ -20,6 +20,8 @@
 namespace meshfolio {
 
 using Best = report::Column::Best;
+using Rounding = report::Column::Rounding;
+using Heat = report::Column::Heat;
 
 namespace detail {
 inline report::Cell cell(report::Cell cell) { return cell; }

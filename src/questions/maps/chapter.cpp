@@ -1,5 +1,4 @@
 // The section "maps": what smoothing does over the plane of steps and iterations.
-#include "questions/bench/smoothing_study.h"
 #include "questions/maps/parts.h"
 
 namespace meshfolio::maps {
@@ -69,8 +68,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     for (const SmoothingMaps& maps : studies) add_checks(section, maps);
 
     const SmoothingMaps& first = studies.front();
-    Names counts;
-    for (const int t : first.iterations) counts.push_back(std::to_string(t));
+    const Names counts = each_of(first.iterations, [&](const int t) { return std::to_string(t); });
     section.parameters = {{"iterations measured", {listed(counts), first.iterations}}, {"operator", words.line("parameter.operator")}};
     for (const SmoothingMaps& maps : studies) {
         std::vector<double> relative;

@@ -227,11 +227,11 @@ EqualTime largest_difference_at_equal_time(const SmoothingMaps& maps, const Sche
     return largest;
 }
 
-SmoothingMaps smoothing_maps(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings) {
     const PlaneGrid grid = grid_of(settings);
     SmoothingMaps maps;
     maps.subject = smoothing_subject(std::move(source));
-    maps.closed = maps.subject.source->prepared->preflight.closed();
+    maps.closed = maps.subject.preflight().closed();
     maps.clean = clean_mesh(*maps.subject.source);
     if (maps.clean) maps.input_error = vertex_rms(maps.clean->X, maps.subject.mesh().X) / maps.subject.diagonal;
     maps.lambdas = steps_of(settings, maps.subject.critical, relative_steps(grid));
@@ -241,7 +241,7 @@ SmoothingMaps smoothing_maps(std::shared_ptr<const LibraryMesh> source, const Qu
 
     const LargestEigenvalue& top = maps.subject.top;
     maps.top = growing_modes(maps.subject, Vector::Constant(1, top.value), top.mode);
-    const int vertices = maps.subject.source->prepared->preflight.vertices_in_use;
+    const int vertices = maps.subject.preflight().vertices_in_use;
     if (vertices <= all_modes_up_to) {
         const Spectrum spectrum = smallest_eigenpairs(maps.subject.laplacian, vertices, {.dense_below = all_modes_up_to});
         maps.all = growing_modes(maps.subject, spectrum.eigenvalues, spectrum.eigenvectors);

@@ -35,7 +35,7 @@ DenoisingLaboratory laboratory_of(const MeshLibrary& library, const QuestionSett
     const LibraryMeshes meshes = meshes_of(library, settings, section);
     const bool own_choice = settings.meshes.empty() && !library.has_own_meshes();
     const int most = largest_subject(settings, meshes.size() + (own_choice ? 1 : 0));
-    const auto trials_on = [most](const std::shared_ptr<const LibraryMesh>& mesh, const QuestionSettings& all) {
+    const auto trials_on = [most](const SharedMesh& mesh, const QuestionSettings& all) {
         return denoising_trials(denoising_subject(mesh->name, mesh->mesh(), most), all);
     };
     DenoisingLaboratory laboratory{search_budget(settings),

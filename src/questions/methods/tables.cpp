@@ -43,8 +43,7 @@ report::Table gain_table(const DenoisingTrials& mesh, const Measure& measure) {
     gains.column(measure.is_angle() ? "angle, noisy" : "error, noisy", {.unit = measure.is_angle() ? "°" : "% of box"},
                  [&](auto& t) { return unit * (t.results.front().noisy.*measure.error); });
     for (std::size_t i = 0; i < denoising_list().size(); ++i)
-        gains.column(method_title(i), {.unit = "×", .heat = report::Column::Heat{1, 8}},
-                     [&](auto& t) { return cell_of((t.results[i].*measure.gain)()); });
+        gains.column(method_title(i), {.unit = "×", .heat = Heat{1, 8}}, [&](auto& t) { return cell_of((t.results[i].*measure.gain)()); });
     return gains;
 }
 

@@ -1,5 +1,4 @@
 // The section "modes": explicit and implicit smoothing, one eigenmode at a time.
-#include "questions/bench/smoothing_study.h"
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {

@@ -1,5 +1,3 @@
-#include "questions/modes/costs.h"
-
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {

@@ -1,4 +1,4 @@
-#include "questions/modes/study.h"
+#include "questions/modes/parts.h"
 
 #include <chrono>
 
@@ -22,7 +22,7 @@ struct Modes {
 };
 
 Modes modes_of(const SmoothingSubject& subject, bool quick) {
-    const int vertices = subject.source->prepared->preflight.vertices_in_use;
+    const int vertices = subject.preflight().vertices_in_use;
     Modes modes;
     modes.all = vertices <= all_modes_up_to;
     const int count = modes.all ? vertices : quick ? 20 : lowest_modes;
@@ -162,7 +162,7 @@ double ModeDamping::deviation(const Vector& eigenvalues) const {
 
 int lanczos_steps(const QuestionSettings& settings) { return settings.laboratory ? 160 : settings.quick ? 60 : 100; }
 
-ModeStudy mode_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings) {
     ModeStudy study;
     study.subject = smoothing_subject(std::move(source));
     const Modes modes = modes_of(study.subject, settings.quick);

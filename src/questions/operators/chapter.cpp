@@ -29,7 +29,7 @@ void add_mesh_checks(report::Section& section, const LaboratoryMesh& lab) {
     const auto critical_ratio = [&](OperatorKind kind) { return lab.trial(kind).critical_ratio; };
     add_check(if_defined(check_near(name("check.without_half"), 0.5, critical_ratio(OperatorKind::cotan_no_half), 1e-9)));
     const report::Check rippa = if_defined(check_at_least(name("check.rippa"), 1, critical_ratio(OperatorKind::idt_original_mass), 1e-9));
-    const int without_area = lab.subject.source->prepared->preflight.zero_area_faces;
+    const int without_area = lab.subject.preflight().zero_area_faces;
     add_check(without_area > 0 && rippa.failed() ? undecided(rippa, words.line("check.without_area", "faces"_a = without_area)) : rippa);
     if (lab.oriented_manifold) add_check(check_near(name("check.delaunay"), 0, lab.trial(OperatorKind::idt).scores.negative_inside, 0));
 }

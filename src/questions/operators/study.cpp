@@ -75,7 +75,7 @@ const OperatorTrial& LaboratoryMesh::trial(OperatorKind kind) const {
     return *std::ranges::find(trials, kind, [](const OperatorTrial& t) { return t.made_by.kind; });
 }
 
-LaboratoryMesh laboratory_mesh(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+LaboratoryMesh laboratory_mesh(SharedMesh source, const QuestionSettings& settings) {
     LaboratoryMesh lab;
     lab.subject = curvature_subject(std::move(source));
     const TriangleMesh& mesh = lab.subject.mesh();

@@ -38,7 +38,7 @@ struct LaboratoryMesh {
     const std::string& name() const { return subject.name(); }
     const OperatorTrial& trial(OperatorKind kind) const;
 };
-LaboratoryMesh laboratory_mesh(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+LaboratoryMesh laboratory_mesh(SharedMesh source, const QuestionSettings& settings);
 
 /// One operator where the truth is known.
 struct KnownTrial {

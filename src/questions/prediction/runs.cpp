@@ -1,12 +1,6 @@
-#include "questions/prediction/runs.h"
+#include "questions/prediction/study.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "base/errors.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "mesh/triangle_measures.h"
 
 namespace meshfolio::prediction {
 
@@ -96,8 +90,7 @@ MeasuredCurve measured_curve(const std::vector<RunErrors>& runs) {
                         empty,
                         static_cast<int>(runs.size())};
     for (Eigen::Index t = 0; t < curve.square.size(); ++t) {
-        std::vector<double> rms;
-        for (const RunErrors& run : runs) rms.push_back(std::sqrt(run.vertices[t]));
+        const std::vector<double> rms = each_of(runs, [&](const RunErrors& run) { return std::sqrt(run.vertices[t]); });
         curve.low[t] = percentile(rms, 0.1);
         curve.high[t] = percentile(rms, 0.9);
     }

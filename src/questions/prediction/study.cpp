@@ -140,11 +140,11 @@ const PredictedCurve& OperatorStudy::closest() const {
 
 double NoiseLevelStudy::mean_sigma_ratio() const { return mean_of(sigma_ratio); }
 
-PredictionStudy prediction_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& settings) {
     PredictionStudy study;
     study.source = std::move(source);
     const TriangleMesh clean = in_box_diagonals(study.source->mesh());
-    const MeshTopology& topology = study.source->prepared->topology;
+    const MeshTopology& topology = study.topology();
     const Extent extent = extent_of(settings, clean.vertex_count());
     study.diagonal = bounding_box(study.source->mesh()).diagonal();
     study.mean_edge = mean_edge_length(clean, topology.edges);

@@ -11,11 +11,9 @@ namespace meshfolio::preflight {
 inline constexpr report::Words words("preflight");
 
 /// One mesh looked over.
-struct Inspected {
-    std::shared_ptr<const LibraryMesh> source;
+struct Inspected : OnMesh {
     MeshFacts facts;
 
-    const std::string& name() const { return source->name; }
     const Preflight& counts() const { return facts.counts; }
 };
 

@@ -33,10 +33,7 @@ int without_K(const BenchRuns& runs, AreaForm form) {
 }
 
 double euler_gap(const AngleSums& sums) {
-    double gap = 0;
-    for (const AngleSum& s : sums)
-        if (s.applies) gap = std::max(gap, std::abs(s.measured - s.euler));
-    return gap;
+    return largest_of(sums, [](const AngleSum& s) { return s.applies ? std::abs(s.measured - s.euler) : 0; });
 }
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {

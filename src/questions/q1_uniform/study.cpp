@@ -1,4 +1,4 @@
-#include "questions/q1_uniform/study.h"
+#include "questions/q1_uniform/parts.h"
 
 #include "geometry/curvature/curvature.h"
 #include "geometry/measures/mesh_laws.h"
@@ -29,7 +29,7 @@ double colour_range(const Vector& values) {
 
 double MeshCurvature::euler_from_angles() const { return total_deficit(deficit) / (2 * pi); }
 
-MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source) {
+MeshCurvature curvature_of(SharedMesh source) {
     MeshCurvature c;
     c.subject = curvature_subject(std::move(source));
     const TriangleMesh& mesh = c.subject.mesh();
@@ -132,7 +132,7 @@ IrregularVertices irregular_vertices(const MeshCurvature& c) {
 std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const BenchRuns& runs) {
     std::vector<AngleSum> sums;
     for (const MeshCurvature& c : meshes) {
-        const Preflight& p = c.subject.source->prepared->preflight;
+        const Preflight& p = c.subject.preflight();
         sums.push_back({c.subject.name(), p.vertices_in_use, p.triangles, p.euler_characteristic, c.euler_from_angles(),
                         p.manifold() && p.zero_area_faces == 0});
     }

@@ -45,10 +45,10 @@ report::Table error_table(const BenchRuns& runs) {
         .column("surface", &BenchRun::surface)
         .column("triangulation", [](auto& run) { return name_of(run.kind); })
         .column("uniform H", {.unit = "%"}, error(uniform_H))
-        .column("order of H", {.rounding = report::Column::Rounding::tenths}, order(uniform_H))
+        .column("order of H", {.rounding = Rounding::tenths}, order(uniform_H))
         .column("normal part", {.unit = "%", .digits = 2}, error(normal_H))
         .column("K barycentric", {.unit = "%", .digits = 2}, error(deficit_K))
-        .column("order of K", {.rounding = report::Column::Rounding::tenths}, order(deficit_K))
+        .column("order of K", {.rounding = Rounding::tenths}, order(deficit_K))
         .column("worst vertex", {.unit = "%", .digits = 2}, error(deficit_K, &EstimateError::linf))
         .column("K Voronoi", {.unit = "%", .digits = 2}, error("K.voronoi"))
         .column("K mixed", {.unit = "%", .digits = 2}, error("K.mixed"));

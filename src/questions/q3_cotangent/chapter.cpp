@@ -16,7 +16,7 @@ void add_checks(report::Section& section, const BenchRuns& runs, const PlaneTest
         if (!c.subject.plane_normal || c.subject.interior == 0) continue;
         const report::Check flat =
             check_at_most(words.line("check.flat", "mesh"_a = c.subject.name()), 0, c.precision, 1e-5, words.line("check.flat.note"));
-        const bool has_area = c.subject.source->prepared->preflight.zero_area_faces == 0;
+        const bool has_area = c.subject.preflight().zero_area_faces == 0;
         add(section, has_area || !flat.failed() ? flat : undecided(flat, words.line("check.flat.without_area")));
     }
 }

@@ -102,9 +102,7 @@ report::Text smallest_gain(const BenchRuns& runs, MeshKind kind, const char* key
 
 /// The largest difference of the errors.
 double gain_of_mixed_areas(const BenchRuns& runs) {
-    double most = 0;
-    for (const BenchRun& run : runs) most = std::max(most, cotangent_error(run) - cotangent_error(run, AreaForm::mixed));
-    return most;
+    return largest_of(runs, [&](const BenchRun& run) { return cotangent_error(run) - cotangent_error(run, AreaForm::mixed); });
 }
 
 report::Text about_errors(const BenchRuns& runs) {
@@ -234,7 +232,7 @@ void add_discussion(report::Section& section, const Comparisons& meshes, const B
 void add_limits(report::Section& section, const Comparisons& meshes, const BenchRuns& runs) {
     add_paragraphs(section, {about_sphere(run_on(runs, "sphere", MeshKind::regular))});
     for (const CotangentComparison& c : meshes)
-        if (!c.subject.source->prepared->preflight.closed()) add_paragraphs(section, {about_boundary(c)});
+        if (!c.subject.preflight().closed()) add_paragraphs(section, {about_boundary(c)});
 }
 
 }   // namespace meshfolio::q3_cotangent

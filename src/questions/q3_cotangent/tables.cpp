@@ -59,7 +59,7 @@ report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& k
     for (const Estimator* e : compared_estimators()) {
         errors.column(std::string(e->in_q3), {.unit = "%"}, [=](auto& run) { return 100 * run.finest().error(e->key).*norm; });
         if (e->key == H_with(areas_used))
-            errors.column("order", {.rounding = report::Column::Rounding::tenths},
+            errors.column("order", {.rounding = Rounding::tenths},
                           [=](auto& run) { return cell_of(run.errors(e->key, norm).order().exponent); });
     }
     if (some_undefined) errors.column("without H", {.unit = "vertices"}, undefined_of);

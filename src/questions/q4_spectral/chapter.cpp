@@ -10,7 +10,7 @@ void add_checks(report::Section& section, const SpectralStudy& study) {
     const auto of_diagonal = [&](const char* key, double length, double tolerance = 1e-9) {
         add(section, check_at_most(words.line(key, "mesh"_a = study.name()), 0, length / study.diagonal, tolerance));
     };
-    const int needles = study.source->prepared->preflight.needle_faces + study.source->prepared->preflight.zero_area_faces;
+    const int needles = study.preflight().needle_faces + study.preflight().zero_area_faces;
     append_checks(section, spectrum_checks(study.certificate, " on " + study.name(),
                                            needles > 0 ? words.line("check.needles", "faces"_a = needles) : ""));
     of_diagonal("check.parseval", largest_parseval_gap(study));

@@ -10,7 +10,7 @@ constexpr double clear_ratio = 1.5;   // less is no difference that one explains
 
 /// One reconstruction in words: how much of the volume is left, and how far the normals are off.
 report::Text picture_of(const SpectralStudy& study, const Reconstruction& r) {
-    const bool closed = study.source->prepared->preflight.closed() && std::isfinite(r.difference.volume_ratio);
+    const bool closed = study.preflight().closed() && std::isfinite(r.difference.volume_ratio);
     const double volume = closed ? r.difference.volume_ratio : 1;
     const report::Facts facts{"k"_a = r.k,
                               "mesh"_a = study.name(),
@@ -119,7 +119,7 @@ report::Text wavelengths(const SpectralStudy& study) {
     const int end = study.modes(), quarter = end / 4;
     const auto law = fall_of_the_error(study);
     if (!law || quarter <= zero_modes(study) + 4) return {};
-    const double edge = study.source->prepared->preflight.mean_edge, shortest = wavelength(study, end);
+    const double edge = study.preflight().mean_edge, shortest = wavelength(study, end);
     return words.say(shortest >= 2 * edge ? "wavelengths" : "wavelengths.unresolved", "end"_a = end,
                      "shorter"_a = percent_of_box(study, shortest), "edges"_a = readable(shortest / edge, 2));
 }

@@ -22,7 +22,7 @@ struct Subject {
 
     const std::string& name() const { return study.name(); }
 };
-Subject subject_of(std::shared_ptr<const LibraryMesh> mesh, const QuestionSettings& settings);
+Subject subject_of(SharedMesh mesh, const QuestionSettings& settings);
 
 /// The reconstructions that the answer is about: the first two k, the largest that leaves an error, and the largest.
 std::vector<const Reconstruction*> told_reconstructions(const SpectralStudy& study);

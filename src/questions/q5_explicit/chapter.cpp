@@ -9,9 +9,8 @@ namespace {
 void add_faces_without_area(report::Section& section, const Studies& studies) {
     for (const ExplicitStudy& study : studies) {
         if (!(study.subject.critical_floored > 0)) continue;
-        add_words(section, words, "without_area", "triangles"_a = study.subject.source->prepared->preflight.zero_area_faces,
-                  "mesh"_a = study.name(), "critical"_a = readable(study.subject.critical, 4),
-                  "floored"_a = readable(study.subject.critical_floored, 4));
+        add_words(section, words, "without_area", "triangles"_a = study.subject.preflight().zero_area_faces, "mesh"_a = study.name(),
+                  "critical"_a = readable(study.subject.critical, 4), "floored"_a = readable(study.subject.critical_floored, 4));
     }
 }
 

@@ -14,7 +14,7 @@ enum class Extent { spot, region, whole };
 
 Extent extent_of_top_mode(const ExplicitStudy& study) {
     const double support = study.subject.top.support;
-    if (support >= 0.1 * study.subject.source->prepared->preflight.vertices_in_use) return Extent::whole;
+    if (support >= 0.1 * study.subject.preflight().vertices_in_use) return Extent::whole;
     return support < 10 ? Extent::spot : Extent::region;
 }
 
@@ -29,7 +29,7 @@ report::Text ringed(const Studies& studies) {
         if (spot.empty() || !study.recommended) continue;
         const TriangleMesh& mesh = study.subject.mesh();
         double beside = pi;
-        for (const int v : spot) beside = std::min(beside, smallest_angle_around(mesh, study.subject.source->prepared->topology, v));
+        for (const int v : spot) beside = std::min(beside, smallest_angle_around(mesh, study.subject.topology(), v));
         const bool thinnest = beside <= corner_angles(mesh).minCoeff() * (1 + 1e-9);
         return words.say(thinnest ? "limit.ringed.thinnest" : "limit.ringed", "mesh"_a = study.name(), "peaks"_a = spot.size(),
                          "figure"_a = recommended_figure(studies), "angle"_a = readable(beside * 180 / pi, 2));
@@ -313,11 +313,10 @@ report::Text units_of_lambda(const Studies& studies) {
     double safe = 1;   // the least of Gershgorin's limits, over λ_crit; 0: not all are proved
     for (const ExplicitStudy& study : studies) safe = std::min(safe, study.subject.safe() / study.subject.critical);
     const bool known = uniform(*uniform_low) > 1 && uniform(*uniform_high) < 1.5;
-    const std::string from = readable(uniform(*uniform_low), 3), to = readable(uniform(*uniform_high), 3);
     return paragraph_of({words.say(times > 1.1 ? "units.several" : "units.one", "times"_a = readable(times, 2)),
                          safe > 0 ? words.say("units.gershgorin", "share"_a = readable_percent(rounded_down(safe, 2), 2)) : report::Text(),
                          words.say(known ? "units.known" : "units.uniform",
-                                   "limit"_a = from != to ? words.line("units.range", "low"_a = from, "high"_a = to) : from)});
+                                   "limit"_a = span_of(readable(uniform(*uniform_low), 3), readable(uniform(*uniform_high), 3)))});
 }
 
 // ---- first of all

@@ -8,7 +8,7 @@ namespace meshfolio::q5_explicit {
 namespace {
 
 UniformLimit uniform_limit(const LibraryMesh& mesh) {
-    const double top = largest_eigenvalue(uniform_operator(mesh.prepared->topology)).value;
+    const double top = largest_eigenvalue(uniform_operator(mesh.topology())).value;
     return {top, 2 / top};
 }
 
@@ -22,7 +22,7 @@ double moved_ratio(const Positions& before, const Positions& after, const std::v
 
 /// What it does to the surface.
 void look_at(Recommendation& recommendation, const SmoothingSubject& subject) {
-    const MeshTopology& topology = subject.source->prepared->topology;
+    const MeshTopology& topology = subject.topology();
     const TriangleMesh smoothed = moved_to(subject.mesh(), recommendation.stopped.result.X);
     const MeshCharacter before = mesh_character(subject.mesh(), topology);
     recommendation.roughness_before = median_face_angle(subject.mesh(), topology);
@@ -35,7 +35,7 @@ void look_at(Recommendation& recommendation, const SmoothingSubject& subject) {
 /// What the faces turned over are like, before and after: folds that smoothing has undone, or made.
 void count_folds(Recommendation& recommendation, const SmoothingSubject& subject) {
     const TriangleMesh& mesh = subject.mesh();
-    const MeshTopology& topology = subject.source->prepared->topology;
+    const MeshTopology& topology = subject.topology();
     const Positions before = face_normals(mesh), after = face_normals(moved_to(mesh, recommendation.stopped.result.X));
     for (int t = 0; t < mesh.face_count(); ++t) {
         if (!(before.row(t).dot(after.row(t)) < 0)) continue;
@@ -112,7 +112,7 @@ std::size_t ExplicitStudy::first_beyond() const {
     return i;
 }
 
-ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings) {
     ExplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
     study.uniform = uniform_limit(*study.subject.source);

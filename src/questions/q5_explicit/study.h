@@ -55,7 +55,7 @@ inline const std::vector<double> own_steps{0.05, 0.5, 0.95, 1.05, 2.0};
 int iterations_of(const QuestionSettings& settings);
 
 /// With the steps of the settings, else with its own.
-ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings);
 
 /// Does a step of λ leave the sign of every mode (λμ_max ≤ 1, half the limit)?
 bool keeps_signs(const SmoothingSubject& subject, double lambda);

@@ -98,7 +98,7 @@ report::Table bounds_table(const Studies& studies) {
     return table("q5_bounds", words.line("bounds"), studies)
         .column("mesh", &ExplicitStudy::name)
         .column("μ_max", {.unit = "1/length²", .digits = 4}, [](auto& s) { return s.subject.top.value; })
-        .column("safe λ (Gershgorin)", {.unit = "length²", .digits = 4, .rounding = report::Column::Rounding::down},
+        .column("safe λ (Gershgorin)", {.unit = "length²", .digits = 4, .rounding = Rounding::down},
                 [](auto& s) { return s.subject.safe(); })
         .column("vertex", {.digits = 8}, [](auto& s) { return s.subject.top.vertex; })
         .column("vertices as large", [](auto& s) { return s.peaks.size(); })

@@ -50,8 +50,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     }
 
     const ImplicitStudy& last = studies.back();
-    Names times;
-    for (const int t : last.iterations) times.push_back(std::to_string(t));
+    const Names times = each_of(last.iterations, [&](const int t) { return std::to_string(t); });
     section.parameters = {{"iterations", {listed(times), last.iterations}}, {"operator", smoothing_words.line("parameter.operator")}};
     section.extent =
         words.line("extent", "steps"_a = last.lambdas.size(), "counts"_a = listed(times), "meshes"_a = listed(names_of(studies)));

@@ -42,16 +42,10 @@ report::Text verdict_of(const Studies& studies);
 
 /// A λt in squared mean edges.
 inline double in_edges(const ImplicitStudy& study, double time) { return time / (study.subject.mean_edge * study.subject.mean_edge); }
-/// Explicit over implicit arithmetic of what is recommended, where it is known.
-std::vector<double> prices(const Studies& studies);
 /// Median face angle of a rough input; below it the angle measures the shape [°].
 inline constexpr double rough = 5;
-/// "alike" within a fifth; else "dearer" or "cheaper", where explicit smoothing is so on all meshes, or "either".
-std::string price_key(const std::vector<double>& ratios);
 /// "smoother", "rougher" or (to 5 %) "alike": a rough mesh after explicit steps, beside implicit ones of equal energy; "": it was not
 /// rough.
 std::string smoothness_key(const ImplicitStudy& study);
-/// "0.25 to 4.0".
-std::string span_of(const std::vector<double>& values);
 
 }   // namespace meshfolio::q6_implicit

@@ -65,7 +65,7 @@ void compare_equal_times(ImplicitStudy& study) {
 /// Compares the damping of the lowest modes with (1 + λμ)^−t, in the runs where they have not vanished.
 void measure_damping(ImplicitStudy& study) {
     const SmoothingSubject& subject = study.subject;
-    const int k = std::min(12, subject.source->prepared->preflight.vertices_in_use);
+    const int k = std::min(12, subject.preflight().vertices_in_use);
     const Spectrum low = smallest_eigenpairs(subject.laplacian, k);
     // Well above rounding, also that of coordinates far from the origin.
     const double rounding = 1e7 * std::numeric_limits<double>::epsilon() * subject.mesh().X.cwiseAbs().maxCoeff();
@@ -109,7 +109,7 @@ std::optional<SmoothingCell> recommended_cell(const ImplicitStudy& study, Implic
 
 /// Median angle between neighbouring faces; that of flat faces is 0, not rounding [°].
 double roughness_of(const SmoothingSubject& subject, const Positions& X) {
-    const double angle = median_face_angle(moved_to(subject.mesh(), X), subject.source->prepared->topology);
+    const double angle = median_face_angle(moved_to(subject.mesh(), X), subject.topology());
     return angle < 1e-6 ? 0 : angle;
 }
 
@@ -221,7 +221,7 @@ std::vector<int> iterations_of(const QuestionSettings& settings) {
     return settings.quick ? std::vector{1, 10} : std::vector{1, 3, 10, 30, 100};
 }
 
-ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+ImplicitStudy implicit_study(SharedMesh source, const QuestionSettings& settings) {
     ImplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
     study.roughness = roughness_of(study.subject, study.subject.mesh().X);

@@ -73,7 +73,7 @@ struct ImplicitStudy {
     std::vector<double> explicit_energy;   // after n = 0, 1, … explicit steps of half of λ_crit, over that of the input
 
     const std::string& name() const { return subject.name(); }
-    bool is_closed() const { return subject.source->prepared->preflight.closed(); }
+    bool is_closed() const { return subject.preflight().closed(); }
     const SmoothingCell& cell(std::size_t lambda, std::size_t t) const { return grid[lambda * iterations.size() + t]; }
     /// Index of the largest λ that is within the explicit limit.
     std::optional<std::size_t> within_limit() const;
@@ -103,6 +103,6 @@ inline const std::vector<double> own_steps{0.5, 5.0, 50.0};
 std::vector<int> iterations_of(const QuestionSettings& settings);
 
 /// With the steps of the settings, else with its own.
-ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+ImplicitStudy implicit_study(SharedMesh source, const QuestionSettings& settings);
 
 }   // namespace meshfolio::q6_implicit

@@ -62,7 +62,7 @@ report::Table price_table(const Studies& studies) {
     built.column("mesh", [](auto& r) { return r.study.name(); });
     built.column("λ/λ_crit", {.digits = 2}, [](auto& r) { return r.study.lambdas[r.lambda] / r.study.subject.critical; });
     for (const int t : times)
-        built.column(words.line("head.time", "iterations"_a = t), {.digits = 2, .heat = report::Column::Heat{1, 16}},
+        built.column(words.line("head.time", "iterations"_a = t), {.digits = 2, .heat = Heat{1, 16}},
                      [&](auto& r) { return cell_of(r.study.price(r.lambda, t)); });
     built.column("pays from t", {.digits = 4}, [](auto& r) { return cell_of(r.even ? r.even->iterations : 0, r.even.has_value()); });
     built.column("λt", {.unit = "h̄²", .digits = 2},

@@ -60,8 +60,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
     const DenoisingGrid& first = grids.front();
     Names levels, steps;
-    std::vector<double> noise;
-    for (const NoisyTrial& trial : first.trials) noise.push_back(trial.relative);
+    const std::vector<double> noise = each_of(first.trials, [&](const NoisyTrial& trial) { return trial.relative; });
     for (const double relative : noise) levels.push_back(readable_percent(relative, 2));
     for (const double lambda : first.lambdas) steps.push_back(readable(lambda, 3));
     section.parameters = {

@@ -73,7 +73,7 @@ Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const Tr
     };
     remains.feature_angle = angle_of(at_features);
     remains.other_angle = angle_of(others);
-    if (grid.clean->prepared->preflight.closed()) remains.volume = signed_volume(smoothed) / signed_volume(clean);
+    if (grid.clean->preflight().closed()) remains.volume = signed_volume(smoothed) / signed_volume(clean);
     return remains;
 }
 
@@ -89,7 +89,7 @@ double gain_of(const DenoisingGrid& grid, const NoisyTrial& trial, std::uint64_t
 /// Two runs, from Y and from Y + εz, whose difference along z is the divergence of Stein's estimate.
 Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial, std::uint64_t seed, ImplicitSolver& solver) {
     const TriangleMesh &clean = grid.clean->mesh(), &noisy = trial.noisy;
-    const MeshTopology& topology = grid.clean->prepared->topology;
+    const MeshTopology& topology = grid.clean->topology();
     const double sigma = noise_level(noisy, topology).sigma, amount = 1e-4 * grid.mean_edge;
     if (!(sigma > 0) || !(trial.found.noisy.shape > 0)) return {};
     const Positions z = random_signs(noisy.X.rows(), seed);
@@ -118,11 +118,11 @@ Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial
 
 NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double relative, std::uint64_t seed, int further) {
     const TriangleMesh& clean = grid.clean->mesh();
-    const MeshTopology& topology = grid.clean->prepared->topology;
+    const MeshTopology& topology = grid.clean->topology();
     NoisyTrial trial;
     trial.relative = relative;
     trial.sigma = relative * grid.diagonal;
-    if (grid.clean->prepared->preflight.closed()) trial.clean_volume = signed_volume(clean);
+    if (grid.clean->preflight().closed()) trial.clean_volume = signed_volume(clean);
     trial.noisy = moved_to(clean, with_gaussian_noise(clean.X, Vector3::Constant(trial.sigma), seed));
     const SearchInput input{clean, normals, {trial.noisy, topology}, grid.mean_edge};
     trial.found = search_for_best(input, grid.lambdas, grid.iterations, &trial.states);
@@ -187,14 +187,14 @@ SearchResult search_for_best(const SearchInput& input, const std::vector<double>
                   });
 }
 
-DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+DenoisingGrid denoising_grid(SharedMesh source, const QuestionSettings& settings) {
     DenoisingGrid grid;
     grid.clean = std::move(source);
     const TriangleMesh& clean = grid.clean->mesh();
-    const MeshTopology& topology = grid.clean->prepared->topology;
+    const MeshTopology& topology = grid.clean->topology();
     grid.diagonal = bounding_box(clean).diagonal();
     grid.mean_edge = mean_edge_length(clean);
-    if (grid.clean->prepared->preflight.closed()) grid.thickness = 3 * signed_volume(clean) / surface_area(clean) / grid.mean_edge;
+    if (grid.clean->preflight().closed()) grid.thickness = 3 * signed_volume(clean) / surface_area(clean) / grid.mean_edge;
     const DenoisingTries tries = tries_of(settings, grid.mean_edge);
     grid.lambdas = tries.lambdas;
     grid.iterations = tries.iterations;

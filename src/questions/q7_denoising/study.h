@@ -59,7 +59,7 @@ struct NoisyTrial {
 };
 
 struct DenoisingGrid {
-    std::shared_ptr<const LibraryMesh> clean;
+    SharedMesh clean;
     double diagonal = 0, mean_edge = 0;     // [length]
     double thickness = NAN;                 // 3 × volume / area, the radius of a ball of that ratio; NaN: open [mean edges]
     std::vector<double> lambdas;            // ascending [h̄²]
@@ -105,7 +105,7 @@ SearchResult search_for_best(const SearchInput& input, const std::vector<double>
                              std::vector<SearchState>* states = nullptr);
 
 /// At the noise levels of the settings, else from barely visible to hopeless; steps λ from a thousandth of a squared mean edge to ten.
-DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> clean, const QuestionSettings& settings);
+DenoisingGrid denoising_grid(SharedMesh clean, const QuestionSettings& settings);
 
 /// Of each vertex how far X is from where it was clean along the surface, and how far below it. [length]
 Vector drifts(const DenoisingGrid& grid, const Positions& X);

@@ -67,7 +67,7 @@ const DenoisingGrid& hardest(const Grids& grids) {
 report::Table result_table(const Grids& grids) {
     const auto gain_by = [](std::size_t m) { return [m](const Case& c) { return cell_of(c.part.gain(measures[m])); }; };
     // Rounded down: 1.10 and 2.00 are reached, so that verdicts can be counted.
-    const report::Column gain{.unit = "×", .rounding = report::Column::Rounding::down, .heat = report::Column::Heat{1, 8}};
+    const report::Column gain{.unit = "×", .rounding = Rounding::down, .heat = Heat{1, 8}};
     const std::vector<Case> cases = cases_of(grids);
     std::string caption = words.line("results.table");
     const auto most = std::ranges::max_element(cases, {}, [](const Case& c) { return c.part.further_gains.size(); });
@@ -85,7 +85,7 @@ report::Table result_table(const Grids& grids) {
         .column("normals", gain, gain_by(2))
         .column("volume", {.unit = "%"}, [](auto& c) { return cell_of(100 * c.part.remains.volume); })
         .column("verdict", [](auto& c) { return verdict_on(c.part); })
-        .column("alone", {.unit = "×", .rounding = report::Column::Rounding::down}, [](auto& c) { return cell_of(c.part.stopped.gain); });
+        .column("alone", {.unit = "×", .rounding = Rounding::down}, [](auto& c) { return cell_of(c.part.stopped.gain); });
 }
 
 report::Table count_table(const Grids& grids) {
@@ -116,7 +116,7 @@ report::Table measure_table(const Grids& grids) {
         .column("measure", [](auto& r) { return words.line("measure." + std::string(r.measure.key)); })
         .column("noisy", {.unit = "% of box, °"}, [](auto& r) { return r.shown(r.trial.found.noisy); })
         .column("best", {.unit = "% of box, °"}, [](auto& r) { return r.shown(r.best()); })
-        .column("gain", {.unit = "×", .rounding = report::Column::Rounding::down}, [](auto& r) { return cell_of(r.trial.gain(r.measure)); })
+        .column("gain", {.unit = "×", .rounding = Rounding::down}, [](auto& r) { return cell_of(r.trial.gain(r.measure)); })
         .column("λ", {.unit = "h̄²"}, [](auto& r) { return cell_of(r.best().value, r.better()); })
         .column("t", {.digits = 5}, [](auto& r) { return cell_of(r.best().step, r.better()); })
         .column("verdict", [](auto& r) { return verdict_on(r.trial, r.measure); });

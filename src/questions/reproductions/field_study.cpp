@@ -1,4 +1,4 @@
-#include "questions/reproductions/field_study.h"
+#include "questions/reproductions/study.h"
 
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/uniform_laplacian.h"
@@ -56,7 +56,7 @@ Estimate estimate(const TriangleMesh& surface, const MeshTopology& topology, con
 }
 
 ExperimentField field_of(const ExperimentMesh& mesh, ExperimentField field) {
-    Estimate e = estimate(mesh.mesh(), mesh.used->prepared->topology, field, mesh.mean_edge);
+    Estimate e = estimate(mesh.mesh(), mesh.used->topology(), field, mesh.mean_edge);
     field.inside = std::move(e.inside);
     field.drawn = std::move(e.drawn);
     field.largest_boundary = e.largest_boundary;
@@ -77,7 +77,7 @@ double mass_rms_of(const Vector& M, const Positions& X, const Positions& Y) {
 Vector colours_of(const ExperimentMesh& mesh, ExperimentColour colour, const Positions& X) {
     if (colour == ExperimentColour::none) return {};
     if (colour == ExperimentColour::distance) return (X - mesh.mesh().X).rowwise().norm() * (100 / mesh.diagonal);
-    return estimate(moved_to(mesh.mesh(), X), mesh.used->prepared->topology, {.colour = colour}, mesh.mean_edge).drawn;
+    return estimate(moved_to(mesh.mesh(), X), mesh.used->topology(), {.colour = colour}, mesh.mean_edge).drawn;
 }
 
 CurvatureExperiment curvature_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings) {

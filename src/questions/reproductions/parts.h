@@ -2,7 +2,6 @@
 /// The blocks of the section "reproductions": what each kind of experiment shows. Private to the section.
 #pragma once
 
-#include "questions/reproductions/field_study.h"
 #include "questions/reproductions/study.h"
 
 namespace meshfolio::reproductions {

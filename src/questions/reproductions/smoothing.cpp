@@ -127,9 +127,7 @@ Runs runs_where(const SmoothingExperiment& done, std::size_t mesh, Chosen chosen
 
 template <class Value>
 std::vector<double> values_of(const Runs& runs, Value value) {
-    std::vector<double> values;
-    for (const ExperimentRun* run : runs) values.push_back(value(*run));
-    return values;
+    return each_of(runs, [&](const ExperimentRun* run) { return value(*run); });
 }
 
 bool is_explicit(const ExperimentRun& run) { return run.method.scheme == SmoothingScheme::explicit_euler; }
@@ -140,8 +138,7 @@ int end_of(const ExperimentRun& run) { return run.run.result.blow_up_iteration; 
 /// In which iterations they blew up. @param blown  at least one
 std::string ends_text(const Runs& blown) {
     const auto [first, last] = std::ranges::minmax(blown, {}, [](const ExperimentRun* run) { return end_of(*run); });
-    if (end_of(*first) == end_of(*last)) return std::to_string(end_of(*first));
-    return words.line("range", "first"_a = end_of(*first), "last"_a = end_of(*last));
+    return span_of(std::to_string(end_of(*first)), std::to_string(end_of(*last)));
 }
 
 /// What became of some runs: how many, at which shares of the limit, and their energies or the iterations they ended in.

@@ -15,7 +15,7 @@ bool looks_at_noise(const Experiment& experiment) {
     return experiment.kind == ExperimentKind::denoising || experiment.kind == ExperimentKind::error_curve;
 }
 
-ExperimentMesh measured(const OriginalMesh& original, std::shared_ptr<const LibraryMesh> used, const Experiment& experiment) {
+ExperimentMesh measured(const OriginalMesh& original, SharedMesh used, const Experiment& experiment) {
     ExperimentMesh mesh;
     mesh.originals = {original};
     mesh.used = std::move(used);

@@ -11,8 +11,7 @@ std::string original_words(const OriginalMesh& original) {
 }
 
 std::string mesh_words(const ExperimentMesh& mesh) {
-    Names originals;
-    for (const OriginalMesh& original : mesh.originals) originals.push_back(original_words(original));
+    const Names originals = each_of(mesh.originals, original_words);
     return words.line(mesh.stand_in ? "mesh.stand_in" : "mesh.itself", "file"_a = mesh.used->input.file,
                       "vertices"_a = mesh.mesh().vertex_count(), "originals"_a = listed(originals));
 }
@@ -42,8 +41,7 @@ void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshe
         report::Heading{words.line("heading", "rows"_a = sentence_case(rows_text(e.rows)), "report"_a = e.from, "name"_a = e.name)});
     report::BulletList list;
     if (!e.said.empty()) list.items.push_back(words.say("opening.said", "said"_a = e.said));
-    Names here;
-    for (const ExperimentMesh& mesh : meshes) here.push_back(mesh_words(mesh));
+    const Names here = each_of(meshes, mesh_words);
     if (!meshes.empty()) list.items.push_back(words.say("opening.here", "meshes"_a = joined(here)));
     for (const ExperimentMesh& mesh : meshes)
         if (report::Text carried = carried_words(e, mesh); !carried.empty()) list.items.push_back(std::move(carried));
@@ -54,8 +52,7 @@ void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshe
 std::string Reproduction::where() const { return experiment.from + ", " + rows_text(experiment.rows); }
 
 std::string rows_text(const std::vector<int>& rows) {
-    Names numbers;
-    for (const int row : rows) numbers.push_back(std::to_string(row));
+    const Names numbers = each_of(rows, [&](const int row) { return std::to_string(row); });
     return words.line("rows", "count"_a = rows.size(), "rows"_a = listed(numbers));
 }
 
@@ -82,8 +79,7 @@ std::string chosen_text(double x) { return report::brief(x, 3); }
 
 std::string range_text(const std::vector<double>& values) {
     const auto [low, high] = std::ranges::minmax(values);
-    const std::string first = chosen_text(low), last = chosen_text(high);
-    return first == last ? first : words.line("range", "first"_a = first, "last"_a = last);
+    return span_of(chosen_text(low), chosen_text(high));
 }
 
 std::string sentence_case(std::string said) {

@@ -79,8 +79,7 @@ report::Text on_both_sides(const Studies& studies) {
 report::Text about_uniform(const Studies& studies) {
     const auto range = [&](int digits, const auto& value) {
         const auto [low, high] = std::ranges::minmax_element(studies, {}, value);
-        const std::string least = readable(value(*low), digits);
-        return studies.size() == 1 ? least : words.line("uniform.range", "low"_a = least, "high"_a = readable(value(*high), digits));
+        return span_of(readable(value(*low), digits), readable(value(*high), digits));
     };
     return words.say(
         "uniform", "uniform"_a = range(4, [](const StabilityStudy& s) { return s.uniform.critical(); }),

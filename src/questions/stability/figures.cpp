@@ -68,7 +68,7 @@ void add_limiting_vertex_figures(Answer& answer, const Studies& studies, const s
         const Vector& mode = study.cotangent.certificate.top.mode;
         const Vector height = mode / mode.cwiseAbs().maxCoeff();
         const std::string label = study.name() + ", vertex " + std::to_string(v.vertex);
-        const Neighbourhood patch = neighbourhood(study.mesh(), study.source->prepared->topology, v.vertex, rings);
+        const Neighbourhood patch = neighbourhood(study.mesh(), study.topology(), v.vertex, rings);
         whole.panels.push_back(panel_of(moved_to(study.mesh(), turned(study.mesh(), v.vertex)), id_of("stability", study.name(), "mode"),
                                         label, height.cwiseAbs()));
         whole.panels.back().marked_vertices = {v.vertex};

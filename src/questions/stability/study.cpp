@@ -1,4 +1,4 @@
-#include "questions/stability/study.h"
+#include "questions/stability/parts.h"
 
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operators/uniform_laplacian.h"
@@ -47,7 +47,7 @@ LimitingVertex limiting_vertex(const LaplaceBeltrami& laplacian, const LibraryMe
     const OperatorWithMass whole = operator_with_mass(laplacian);
     LimitingVertex limiting{vertex, laplacian.M[vertex] / summary_of(whole.M).median,
                             -laplacian.C.coeff(vertex, vertex) / summary_of(whole.A.diagonal()).median,
-                            source.prepared->topology.on_boundary[vertex] != 0, pi};
+                            source.topology().on_boundary[vertex] != 0, pi};
     const CornerValues angles = corner_angles(mesh);
     for (int t = 0; t < mesh.face_count(); ++t)
         if ((mesh.F.row(t).array() == vertex).any()) limiting.smallest_angle = std::min(limiting.smallest_angle, angles.row(t).minCoeff());
@@ -56,7 +56,7 @@ LimitingVertex limiting_vertex(const LaplaceBeltrami& laplacian, const LibraryMe
 
 }   // namespace
 
-StabilityStudy stability_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settings) {
     StabilityStudy study;
     study.source = std::move(source);
     study.mean_edge = mean_edge_length(study.mesh());
@@ -64,8 +64,8 @@ StabilityStudy stability_study(std::shared_ptr<const LibraryMesh> source, const 
     const int steps = settings.quick ? 300 : 1000;
     const LaplaceBeltrami laplacian = laplace_beltrami(study.mesh());
     study.cotangent = operator_limit("cotangent", OperatorKind::cotan, laplacian, study.mesh(), study.mean_edge, steps);
-    study.uniform = operator_limit("uniform", OperatorKind::uniform, uniform_operator(study.source->prepared->topology), study.mesh(),
-                                   study.mean_edge, steps);
+    study.uniform =
+        operator_limit("uniform", OperatorKind::uniform, uniform_operator(study.topology()), study.mesh(), study.mean_edge, steps);
     study.limiting = limiting_vertex(laplacian, *study.source, study.cotangent.certificate.top.vertex);
     study.peaks = peaks_of(study.cotangent.certificate.top.mode);
     return study;

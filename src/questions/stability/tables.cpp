@@ -5,7 +5,6 @@ namespace meshfolio::stability {
 
 namespace {
 
-using Rounding = report::Column::Rounding;
 using Style = report::Series::Style;
 
 /// One operator on one mesh, and a run with it.

@@ -57,7 +57,7 @@ report::Table error_table(const GroundTruth& truth, MeshKind kind) {
     const std::string name(name_of(kind));
     auto errors = table_of_estimators("truth_errors_" + name + "_l2", words.line("errors", "kind"_a = name));
     for (const BenchRun& run : of_kind(truth.runs, kind))
-        errors.column(run.surface, {.unit = "%", .heat = report::Column::Heat{0.1, 30}},
+        errors.column(run.surface, {.unit = "%", .heat = Heat{0.1, 30}},
                       [&](auto* e) { return cell_of(100 * run.finest().error(e->key).l2); });
     return errors;
 }

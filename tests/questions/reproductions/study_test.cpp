@@ -10,7 +10,6 @@
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
 #include "questions/core/section_tools.h"
-#include "questions/reproductions/field_study.h"
 #include "temporary_folder.h"
 
 namespace meshfolio::reproductions {
