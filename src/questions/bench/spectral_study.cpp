@@ -106,8 +106,7 @@ double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r) 
 }
 
 double largest_parseval_gap(const SpectralStudy& study) {
-    return largest_of(study.reconstructions,
-                      [&](const Reconstruction& r) { return std::abs(r.predicted_rms - r.difference.area_weighted_rms); });
+    return largest_of(study.reconstructions, [](auto& r) { return std::abs(r.predicted_rms - r.difference.area_weighted_rms); });
 }
 
 }   // namespace meshfolio

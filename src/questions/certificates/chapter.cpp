@@ -73,11 +73,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const Specimen specimen = bundled_specimen();
     const std::vector<FaultTrial> trials = trials_of(specimen);
 
-    add_words(section, words, "method");
-    add_words(section, words, "results");
-    add(section, spectrum_table(meshes));
-    add(section, operator_table(meshes));
-    add(section, fault_table(trials));
+    add_words(section, words, {"method", "results"});
+    add(section, spectrum_table(meshes), operator_table(meshes), fault_table(trials));
     add_checks(section, meshes, trials);
     add_discussion(section, meshes, trials, specimen);
 

@@ -96,8 +96,7 @@ std::string shown(Verdict verdict) { return std::string(symbol_of(verdict)) + " 
 std::string Claim::said() const { return words.line(std::string(id) + ".said"); }
 
 const Source& Claim::source() const {
-    const auto* source =
-        std::ranges::find_if(sources, [&](const Source& s) { return id.starts_with("claims_" + std::string(s.key) + "_"); });
+    const auto* source = std::ranges::find_if(sources, [&](auto& s) { return id.starts_with("claims_" + std::string(s.key) + "_"); });
     if (source == sources.end()) throw std::logic_error("no source of " + std::string(id));
     return *source;
 }

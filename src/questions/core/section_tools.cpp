@@ -66,7 +66,7 @@ void add_words(report::Section& section, const report::Words& words, std::string
     for (report::Block& block : words.blocks(key, facts)) add(section, std::move(block));
 }
 
-void add(report::Section& section, report::Block block) {
+void add_one(report::Section& section, report::Block block) {
     const auto complete = [](auto& b) {
         if constexpr (requires { b.alt; })
             if (b.alt.empty()) b.alt = b.caption;

@@ -40,8 +40,10 @@ void say_small_settings(report::Section& section);
 std::string left_out_to_fit();
 
 /// Appends a block. A plot, map or figure without an alternative text gets its caption.
-void add(report::Section& section, report::Block block);
-inline void add(report::Section& section, report::Check check) { section.checks.push_back(std::move(check)); }
+void add_one(report::Section& section, report::Block block);
+inline void add_one(report::Section& section, report::Check check) { section.checks.push_back(std::move(check)); }
+/// Appends tables, plots, … and checks, in this order.
+void add(report::Section& section, auto&&... parts) { (add_one(section, std::forward<decltype(parts)>(parts)), ...); }
 void append_checks(report::Section& section, const std::vector<report::Check>& checks);
 /// What is added from here on is in the appendix of the report.
 inline void begin_appendix(report::Section& section) { section.appendix_from = static_cast<int>(section.blocks.size()); }
@@ -49,6 +51,9 @@ inline void begin_appendix(report::Section& section) { section.appendix_from = s
 void add_words(report::Section& section, const report::Words& words, std::string_view key, const report::Facts& facts);
 void add_words(report::Section& section, const report::Words& words, std::string_view key, auto... facts) {
     add_words(section, words, key, report::Facts{std::move(facts)...});
+}
+inline void add_words(report::Section& section, const report::Words& words, std::initializer_list<std::string_view> keys) {
+    for (const std::string_view key : keys) add_words(section, words, key);
 }
 /// Appends each text as a paragraph; skips empty ones.
 void add_paragraphs(report::Section& section, const std::vector<report::Text>& texts);

@@ -53,17 +53,13 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     Answer answer{section_of("maps")};
     report::Section& section = answer.section;
     const auto meshes = laboratory_meshes(library, settings, section);
-    add_words(section, words, "method");
-
-    add_words(section, words, "results");
+    add_words(section, words, {"method", "results"});
     const auto studies = studies_of(meshes, "planes of smoothing", settings, progress, section, smoothing_maps);
     for (const SmoothingMaps& maps : studies) {
         for (report::Map& map : maps_of(maps)) add(section, std::move(map));
         add_pictures(answer, maps);
     }
-    add(section, place_table(studies));
-    add(section, region_table(studies));
-    add(section, blow_up_table(studies));
+    add(section, place_table(studies), region_table(studies), blow_up_table(studies));
     add_discussion(section, studies);
     for (const SmoothingMaps& maps : studies) add_checks(section, maps);
 

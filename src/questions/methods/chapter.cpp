@@ -101,9 +101,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_method(section, laboratory.budget);
 
     add_words(section, words, "results");
-    add(section, subject_table(laboratory));
-    add(section, winner_table(class_results(laboratory)));
-    add(section, limit_table(laboratory));
+    add(section, subject_table(laboratory), winner_table(class_results(laboratory)), limit_table(laboratory));
     for (const DenoisingTrials& mesh : laboratory.meshes) {
         for (const Measure& measure : measures) add(section, gain_table(mesh, measure));
         if (mesh.of_kind(NoiseKind::gaussian).size() > 1) add(section, gain_plot(mesh));

@@ -45,18 +45,13 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     Answer answer{section_of("modes")};
     report::Section& section = answer.section;
     const auto meshes = laboratory_meshes(library, settings, section);
-    add_words(section, words, "method");
-
-    add_words(section, words, "results");
+    add_words(section, words, {"method", "results"});
     const auto studies = studies_of(meshes, "modes", settings, progress, section, mode_study);
     const ModeStudy& first = studies.front();
-    add(section, damping_plot(first, SmoothingScheme::explicit_euler));
-    add(section, damping_plot(first, SmoothingScheme::implicit_euler));
-    add(section, damping_table(studies));
-    add(section, gap_table(studies));
+    add(section, damping_plot(first, SmoothingScheme::explicit_euler), damping_plot(first, SmoothingScheme::implicit_euler),
+        damping_table(studies), gap_table(studies));
     for (const ModeStudy& study : studies) {
-        add(section, cost_plot(study));
-        add(section, truth_plot(study));
+        add(section, cost_plot(study), truth_plot(study));
         add_timings(section, study);
     }
     add(section, crossing_table(studies));

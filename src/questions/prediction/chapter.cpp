@@ -46,9 +46,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     Answer answer{section_of("prediction")};
     report::Section& section = answer.section;
     const LibraryMeshes meshes = meshes_of(library, settings, section);
-    add_words(section, words, "method");
-
-    add_words(section, words, "results");
+    add_words(section, words, {"method", "results"});
     const Studies studies = studies_of(meshes, "predicted denoising", settings, progress, section, prediction_study);
     add(section, clean_prediction_table(studies));
     for (const PredictionStudy& study : studies) add(section, clean_prediction_plot(study));
@@ -57,8 +55,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         add(section, operator_prediction_plot(study, FlowOperator::noisy));
         if (settings.laboratory) add(section, operator_prediction_plot(study, FlowOperator::rebuilt));
     }
-    add(section, why_table(studies));
-    add(section, rule_table(studies));
+    add(section, why_table(studies), rule_table(studies));
     add_discussion(section, studies);
     add_checks(section, studies);
     section.answer = answer_of(studies);

@@ -126,10 +126,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     }
     if (meshes.empty()) throw InputError({}, "no mesh can be used", "see the warnings");
     const std::vector<Occurrence> occurrences = occurrences_in(meshes), found = found_of(occurrences);
-    add_words(section, words, "method");
-    add_words(section, words, "results");
-    add(section, connectivity_table(meshes));
-    add(section, geometry_table(meshes));
+    add_words(section, words, {"method", "results"});
+    add(section, connectivity_table(meshes), geometry_table(meshes));
     if (!found.empty()) add(section, defect_table(found));
     add(section, search_table(meshes, occurrences));
     for (const Inspected& mesh : meshes) add_checks(section, mesh);

@@ -12,8 +12,8 @@ void add_checks(report::Section& section, const AngleSums& sums, const std::vect
         const CurvatureSubject& s = f.curvature->subject;
         if (s.interior == 0) continue;
         const std::string note = words.line("check.flat.note");
-        add(section, check_at_most(words.line("check.flat.normal_part", "mesh"_a = s.name()), 0, f.normal_part, 1e-6, note));
-        add(section, check_at_most(words.line("check.flat.deficit", "mesh"_a = s.name()), 0, f.deficit, 1e-5, note));
+        add(section, check_at_most(words.line("check.flat.normal_part", "mesh"_a = s.name()), 0, f.normal_part, 1e-6, note),
+            check_at_most(words.line("check.flat.deficit", "mesh"_a = s.name()), 0, f.deficit, 1e-5, note));
     }
     const Order of_K = run_on(runs, "torus", MeshKind::regular).errors(deficit_K).order();
     add(section, check_near(words.line("check.order"), 2, of_K.exponent, 0.2));
@@ -58,8 +58,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_paragraphs(section, {lead_of(runs, drifting)});
     add_words(section, words, "method.laplacian");
     add(section, ring_diagram());
-    add_words(section, words, "method.deficit");
-    add_words(section, words, "results");
+    add_words(section, words, {"method.deficit", "results"});
     add_figures(answer, meshes);
     if (drifting) add_tangential_figure(answer, meshes, settings.colormap);
     add(section, error_table(runs));
@@ -68,10 +67,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
     begin_appendix(section);
     add_words(section, words, "appendix");
-    add(section, convergence_plot(runs));
-    add(section, statistics_table(meshes));
-    add(section, area_table(runs));
-    add(section, gauss_bonnet_table(sums));
+    add(section, convergence_plot(runs), statistics_table(meshes), area_table(runs), gauss_bonnet_table(sums));
     add_flat_boundaries(section, flat);
 
     const std::size_t levels = runs.front().levels.size();

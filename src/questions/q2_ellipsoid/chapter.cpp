@@ -68,10 +68,8 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     add_paragraphs(section, {lead_of(tip)});
     add_words(section, words, "method");
     add(section, angle_diagram(tip));
-    add_words(section, words, "method.tip");
-    add_words(section, words, "results");
-    add(section, tip_table(tips));
-    add(section, tip_plot(tips[0], "q2_tip_b_above_c"));
+    add_words(section, words, {"method.tip", "results"});
+    add(section, tip_table(tips), tip_plot(tips[0], "q2_tip_b_above_c"));
     add_discussion(section, tip, oracles, pole, discrete);
     add_checks(section, tips, oracles, pole, discrete);
 
@@ -81,9 +79,7 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     add_ellipsoid_figure(answer, flat_ellipsoid, settings.quick, settings.colormap);
     add(section, tip_plot(tips[1], "q2_tip_b_below_c"));
     add_remarks(section, tips[1], tip);
-    add(section, oracle_table(oracles));
-    add(section, pole_table(flat_ellipsoid, pole));
-    add(section, discrete_table(tip, discrete));
+    add(section, oracle_table(oracles), pole_table(flat_ellipsoid, pole), discrete_table(tip, discrete));
 
     const int points = oracles.front().points;
     const Ellipsoid &flat = flat_ellipsoid, &tall = tall_ellipsoid;

@@ -10,8 +10,7 @@ void add_checks(report::Section& section, const BenchRuns& runs, const PlaneTest
         const Order order = run_on(runs, "torus", MeshKind::regular).errors(H_with(form)).order();
         add(section, check_near(words.line("check.order", "areas"_a = area_name(form)), 2, order.exponent, 0.2));
     }
-    add(section, pentagon_check(runs));
-    add(section, check_at_most(words.line("check.linear_precision"), 0, plane.cotangent, 1e-10));
+    add(section, pentagon_check(runs), check_at_most(words.line("check.linear_precision"), 0, plane.cotangent, 1e-10));
     for (const CotangentComparison& c : meshes) {
         if (!c.subject.plane_normal || c.subject.interior == 0) continue;
         const report::Check flat =
@@ -94,11 +93,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
     begin_appendix(section);
     add_words(section, words, "appendix");
-    add(section, error_table(runs, &EstimateError::linf, "linf", "L∞"));
-    add(section, order_table(runs));
-    add(section, difference_table(meshes));
-    add(section, variant_table(meshes));
-    add(section, convergence_plot(runs));
+    add(section, error_table(runs, &EstimateError::linf, "linf", "L∞"), order_table(runs), difference_table(meshes), variant_table(meshes),
+        convergence_plot(runs));
     add_limits(section, meshes, runs);
     add_error_indicator(answer, meshes, runs, settings);
 

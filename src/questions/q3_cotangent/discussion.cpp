@@ -109,8 +109,7 @@ report::Text about_errors(const BenchRuns& runs) {
     const Tally jittered = tally(runs, MeshKind::jittered);
     report::Text t = smallest_gain(runs, MeshKind::regular, "errors.regular");
     go_on(t, smallest_gain(runs, MeshKind::jittered, "errors.jittered"));
-    const auto mixed =
-        std::ranges::count_if(runs, [](const BenchRun& run) { return cotangent_error(run, AreaForm::mixed) < cotangent_error(run); });
+    const auto mixed = std::ranges::count_if(runs, [](auto& run) { return cotangent_error(run, AreaForm::mixed) < cotangent_error(run); });
     go_on(t, words.say(mixed == std::ssize(runs) ? "errors.mixed.all" : "errors.mixed", "mixed"_a = mixed, "runs"_a = runs.size()));
     if (2 * mixed > std::ssize(runs)) go_on(t, words.say("errors.mixed.kept", "gain"_a = readable(100 * gain_of_mixed_areas(runs), 2)));
     const BenchRun& sphere = run_on(runs, "sphere", MeshKind::jittered);

@@ -1,6 +1,106 @@
+#include "questions/bench/one_ring.h"
+#include "questions/core/diagram_names.h"
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {
+
+namespace {
+
+using namespace diagram_names;
+
+/// The ring in thin lines, its vertex marked.
+Diagram::Panel ring_panel(const FlatRing& ring, const char* title) {
+    Diagram::Panel panel{.title = words.line(title)};
+    const std::vector<DiagramPoint> outline{ring.corners.begin(), ring.corners.end() - 1};
+    panel.paths.push_back(path_through(outline, Style::line, true));
+    for (const DiagramPoint& corner : outline) panel.paths.push_back(path_through({{0, 0}, corner}, Style::thin));
+    return panel;
+}
+
+void add_arrow(Diagram::Panel& panel, DiagramPoint from, DiagramPoint to) {
+    panel.paths.push_back(path_through({from, to}, Style::accent));
+    panel.paths.back().arrow = true;
+}
+
+DiagramPoint ring_mean(const FlatRing& ring) {
+    DiagramPoint mean{0, 0};
+    for (int t = 0; t < ring.triangles(); ++t)
+        for (const std::size_t axis : {0u, 1u}) mean[axis] += ring.corners[t][axis] / ring.triangles();
+    return mean;
+}
+
+/// The edge from the vertex to corner 1, and the angles opposite it.
+Diagram::Panel weight_panel(const FlatRing& ring) {
+    Diagram::Panel panel = ring_panel(ring, "diagram.weight");
+    const DiagramPoint before = ring.corners[0], end = ring.corners[1], behind = ring.corners[2];
+    const double radius = 0.3 * std::min(std::hypot(before[0], before[1]), std::hypot(behind[0], behind[1]));
+    panel.paths.insert(panel.paths.begin(), path_through({{0, 0}, before, end, behind}, Style::area, true));
+    panel.paths.push_back(path_through({{0, 0}, end}, Style::accent));
+    const std::array angles{std::pair{before, "α_ij"}, std::pair{behind, "β_ij"}};
+    for (const auto& [corner, name] : angles) {
+        panel.paths.push_back(report::angle_arc(corner, {0, 0}, end, radius, Style::accent));
+        const DiagramPoint at = report::inside_angle(corner, {0, 0}, end, 1.9 * radius);
+        panel.labels.push_back({.x = at[0], .y = at[1], .words = text(math(name)), .side = Side::centre, .accent = true});
+    }
+    panel.labels.push_back({.x = 0, .y = 0, .words = text(math("x_i")), .side = Side::below_left, .dot = true});
+    panel.labels.push_back({.x = end[0], .y = end[1], .words = text(math("x_j")), .side = Side::above, .dot = true});
+    return panel;
+}
+
+/// The mean of the neighbours, and the pull towards it.
+Diagram::Panel uniform_panel(const FlatRing& ring) {
+    Diagram::Panel panel = ring_panel(ring, "diagram.uniform");
+    const DiagramPoint mean = ring_mean(ring);
+    add_arrow(panel, {0, 0}, mean);
+    panel.labels.push_back({.x = 0, .y = 0, .words = {}, .dot = true});
+    panel.labels.push_back(
+        {.x = mean[0], .y = mean[1], .words = text(math("Δx")), .side = mean[0] > 0 ? Side::right : Side::left, .accent = true});
+    return panel;
+}
+
+/// The corners of the Voronoi cell: the circumcentres of the triangles.
+std::vector<DiagramPoint> circumcentres(const FlatRing& ring) {
+    std::vector<DiagramPoint> centres;
+    for (int t = 0; t < ring.triangles(); ++t) centres.push_back(cell_in_triangle(ring, t, AreaForm::voronoi)[2]);
+    return centres;
+}
+
+/// w_ij (x_j − x_i) from the vertex on: each a side of the cell, a quarter turn back.
+Diagram::Panel cotangent_panel(const FlatRing& ring) {
+    Diagram::Panel panel = ring_panel(ring, "diagram.cotangent");
+    const std::vector<DiagramPoint> centres = circumcentres(ring);
+    for (std::size_t t = 0; t < centres.size(); ++t) {
+        const DiagramPoint &from = centres[(t + centres.size() - 1) % centres.size()], &to = centres[t];
+        add_arrow(panel, {0, 0}, {to[1] - from[1], from[0] - to[0]});
+    }
+    panel.labels.push_back({.x = 0, .y = 0, .words = {}, .dot = true});
+    return panel;
+}
+
+/// The same arrows a quarter turn on, each where it belongs.
+Diagram::Panel cell_panel(const FlatRing& ring) {
+    Diagram::Panel panel = ring_panel(ring, "diagram.cell");
+    const std::vector<DiagramPoint> centres = circumcentres(ring);
+    panel.paths.insert(panel.paths.begin(), path_through(centres, Style::accent_area, true));
+    for (std::size_t t = 0; t < centres.size(); ++t) add_arrow(panel, centres[t], centres[(t + 1) % centres.size()]);
+    panel.labels.push_back({.x = 0, .y = 0, .words = {}, .dot = true});
+    return panel;
+}
+
+}   // namespace
+
+Diagram weight_diagram() {
+    const SampleRing sample = uneven_ring_in_a_plane();
+    const FlatRing ring = flat_ring(sample.mesh, sample.topology, sample.vertex);
+    const DiagramPoint mean = ring_mean(ring);
+    double edge = 0;
+    for (int t = 0; t < ring.triangles(); ++t) edge += std::hypot(ring.corners[t][0], ring.corners[t][1]) / ring.triangles();
+    const std::string drift = readable_percent(std::hypot(mean[0], mean[1]) / edge, 2);
+    return {.id = "q3_weights",
+            .caption = words.line("diagram.caption", "drift"_a = drift),
+            .alt = words.line("diagram.alt", "drift"_a = drift),
+            .panels = {weight_panel(ring), uniform_panel(ring), cotangent_panel(ring), cell_panel(ring)}};
+}
 
 double cotangent_range(const CotangentComparison& c) {
     output::Panel panel;

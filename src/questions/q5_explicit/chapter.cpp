@@ -31,8 +31,8 @@ void add_checks(report::Section& section, const ExplicitStudy& study) {
             add(section, check_near(words.line("check.top_mode", limits, mesh), 1, a.measured / a.predicted, 1e-4));
         }
         if (!study.stable(i)) continue;
-        add(section, energy_check(words.line("check.energy", limits, mesh), run));
-        add(section, check_at_most(words.line("check.barycentre", limits, mesh), 0, barycentre_drift(subject, run.result.X), 1e-10));
+        add(section, energy_check(words.line("check.energy", limits, mesh), run),
+            check_at_most(words.line("check.barycentre", limits, mesh), 0, barycentre_drift(subject, run.result.X), 1e-10));
     }
 }
 
@@ -53,8 +53,7 @@ void add_appendix(Answer& answer, const Studies& studies) {
     add_faces_without_area(section, studies);
     for (const ExplicitStudy& study : studies) {
         if (&study != &telling(studies)) add_frames_figure(answer, study, studies);
-        add(section, energy_plot(study));
-        add(section, sweep_table(study));
+        add(section, energy_plot(study), sweep_table(study));
     }
 }
 

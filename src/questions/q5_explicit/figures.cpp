@@ -46,8 +46,7 @@ std::string on_sharp_edges(const Studies& studies) {
 
 /// Likewise where a few vertices set the limit.
 std::string on_rings(const Studies& studies) {
-    const Names ringed =
-        names_where(studies, [](const ExplicitStudy& study) { return study.recommended && !limiting_spot(study).empty(); });
+    const Names ringed = names_where(studies, [](auto& study) { return study.recommended && !limiting_spot(study).empty(); });
     return ringed.empty() ? "" : " " + words.line("figure.ring", "meshes"_a = listed(ringed));
 }
 

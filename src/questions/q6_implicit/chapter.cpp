@@ -24,9 +24,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const auto studies = studies_of(meshes, "implicit smoothing", settings, progress, section, implicit_study);
     section.answer = answer_of(studies);
     add_paragraphs(section, {summary_of(studies)});
-    add_words(section, words, "method");
-
-    add_words(section, words, "results");
+    add_words(section, words, {"method", "results"});
     const bool has_views = std::ranges::any_of(studies, [](const ImplicitStudy& study) { return study.good() != nullptr; });
     const output::ColorRange colours = colours_of(studies);
     const auto pictured = studies.begin() + std::min<std::size_t>(3, studies.size());

@@ -60,8 +60,7 @@ const DenoisingGrid& leading(const Grids& grids) {
 }
 
 const DenoisingGrid& hardest(const Grids& grids) {
-    return *std::ranges::min_element(grids, {},
-                                     [](const DenoisingGrid& grid) { return std::fmin(infinity, surface_gain(hardest_in(grid))); });
+    return *std::ranges::min_element(grids, {}, [](auto& grid) { return std::fmin(infinity, surface_gain(hardest_in(grid))); });
 }
 
 report::Table result_table(const Grids& grids) {

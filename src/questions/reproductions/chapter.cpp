@@ -57,9 +57,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     Answer answer{section_of("reproductions")};
     report::Section& section = answer.section;
     add_words(section, words, settings.own_experiments ? "method.own" : "method.bundled");
-    add_words(section, words, "method.carried");
-
-    add_words(section, words, "coverage.heading");
+    add_words(section, words, {"method.carried", "coverage.heading"});
     add(section, coverage_table(settings.bundled_experiments, settings.experiments));
     if (!settings.bundled_experiments.empty())
         add(section, check_at_most(words.line("check.rows"), 0, double(uncovered_rows(settings.bundled_experiments).size())));

@@ -56,8 +56,7 @@ report::Table coverage_table(const std::vector<Experiment>& bundled, const std::
         .column("experiments of", reports_of(bundled))
         .column("here", reports_of(here))
         .column("section", [](const RequiredRow& row) { return cell_if_said(section_name(row.section)); })
-        .column("remark",
-                [](const RequiredRow& row) { return row.remarked ? report::Cell(words.line(row.key() + ".remark")) : report::Cell(); });
+        .column("remark", [](auto& row) { return row.remarked ? report::Cell(words.line(row.key() + ".remark")) : report::Cell(); });
 }
 
 std::vector<int> uncovered_rows(const std::vector<Experiment>& experiments) {

@@ -199,8 +199,8 @@ void add_forms_reproduction(const Reproduction& r) {
     const double at_pole = (ellipsoid_point(e, 0, pi) - Vector3(e.a, 0, 0)).norm();
     add_words(r.section(), words, "forms.found", "largest"_a = readable(largest), "at_largest"_a = readable(at_largest),
               "smallest"_a = readable(smallest), "at_smallest"_a = readable(at_smallest), "pole"_a = readable(at_pole));
-    add(r.section(), check_near(words.line("check.forms.y"), e.a / (e.b * e.b), largest, 1e-12));
-    add(r.section(), check_near(words.line("check.forms.z"), e.a / (e.c * e.c), smallest, 1e-12));
+    add(r.section(), check_near(words.line("check.forms.y"), e.a / (e.b * e.b), largest, 1e-12),
+        check_near(words.line("check.forms.z"), e.a / (e.c * e.c), smallest, 1e-12));
 }
 
 }   // namespace meshfolio::reproductions

@@ -47,21 +47,16 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     Answer answer{section_of("stability")};
     report::Section& section = answer.section;
     const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section);
-    add_words(section, words, "method");
-
-    add_words(section, words, "results");
+    add_words(section, words, {"method", "results"});
     const auto studies = studies_of(meshes, "limit of explicit smoothing", settings, progress, section, stability_study);
     const StabilityStudy& last = studies.back();
     progress("rebuilt flow of " + last.name());
     const RebuiltFlow flow = rebuilt_flow(last, settings);
-    add(section, certificate_table(studies));
-    add(section, unit_table(studies));
+    add(section, certificate_table(studies), unit_table(studies));
     add_limiting_vertex_figures(answer, studies, settings.colormap);
     add(section, growth_table(studies));
     add(section, growth_plot(last));   // the law is one: the table has the others
-    add(section, flow_table(flow));
-    add(section, flow_plot(flow));
-    add(section, flow_time_table(flow));
+    add(section, flow_table(flow), flow_plot(flow), flow_time_table(flow));
     add_discussion(section, studies, flow);
     add_checks(section, studies, flow);
 

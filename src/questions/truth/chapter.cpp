@@ -89,8 +89,7 @@ report::Section ground_truth_section(const GroundTruth& truth) {
     for (const MeshKind kind : {MeshKind::regular, MeshKind::random})
         for (const Quantity quantity : {Quantity::H, Quantity::K}) add(section, convergence_plot(truth, kind, quantity));
     for (const MeshKind kind : panel_kinds) {
-        add(section, error_table(truth, kind));
-        add(section, order_table(truth, kind));
+        add(section, error_table(truth, kind), order_table(truth, kind));
     }
     add_discussion(section, truth);
     append_checks(section, ground_truth_checks(truth));
