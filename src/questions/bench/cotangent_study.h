@@ -27,6 +27,8 @@ struct CotangentComparison {
     double jump_uniform = 0, jump_cotangent = 0;   // rms difference of H between neighbours [1/length]
     double sign_change = 0;                        // share of vertices where the two differ in sign
     std::vector<OperatorVariant> variants;         // half sum (the default), mean of opposite vertices, clamped
+
+    const std::string& name() const { return subject.name(); }
 };
 CotangentComparison compare_operators(SharedMesh source);
 

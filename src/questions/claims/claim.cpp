@@ -36,12 +36,10 @@ std::string with_unit_of(const Rule& rule, const std::string& number) {
 
 /// "27.3 % (random triangles) and …".
 std::string values_of(const JudgedClaim& judged, const std::vector<std::size_t>& chosen) {
-    Names values;
-    for (const std::size_t i : chosen) {
+    return listed(each_of(chosen, [&](std::size_t i) {
         const auto& [condition, value] = judged.measurement.cases[i];
-        values.push_back(with_unit(value, judged.claim->rule) + " (" + condition + ")");
-    }
-    return listed(values);
+        return with_unit(value, judged.claim->rule) + " (" + condition + ")";
+    }));
 }
 
 std::string_view key_of(Verdict verdict) {

@@ -53,9 +53,7 @@ const ReportMesh& ClaimBench::mesh(std::string_view name) {
 }
 
 std::string ClaimBench::called(const MeshNames& names) {
-    Names called;
-    for (const std::string_view name : names) called.push_back(mesh(name).called());
-    return listed(called);
+    return listed(each_of(names, [&](std::string_view name) { return mesh(name).called(); }));
 }
 
 bool ClaimBench::is_itself(std::string_view name) {

@@ -51,9 +51,7 @@ report::Plot curves_of(ClaimBench& bench, const Curves& curves) {
 }
 
 Curves bunny_curves(ClaimBench& bench) {
-    Curves curves;
-    for (const double sigma : bunny_sigmas) curves.push_back(bench.denoised("bunny", bunny_noise(bench, sigma, 45)));
-    return curves;
+    return each_of(bunny_sigmas, [&](double sigma) { return bench.denoised("bunny", bunny_noise(bench, sigma, 45)); });
 }
 
 Measurement minima_in_order(ClaimBench& bench, const MeshNames&) {

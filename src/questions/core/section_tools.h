@@ -113,13 +113,13 @@ Names names_of(const std::vector<Study>& studies) {
 // ---- numbers --------------------------------------------------------------------------------------------------------------
 
 /// f of each element.
-auto each_of(const auto& range, const auto& f) {
+auto each_of(auto&& range, const auto& f) {
     std::vector<std::remove_cvref_t<decltype(std::invoke(f, *std::begin(range)))>> values;
     for (const auto& element : range) values.push_back(std::invoke(f, element));
     return values;
 }
 /// The largest f of an element, at least 0; NaN is left out.
-double largest_of(const auto& range, const auto& f) {
+double largest_of(auto&& range, const auto& f) {
     double largest = 0;
     for (const auto& element : range) largest = std::max<double>(largest, std::invoke(f, element));
     return largest;

@@ -208,9 +208,7 @@ report::Table region_table(const Studies& studies) {
 }
 
 std::string words_of(const std::vector<MapPlace>& places) {
-    Names told;
-    for (const MapPlace& place : places) told.push_back(words.line("place", "letter"_a = place.letter, "why"_a = place.why));
-    return joined(told, " ");
+    return joined(each_of(places, [](auto& p) { return words.line("place", "letter"_a = p.letter, "why"_a = p.why); }), " ");
 }
 
 std::vector<report::Map> maps_of(const SmoothingMaps& maps) {

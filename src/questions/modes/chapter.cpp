@@ -61,10 +61,9 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     section.parameters = {{"operator", words.line("parameter.operator")},
                           {words.line("parameter.step"), {"0.95 λ_crit", 0.95, "λ_crit"}},
                           {words.line("parameter.lanczos"), lanczos_steps(settings)}};
-    Names damped;
-    for (const ModeStudy& study : studies)
-        damped.push_back(
-            words.line(damped.empty() ? "extent.modes" : "extent.more", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name()));
+    const Names damped = each_of(studies, [&](const ModeStudy& study) {
+        return words.line(&study == &first ? "extent.modes" : "extent.more", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name());
+    });
     section.extent =
         words.line("extent", "modes"_a = listed(damped), "targets"_a = first.targets.size(), "meshes"_a = listed(names_of(studies)));
     section.answer = answer_of(first);

@@ -41,12 +41,10 @@ report::Text about_foreseen_error(const Studies& studies) {
         errors = std::max(errors, standard_distance(study, level).larger());
         regret = std::max(regret, clean.regret_of_formula);
     }
-    Names iterations;
-    for (const PredictionStudy& study : studies) iterations.push_back(best_iterations(study));
     const double most = std::max(off, off_by_area);
     report::Text t =
         words.say(most < 0.1 ? "foreseen" : "foreseen.off", "off"_a = readable_percent(most, 2), "errors"_a = readable(errors, 2),
-                  "seeds"_a = studies.front().seeds, "iterations"_a = joined(iterations, ", "));
+                  "seeds"_a = studies.front().seeds, "iterations"_a = joined(each_of(studies, best_iterations), ", "));
     go_on(t, regret < 5e-5 ? words.say("foreseen.no_loss") : words.say("foreseen.loss", "regret"_a = readable_percent(regret, 2)));
     return t;
 }

@@ -35,35 +35,34 @@ std::string best_words(int best, int iterations) {
 std::string measured_best(const Row& r) { return best_words(r.own.measured.best(), r.steps()); }
 std::string formula_best(const Row& r) { return best_words(r.own.formula().best(), r.steps()); }
 
-/// Of a prediction: its best iteration, and how far it is off at most.
-auto best_of(std::string_view name) {
-    return [name](const Row& r) {
-        const PredictedCurve* prediction = r.own.prediction(name);
-        return prediction == nullptr ? report::Cell{} : best_words(prediction->best(), r.steps());
+/// A cell made from the prediction or the rule of a name; empty where there is none.
+template <class Entry>
+auto cell_from(const Entry* (OperatorStudy::*find)(std::string_view) const, std::string_view name, auto cell) {
+    return [=](const Row& r) {
+        const Entry* entry = (r.own.*find)(name);
+        return entry == nullptr ? report::Cell() : cell(r, *entry);
     };
 }
+
+/// Of a prediction: its best iteration, and how far it is off at most.
+auto best_of(std::string_view name) {
+    return cell_from(&OperatorStudy::prediction, name,
+                     [](const Row& r, const PredictedCurve& p) -> report::Cell { return best_words(p.best(), r.steps()); });
+}
 auto deviation_of(std::string_view name) {
-    return [name](const Row& r) -> report::Cell {
-        const PredictedCurve* prediction = r.own.prediction(name);
-        if (prediction == nullptr) return {};
-        const double off = deviation(*prediction, r.own.measured);
-        if (off > deviation_shown) return "> " + plain_text(100 * deviation_shown);
-        return 100 * off;
-    };
+    return cell_from(&OperatorStudy::prediction, name, [](const Row& r, const PredictedCurve& p) -> report::Cell {
+        const double off = deviation(p, r.own.measured);
+        return off > deviation_shown ? report::Cell("> " + plain_text(100 * deviation_shown)) : report::Cell(100 * off);
+    });
 }
 
 /// Of a rule: what it chose, and what that cost, where the minimum is known.
 auto chosen_by(std::string_view name) {
-    return [name](const Row& r) {
-        const RuleOutcome* rule = r.own.rule(name);
-        return rule == nullptr ? report::Cell{} : report::Cell{rule->mean_chosen()};
-    };
+    return cell_from(&OperatorStudy::rule, name, [](const Row&, const RuleOutcome& rule) -> report::Cell { return rule.mean_chosen(); });
 }
 auto regret_of(std::string_view name, double (RuleOutcome::*regret)() const = &RuleOutcome::mean_regret) {
-    return [name, regret](const Row& r) {
-        const RuleOutcome* rule = r.own.rule(name);
-        return rule == nullptr || !r.own.minimum_reached() ? report::Cell{} : report::Cell{100 * (rule->*regret)()};
-    };
+    return cell_from(&OperatorStudy::rule, name,
+                     [=](const Row& r, const RuleOutcome& rule) { return cell_of(100 * (rule.*regret)(), r.own.minimum_reached()); });
 }
 
 /// "on cube from all 602 modes, on lily from 18 probes"

@@ -41,11 +41,9 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     report::Section& section = answer.section;
     const auto sources = meshes_for(library, settings, {"bumpy_cube", "lilium", "sphere", "plane"}, section);
     Meshes meshes;
-    Names names;
     for (const auto& source : sources) {
         progress("uniform curvature of " + source->name);
         meshes.push_back(curvature_of(source));
-        names.push_back(source->name);
     }
     const std::optional<Drifting> drifting = most_drifting(meshes);
     const BenchRuns runs = question_runs(settings, progress);
@@ -75,7 +73,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
                           {"colour range", words.line("parameter.colour_range")},
                           {"levels of refinement", levels},
                           {"seed of the jitter", settings.seed}};
-    section.extent = words.line("extent", "meshes"_a = listed(names), "levels"_a = levels, "sums"_a = sums.size());
+    section.extent = words.line("extent", "meshes"_a = listed(names_of(meshes)), "levels"_a = levels, "sums"_a = sums.size());
     return answer;
 }
 

@@ -38,7 +38,7 @@ report::Text flat_picture(const FlatMesh& f) {
 }
 
 report::Text curved_picture(const MeshCurvature& c) {
-    const std::string& mesh = c.subject.name();
+    const std::string& mesh = c.name();
     if (summary_of(c.H).count == 0) return words.say("h.nothing", "mesh"_a = mesh);
     if (const int vertices = summary_of(c.H).count; vertices < fewest_to_read)
         return words.say("h.few", "mesh"_a = mesh, "vertices"_a = vertices);
@@ -78,13 +78,13 @@ void go_on_about_flat_parts(report::Text& t, const Meshes& meshes) {
         if (const FlatParts flat = flat_parts(c); flat.mislead() && flat.share > most.share) flattest = &c, most = flat;
     }
     if (!flattest) return;
-    go_on(t, words.say("tangential.flat", "mesh"_a = flattest->subject.name(), "flat"_a = readable_percent(most.share, 2),
+    go_on(t, words.say("tangential.flat", "mesh"_a = flattest->name(), "flat"_a = readable_percent(most.share, 2),
                        "coloured"_a = readable_percent(most.coloured, 2), "drift"_a = readable_percent(most.drift, 2)));
 }
 
 report::Text about_tangential_picture(const Drifting& drifting, const Meshes& meshes) {
     const TangentialPart& part = drifting.part;
-    const std::string& mesh = drifting.mesh->subject.name();
+    const std::string& mesh = drifting.mesh->name();
     report::Text t = words.say("tangential", "mesh"_a = mesh, "share"_a = readable_percent(part.share, 2));
     go_on(t, words.say(part.dark > 0.5    ? "tangential.mostly_dark"
                        : part.dark > 0.02 ? "tangential.partly_dark"
@@ -126,7 +126,7 @@ struct Caps {
         const SignsByDistance seen = signs_by_distance(c.subject, c.K, 0.05 * colour_range(c.K));
         if (irregular_vertices(c).ringed() || !(c.K.array() < 0).any() || !seen.caps_outside()) return false;
         negative.push_back(words.line(negative.empty() ? "k.caps.saddles" : "k.caps.saddles_too",
-                                      "share"_a = readable_percent(seen.negative, 2), "mesh"_a = c.subject.name()));
+                                      "share"_a = readable_percent(seen.negative, 2), "mesh"_a = c.name()));
         outer.push_back(readable_percent(seen.outer_positive, 2));
         return true;
     }
@@ -140,7 +140,7 @@ report::Text about_K_picture(const Meshes& meshes, const std::vector<FlatMesh>& 
     if (!caps.outer.empty()) go_on(t, words.say("k.caps", "negative"_a = listed(caps.negative), "outer"_a = listed(caps.outer)));
     go_on(t, others);
     for (const FlatMesh& f : flat)
-        if (f.curvature->subject.interior > 0) go_on(t, words.say("k.flat", "mesh"_a = f.curvature->subject.name()));
+        if (f.curvature->subject.interior > 0) go_on(t, words.say("k.flat", "mesh"_a = f.curvature->name()));
     return t;
 }
 
@@ -233,7 +233,7 @@ report::Text lead_of(const BenchRuns& runs, const std::optional<Drifting>& drift
     go_on(t, words.say("lead.k", "regular"_a = error(regular, deficit_K, &EstimateError::linf),
                        "jittered"_a = error(jittered, deficit_K, &EstimateError::linf)));
     if (drifting)
-        go_on(t, words.say("lead.drift", "mesh"_a = drifting->mesh->subject.name(), "share"_a = readable_percent(drifting->part.share, 2)));
+        go_on(t, words.say("lead.drift", "mesh"_a = drifting->mesh->name(), "share"_a = readable_percent(drifting->part.share, 2)));
     return t;
 }
 
@@ -248,7 +248,7 @@ void add_flat_boundaries(report::Section& section, const std::vector<FlatMesh>& 
     for (const FlatMesh& f : flat)
         if (f.boundary_vertices > 0)
             add_paragraphs(section,
-                           {words.say("flat.boundary", "mesh"_a = f.curvature->subject.name(), "vertices"_a = f.boundary_vertices,
+                           {words.say("flat.boundary", "mesh"_a = f.curvature->name(), "vertices"_a = f.boundary_vertices,
                                       "length"_a = readable(f.boundary_length, 2), "K"_a = readable(f.boundary_K, 3),
                                       "largest_turning"_a = readable(f.largest_turning, 3), "turning"_a = readable(f.turning, 4))});
 }

@@ -120,7 +120,7 @@ const Shown shown[]{
 
 /// In percent of the mesh's own range, which its label tells.
 output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
-    const std::string& name = c.subject.name();
+    const std::string& name = c.name();
     output::Panel panel;
     panel.values = quantity.values(c);
     const double range = output::robust_range({panel}, "diverging", "", "", quantity.floor).high;
@@ -138,7 +138,7 @@ std::string mark_irregular_vertices(std::vector<output::Panel>& panels, const Me
         const IrregularVertices odd = irregular_vertices(meshes[i]);
         if (!odd.ringed()) continue;
         panels[i].marked_vertices = odd.vertices;
-        ringed.push_back(meshes[i].subject.name());
+        ringed.push_back(meshes[i].name());
     }
     if (ringed.empty()) return {};
     return " " + words.line(ringed.size() == meshes.size() ? "k.marked.all" : "k.marked", "meshes"_a = listed(ringed));
@@ -185,8 +185,8 @@ void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::stri
     for (const MeshCurvature& c : meshes) {
         if (c.subject.plane_normal || summary_of(c.H).count == 0) continue;
         const TangentialPart part = tangential_part(c);
-        const std::string label = words.line("tangential.label", "mesh"_a = c.subject.name(), "share"_a = readable_percent(part.share, 2));
-        figure.panels.push_back(relative_panel(c.subject, "q1_" + c.subject.name() + "_tangential", label, part.shares, 1));
+        const std::string label = words.line("tangential.label", "mesh"_a = c.name(), "share"_a = readable_percent(part.share, 2));
+        figure.panels.push_back(relative_panel(c.subject, "q1_" + c.name() + "_tangential", label, part.shares, 1));
         masked += undefined_vertices(c.subject);
     }
     figure.range =

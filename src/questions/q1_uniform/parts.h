@@ -22,6 +22,7 @@ struct MeshCurvature {
     Vector cotangent;   // H of question 3, to compare with [1/length]
     Vector areas;       // barycentric [length²]
     Vector deficit;     // [rad]
+    const std::string& name() const { return subject.name(); }
     double euler_from_angles() const;
 };
 

@@ -133,7 +133,7 @@ std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const
     std::vector<AngleSum> sums;
     for (const MeshCurvature& c : meshes) {
         const Preflight& p = c.subject.preflight();
-        sums.push_back({c.subject.name(), p.vertices_in_use, p.triangles, p.euler_characteristic, c.euler_from_angles(),
+        sums.push_back({c.name(), p.vertices_in_use, p.triangles, p.euler_characteristic, c.euler_from_angles(),
                         p.manifold() && p.zero_area_faces == 0});
     }
     for (const BenchRun& run : runs) {

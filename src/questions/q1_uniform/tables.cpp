@@ -15,9 +15,9 @@ struct Spread {
 report::Table statistics_table(const Meshes& meshes) {
     std::vector<Spread> rows;
     for (const MeshCurvature& c : meshes) {
-        rows.push_back({c.subject.name(), "½‖Δx‖", "length", summary_of(c.length)});
-        rows.push_back({c.subject.name(), "H scaled", "1/length", summary_of(c.H)});
-        rows.push_back({c.subject.name(), "K", "1/length²", summary_of(c.K)});
+        rows.push_back({c.name(), "½‖Δx‖", "length", summary_of(c.length)});
+        rows.push_back({c.name(), "H scaled", "1/length", summary_of(c.H)});
+        rows.push_back({c.name(), "K", "1/length²", summary_of(c.K)});
     }
     return table("q1_statistics", words.line("statistics"), rows)
         .column("mesh", &Spread::mesh)

@@ -14,7 +14,7 @@ void add_checks(report::Section& section, const BenchRuns& runs, const PlaneTest
     for (const CotangentComparison& c : meshes) {
         if (!c.subject.plane_normal || c.subject.interior == 0) continue;
         const report::Check flat =
-            check_at_most(words.line("check.flat", "mesh"_a = c.subject.name()), 0, c.precision, 1e-5, words.line("check.flat.note"));
+            check_at_most(words.line("check.flat", "mesh"_a = c.name()), 0, c.precision, 1e-5, words.line("check.flat.note"));
         const bool has_area = c.subject.preflight().zero_area_faces == 0;
         add(section, has_area || !flat.failed() ? flat : undecided(flat, words.line("check.flat.without_area")));
     }
@@ -40,7 +40,7 @@ report::Text about_trials(const std::vector<IndicatorTrial>& trials) {
 }
 
 report::Text about_disagreement(const CotangentComparison& c, const Disagreement& d) {
-    report::Text t = words.say("trust.mesh", "mesh"_a = c.subject.name(), "rms"_a = readable_percent(d.rms),
+    report::Text t = words.say("trust.mesh", "mesh"_a = c.name(), "rms"_a = readable_percent(d.rms),
                                "median"_a = readable_percent(d.median), "concentration"_a = readable_percent(d.concentration, 2));
     if (d.without_jet > 0) go_on(t, words.say("trust.without_jet", "vertices"_a = d.without_jet));
     return t;
@@ -70,11 +70,9 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     report::Section& section = answer.section;
     const auto sources = meshes_for(library, settings, {"lilium", "plane"}, section);
     Comparisons meshes;
-    Names names;
     for (const auto& source : sources) {
         progress("cotangent curvature of " + source->name);
         meshes.push_back(compare_operators(source));
-        names.push_back(source->name);
     }
     const BenchRuns runs = question_runs(settings, progress);
     const PlaneTest plane = irregular_plane(settings.seed);
@@ -105,7 +103,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
                           {"negative weights", words.line("parameter.negative_weights")},
                           {"levels of refinement", levels},
                           {"seed of the jitter", settings.seed}};
-    section.extent = words.line("extent", "meshes"_a = listed(names), "levels"_a = levels, "vertices"_a = most_vertices);
+    section.extent = words.line("extent", "meshes"_a = listed(names_of(meshes)), "levels"_a = levels, "vertices"_a = most_vertices);
     return answer;
 }
 

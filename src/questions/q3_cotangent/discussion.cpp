@@ -34,7 +34,7 @@ Tally tally(const BenchRuns& runs, MeshKind kind) {
 // ---- what the pictures show
 
 report::Text flat_picture(const CotangentComparison& c) {
-    const std::string& mesh = c.subject.name();
+    const std::string& mesh = c.name();
     if (c.subject.interior == 0) return words.say("flat.no_inside", "mesh"_a = mesh);
     const bool regular = std::max(c.drift, c.precision) < 1e-4;   // what six digits of the coordinates leave
     const bool improved = !regular && c.drift > 10 * c.precision;
@@ -59,7 +59,7 @@ void go_on_about_outlier(report::Text& t, const CotangentComparison& c) {
 }
 
 report::Text curved_picture(const CotangentComparison& c) {
-    const std::string& mesh = c.subject.name();
+    const std::string& mesh = c.name();
     if (summary_of(c.difference).count == 0) return words.say("curved.nothing", "mesh"_a = mesh);
     const double range = cotangent_range(c), beyond = share_beyond(c.subject.mean_edge * c.uniform, range);
     report::Text t = words.say(beyond > 0.2 ? "curved.beyond"
@@ -126,9 +126,9 @@ report::Text about_negative_weights(const CotangentComparison& c) {
     const OperatorVariant& used = c.variants[0];
     const double change = c.variants[2].change;
     const int negative = used.negative_inside + used.negative_boundary;
-    if (negative == 0) return words.say("negative.none", "mesh"_a = c.subject.name());
-    report::Text t = words.say("negative", "mesh"_a = c.subject.name(), "negative"_a = negative,
-                               "edges"_a = c.subject.topology().edges.size(), "smallest"_a = readable(used.smallest_weight, 2));
+    if (negative == 0) return words.say("negative.none", "mesh"_a = c.name());
+    report::Text t = words.say("negative", "mesh"_a = c.name(), "negative"_a = negative, "edges"_a = c.subject.topology().edges.size(),
+                               "smallest"_a = readable(used.smallest_weight, 2));
     if (std::isfinite(change)) go_on(t, words.say("negative.clamped", "change"_a = readable_percent(change, 2)));
     return t;
 }
@@ -184,7 +184,7 @@ report::Text about_panel(const BenchRuns& panel) {
 // ---- appendix
 
 report::Text about_boundary(const CotangentComparison& c) {
-    return words.say("boundary", "mesh"_a = c.subject.name(), "half_sum"_a = readable(c.variants[0].boundary, 2),
+    return words.say("boundary", "mesh"_a = c.name(), "half_sum"_a = readable(c.variants[0].boundary, 2),
                      "opposite_mean"_a = readable(c.variants[1].boundary, 2), "inside"_a = readable(c.variants[0].inside, 2));
 }
 

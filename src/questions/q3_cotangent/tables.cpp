@@ -20,7 +20,7 @@ report::Table difference_table(const Comparisons& meshes) {
         return curved ? report::Cell(100 * c.rms_difference / c.rms_uniform) : report::Cell();
     };
     return table("q3_differences", words.line("differences"), meshes)
-        .column("mesh", [](auto& c) { return c.subject.name(); })
+        .column("mesh", [](auto& c) { return c.name(); })
         .column("uniform, median", {.unit = "1/length", .digits = 4}, [](auto& c) { return cell_of(summary_of(c.uniform).median); })
         .column("uniform, std", {.unit = "1/length"}, [](auto& c) { return cell_of(summary_of(c.uniform).standard_deviation); })
         .column("cotangent, median", {.unit = "1/length", .digits = 4}, [](auto& c) { return cell_of(summary_of(c.cotangent).median); })
@@ -35,7 +35,7 @@ report::Table difference_table(const Comparisons& meshes) {
 
 report::Table variant_table(const Comparisons& meshes) {
     return table("q3_variants", words.line("variants"), parts_within(meshes, &CotangentComparison::variants))
-        .column("mesh", [](auto& row) { return row.whole.subject.name(); })
+        .column("mesh", [](auto& row) { return row.whole.name(); })
         .column("operator", [](auto& row) { return row.part.name; })
         .column("negative weights, inside", {.unit = "edges"}, [](auto& row) { return row.part.negative_inside; })
         .column("negative weights, boundary", {.unit = "edges"}, [](auto& row) { return row.part.negative_boundary; })

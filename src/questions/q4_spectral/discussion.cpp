@@ -86,9 +86,8 @@ report::Text single_vertices(const SpectralStudy& study) {
     for (std::size_t i = 1; i < all.size(); ++i)
         if (const double share = share_made_worse(study, all[i - 1], all[i]); share > most) most = share, at = i;
     if (at == 0) return whole;
-    std::vector<double> hausdorff;
-    for (const Reconstruction& r : all) hausdorff.push_back(hausdorff_distance(study.mesh(), r.mesh));
-    const bool nearer = std::ranges::is_sorted(hausdorff, std::ranges::greater());
+    const auto hausdorff = [&](const Reconstruction& r) { return hausdorff_distance(study.mesh(), r.mesh); };
+    const bool nearer = std::ranges::is_sorted(each_of(all, hausdorff), std::ranges::greater());
     return paragraph_of({whole,
                          words.say("vertices_worse", "share"_a = readable_percent(most, 2), "from"_a = all[at - 1].k, "to"_a = all[at].k,
                                    "mesh"_a = study.name()),

@@ -59,16 +59,15 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add(section, measure_table(grids));
 
     const DenoisingGrid& first = grids.front();
-    Names levels, steps;
     const std::vector<double> noise = each_of(first.trials, [&](const NoisyTrial& trial) { return trial.relative; });
-    for (const double relative : noise) levels.push_back(readable_percent(relative, 2));
-    for (const double lambda : first.lambdas) steps.push_back(readable(lambda, 3));
+    const std::string levels = listed(each_of(noise, [](double relative) { return readable_percent(relative, 2); }));
+    const std::string steps = listed(each_of(first.lambdas, [](double lambda) { return readable(lambda, 3); }));
     section.parameters = {
-        {"noise", {words.line("parameter.noise", "levels"_a = listed(levels)), noise, "box diagonal"}},
-        {"λ", {words.line("parameter.lambda", "steps"_a = listed(steps)), first.lambdas, "h̄²"}},
+        {"noise", {words.line("parameter.noise", "levels"_a = levels), noise, "box diagonal"}},
+        {"λ", {words.line("parameter.lambda", "steps"_a = steps), first.lambdas, "h̄²"}},
         {"iterations", {words.line("parameter.iterations", "last"_a = first.iterations), static_cast<double>(first.iterations)}},
         {"seed", settings.seed}};
-    section.extent = words.line("extent", "levels"_a = listed(levels), "steps"_a = steps.size(), "iterations"_a = first.iterations,
+    section.extent = words.line("extent", "levels"_a = levels, "steps"_a = first.lambdas.size(), "iterations"_a = first.iterations,
                                 "meshes"_a = listed(names_of(grids)));
     return answer;
 }

@@ -11,9 +11,8 @@ std::string original_words(const OriginalMesh& original) {
 }
 
 std::string mesh_words(const ExperimentMesh& mesh) {
-    const Names originals = each_of(mesh.originals, original_words);
     return words.line(mesh.stand_in ? "mesh.stand_in" : "mesh.itself", "file"_a = mesh.used->input.file,
-                      "vertices"_a = mesh.mesh().vertex_count(), "originals"_a = listed(originals));
+                      "vertices"_a = mesh.mesh().vertex_count(), "originals"_a = listed(each_of(mesh.originals, original_words)));
 }
 
 /// How raw numbers of the original became numbers here; empty when they are as given.
@@ -41,8 +40,7 @@ void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshe
         report::Heading{words.line("heading", "rows"_a = sentence_case(rows_text(e.rows)), "report"_a = e.from, "name"_a = e.name)});
     report::BulletList list;
     if (!e.said.empty()) list.items.push_back(words.say("opening.said", "said"_a = e.said));
-    const Names here = each_of(meshes, mesh_words);
-    if (!meshes.empty()) list.items.push_back(words.say("opening.here", "meshes"_a = joined(here)));
+    if (!meshes.empty()) list.items.push_back(words.say("opening.here", "meshes"_a = joined(each_of(meshes, mesh_words))));
     for (const ExperimentMesh& mesh : meshes)
         if (report::Text carried = carried_words(e, mesh); !carried.empty()) list.items.push_back(std::move(carried));
     if (!e.lost.empty()) list.items.push_back(words.say("opening.lost", "lost"_a = e.lost));
@@ -52,8 +50,7 @@ void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshe
 std::string Reproduction::where() const { return experiment.from + ", " + rows_text(experiment.rows); }
 
 std::string rows_text(const std::vector<int>& rows) {
-    const Names numbers = each_of(rows, [&](const int row) { return std::to_string(row); });
-    return words.line("rows", "count"_a = rows.size(), "rows"_a = listed(numbers));
+    return words.line("rows", "count"_a = rows.size(), "rows"_a = listed(each_of(rows, [](int row) { return std::to_string(row); })));
 }
 
 std::string given_text(const Experiment& experiment, double lambda) {

@@ -45,9 +45,8 @@ struct Measured {
 }   // namespace
 
 report::Table overview(const GroundTruth& truth) {
-    Names surfaces;
-    for (const BenchRun& run : of_kind(truth.runs, MeshKind::regular)) surfaces.push_back(run.surface);
-    auto behaviours = table_of_estimators("truth_overview", words.line("overview", "surfaces"_a = listed(surfaces)));
+    const std::string surfaces = listed(each_of(of_kind(truth.runs, MeshKind::regular), &BenchRun::surface));
+    auto behaviours = table_of_estimators("truth_overview", words.line("overview", "surfaces"_a = surfaces));
     for (const MeshKind kind : panel_kinds)
         behaviours.column(std::string(name_of(kind)), [&](auto* e) { return behaviour_on(truth, kind, *e); });
     return behaviours;
