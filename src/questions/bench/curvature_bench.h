@@ -88,7 +88,6 @@ using BenchRuns = std::vector<BenchRun>;
 BenchRuns bench_runs(const std::vector<KnownSurface>& surfaces, std::span<const MeshKind> kinds, const std::vector<int>& levels,
                      std::uint64_t seed, const Progress& progress);
 
-/// Those on one kind of mesh.
 inline auto of_kind(const BenchRuns& runs, MeshKind kind) {
     return std::views::filter(runs, [kind](const BenchRun& run) { return run.kind == kind; });
 }

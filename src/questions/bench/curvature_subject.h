@@ -6,7 +6,6 @@
 
 namespace meshfolio {
 
-/// A mesh whose curvature is estimated.
 struct CurvatureSubject : OnMesh {
     double diagonal = 0;                   // of the bounding box [length]
     double mean_edge = 0;                  // [length]

@@ -87,7 +87,6 @@ struct SearchInput {
 /// @param after_state  called with every state and its positions; false ends the run
 SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchPlan& plan,
                     const std::function<bool(const SearchState&, const Positions&)>& after_state = {});
-/// With the plan for this budget.
 SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchBudget& budget);
 
 }   // namespace meshfolio

@@ -27,7 +27,6 @@ struct Estimator {
 
 /// All, in the order of all tables.
 std::span<const Estimator* const> estimators();
-/// Those of the ground-truth panel.
 std::vector<const Estimator*> panel_estimators(Quantity quantity);
 /// @throws std::logic_error for an unknown key
 const Estimator& estimator(std::string_view key);

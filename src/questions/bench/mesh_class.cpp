@@ -89,8 +89,8 @@ int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology) {
     return vertex;
 }
 
-/// The upper one of two; 0 of none. Reorders them.
-static double median_of(std::vector<double>& values) {
+/// The upper one of two; 0 of none.
+static double median_of(std::vector<double> values) {
     if (values.empty()) return 0;
     const auto middle = values.begin() + values.size() / 2;
     std::nth_element(values.begin(), middle, values.end());
@@ -109,8 +109,7 @@ MeshClass MeshCharacter::kind() const {
 }
 
 double median_face_angle(const TriangleMesh& mesh, const MeshTopology& topology) {
-    const std::vector<double> angles = each_of(edge_angles(mesh, topology), [&](const EdgeAngle& edge) { return edge.degrees; });
-    return median_of(angles);
+    return median_of(each_of(edge_angles(mesh, topology), [](const EdgeAngle& edge) { return edge.degrees; }));
 }
 
 MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topology) {

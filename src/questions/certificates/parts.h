@@ -72,8 +72,4 @@ struct Certified : OnMesh {
     }
 };
 
-report::Table spectrum_table(const std::vector<Certified>& meshes);
-report::Table operator_table(const std::vector<Certified>& meshes);
-report::Table fault_table(const std::vector<FaultTrial>& trials);
-
 }   // namespace meshfolio::certificates

@@ -49,7 +49,6 @@ struct Chapter {
 std::span<const Chapter* const> chapter_list();
 /// @throws std::logic_error if none has this id
 const Chapter& chapter_of_id(std::string_view id);
-/// Of all, in order.
 std::vector<std::string> section_ids();
 
 }   // namespace meshfolio

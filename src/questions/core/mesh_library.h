@@ -18,7 +18,6 @@
 
 namespace meshfolio {
 
-/// A mesh the questions ask for by its role.
 struct MeshRole {
     std::string_view role;      // "armadillo"
     std::string_view asked;     // "decompose/armadillo.obj"; empty: not of the assignment

@@ -112,7 +112,6 @@ Names names_of(const std::vector<Study>& studies) {
 
 // ---- numbers --------------------------------------------------------------------------------------------------------------
 
-/// f of each element.
 auto each_of(auto&& range, const auto& f) {
     std::vector<std::remove_cvref_t<decltype(std::invoke(f, *std::begin(range)))>> values;
     for (const auto& element : range) values.push_back(std::invoke(f, element));
@@ -145,9 +144,7 @@ double largest_rise(const Values& values) {
     return rise;
 }
 
-/// The finite values, ascending.
 std::vector<double> sorted_finite(const Vector& values);
-/// The vertices where both fields are finite.
 std::vector<int> where_finite(const Vector& a, const Vector& b);
 
 /// Spread of the finite values.

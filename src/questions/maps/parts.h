@@ -11,7 +11,6 @@ inline constexpr report::Words words("maps");
 /// One quantity over the plane, row by row of iteration counts; NaN where the run had blown up or nothing is left to measure.
 using PlaneValues = std::vector<double>;
 
-/// One scheme over the plane.
 struct SchemeMap {
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;
     PlaneValues moved;          // rms distance from the input over the box diagonal
@@ -112,10 +111,7 @@ struct BlowUps {
     int faults() const { return within_lost + implicit_lost; }
     bool sharp() const { return faults() == 0 && beyond > 0 && beyond_lost == beyond; }
 };
-BlowUps blow_ups_of(const Studies& studies);
 
-/// "none", "12".
-std::string none_or(int count);
 void add_discussion(report::Section& section, const Studies& studies);
 
 }   // namespace meshfolio::maps

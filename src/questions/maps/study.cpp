@@ -38,7 +38,6 @@ std::optional<TriangleMesh> clean_mesh(const LibraryMesh& source) {
     return clean;
 }
 
-/// What is measured at one place of the plane.
 struct Measured {
     double moved, error, size, angle, inverted;
 };

@@ -1,4 +1,3 @@
-// Tables and maps of the section "maps".
 #include "questions/maps/parts.h"
 #include "report/svg/map_scale.h"
 

@@ -1,4 +1,3 @@
-// Tables, plot and figures of the denoising laboratory.
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {

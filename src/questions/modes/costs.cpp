@@ -56,6 +56,13 @@ auto exact_filter(double time) {
     return [=](double mu) { return std::exp(-time * mu); };
 }
 
+SmoothingWay implicit_way_of(const CostModel& model, double energy, const SmoothingWay& explicit_way, std::size_t which) {
+    if (which < std::size(implicit_steps)) return model.implicit_way(energy, implicit_steps[which]);
+    if (which == std::size(implicit_steps)) return model.implicit_way_within(energy, implicit_accuracy);
+    if (explicit_way.steps == 0) return {SmoothingScheme::implicit_euler};
+    return model.implicit_way_within(explicit_way.energy, explicit_way.error);
+}
+
 }   // namespace
 
 CostModel::CostModel(const SmoothingSubject& subject, SpectralMeasure measure)
@@ -130,17 +137,6 @@ Names implicit_way_names() {
     names.push_back(words.line("way.matched"));
     return names;
 }
-
-namespace {
-
-SmoothingWay implicit_way_of(const CostModel& model, double energy, const SmoothingWay& explicit_way, std::size_t which) {
-    if (which < std::size(implicit_steps)) return model.implicit_way(energy, implicit_steps[which]);
-    if (which == std::size(implicit_steps)) return model.implicit_way_within(energy, implicit_accuracy);
-    if (explicit_way.steps == 0) return {SmoothingScheme::implicit_euler};
-    return model.implicit_way_within(explicit_way.energy, explicit_way.error);
-}
-
-}   // namespace
 
 SmoothingTarget smoothing_target(const CostModel& model, double energy) {
     SmoothingTarget target{energy, model.explicit_way(energy), {}};

@@ -84,6 +84,4 @@ report::Plot cost_plot(const ModeStudy& study);
 report::Plot truth_plot(const ModeStudy& study);
 report::Table crossing_table(const Studies& studies);
 
-void add_discussion(report::Section& section, const Studies& studies);
-
 }   // namespace meshfolio::modes

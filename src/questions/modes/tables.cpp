@@ -1,4 +1,3 @@
-// Tables and plots of the section "modes".
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {

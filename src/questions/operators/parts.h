@@ -11,11 +11,6 @@ inline constexpr report::Words words("operators");
 using Labs = std::vector<LaboratoryMesh>;
 using KnownTrials = std::vector<KnownTrial>;
 
-report::Table score_table(const LaboratoryMesh& lab);
-report::Table known_table(const KnownTrials& trials);
-/// One small picture an operator, all in the colours that suit the default.
-void add_figure_of(Answer& answer, const LaboratoryMesh& lab);
-
 /// What the numbers say, in words that follow them, and the answer.
 void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known);
 

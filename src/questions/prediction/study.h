@@ -59,7 +59,6 @@ struct MeasuredCurve {
 /// The mean, in order of the seeds. @throws MeshError without a run
 MeasuredCurve measured_curve(const std::vector<RunErrors>& runs);
 
-/// First index of the smallest value.
 int first_smallest(const Vector& values);
 
 /// A mean squared error over the vertices foreseen for t = 0, 1, … T. All lengths of a study are in box diagonals of its mesh.

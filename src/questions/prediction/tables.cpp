@@ -1,4 +1,3 @@
-// Tables and plots of predicted denoising.
 #include "questions/prediction/parts.h"
 
 namespace meshfolio::prediction {

@@ -126,13 +126,6 @@ double euler_gap(const AngleSums& sums);
 /// On the finest meshes together, the vertices whose area is ≤ 0.
 int without_K(const BenchRuns& runs, AreaForm form);
 
-report::Table statistics_table(const Meshes& meshes);
-report::Table error_table(const BenchRuns& runs);
-/// L∞ errors of K on the finest meshes, one row an area form.
-report::Table area_table(const BenchRuns& runs);
-report::Table gauss_bonnet_table(const AngleSums& sums);
-report::Plot convergence_plot(const BenchRuns& runs);
-
 /// Δx and its parts, the angle deficit, and the three areas, each of a real ring.
 report::Diagram ring_diagram();
 

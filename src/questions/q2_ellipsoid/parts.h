@@ -17,9 +17,7 @@ struct ReadingGap {
     int degrees = 0;
 };
 ReadingGap largest_gap(const Ellipsoid& e);
-double difference_of_readings(const Ellipsoid& e, double theta);
 
-/// Of all ellipsoids.
 int total_points(const Oracles& oracles);
 /// K at the poles.
 inline double pole_limit(const Ellipsoid& e) { return e.c * e.c / (e.a * e.a * e.b * e.b); }
@@ -38,9 +36,5 @@ report::Table discrete_table(const Tip& exact, const DiscreteTips& tips);
 /// θ in the tangent plane, and the normal sections along y and z.
 report::Diagram angle_diagram(const Tip& tip);
 void add_ellipsoid_figure(Answer& answer, const Ellipsoid& ellipsoid, bool quick, const std::string& colormap);
-report::Text lead_of(const Tip& tip);
-void add_discussion(report::Section& section, const Tip& tip, const Oracles& oracles, const PoleSteps& pole, const DiscreteTips& discrete);
-/// Of the other ellipsoid, and what is easily taken for the tip.
-void add_remarks(report::Section& section, const Tip& other, const Tip& tip);
 
 }   // namespace meshfolio::q2_ellipsoid

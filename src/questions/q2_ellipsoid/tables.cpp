@@ -4,7 +4,6 @@ namespace meshfolio::q2_ellipsoid {
 
 namespace {
 
-/// A row of the table of forms.
 struct Place {
     double u, v;   // over π
     Vector3 p = {};

@@ -13,7 +13,6 @@ constexpr double thin = 5 * pi / 180;
 double cotangent_error(const BenchRun& run, AreaForm form = areas_used) { return run.finest().error(H_with(form)).l2; }
 double uniform_error(const BenchRun& run) { return run.finest().error("H.uniform").l2; }
 
-/// Is cotangent H the better one?
 bool wins(const BenchRun& run) { return cotangent_error(run) < uniform_error(run); }
 
 /// On how many surfaces cotangent H converges, and its worst error, on one kind of triangulation.

@@ -40,13 +40,6 @@ void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string&
 void add_disagreement_figure(Answer& answer, const CotangentComparison& comparison, const Disagreement& disagreement,
                              const std::string& colormap);
 
-report::Table difference_table(const Comparisons& meshes);
-report::Table variant_table(const Comparisons& meshes);
-/// Errors on the finest meshes in one norm, one row an estimator.
-report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name);
-report::Table order_table(const BenchRuns& runs);
-report::Table indicator_table(const std::vector<IndicatorTrial>& trials);
-report::Plot convergence_plot(const BenchRuns& runs);
 /// The opposite angles, the pull of uniform weights, and why that of cotangents vanishes.
 report::Diagram weight_diagram();
 

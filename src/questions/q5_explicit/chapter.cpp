@@ -36,7 +36,6 @@ void add_checks(report::Section& section, const ExplicitStudy& study) {
     }
 }
 
-/// How far it was done, and with which settings.
 void add_record(report::Section& section, const Studies& studies) {
     for (const ExplicitStudy& study : studies)
         section.parameters[words.line("parameter.critical", "mesh"_a = study.name())] = {plain_text(study.subject.critical, 6),

@@ -7,8 +7,6 @@ namespace meshfolio::q5_explicit {
 
 namespace {
 
-// ---- how large may it be
-
 /// What holds the top mode: the whole triangulation, a region, or a single spot.
 enum class Extent { spot, region, whole };
 
@@ -36,33 +34,6 @@ report::Text ringed(const Studies& studies) {
     }
     return {};
 }
-
-}   // namespace
-
-std::vector<int> limiting_spot(const ExplicitStudy& study) {
-    return extent_of_top_mode(study) == Extent::spot ? study.peaks : std::vector<int>();
-}
-
-report::Text how_large(const Studies& studies) {
-    const auto [low, high] = std::ranges::minmax_element(studies, {}, &ExplicitStudy::critical_in_edges);
-    // Right triangles of two sides s allow s²/4, and their mean edge is (2 + √2)s/3.
-    static const double grid = 0.25 / std::pow((2 + std::sqrt(2.0)) / 3, 2);
-    const double lowest = low->critical_in_edges(), times = high->critical_in_edges() / lowest;
-    const report::Facts facts{
-        "low"_a = readable(lowest, 2), "low_mesh"_a = low->name(),   "high"_a = readable(high->critical_in_edges(), 2),
-        "high_mesh"_a = high->name(),  "grid"_a = readable(grid, 2), "grid_times"_a = readable(grid / lowest, 2),
-        "times"_a = readable(times, 2)};
-    const bool several = studies.size() > 1;
-    return paragraph_of({words.say(several ? "limit.several" : "limit.one", facts),
-                         several && times > 1.5 ? words.say("limit.times", facts) : report::Text(),
-                         several ? report::Text() : words.say(lowest < 0.5 * grid ? "limit.grid.worse" : "limit.grid.half", facts),
-                         places(studies, Extent::whole, "limit.whole"), places(studies, Extent::region, "limit.region"),
-                         places(studies, Extent::spot, "limit.spot"), ringed(studies), words.say("limit.why")});
-}
-
-// ---- which one to take
-
-namespace {
 
 /// The largest stable step beyond half the limit that was tried, beside the one recommended.
 struct Steps {
@@ -133,14 +104,6 @@ report::Text farther_along(const Studies& studies) {
     return {};
 }
 
-}   // namespace
-
-report::Text which_step(const Studies& studies) { return paragraph_of({why_half(studies), farther_along(studies)}); }
-
-// ---- when to stop
-
-namespace {
-
 /// What the recommended step does to one mesh, as its figure shows.
 report::Text effect_of(const ExplicitStudy& study) {
     const Recommendation& best = *study.recommended;
@@ -164,31 +127,6 @@ report::Text effect_of(const ExplicitStudy& study) {
                          if_so(unfolded, "stop.turned.unfolded"), if_so(!unfolded && best.folded_after > 0, "stop.turned.folded"),
                          if_so(!unfolded && best.folded_before > 0 && best.folded_after == 0, "stop.turned.flat")});
 }
-
-}   // namespace
-
-report::Text when_to_stop(const Studies& studies) {
-    const Names none = names_where(studies, [](const ExplicitStudy& study) { return !study.recommended; });
-    Names smoother;
-    report::Text effects;
-    for (const ExplicitStudy& study : studies) {
-        if (!study.recommended) continue;
-        const Recommendation& best = *study.recommended;
-        if (best.roughness_before > 5 && best.roughness_after < 0.5 * best.roughness_before)
-            smoother.push_back(words.line("stop.roughness.mesh", "mesh"_a = study.name(), "before"_a = readable(best.roughness_before, 2),
-                                          "after"_a = readable(best.roughness_after, 2)));
-        go_on(effects, effect_of(study));
-    }
-    report::Text stop;
-    if (none.size() < studies.size())
-        stop = paragraph_of({words.say("stop", "figure"_a = recommended_figure(studies)),
-                             studies.size() > 1 ? words.say("stop.lambda_t") : report::Text(), said_of(smoother, words, "stop.roughness")});
-    return paragraph_of({stop, effects, said_of(none, words, "good.none")});
-}
-
-namespace {
-
-// ---- and beyond
 
 using StudyPointers = std::vector<const ExplicitStudy*>;
 
@@ -287,7 +225,63 @@ StudyPointers tried_beyond(const Studies& studies) {
     return beyond;
 }
 
+/// With the blow-up where all meshes show it at one step.
+report::Text beyond_in_short(const Studies& studies) {
+    int last = 0;
+    std::string limits;
+    for (const ExplicitStudy& study : studies) {
+        const SmoothingRun& run = study.runs.back();
+        const std::string step = in_limits(study.subject, run.lambda);
+        if (!run.result.blew_up || (!limits.empty() && step != limits)) return words.say("answer.beyond");
+        limits = step;
+        last = std::max(last, run.result.blow_up_iteration);
+    }
+    return words.say("answer.beyond.blown", "limits"_a = limits, "meshes"_a = studies.size(), "last"_a = last);
+}
+
 }   // namespace
+
+std::vector<int> limiting_spot(const ExplicitStudy& study) {
+    return extent_of_top_mode(study) == Extent::spot ? study.peaks : std::vector<int>();
+}
+
+report::Text how_large(const Studies& studies) {
+    const auto [low, high] = std::ranges::minmax_element(studies, {}, &ExplicitStudy::critical_in_edges);
+    // Right triangles of two sides s allow s²/4, and their mean edge is (2 + √2)s/3.
+    static const double grid = 0.25 / std::pow((2 + std::sqrt(2.0)) / 3, 2);
+    const double lowest = low->critical_in_edges(), times = high->critical_in_edges() / lowest;
+    const report::Facts facts{
+        "low"_a = readable(lowest, 2), "low_mesh"_a = low->name(),   "high"_a = readable(high->critical_in_edges(), 2),
+        "high_mesh"_a = high->name(),  "grid"_a = readable(grid, 2), "grid_times"_a = readable(grid / lowest, 2),
+        "times"_a = readable(times, 2)};
+    const bool several = studies.size() > 1;
+    return paragraph_of({words.say(several ? "limit.several" : "limit.one", facts),
+                         several && times > 1.5 ? words.say("limit.times", facts) : report::Text(),
+                         several ? report::Text() : words.say(lowest < 0.5 * grid ? "limit.grid.worse" : "limit.grid.half", facts),
+                         places(studies, Extent::whole, "limit.whole"), places(studies, Extent::region, "limit.region"),
+                         places(studies, Extent::spot, "limit.spot"), ringed(studies), words.say("limit.why")});
+}
+
+report::Text which_step(const Studies& studies) { return paragraph_of({why_half(studies), farther_along(studies)}); }
+
+report::Text when_to_stop(const Studies& studies) {
+    const Names none = names_where(studies, [](const ExplicitStudy& study) { return !study.recommended; });
+    Names smoother;
+    report::Text effects;
+    for (const ExplicitStudy& study : studies) {
+        if (!study.recommended) continue;
+        const Recommendation& best = *study.recommended;
+        if (best.roughness_before > 5 && best.roughness_after < 0.5 * best.roughness_before)
+            smoother.push_back(words.line("stop.roughness.mesh", "mesh"_a = study.name(), "before"_a = readable(best.roughness_before, 2),
+                                          "after"_a = readable(best.roughness_after, 2)));
+        go_on(effects, effect_of(study));
+    }
+    report::Text stop;
+    if (none.size() < studies.size())
+        stop = paragraph_of({words.say("stop", "figure"_a = recommended_figure(studies)),
+                             studies.size() > 1 ? words.say("stop.lambda_t") : report::Text(), said_of(smoother, words, "stop.roughness")});
+    return paragraph_of({stop, effects, said_of(none, words, "good.none")});
+}
 
 report::Text too_large(const Studies& studies) {
     const StudyPointers beyond = tried_beyond(studies);
@@ -327,24 +321,6 @@ const ExplicitStudy& telling(const Studies& studies) {
         return i < study.runs.size() && !study.runs[i].result.blew_up ? study.runs[i].energy.back() : 0;
     });
 }
-
-namespace {
-
-/// With the blow-up where all meshes show it at one step.
-report::Text beyond_in_short(const Studies& studies) {
-    int last = 0;
-    std::string limits;
-    for (const ExplicitStudy& study : studies) {
-        const SmoothingRun& run = study.runs.back();
-        const std::string step = in_limits(study.subject, run.lambda);
-        if (!run.result.blew_up || (!limits.empty() && step != limits)) return words.say("answer.beyond");
-        limits = step;
-        last = std::max(last, run.result.blow_up_iteration);
-    }
-    return words.say("answer.beyond.blown", "limits"_a = limits, "meshes"_a = studies.size(), "last"_a = last);
-}
-
-}   // namespace
 
 report::Text answer_in_short(const Studies& studies) {
     double least = INFINITY, most = 0;   // of the recommended steps, over λ_crit

@@ -20,11 +20,6 @@ void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorR
 /// What is recommended of each mesh, from the six directions.
 void add_views(Answer& answer, const Studies& studies, const output::ColorRange& colours);
 
-report::Table grid_table(const ImplicitStudy& study);
-/// What is recommended, how smooth it is, and its price.
-report::Table cost_table(const Studies& studies);
-/// The price of every λ × t, and from where on the implicit steps of each λ pay; no rows where nothing is counted.
-report::Table price_table(const Studies& studies);
 /// The gap between the schemes over t, a curve a mesh; no curves where no λ is within the limit.
 report::Plot gap_plot(const Studies& studies);
 

@@ -48,7 +48,6 @@ report::Text strongest_noise(const Grids& grids) {
                          angle > crumpled ? words.say("strong.crumpled", "angle"_a = readable(180 / pi * angle, 2)) : report::Text()});
 }
 
-/// What the pictures of one mesh show.
 report::Text reading(const DenoisingGrid& grid) {
     const NoisyTrial& trial = grid.pictured();
     report::Facts facts = facts_of(grid, trial);

@@ -48,7 +48,6 @@ void add_pictures(Answer& answer, output::FigureRequest request, const std::stri
     add_figure(answer, std::move(request), words.line(key + ".caption"), alt);
 }
 
-/// Rows become columns.
 void transpose(output::FigureRequest& request) {
     std::vector<output::Panel> panels;
     for (std::size_t c = 0; c < request.columns.size(); ++c)

@@ -45,7 +45,6 @@ const DenoisingGrid& hardest(const Grids& grids);
 const NoisyTrial& leading_in(const DenoisingGrid& grid);
 const NoisyTrial& hardest_in(const DenoisingGrid& grid);
 
-/// The gains of each noisy mesh.
 report::Table result_table(const Grids& grids);
 /// How often smoothing works, helps and fails by each measure.
 report::Table count_table(const Grids& grids);

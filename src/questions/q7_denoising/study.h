@@ -116,7 +116,6 @@ std::string verdict_on(const NoisyTrial& trial, const Measure& measure = measure
 /// Whether the best lies at an end of the grid. The smallest λ is no end while t can grow: more of its steps do the same.
 bool is_unended(const DenoisingGrid& grid, const SearchState& best);
 
-/// Is this verdict one of failure?
 inline bool is_failure(const std::string& verdict) { return verdict == "fails" || verdict == "shrinks"; }
 
 /// The lowest noise whose distance to the surface is halved, ∞ for none, and the highest that is not, 0 for none. [mean edges]

@@ -6,11 +6,40 @@
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "mesh/triangle_mesh.h"
 #include "questions/bench/smoothing_study.h"
-#include "questions/reproductions/study.h"
 
 namespace meshfolio::reproductions {
 
-/// One estimate of curvature on one mesh.
+/// What an experiment is done on. Several originals with the same stand-in are one.
+struct ExperimentMesh {
+    std::vector<OriginalMesh> originals;   // at least one; parameters carry over from the first
+    SharedMesh used;
+    std::string label;           // its name; numbered where two meshes of the experiment share it
+    bool stand_in = false;       // not the mesh of the report
+    double cotan_critical = 0;   // λ_crit of the cotangent operator with barycentric areas [length²]; 0 where it is not needed
+    double mean_edge = 0;        // [length]
+    double diagonal = 0;         // of the bounding box [length]
+    Vector3 extent{0, 0, 0};     // of the bounding box [length]
+    const TriangleMesh& mesh() const { return used->mesh(); }
+    const std::string& name() const { return label; }
+};
+
+/// The meshes of an experiment: the originals, else their stand-ins; the user's own take their places.
+std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings);
+
+/// By what rule the parameters of an experiment carry over to a mesh.
+enum class Carried { as_given, by_limit, by_edge };
+/// A raw λ becomes on a stand-in the same multiple of λ_crit, or with noise of the squared mean edge. The uniform operator, other units and
+/// originals of unknown measure keep λ as given.
+Carried lambda_rule(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind);
+/// λ on this mesh. [length²; 1 for the uniform operator]
+/// @param critical  λ_crit of the operator on this mesh, for unit tau
+double lambda_on(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind, double lambda, double critical);
+
+/// A raw σ carries over as the same share of the mean edge.
+Carried noise_rule(const Experiment& experiment, const ExperimentMesh& mesh);
+/// σ along each axis on this mesh. [length]
+Vector3 noise_on(const Experiment& experiment, const ExperimentMesh& mesh, double noise);
+
 struct ExperimentField {
     std::size_t mesh = 0;   // index into the meshes
     ExperimentColour colour = ExperimentColour::h_cotan;
@@ -52,37 +81,6 @@ struct ReconstructionExperiment {
 };
 ReconstructionExperiment reconstruction_experiment(const MeshLibrary& library, const Experiment& experiment,
                                                    const QuestionSettings& settings);
-
-/// What an experiment is done on. Several originals with the same stand-in are one.
-struct ExperimentMesh {
-    std::vector<OriginalMesh> originals;   // at least one; parameters carry over from the first
-    SharedMesh used;
-    std::string label;           // its name; numbered where two meshes of the experiment share it
-    bool stand_in = false;       // not the mesh of the report
-    double cotan_critical = 0;   // λ_crit of the cotangent operator with barycentric areas [length²]; 0 where it is not needed
-    double mean_edge = 0;        // [length]
-    double diagonal = 0;         // of the bounding box [length]
-    Vector3 extent{0, 0, 0};     // of the bounding box [length]
-    const TriangleMesh& mesh() const { return used->mesh(); }
-    const std::string& name() const { return label; }
-};
-
-/// The meshes of an experiment: the originals, else their stand-ins; the user's own take their places.
-std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings);
-
-/// By what rule the parameters of an experiment carry over to a mesh.
-enum class Carried { as_given, by_limit, by_edge };
-/// A raw λ becomes on a stand-in the same multiple of λ_crit, or with noise of the squared mean edge. The uniform operator, other units and
-/// originals of unknown measure keep λ as given.
-Carried lambda_rule(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind);
-/// λ on this mesh. [length²; 1 for the uniform operator]
-/// @param critical  λ_crit of the operator on this mesh, for unit tau
-double lambda_on(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind, double lambda, double critical);
-
-/// A raw σ carries over as the same share of the mean edge.
-Carried noise_rule(const Experiment& experiment, const ExperimentMesh& mesh);
-/// σ along each axis on this mesh. [length]
-Vector3 noise_on(const Experiment& experiment, const ExperimentMesh& mesh, double noise);
 
 /// One smoothing run of an experiment; its snapshots are at the experiment's iterations.
 struct ExperimentRun {

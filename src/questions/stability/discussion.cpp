@@ -1,4 +1,3 @@
-// What the numbers of the section "stability" say.
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {

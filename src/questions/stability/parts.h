@@ -11,7 +11,6 @@ namespace meshfolio::stability {
 
 inline constexpr report::Words words("stability");
 
-/// One operator on one mesh.
 struct OperatorLimit {
     std::string name;   // "cotangent", "uniform"
     StabilityCertificate certificate;
@@ -90,7 +89,6 @@ struct Neighbourhood {
 };
 Neighbourhood neighbourhood(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int rings);
 
-/// The verdict in one sentence.
 report::Text answer_of(const Studies& studies);
 void add_discussion(report::Section& section, const Studies& studies, const RebuiltFlow& flow);
 

@@ -1,4 +1,3 @@
-// Tables, plots and figures of the section "stability".
 #include <Eigen/Geometry>
 
 #include "questions/stability/parts.h"
@@ -31,7 +30,6 @@ void add_multiples(Answer& answer, output::FigureRequest request, const std::str
 
 using Style = report::Series::Style;
 
-/// One operator on one mesh, and a run with it.
 struct OperatorRow {
     const StabilityStudy& study;
     const OperatorLimit& limit;
@@ -64,7 +62,6 @@ report::Series curve(const std::string& name, const std::string& step, const Mod
 
 std::string vertex_text(int vertex) { return vertex >= 0 ? readable_count(vertex) : "–"; }
 
-/// The step something happened in, or "never".
 std::string when(int iteration) { return iteration > 0 ? readable_count(iteration) : "never"; }
 
 const char* end_of(const Smoothed& run) { return run.blew_up ? "blow-up" : run.collapse_iteration > 0 ? "collapse" : "number of steps"; }

@@ -21,10 +21,8 @@ struct GroundTruth {
 };
 GroundTruth ground_truth(std::uint64_t seed, bool quick, const Progress& progress);
 
-/// What must come out, as named checks.
 std::vector<report::Check> ground_truth_checks(const GroundTruth& truth);
 
-/// The whole section, checks included.
 report::Section ground_truth_section(const GroundTruth& truth);
 
 // Tables and plots: one row an estimator.
