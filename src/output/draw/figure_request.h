@@ -37,10 +37,10 @@ enum class Layout {
 };
 
 struct FigureRequest {
-    std::string id;   // of the report::Figure: images/<id>_sheet.png
-    std::string title, subtitle;
-    std::vector<Panel> panels;
-    std::optional<ColorRange> range;
+    std::string id = {};   // of the report::Figure: images/<id>_sheet.png
+    std::string title = {}, subtitle = {};
+    std::vector<Panel> panels = {};
+    std::optional<ColorRange> range = {};
     bool edges = false;
     /// Frame all panels on this panel's box (a blown-up mesh must not shrink the others); −1: on the union of all boxes.
     int frame_panel = 0;

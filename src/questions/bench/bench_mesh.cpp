@@ -68,8 +68,7 @@ std::vector<char> away_from_boundary(const MeshTopology& topology, int edges) {
     for (int ring = 0; ring < edges; ++ring) {
         const std::vector<char> before = near;
         for (const Edge& edge : topology.edges) {
-            const auto a = static_cast<std::size_t>(edge.a), b = static_cast<std::size_t>(edge.b);
-            if (before[a] || before[b]) near[a] = near[b] = 1;
+            if (before[edge.a] || before[edge.b]) near[edge.a] = near[edge.b] = 1;
         }
     }
     for (char& flag : near) flag = flag ? 0 : 1;
@@ -101,7 +100,7 @@ BenchMesh with_truth(TriangleMesh mesh, const KnownSurface& surface, int edges_f
 
 std::string_view name_of(MeshKind kind) {
     constexpr std::array<std::string_view, 5> names{"regular", "jittered", "random", "noisy", "anisotropic"};
-    return names[static_cast<std::size_t>(kind)];
+    return names[int(kind)];
 }
 
 const SparseMatrix& BenchMesh::C() const {
@@ -132,7 +131,7 @@ Positions jittered(const TriangleMesh& mesh, const MeshTopology& topology, doubl
     for (int i = 0; i < mesh.vertex_count(); ++i) {
         Vector3 step;
         for (double& s : step) s = amount * edge[i] * (2 * random.uniform() - 1);
-        if (!topology.on_boundary[static_cast<std::size_t>(i)]) X.row(i) = projected(X.row(i).transpose() + step);
+        if (!topology.on_boundary[i]) X.row(i) = projected(X.row(i).transpose() + step);
     }
     return X;
 }

@@ -5,9 +5,7 @@
 #include <any>
 #include <cstdint>
 #include <map>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "geometry/linear/sparse_types.h"
 #include "mesh/mesh_topology.h"
@@ -50,8 +48,8 @@ BenchMesh bench_mesh(const KnownSurface& surface, MeshKind kind, int level, std:
 /// The hull of random points on an ellipsoid: the images of uniform points on the sphere.
 BenchMesh random_ellipsoid(const Vector3& half_axes, int points, std::uint64_t seed);
 
-/// The positions moved by up to `amount` times their shortest edge in each axis, uniformly distributed, and brought back to the surface by
-/// `projected`. Boundary vertices stay. Below about 0.2 no triangle turns over.
+/// Moves each inner vertex uniformly by up to `amount` of its shortest edge in each axis, then projects it. Below 0.2 no triangle turns
+/// over.
 Positions jittered(const TriangleMesh& mesh, const MeshTopology& topology, double amount, std::uint64_t seed,
                    const std::function<Vector3(const Vector3&)>& projected);
 

@@ -1,8 +1,5 @@
 #include "questions/bench/cotangent_study.h"
 
-#include <cmath>
-#include <utility>
-
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "mesh/samples/sample_shapes.h"
@@ -57,7 +54,7 @@ OperatorVariant variant_of(const CurvatureSubject& s, std::string name, const Co
     v.negative_boundary = negative.boundary;
     v.smallest_weight = negative.smallest;
     v.inside = largest_magnitude(length, [&](int i) { return s.inside(i); });
-    v.boundary = largest_magnitude(length, [&](int i) { return s.topology().on_boundary[static_cast<std::size_t>(i)] != 0; });
+    v.boundary = largest_magnitude(length, [&](int i) { return s.topology().on_boundary[i] != 0; });
     const double scale = rms(reference);
     const Vector change = cotangent_mean_curvature(s.mesh(), s.topology(), laplacian) - reference;
     v.change = scale * s.mean_edge > curvature_noise ? rms(change) / scale : std::nan("");
@@ -66,7 +63,7 @@ OperatorVariant variant_of(const CurvatureSubject& s, std::string name, const Co
 
 }   // namespace
 
-CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source) {
+CotangentComparison compare_operators(SharedMesh source) {
     CotangentComparison c;
     c.subject = curvature_subject(std::move(source));
     const TriangleMesh& mesh = c.subject.mesh();

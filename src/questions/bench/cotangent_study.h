@@ -2,11 +2,6 @@
 /// The cotangent operator against the uniform one, on a mesh and on an irregular flat square.
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "questions/bench/curvature_subject.h"
 
 namespace meshfolio {
@@ -32,8 +27,10 @@ struct CotangentComparison {
     double jump_uniform = 0, jump_cotangent = 0;   // rms difference of H between neighbours [1/length]
     double sign_change = 0;                        // share of vertices where the two differ in sign
     std::vector<OperatorVariant> variants;         // half sum (the default), mean of opposite vertices, clamped
+
+    const std::string& name() const { return subject.name(); }
 };
-CotangentComparison compare_operators(std::shared_ptr<const LibraryMesh> source);
+CotangentComparison compare_operators(SharedMesh source);
 
 /// A flat square whose inner vertices were moved within it: every curvature is zero, whatever the triangles.
 struct PlaneTest {

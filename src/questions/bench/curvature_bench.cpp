@@ -1,20 +1,15 @@
 #include "questions/bench/curvature_bench.h"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
 
-#include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/curvature.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/measures/mesh_laws.h"
-#include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 
@@ -32,7 +27,7 @@ EstimateError error_of(const Vector& estimate, const Vector& truth, const Vector
     EstimateError error;
     double squared = 0, scale_squared = 0, largest_scale = 0;
     for (Eigen::Index i = 0; i < estimate.size(); ++i) {
-        if (!b.measured[static_cast<std::size_t>(i)]) continue;
+        if (!b.measured[i]) continue;
         scale_squared += b.areas[i] * scale[i] * scale[i];
         largest_scale = std::max(largest_scale, std::abs(scale[i]));
         if (!std::isfinite(estimate[i])) {
@@ -51,12 +46,12 @@ EstimateError error_of(const Vector& estimate, const Vector& truth, const Vector
 /// Of the tenth of the vertices where `error` is largest, the share in the tenth where `indicator` is. Both without NaN.
 double share_found(const Vector& error, const Vector& indicator) {
     const auto n = error.size();
-    const std::size_t tenth = std::max<std::size_t>(1, static_cast<std::size_t>(n) / 10);
+    const std::size_t tenth = std::max<std::size_t>(1, n / 10);
     const auto worst = [&](const Vector& values) {
-        std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
+        std::vector<Eigen::Index> order(n);
         std::iota(order.begin(), order.end(), 0);
         const auto larger = [&](Eigen::Index a, Eigen::Index b) { return values[a] != values[b] ? values[a] > values[b] : a < b; };
-        std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(tenth), order.end(), larger);
+        std::partial_sort(order.begin(), order.begin() + tenth, order.end(), larger);
         order.resize(tenth);
         std::sort(order.begin(), order.end());
         return order;
@@ -69,9 +64,7 @@ double share_found(const Vector& error, const Vector& indicator) {
 
 ErrorIndicator indicator_on(const BenchMesh& b) {
     const Vector cotangent = estimator("H.barycentric").estimate(b), jet = estimator("H.jet").estimate(b);
-    std::vector<Eigen::Index> both;
-    for (Eigen::Index i = 0; i < b.H.size(); ++i)
-        if (std::isfinite(cotangent[i]) && std::isfinite(jet[i])) both.push_back(i);
+    const std::vector<int> both = where_finite(cotangent, jet);
     const Vector A = b.areas(both), H = b.H(both);
     const Vector error = (cotangent(both) - H).cwiseAbs(), indicated = (cotangent(both) - jet(both)).cwiseAbs();
     const double scale = A.dot(H.cwiseAbs2());
@@ -84,8 +77,7 @@ std::string with_decimals(double x, int decimals) {
     return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::fixed, decimals).ptr};
 }
 
-/// What was measured before, by surface, kind, level and seed. The lock is held while measuring, so that another section waits instead of
-/// measuring the same.
+/// Caches levels by surface, kind, level and seed. Measuring holds the lock, so that another section waits instead of measuring the same.
 struct Known {
     std::mutex mutex;
     std::map<std::tuple<std::string, MeshKind, int, std::uint64_t>, BenchLevel> levels;
@@ -130,10 +122,6 @@ std::string trend(const ErrorHistory& history) {
                                                            : "trend.stays",
                                 "from"_a = readable_percent(history.first()), "to"_a = readable_percent(history.last()),
                                 "order"_a = words_of(order));
-}
-
-std::string error_and_order(const ErrorHistory& history) {
-    return curvature_words.line("error_and_order", "error"_a = readable_percent(history.last(), 2), "order"_a = words_of(history.order()));
 }
 
 std::string grade(double relative_error) {
@@ -231,11 +219,33 @@ double pentagon_excess() { return 3 / std::tan(54 * pi / 180) / (2 * std::sin(72
 
 report::Check pentagon_check(const BenchRuns& runs) {
     const BenchLevel& sphere = run_on(runs, "sphere", MeshKind::regular).finest();
-    return report::check_near(curvature_words.line("check.pentagon"), pentagon_excess(), sphere.error("H.barycentric").linf,
-                              0.25 * sphere.mean_edge * sphere.mean_edge, curvature_words.line("check.pentagon.note"));
+    return check_near(curvature_words.line("check.pentagon"), pentagon_excess(), sphere.error("H.barycentric").linf,
+                      0.25 * sphere.mean_edge * sphere.mean_edge, curvature_words.line("check.pentagon.note"));
 }
 
 std::vector<KnownSurface> question_surfaces() { return {known_surface("sphere"), known_surface("ellipsoid"), known_surface("torus")}; }
+
+report::Plot convergence_plot(std::string id, const report::Words& words, const BenchRuns& runs,
+                              std::initializer_list<std::pair<std::string_view, std::string_view>> estimators) {
+    report::Plot plot = error_plot(std::move(id), words.line("convergence"), words.line("convergence.alt"));
+    for (const KnownSurface& surface : question_surfaces()) {
+        int color = 0;
+        for (const auto& [estimator, key] : estimators) {
+            for (const MeshKind kind : question_kinds) {
+                using enum report::Series::Style;
+                const ErrorHistory errors = run_on(runs, surface.name, kind).errors(estimator);
+                const std::string name = words.line(key, "triangulation"_a = name_of(kind));
+                report::Series& series =
+                    plot.series.emplace_back(error_series(name, errors, kind == MeshKind::regular ? line_and_points : dashed));
+                series.color = color;
+                series.panel = surface.name;
+                plot.alt += " " + words.line("convergence.alt.series", "series"_a = surface.name + ", " + name, "trend"_a = trend(errors));
+            }
+            ++color;
+        }
+    }
+    return plot;
+}
 
 std::vector<int> refinement_levels(bool quick) { return quick ? std::vector{3, 4, 5} : std::vector{2, 3, 4, 5}; }
 

@@ -3,21 +3,15 @@
 /// and the claims are views of it.
 #pragma once
 
-#include <cmath>
-#include <map>
 #include <ranges>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "questions/bench/estimators.h"
-#include "questions/core/chapter.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio {
 
-/// Errors relative to the root mean square (L2) and the largest magnitude (L∞) of the truth. Where the truth is 0 everywhere, √(2H² − K)
-/// stands for H and 2H² − K for K, of which the principal curvatures say the same.
+/// Errors relative to the root mean square (L2) and the largest magnitude (L∞) of the truth; where that is 0 everywhere, of √(2H² − K) for
+/// H and of 2H² − K for K.
 struct EstimateError {
     double l2 = 0, linf = 0;
     int undefined = 0;   // measured vertices without an estimate
@@ -48,8 +42,6 @@ struct ErrorHistory {
 };
 /// "falls from 3.1 % to 0.05 % (order 1.98 ± 0.01)", "goes from 14.6 % to …", "grows from … to …".
 std::string trend(const ErrorHistory& history);
-/// "27.6 % (order 0.03 ± 0.01)": of the finest mesh.
-std::string error_and_order(const ErrorHistory& history);
 /// "good" below 1 %, "fair" below 5 %, "rough" below 20 %, "useless" beyond.
 std::string grade(double relative_error);
 /// An empty log–log plot of relative L2 errors over the mean edge, and a series for it.
@@ -96,15 +88,13 @@ using BenchRuns = std::vector<BenchRun>;
 BenchRuns bench_runs(const std::vector<KnownSurface>& surfaces, std::span<const MeshKind> kinds, const std::vector<int>& levels,
                      std::uint64_t seed, const Progress& progress);
 
-/// Those on one kind of mesh.
 inline auto of_kind(const BenchRuns& runs, MeshKind kind) {
     return std::views::filter(runs, [kind](const BenchRun& run) { return run.kind == kind; });
 }
 /// @throws std::logic_error if there is none
 const BenchRun& run_on(const BenchRuns& runs, std::string_view surface, MeshKind kind);
 
-/// Barycentric H of a flat regular pentagon cap over its true value, less 1: where L∞ on the icosphere stalls, at its twelve vertices of
-/// valence 5.
+/// Relative error of barycentric H at a flat regular pentagon: the L∞ error on the icosphere stalls there, at twelve vertices.
 double pentagon_excess();
 /// That the finest icosphere stalls there.
 report::Check pentagon_check(const BenchRuns& runs);
@@ -112,6 +102,9 @@ report::Check pentagon_check(const BenchRuns& runs);
 /// Of questions 1 and 3: sphere, ellipsoid and torus, regular and jittered, up to 10 000 vertices.
 inline constexpr std::array question_kinds{MeshKind::regular, MeshKind::jittered};
 std::vector<KnownSurface> question_surfaces();
+/// L2 errors of two estimators, given with the messages that name their curves: a panel a surface, jittered meshes dashed.
+report::Plot convergence_plot(std::string id, const report::Words& words, const BenchRuns& runs,
+                              std::initializer_list<std::pair<std::string_view, std::string_view>> estimators);
 std::vector<int> refinement_levels(bool quick);   // coarse to fine: four, or three for a quick look
 BenchRuns question_runs(const QuestionSettings& settings, const Progress& progress);
 

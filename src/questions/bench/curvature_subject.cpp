@@ -1,13 +1,8 @@
 #include "questions/bench/curvature_subject.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
-#include <utility>
 
-#include "base/number_text.h"
 #include "geometry/operators/uniform_laplacian.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/known_surfaces.h"
 
 namespace meshfolio {
@@ -20,8 +15,7 @@ constexpr double flat_within = 1e-6;
 }   // namespace
 
 bool CurvatureSubject::inside(int vertex) const {
-    const auto v = static_cast<std::size_t>(vertex);
-    return topology().neighbours.size(vertex) > 0 && !topology().on_boundary[v] && !topology().nonmanifold[v];
+    return topology().neighbours.size(vertex) > 0 && !topology().on_boundary[vertex] && !topology().nonmanifold[vertex];
 }
 
 // Each coordinate is off by up to half a step, so Δx, a mean of differences, by up to √3 steps.
@@ -38,7 +32,7 @@ double coordinate_step(const TriangleMesh& mesh) {
     return 0;
 }
 
-CurvatureSubject curvature_subject(std::shared_ptr<const LibraryMesh> source) {
+CurvatureSubject curvature_subject(SharedMesh source) {
     CurvatureSubject subject;
     subject.source = std::move(source);
     subject.diagonal = bounding_box(subject.mesh()).diagonal();
@@ -77,7 +71,7 @@ double largest_magnitude(const Vector& values) {
 double roughness(const Vector& values, const MeshTopology& topology) {
     const auto ninth_decile = [](std::vector<double>& sizes) {
         if (sizes.empty()) return 0.0;
-        const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(9 * (sizes.size() - 1) / 10);
+        const auto at = sizes.begin() + 9 * (sizes.size() - 1) / 10;
         std::ranges::nth_element(sizes, at);
         return *at;
     };
@@ -91,9 +85,7 @@ double roughness(const Vector& values, const MeshTopology& topology) {
 }
 
 double rank_correlation(const Vector& a, const Vector& b) {
-    std::vector<int> both;
-    for (int i = 0; i < a.size(); ++i)
-        if (std::isfinite(a[i]) && std::isfinite(b[i])) both.push_back(i);
+    const std::vector<int> both = where_finite(a, b);
     const auto n = static_cast<Eigen::Index>(both.size());
     // Ranks about their mean, ties sharing theirs.
     const auto ranks_of = [&](const Vector& values) {
@@ -104,7 +96,7 @@ double rank_correlation(const Vector& a, const Vector& b) {
             while (to < order.size() && values[order[to]] == values[order[from]]) ++to;
             for (std::size_t i = from; i < to; ++i) of_vertex[order[i]] = 0.5 * double(from + to) - 0.5 * double(n);
         }
-        for (Eigen::Index i = 0; i < n; ++i) ranks[i] = of_vertex[both[static_cast<std::size_t>(i)]];
+        for (Eigen::Index i = 0; i < n; ++i) ranks[i] = of_vertex[both[i]];
         return ranks;
     };
     const Vector ra = ranks_of(a), rb = ranks_of(b);
@@ -144,12 +136,10 @@ std::string beyond_words(const Vector& values, double range) {
 }
 
 SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector& values, double pale) {
-    std::vector<int> order;
-    for (int i = 0; i < values.size(); ++i)
-        if (std::isfinite(values[i])) order.push_back(i);
+    std::vector<int> order = where_finite(values, values);
     std::ranges::stable_sort(order, {}, [&](int i) { return subject.centred.row(i).squaredNorm(); });
     const auto share = [&](std::size_t first, std::size_t last, auto chosen) {
-        const auto begin = order.begin() + static_cast<std::ptrdiff_t>(first), end = order.begin() + static_cast<std::ptrdiff_t>(last);
+        const auto begin = order.begin() + first, end = order.begin() + last;
         return first < last ? double(std::count_if(begin, end, [&](int i) { return chosen(values[i]); })) / double(last - first) : 0;
     };
     const auto positive = [&](double v) { return v > pale; };
@@ -178,7 +168,7 @@ UndefinedVertices undefined_vertices(const CurvatureSubject& subject) {
     for (int i = 0; i < subject.mesh().vertex_count(); ++i) {
         const bool isolated = subject.topology().neighbours.size(i) == 0;
         if (isolated || subject.inside(i)) continue;
-        (subject.topology().nonmanifold[static_cast<std::size_t>(i)] ? vertices.nonmanifold : vertices.boundary) += 1;
+        (subject.topology().nonmanifold[i] ? vertices.nonmanifold : vertices.boundary) += 1;
     }
     return vertices;
 }

@@ -2,22 +2,11 @@
 /// What the questions on curvature share: the meshes they look at, and their colours.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "output/draw/figure_request.h"
-#include "questions/core/mesh_library.h"
 #include "questions/core/section_tools.h"
 
 namespace meshfolio {
 
-/// A mesh whose curvature is estimated.
-struct CurvatureSubject {
-    std::shared_ptr<const LibraryMesh> source;
+struct CurvatureSubject : OnMesh {
     double diagonal = 0;                   // of the bounding box [length]
     double mean_edge = 0;                  // [length]
     int interior = 0;                      // vertices in use, manifold and not on the boundary
@@ -25,14 +14,11 @@ struct CurvatureSubject {
     Positions centred;                     // n × 3, about the box centre [length]
     Positions uniform;                     // n × 3, Δ_uniform x, boundary included [length]
 
-    const TriangleMesh& mesh() const { return source->mesh(); }
-    const MeshTopology& topology() const { return source->prepared->topology; }
-    const std::string& name() const { return source->name; }
     bool inside(int vertex) const;   // in use, manifold and not on the boundary
     /// Is a ½‖Δ_uniform x‖ of this size left by coordinates that are rounded to so many decimals? Not by doubles.
     bool is_rounding(double length) const;
 };
-CurvatureSubject curvature_subject(std::shared_ptr<const LibraryMesh> source);
+CurvatureSubject curvature_subject(SharedMesh source);
 
 /// The smallest of 1, 0.1, …, 10⁻⁸ that all coordinates are multiples of, as in a file of so many decimals; 0 if there is none.
 double coordinate_step(const TriangleMesh& mesh);
@@ -44,19 +30,16 @@ std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh);
 template <class Predicate>
 double largest_magnitude(const Vector& values, Predicate chosen) {
     double most = 0;
-    for (int i = 0; i < values.size(); ++i) {
+    for (int i = 0; i < values.size(); ++i)
         if (chosen(i) && std::isfinite(values[i])) most = std::max(most, std::abs(values[i]));
-    }
     return most;
 }
 double largest_magnitude(const Vector& values);
 
-/// 90th percentile of |difference| between the ends of edges over that of |value|, where both are finite: how rough a picture is, whatever
-/// single vertices do. 0 where the values are.
+/// Measures how rough a picture is: the 90th percentile of |difference| along edges over that of |value|, of finite values; 0 for zeros.
 double roughness(const Vector& values, const MeshTopology& topology);
 
-/// Spearman's: 1 where one field grows whenever the other does, 0 where neither tells anything of the other. Over the vertices where both
-/// are finite; 0 where one is constant.
+/// Spearman's rank correlation over the vertices where both are finite; 0 where one is constant.
 double rank_correlation(const Vector& a, const Vector& b);
 
 /// Values of a mesh in percent of ± `range`, as a panel that fits into one frame with meshes of any size: in the unit ball.
@@ -67,8 +50,7 @@ output::ColorRange relative_range(std::string quantity);
 double share_beyond(const Vector& values, double range);
 std::string beyond_words(const Vector& values, double range);
 
-/// Where a signed field is positive and negative, by how far vertices are from the centre of the box: shares of the vertices where it is
-/// finite. What is within ± `pale` is neither.
+/// Shares of the finite values that are above `pale` or below −`pale`, by the distance of the vertices from the box centre.
 struct SignsByDistance {
     double positive = 0, negative = 0;   // of all
     double outer_positive = 0;           // of the fifth that is farthest from the centre

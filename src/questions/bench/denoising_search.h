@@ -53,8 +53,7 @@ struct SearchResult {
     int steps = 0;                            // made
     int failed = 0;   // runs that ended before their time: blown up, collapsed, or a system that could not be factored
 
-    /// What the noisy mesh has of each measure over the least that was reached: at least 1. NaN where the method is not defined, or
-    /// the noise has nothing of it: noise within a plane changes neither shape nor normals.
+    /// Error of the noisy mesh over the least error reached, ≥ 1; NaN where the method is not defined or the noise has no such error.
     double gain() const;   // of shape
     double rms_gain() const;
     double angle_gain() const;
@@ -88,7 +87,6 @@ struct SearchInput {
 /// @param after_state  called with every state and its positions; false ends the run
 SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchPlan& plan,
                     const std::function<bool(const SearchState&, const Positions&)>& after_state = {});
-/// With the plan for this budget.
 SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchBudget& budget);
 
 }   // namespace meshfolio

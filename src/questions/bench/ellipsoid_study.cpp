@@ -1,18 +1,12 @@
 #include "questions/bench/ellipsoid_study.h"
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
 
-#include "base/number_text.h"
 #include "geometry/curvature/curvature.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/samples/sample_shapes.h"
-#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/known_surfaces.h"
-#include "questions/core/section_tools.h"
 
 namespace meshfolio {
 
@@ -75,9 +69,8 @@ TriangleMesh tip_patch(const Ellipsoid& ellipsoid, int n) {
 std::vector<OracleErrors> all_oracle_errors(const QuestionSettings& settings) {
     NormalNumbers random(settings.seed);
     std::vector<OracleErrors> errors;
-    for (const Ellipsoid& e : {flat_ellipsoid, tall_ellipsoid, Ellipsoid{1, 1, 1}, Ellipsoid{1, 2, 3}, Ellipsoid{5, 1, 0.5}}) {
+    for (const Ellipsoid& e : {flat_ellipsoid, tall_ellipsoid, Ellipsoid{1, 1, 1}, Ellipsoid{1, 2, 3}, Ellipsoid{5, 1, 0.5}})
         errors.push_back(oracle_errors(e, settings.quick ? 50 : 200, random));
-    }
     return errors;
 }
 

@@ -2,14 +2,9 @@
 /// What question 2 measures: the fundamental forms of the ellipsoid against oracles, at the tip, towards the pole and on meshes.
 #pragma once
 
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "geometry/curvature/fundamental_forms.h"
 #include "mesh/triangle_mesh.h"
 #include "questions/bench/curvature_bench.h"
-#include "questions/core/settings.h"
 
 namespace meshfolio {
 

@@ -5,9 +5,6 @@
 
 #include <array>
 #include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "geometry/operators/vertex_areas.h"
 #include "questions/bench/bench_mesh.h"
@@ -30,7 +27,6 @@ struct Estimator {
 
 /// All, in the order of all tables.
 std::span<const Estimator* const> estimators();
-/// Those of the ground-truth panel.
 std::vector<const Estimator*> panel_estimators(Quantity quantity);
 /// @throws std::logic_error for an unknown key
 const Estimator& estimator(std::string_view key);

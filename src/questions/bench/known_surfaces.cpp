@@ -47,8 +47,7 @@ KnownSurface ellipsoid() {
     return ellipsoid;
 }
 
-/// The ellipsoid between 45° and 135° from its z axis, as a grid. It is regular everywhere. The stretched icosphere is not, at its twelve
-/// vertices of valence 5 and at those of the coarser levels, where refinement by midpoints is not smooth.
+/// The ellipsoid between 45° and 135° from its z axis, as a grid, which is regular everywhere; the stretched icosphere is not.
 KnownSurface ellipsoid_band() {
     const auto mesh = tube([](double s, double t) {
         const double v = pi * (0.75 - 0.5 * t);

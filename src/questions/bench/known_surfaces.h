@@ -12,7 +12,6 @@
 
 namespace meshfolio {
 
-/// What the questions on curvature share.
 inline constexpr report::Words curvature_words("curvature");
 
 struct KnownSurface {

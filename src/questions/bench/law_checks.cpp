@@ -1,21 +1,10 @@
 #include "questions/bench/law_checks.h"
 
-#include <algorithm>
-
-#include "base/errors.h"
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_laws.h"
 #include "geometry/smoothing/dirichlet_energy.h"
-#include "mesh/triangle_measures.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio {
-
-using report::check_at_least;
-using report::check_at_most;
-using report::check_near;
-using report::undecided;
-using namespace report::literals;
 
 namespace {
 

@@ -18,8 +18,8 @@ struct EdgeAngle {
     double degrees;
 };
 
-/// How far the faces at an edge are from going on straight, the worst of them with the best of the others: by their directions away from
-/// the edge, so that orientation does not count. A fin on a flat sheet: 90°. [°]
+/// Pairs each face at the edge with the one that continues it best, and returns the largest bend: 90° for a fin on a flat sheet [°]. Uses
+/// directions away from the edge, so that orientation does not count.
 double angle_of_fan(const TriangleMesh& mesh, const Edge& edge, const std::vector<int>& faces) {
     const Vector3 a = mesh.X.row(edge.a), along = (Vector3(mesh.X.row(edge.b)) - a).normalized();
     std::vector<Vector3> away;
@@ -59,12 +59,22 @@ std::vector<EdgeAngle> edge_angles(const TriangleMesh& mesh, const MeshTopology&
 }   // namespace
 
 std::vector<char> feature_vertices(const TriangleMesh& mesh, const MeshTopology& topology) {
-    std::vector<char> on_feature(static_cast<std::size_t>(mesh.vertex_count()), 0);
+    std::vector<char> on_feature(mesh.vertex_count(), 0);
     for (const EdgeAngle& edge : edge_angles(mesh, topology)) {
         if (edge.degrees <= feature_angle) continue;
-        on_feature[static_cast<std::size_t>(edge.a)] = on_feature[static_cast<std::size_t>(edge.b)] = 1;
+        on_feature[edge.a] = on_feature[edge.b] = 1;
     }
     return on_feature;
+}
+
+FlaggedMeans flagged_means(const Vector& values, const std::vector<char>& flags) {
+    double sums[2] = {0, 0};
+    int counts[2] = {0, 0};
+    for (Eigen::Index v = 0; v < values.size(); ++v) {
+        sums[flags[v] != 0] += values[v];
+        ++counts[flags[v] != 0];
+    }
+    return {sums[1] / counts[1], sums[0] / counts[0], counts[1], counts[0]};
 }
 
 int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology) {
@@ -79,17 +89,17 @@ int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology) {
     return vertex;
 }
 
-/// The upper one of two; 0 of none. Reorders them.
-static double median_of(std::vector<double>& values) {
+/// The upper one of two; 0 of none.
+static double median_of(std::vector<double> values) {
     if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    const auto middle = values.begin() + values.size() / 2;
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
 }
 
 std::string_view title_of(MeshClass kind) {
     static constexpr std::array<std::string_view, 4> titles{"flat", "smooth", "sharp-edged", "rough or coarse"};
-    return titles[static_cast<std::size_t>(kind)];
+    return titles[int(kind)];
 }
 
 MeshClass MeshCharacter::kind() const {
@@ -99,9 +109,7 @@ MeshClass MeshCharacter::kind() const {
 }
 
 double median_face_angle(const TriangleMesh& mesh, const MeshTopology& topology) {
-    std::vector<double> angles;
-    for (const EdgeAngle& edge : edge_angles(mesh, topology)) angles.push_back(edge.degrees);
-    return median_of(angles);
+    return median_of(each_of(edge_angles(mesh, topology), [](const EdgeAngle& edge) { return edge.degrees; }));
 }
 
 MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topology) {

@@ -14,6 +14,13 @@ inline constexpr double feature_angle = 40;   // two faces that meet at more mak
 /// n flags: vertices of feature edges.
 std::vector<char> feature_vertices(const TriangleMesh& mesh, const MeshTopology& topology);
 
+/// Means of n values where a flag is set, and elsewhere; NaN over no vertex.
+struct FlaggedMeans {
+    double there, elsewhere;
+    int count, others;   // vertices
+};
+FlaggedMeans flagged_means(const Vector& values, const std::vector<char>& flags);
+
 /// The vertex of the sharpest edge (the first of equals), or the first in use where no two faces meet.
 int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology);
 
@@ -26,8 +33,8 @@ struct MeshCharacter {
     double largest_angle = 0;   // at any edge [°]
     bool open = false;          // has a boundary
 
-    /// flat: no two faces meet at 1°. smooth: less than a hundredth of the vertices lie on feature edges. sharp-edged: more do, but off
-    /// them faces meet at less than 10°, so that features stand out. rough: they do not, whether by noise or by coarse triangles.
+    /// flat: all angles < 1°. smooth: less than 1 % of the vertices on feature edges. sharp-edged: more, but the typical angle at other
+    /// edges is < 10°. rough: the others, by noise or by coarse triangles.
     MeshClass kind() const;
 };
 MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topology);

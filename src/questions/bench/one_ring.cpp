@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 #include "geometry/linear/special_values.h"
 #include "geometry/operators/triangle_shape.h"
+#include "geometry/operators/uniform_laplacian.h"
 #include "mesh/samples/sample_shapes.h"
+#include "mesh/triangle_measures.h"
 #include "questions/bench/bench_mesh.h"
-#include "questions/bench/tangential_share.h"
 
 namespace meshfolio {
 
@@ -18,6 +18,7 @@ namespace {
 using report::DiagramPoint;
 
 constexpr double ring_jitter = 0.25, sphere_jitter = 0.45;   // the latter for a drift that is seen
+constexpr double no_drift = 1e-9;                            // ‖Δx‖ below this part of the ring's edges is rounding
 constexpr std::uint64_t ring_seed = 1;                       // the diagrams are of one ring, whatever the seed of the run
 
 DiagramPoint between(DiagramPoint p, DiagramPoint q) { return {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2}; }
@@ -32,7 +33,7 @@ DiagramPoint circumcentre(DiagramPoint p, DiagramPoint q) {
 
 /// The dot products of the two edges that leave the vertex, and those that leave the first and the second corner.
 std::array<double, 3> corner_dots(const FlatRing& ring, int t) {
-    const DiagramPoint p = ring.corners[static_cast<std::size_t>(t)], q = ring.corners[static_cast<std::size_t>(t) + 1];
+    const DiagramPoint p = ring.corners[t], q = ring.corners[t + 1];
     const double pq = dot_product(p, q);
     return {pq, squared_length(p) - pq, squared_length(q) - pq};
 }
@@ -41,7 +42,7 @@ std::array<double, 3> corner_dots(const FlatRing& ring, int t) {
 double most_obtuse(const FlatRing& ring) {
     double most = 0;
     for (int t = 0; t < ring.triangles(); ++t) {
-        const DiagramPoint p = ring.corners[static_cast<std::size_t>(t)], q = ring.corners[static_cast<std::size_t>(t) + 1];
+        const DiagramPoint p = ring.corners[t], q = ring.corners[t + 1];
         const double pp = squared_length(p), qq = squared_length(q), third = squared_length({q[0] - p[0], q[1] - p[1]});
         const auto [at_vertex, at_p, at_q] = corner_dots(ring, t);
         most = std::max({most, -at_vertex / std::sqrt(pp * qq), -at_p / std::sqrt(pp * third), -at_q / std::sqrt(qq * third)});
@@ -69,7 +70,7 @@ SampleRing ring_in_a_plane(int obtuse_triangles, double (*measure)(const FlatRin
         jittered(sample.mesh, sample.topology, ring_jitter, ring_seed, [](const Vector3& p) { return Vector3(p.x(), p.y(), 0); });
     double most = -1;   // some ring has so many: 100 are tried
     for (int v = 0; v < sample.mesh.vertex_count(); ++v) {
-        if (sample.topology.on_boundary[static_cast<std::size_t>(v)]) continue;
+        if (sample.topology.on_boundary[v]) continue;
         const FlatRing ring = flat_ring(sample.mesh, sample.topology, v);
         int obtuse = 0;
         for (int t = 0; t < ring.triangles(); ++t) obtuse += is_obtuse(ring, t) ? 1 : 0;
@@ -115,7 +116,7 @@ FlatRing flat_ring(const TriangleMesh& mesh, const MeshTopology& topology, int v
 bool is_obtuse(const FlatRing& ring, int t) { return std::ranges::min(corner_dots(ring, t)) < 0; }
 
 std::vector<DiagramPoint> cell_in_triangle(const FlatRing& ring, int t, AreaForm form) {
-    const DiagramPoint p = ring.corners[static_cast<std::size_t>(t)], q = ring.corners[static_cast<std::size_t>(t) + 1];
+    const DiagramPoint p = ring.corners[t], q = ring.corners[t + 1];
     const DiagramPoint before = between({0, 0}, p), behind = between({0, 0}, q);
     if (form == AreaForm::barycentric) return {{0, 0}, before, {(p[0] + q[0]) / 3, (p[1] + q[1]) / 3}, behind};
     if (form == AreaForm::voronoi || !is_obtuse(ring, t)) return {{0, 0}, before, circumcentre(p, q), behind};
@@ -139,6 +140,21 @@ double smallest_angle_around(const TriangleMesh& mesh, const MeshTopology& topol
         for (std::size_t k = 0; k < 3; ++k) smallest = std::min(smallest, shape.angle(k));
     }
     return smallest;
+}
+
+Vector tangential_shares(const TriangleMesh& mesh, const MeshTopology& topology) {
+    TriangleMesh centred = mesh;
+    centred.X.rowwise() -= bounding_box(mesh).centre().transpose();   // far-away coordinates cost no digits
+    const Positions drift = uniform_laplacian(topology) * centred.X;
+    const Vector edge = mean_squared_ring_edge(centred, topology).cwiseSqrt();
+    const Positions normals = vertex_normals(centred);
+    Vector shares = Vector::Constant(mesh.vertex_count(), undefined);
+    for (int i = 0; i < mesh.vertex_count(); ++i) {
+        if (topology.neighbours.size(i) == 0 || topology.on_boundary[i] || topology.nonmanifold[i]) continue;
+        const double length = drift.row(i).norm(), along_normal = drift.row(i).dot(normals.row(i));
+        shares[i] = length > no_drift * edge[i] ? std::clamp(1 - along_normal * along_normal / (length * length), 0.0, 1.0) : 0;
+    }
+    return shares;
 }
 
 SampleRing ring_on_a_sphere() {

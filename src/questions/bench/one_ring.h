@@ -13,8 +13,7 @@ namespace meshfolio {
 /// Counter-clockwise neighbours of a vertex inside the surface, beginning with the smallest.
 std::vector<int> ring_in_order(const TriangleMesh& mesh, const MeshTopology& topology, int vertex);
 
-/// A one-ring cut open along its first edge and unfolded about the vertex, which lies at the origin: all lengths from it, and all angles at
-/// it, are those of the surface.
+/// A one-ring, cut along its first edge and unfolded about the vertex at the origin. Lengths from it and angles at it are kept.
 struct FlatRing {
     std::vector<report::DiagramPoint> corners;   // the neighbours; the first again at the end, turned by Σθ
     std::vector<double> angles;                  // θ of each triangle [rad]
@@ -25,8 +24,7 @@ struct FlatRing {
 /// @param start  direction of the first edge [rad]
 FlatRing flat_ring(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, double start = 0);
 
-/// The part of the cell in triangle t: a polygon from the vertex over the middle of one edge to that of the other. Its signed area is the
-/// triangle's share of vertex_areas(), also where the circumcentre lies beyond the triangle.
+/// The polygon of the vertex's cell in triangle t. Its signed area is the triangle's share of vertex_areas().
 std::vector<report::DiagramPoint> cell_in_triangle(const FlatRing& ring, int t, AreaForm form);
 /// The cell of all triangles.
 std::vector<report::DiagramPoint> cell_of(const FlatRing& ring, AreaForm form);
@@ -35,6 +33,10 @@ bool is_obtuse(const FlatRing& ring, int t);
 
 /// The smallest angle of the triangles around a vertex, at whatever corner [rad].
 double smallest_angle_around(const TriangleMesh& mesh, const MeshTopology& topology, int vertex);
+
+/// Share of the uniform Δx that lies along the surface and is no curvature: 1 − (Δx · n)²/‖Δx‖², n the area-weighted vertex normal.
+/// @return n values from 0 to 1; 0 where Δx is rounding; NaN on the boundary and where the mesh is not manifold
+Vector tangential_shares(const TriangleMesh& mesh, const MeshTopology& topology);
 
 // Rings that diagrams draw, of meshes made for them.
 

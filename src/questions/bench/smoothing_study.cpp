@@ -1,19 +1,11 @@
 #include "questions/bench/smoothing_study.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
 #include "geometry/curvature/curvature.h"
 #include "geometry/denoising/component_size.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/smoothing/implicit_solver.h"
-#include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio {
 
@@ -30,8 +22,8 @@ double boxes_wide(const SmoothingSubject& subject, const Positions& X) {
     return bounding_box(moved_to(subject.mesh(), X)).diagonal() / subject.diagonal;
 }
 
-/// How much of the size of each component is left: of its volume, or with a boundary of its spread, the mean squared distance from its
-/// centroid. A box would tell of the boundary alone, which gives way long before the sheet does.
+/// Measures what is left of each component's size: its volume, or with a boundary its mean squared distance from the centroid. A bounding
+/// box would follow the boundary alone, which shrinks long before the sheet.
 class SizeWatch {
 public:
     SizeWatch(const SmoothingSubject& subject, const MeshTopology& topology)
@@ -65,19 +57,19 @@ private:
     Vector spread_;
 
     std::vector<int> component_of_vertices() const {
-        std::vector<int> component(static_cast<std::size_t>(mesh_.vertex_count()), -1);
+        std::vector<int> component(mesh_.vertex_count(), -1);
         for (int t = 0; t < mesh_.face_count(); ++t)
-            for (const int v : mesh_.F.row(t)) component[static_cast<std::size_t>(v)] = topology_.component[static_cast<std::size_t>(t)];
+            for (const int v : mesh_.F.row(t)) component[v] = topology_.component[t];
         return component;
     }
 
     /// Each seen from a corner of its own; they mean something where it is closed.
     Vector volumes(const Positions& X) const {
         Vector six_volumes = Vector::Zero(topology_.component_count);
-        std::vector<int> seen_from(static_cast<std::size_t>(topology_.component_count), -1);
+        std::vector<int> seen_from(topology_.component_count, -1);
         for (int t = 0; t < mesh_.face_count(); ++t) {
-            const int c = topology_.component[static_cast<std::size_t>(t)];
-            int& from = seen_from[static_cast<std::size_t>(c)];
+            const int c = topology_.component[t];
+            int& from = seen_from[c];
             if (from < 0) from = mesh_.F(t, 0);
             const auto corner = [&](int k) -> Vector3 { return X.row(mesh_.F(t, k)) - X.row(from); };
             six_volumes[c] += corner(0).dot(corner(1).cross(corner(2)));
@@ -91,7 +83,7 @@ private:
         Positions centroid = Positions::Zero(topology_.component_count, 3);
         const auto over_vertices = [&](auto visit) {
             for (int v = 0; v < mesh_.vertex_count(); ++v)
-                if (const int c = component_[static_cast<std::size_t>(v)]; c >= 0 && M_[v] > 0) visit(c, M_[v], X.row(v));
+                if (const int c = component_[v]; c >= 0 && M_[v] > 0) visit(c, M_[v], X.row(v));
         };
         over_vertices([&](int c, double m, const auto& x) {
             weight[c] += m;
@@ -104,7 +96,7 @@ private:
 
 }   // namespace
 
-SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, OperatorKind kind, AreaForm area) {
+SmoothingSubject smoothing_subject(SharedMesh source, OperatorKind kind, AreaForm area) {
     SmoothingSubject subject;
     subject.source = std::move(source);
     subject.kind = kind;
@@ -113,9 +105,8 @@ SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, Op
     subject.top = largest_eigenvalue(subject.laplacian);
     subject.bottom = definiteness(subject.laplacian, assembly_of(kind));
     subject.critical = largest_stable_step(subject.top);
-    if (kind == OperatorKind::cotan && subject.source->prepared->preflight.zero_area_faces > 0) {
+    if (kind == OperatorKind::cotan && subject.preflight().zero_area_faces > 0)
         subject.critical_floored = largest_stable_step(largest_eigenvalue(floored_laplace_beltrami(subject.mesh(), area)));
-    }
     subject.mean_edge = mean_edge_length(subject.mesh());
     subject.diagonal = bounding_box(subject.mesh()).diagonal();
     subject.initial_energy = dirichlet_energy(subject.laplacian.C, subject.mesh().X);
@@ -126,17 +117,16 @@ FactorOperations implicit_operations_of(const SmoothingSubject& subject) {
     const OperatorWithMass whole = operator_with_mass(subject.laplacian);
     ImplicitSolver solver;
     solver.prepare(whole, subject.critical, subject.mesh().X);
-    std::vector<int> row(static_cast<std::size_t>(whole.all_vertices), -1), order;
-    for (std::size_t i = 0; i < whole.vertex.size(); ++i) row[static_cast<std::size_t>(whole.vertex[i])] = static_cast<int>(i);
-    for (const int v : solver.vertex()) order.push_back(row[static_cast<std::size_t>(v)]);
+    std::vector<int> row(whole.all_vertices, -1), order;
+    for (std::size_t i = 0; i < whole.vertex.size(); ++i) row[whole.vertex[i]] = static_cast<int>(i);
+    for (const int v : solver.vertex()) order.push_back(row[v]);
     return factor_operations(whole.A, order);
 }
 
 std::vector<double> steps_of(const QuestionSettings& settings, double critical, const std::vector<double>& multiples) {
     std::vector<double> steps = settings.lambda;
-    if (steps.empty()) {
+    if (steps.empty())
         for (const double multiple : multiples) steps.push_back(multiple * critical);
-    }
     return each_once(steps);
 }
 
@@ -153,10 +143,10 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     run.lambda = lambda;
     run.iterations = iterations;
     run.in_view = subject.mesh().X;
-    const bool closed = subject.source->prepared->preflight.closed();
+    const bool closed = subject.preflight().closed();
     const double first_volume = signed_volume(subject.mesh());
     if (closed) run.volume = {1};
-    const SizeWatch sizes(subject, subject.source->prepared->topology);
+    const SizeWatch sizes(subject, subject.topology());
     run.size = {1};
 
     SmoothingOptions options{
@@ -201,9 +191,9 @@ report::Check energy_check(std::string name, const SmoothingRun& run) {
         beyond = step - rounding;
     }
     if (run.result.blew_up) rise = INFINITY;
-    report::Check check = report::check_at_most(std::move(name), 0, rise, rounding);
+    report::Check check = check_at_most(std::move(name), 0, rise, rounding);
     if (!check.passed() || rounding <= seen) return check;
-    return report::undecided(std::move(check), smoothing_words.line("check.energy.undecided"));
+    return undecided(std::move(check), smoothing_words.line("check.energy.undecided"));
 }
 
 std::vector<int> peaks_of(const Vector& mode) {
@@ -224,16 +214,16 @@ Amplification top_mode_amplification(const SmoothingSubject& subject, double lam
 
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
     const TriangleMesh mesh = moved_to(subject.mesh(), X);
-    return subject.mean_edge * cotangent_mean_curvature(mesh, subject.source->prepared->topology, laplace_beltrami(mesh));
+    return subject.mean_edge * cotangent_mean_curvature(mesh, subject.topology(), laplace_beltrami(mesh));
+}
+
+double largest_product(const Smoothed& run) {
+    return largest_of(run.steps, [&](const StepStability& step) { return step.top; });
 }
 
 std::string share_left(double share) { return share < 1e-12 ? smoothing_words.line("left.nothing") : readable_percent(share, 2); }
 
 std::string in_limits(const SmoothingSubject& subject, double lambda) { return plain_text(lambda / subject.critical, 3); }
-
-std::string at_step(const SmoothingSubject& subject, double lambda) {
-    return smoothing_words.line("at_step", "limits"_a = in_limits(subject, lambda));
-}
 
 bool fits_a_frame(const SmoothingSubject& subject, const Positions& X) { return boxes_wide(subject, X) <= 2; }
 
@@ -252,15 +242,7 @@ output::ColorRange curvature_range(const std::vector<output::Panel>& inputs) {
     return output::robust_range(inputs, "diverging", smoothing_words.line("figure.colours"), "", 0.02);
 }
 
-void add_smoothing_figure(Answer& answer, const SmoothingSubject& subject, std::string before, SixViewFigure figure) {
-    figure.panels.insert(figure.panels.begin(),
-                         panel_of(*subject.source, std::move(before), "before", curvature_colours(subject, subject.mesh().X)));
-    figure.range = curvature_range({figure.panels.front()});
-    add_figure(answer, std::move(figure));
-}
-
-std::vector<std::shared_ptr<const LibraryMesh>> laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings,
-                                                                  report::Section& section) {
+LibraryMeshes laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
     if (settings.laboratory) return meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section);
     if (settings.quick) return meshes_for(library, settings, {"cube"}, section);
     return meshes_for(library, settings, {"cube", "plane_ns"}, section);

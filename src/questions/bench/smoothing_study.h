@@ -2,28 +2,19 @@
 /// One smoothing run and what is measured along the way; shared by the questions on smoothing.
 #pragma once
 
-#include <algorithm>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "geometry/linear/factor_operations.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/definiteness.h"
 #include "geometry/spectrum/stability.h"
-#include "questions/core/mesh_library.h"
-#include "questions/core/settings.h"
-#include "questions/core/six_view_figure.h"
-#include "report/document.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio {
 
 inline constexpr report::Words smoothing_words("smoothing");
 
 /// A mesh with its operator and the limit of explicit smoothing on it.
-struct SmoothingSubject {
-    std::shared_ptr<const LibraryMesh> source;
+struct SmoothingSubject : OnMesh {
     OperatorKind kind = OperatorKind::cotan;
     AreaForm area = AreaForm::barycentric;
     LaplaceBeltrami laplacian;     // of the input, frozen
@@ -37,11 +28,8 @@ struct SmoothingSubject {
 
     /// Twice the inverse of the Gershgorin bound; 0 where no step is proved stable.
     double safe() const { return bottom.semidefinite() ? 2 / top.upper_bound : 0; }
-    const TriangleMesh& mesh() const { return source->mesh(); }
-    const std::string& name() const { return source->name; }
 };
-SmoothingSubject smoothing_subject(std::shared_ptr<const LibraryMesh> source, OperatorKind kind = OperatorKind::cotan,
-                                   AreaForm area = AreaForm::barycentric);
+SmoothingSubject smoothing_subject(SharedMesh source, OperatorKind kind = OperatorKind::cotan, AreaForm area = AreaForm::barycentric);
 
 /// What a factor of the implicit scheme costs, whatever λ.
 FactorOperations implicit_operations_of(const SmoothingSubject& subject);
@@ -49,11 +37,9 @@ FactorOperations implicit_operations_of(const SmoothingSubject& subject);
 /// The steps of the settings, else these multiples of the explicit limit; ascending, each once. [length²]
 std::vector<double> steps_of(const QuestionSettings& settings, double critical, const std::vector<double>& multiples);
 
-/// As meshes_for(), for sections that look at smoothing itself: cube, noisy plane, noisy fandisk and armadillo in the laboratory, of them
-/// what fits its budget in a report.
+/// meshes_for() the sections on smoothing itself: four meshes in the laboratory, two in a report, one in a quick look.
 /// @throws InputError if one is missing or unusable
-std::vector<std::shared_ptr<const LibraryMesh>> laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings,
-                                                                  report::Section& section);
+LibraryMeshes laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section);
 
 struct SmoothingRun {
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;
@@ -85,31 +71,30 @@ inline constexpr double size_to_keep = 0.95;
 /// Iterations of the run before less than `share` of the size is left; −1 when it never comes to that.
 int iterations_keeping_size(const SmoothingRun& run, double share = size_to_keep);
 
-/// That the energy never rises by more than rounding can have raised it, for a run in which no mode may grow. Undecided where rounding
-/// could hide a rise of 1e-9 of the energy of the input.
+/// Checks that the energy never rises beyond rounding. Undecided where rounding could hide a rise of 1e-9 of the input's energy.
 report::Check energy_check(std::string name, const SmoothingRun& run);
 
 /// The vertices where a mode is as large as anywhere, to a thousandth: on a symmetric mesh there are several.
 std::vector<int> peaks_of(const Vector& mode);
 
-/// How much `steps` explicit steps amplify the top mode, which starts a thousandth of a mean edge high (so that it can be measured even
-/// where symmetry leaves none of it in the input), against |1 − λμ_max|^steps.
+/// Amplification of the top mode by `steps` explicit steps, against |1 − λμ_max|^steps. The mode is added a thousandth of a mean edge high,
+/// because a symmetric input has none of it.
 struct Amplification {
     double predicted = 0, measured = 0;
 };
 Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps);
 
-/// Cotangent mean curvature times the mean edge of the subject (dimensionless), on other positions of the same mesh: what the smoothing
-/// figures are coloured by. NaN where undefined.
+/// Cotangent mean curvature at X times the subject's mean edge: the colours of smoothing figures. NaN where undefined.
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
+
+/// Largest λμ_max of a monitored run; NaN values are left out.
+double largest_product(const Smoothed& run);
 
 /// What is left of a size: "93 %"; "less than 10⁻¹²" where it is rounding.
 std::string share_left(double share);
 
 /// λ over λ_crit for people: "0.5".
 std::string in_limits(const SmoothingSubject& subject, double lambda);
-/// "at 0.5 λ_crit".
-std::string at_step(const SmoothingSubject& subject, double lambda);
 /// λ for file names: "lambda0.0123".
 std::string step_name(double lambda);
 
@@ -123,8 +108,5 @@ output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& 
 
 /// The colours of curvature_colours() that show these inputs: an unstable result has curvatures of any size.
 output::ColorRange curvature_range(const std::vector<output::Panel>& inputs);
-
-/// Puts the input, as panel `before`, in front of the panels and adds the figure. The colour range is the input's.
-void add_smoothing_figure(Answer& answer, const SmoothingSubject& subject, std::string before, SixViewFigure figure);
 
 }   // namespace meshfolio

@@ -1,15 +1,9 @@
 #include "questions/bench/spectral_study.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <functional>
 #include <numeric>
 
-#include "geometry/linear/special_values.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
-#include "mesh/triangle_measures.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio {
 
@@ -30,7 +24,7 @@ std::vector<int> mode_counts(const QuestionSettings& settings, int n) {
     return each_once(counts);
 }
 
-SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+SpectralStudy spectral_study(SharedMesh source, const QuestionSettings& settings) {
     SpectralStudy study;
     study.source = std::move(source);
     study.diagonal = bounding_box(study.mesh()).diagonal();
@@ -102,7 +96,7 @@ double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r) 
     const Vector& M = study.laplacian.M;
     const Vector3 centroid = (X.transpose() * M) / M.sum();
     const Vector from_centre = (X.rowwise() - centroid.transpose()).rowwise().norm();
-    std::vector<int> order(static_cast<std::size_t>(X.rows()));
+    std::vector<int> order(X.rows());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, std::greater(), [&](int v) { return r.distance[v]; });
     const std::size_t worst = std::max<std::size_t>(1, order.size() / 20);
@@ -112,9 +106,7 @@ double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r) 
 }
 
 double largest_parseval_gap(const SpectralStudy& study) {
-    double gap = 0;
-    for (const Reconstruction& r : study.reconstructions) gap = std::max(gap, std::abs(r.predicted_rms - r.difference.area_weighted_rms));
-    return gap;
+    return largest_of(study.reconstructions, [](auto& r) { return std::abs(r.predicted_rms - r.difference.area_weighted_rms); });
 }
 
 }   // namespace meshfolio

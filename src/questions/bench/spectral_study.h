@@ -2,16 +2,10 @@
 /// What question 4 measures: a mesh rebuilt from its k smoothest eigenvectors, and the error for every k.
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "geometry/measures/mesh_error.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "geometry/spectrum/spectrum_certificate.h"
-#include "questions/core/mesh_library.h"
-#include "questions/core/settings.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio {
 
@@ -23,8 +17,7 @@ struct Reconstruction {
     double predicted_rms = 0;    // area-weighted, from the coefficients alone [length]
 };
 
-struct SpectralStudy {
-    std::shared_ptr<const LibraryMesh> source;
+struct SpectralStudy : OnMesh {
     double diagonal = 0;   // of the bounding box [length]
     LaplaceBeltrami laplacian;
     Spectrum spectrum;
@@ -33,17 +26,15 @@ struct SpectralStudy {
     std::vector<Reconstruction> reconstructions;   // ascending k
     double seconds = 0;                            // of the eigensolve
 
-    const TriangleMesh& mesh() const { return source->mesh(); }
-    const std::string& name() const { return source->name; }
     int modes() const { return static_cast<int>(spectrum.eigenvalues.size()); }
-    int vertices() const { return source->prepared->preflight.vertices_in_use; }
+    int vertices() const { return source->preflight().vertices_in_use; }
 };
 
 /// The k of the settings, else those of the assignment, 5, 15 and large, with steps in between; of n modes.
 std::vector<int> mode_counts(const QuestionSettings& settings, int n);
 
 /// From one eigensolve, for the k of the settings or else those of the assignment, 5, 15 and large, with steps in between.
-SpectralStudy spectral_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+SpectralStudy spectral_study(SharedMesh source, const QuestionSettings& settings);
 
 /// Smallest k whose error is at most `share` of the box diagonal; 0 when no k that was computed reaches it.
 int smallest_k_below(const SpectralStudy& study, double share);
@@ -57,8 +48,7 @@ struct PowerLaw {
 };
 /// @param a, b  a < b
 PowerLaw power_law(const SpectralStudy& study, int a, int b);
-/// From the first k asked for on; not over the last modes of all, behind which nothing is left, nor over errors that are rounding. None
-/// where that leaves fewer than five k.
+/// Fits from the first k asked for to half of all modes, as far as errors are not rounding. None with fewer than five k.
 std::optional<PowerLaw> fall_of_the_error(const SpectralStudy& study);
 
 /// Share of the vertices that are farther from their places with `later` than with `earlier`, by more than rounding.

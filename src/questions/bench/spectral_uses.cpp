@@ -1,16 +1,11 @@
 #include "questions/bench/spectral_uses.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "base/errors.h"
 #include "geometry/linear/sparse_factor.h"
-#include "geometry/linear/special_values.h"
+#include "geometry/measures/local_thickness.h"
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/spectrum/spectral_mistakes.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio {
 
@@ -37,6 +32,42 @@ Spectrum modes_if_any(const LaplaceBeltrami& laplacian, int k) try {
     return {};
 }
 
+/// The first vertices of an order that hold `share` of its area.
+std::vector<int> first_share(const std::vector<int>& order, const Vector& M, double share) {
+    double whole = 0, sum = 0;
+    for (const int v : order) whole += M[v];
+    std::vector<int> first;
+    for (const int v : order) {
+        if (sum >= share * whole) break;
+        sum += M[v];
+        first.push_back(v);
+    }
+    return first;
+}
+
+double squared_sum(const std::vector<int>& vertices, const Vector& M, const Vector& distance) {
+    double sum = 0;
+    for (const int v : vertices) sum += M[v] * distance[v] * distance[v];
+    return sum;
+}
+
+double rms_over(const std::vector<int>& vertices, const Vector& M, const Vector& distance) {
+    double area = 0;
+    for (const int v : vertices) area += M[v];
+    return std::sqrt(squared_sum(vertices, M, distance) / area);
+}
+
+/// The area of those that are farther off than `limit`.
+double area_beyond(const std::vector<int>& vertices, const Vector& M, const Vector& distance, double limit) {
+    double area = 0;
+    for (const int v : vertices) area += distance[v] > limit ? M[v] : 0;
+    return area;
+}
+
+double median_of(const std::vector<int>& ascending_vertices, const Vector& values) {
+    return values[ascending_vertices[ascending_vertices.size() / 2]];
+}
+
 }   // namespace
 
 std::vector<MistakeErrors> mistake_study(const SpectralStudy& study, bool quick) {
@@ -45,9 +76,7 @@ std::vector<MistakeErrors> mistake_study(const SpectralStudy& study, bool quick)
     for (const int k : {5, 10, 15, 30, 60, 150}) counts.push_back(std::min(k, most));
     const LaplaceBeltrami other = laplace_operator(study.mesh(), OperatorKind::edge_normalised);
     const Spectrum edge_normalised = modes_if_any(other, most);
-    std::vector<MistakeErrors> errors;
-    for (const int k : each_once(counts)) errors.push_back(mistakes_at(study, edge_normalised, other, k));
-    return errors;
+    return each_of(each_once(counts), [&](const int k) { return mistakes_at(study, edge_normalised, other, k); });
 }
 
 ModeCost mode_cost(int k, double n, double factor_entries) {
@@ -63,6 +92,28 @@ double factor_entries(const SpectralStudy& study) {
         for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) entry.valueRef() = entry.row() == j ? entries : -1;
     }
     return static_cast<double>(SparseFactor::cholesky(A).nonzeros());
+}
+
+LimbStudy limb_study(const SpectralStudy& study) {
+    LimbStudy result;
+    if (!study.preflight().closed()) return result;
+    const Vector thickness = local_thickness(study.mesh());
+    std::vector<int> order = where_finite(thickness, thickness);
+    std::ranges::stable_sort(order, {}, [&](int v) { return thickness[v]; });
+    std::erase_if(order, [&](int v) { return !(study.laplacian.M[v] > 0); });
+    if (order.size() < 20) return result;
+    const Vector& M = study.laplacian.M;
+    const std::vector<int> thin = first_share(order, M, 0.25), thick = first_share({order.rbegin(), order.rend()}, M, 0.25),
+                           thinner_half = first_share(order, M, 0.5);
+    result.thin_diameter = median_of(thin, thickness);
+    result.thick_diameter = median_of(thick, thickness);
+    for (const Reconstruction& r : study.reconstructions) {
+        if (r.predicted_rms < 1e-9 * study.diagonal) continue;
+        const double limit = seen_error * study.diagonal;
+        result.errors.push_back({r.k, rms_over(thin, M, r.distance), rms_over(thick, M, r.distance),
+                                 area_beyond(thinner_half, M, r.distance, limit) / area_beyond(order, M, r.distance, limit)});
+    }
+    return result;
 }
 
 }   // namespace meshfolio

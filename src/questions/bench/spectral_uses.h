@@ -3,8 +3,6 @@
 /// look right and are not, for the claims.
 #pragma once
 
-#include <vector>
-
 #include "questions/bench/spectral_study.h"
 
 namespace meshfolio {

@@ -1,25 +1,13 @@
-#include "questions/certificates/planted_faults.h"
-
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
-#include <utility>
 
-#include "base/errors.h"
-#include "base/number_text.h"
 #include "geometry/curvature/curvature.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/smoothing/stability_certificate.h"
 #include "mesh/samples/sample_shapes.h"
-#include "mesh/triangle_measures.h"
 #include "questions/certificates/parts.h"
-#include "questions/core/section_tools.h"
 
 namespace meshfolio::certificates {
-
-using report::check_near;
 
 namespace {
 
@@ -29,9 +17,9 @@ report::Check claimed_count_check(const Specimen& s) try {
     const Inertia inertia = eigenvalues_below(s.laplacian, s.complete_shift);
     const report::Check check = check_near(law::claimed_count.name(), s.modes_known, inertia.below, 0);
     const double gap = (s.spectrum.eigenvalues.array() - s.complete_shift).abs().minCoeff();
-    return inertia.delta < gap ? check : report::undecided(check, cannot_be_proved(inertia.delta, gap));
+    return inertia.delta < gap ? check : undecided(check, cannot_be_proved(inertia.delta, gap));
 } catch (const SolverError&) {
-    return report::undecided(check_near(law::claimed_count.name(), s.modes_known, undefined, 0), words.line("pivot_lost"));
+    return undecided(check_near(law::claimed_count.name(), s.modes_known, undefined, 0), words.line("pivot_lost"));
 }
 
 /// Half way between the last two values of one mode more than is kept.
@@ -48,7 +36,7 @@ Spectrum first_modes(const LaplaceBeltrami& laplacian, int k, double& sigma) {
 /// The corner whose cotangent is the median of all: neither a needle nor a right angle.
 std::pair<Eigen::Index, int> typical_corner(const CornerValues& cotangents) {
     std::vector<double> sorted(cotangents.data(), cotangents.data() + cotangents.size());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    const auto middle = sorted.begin() + sorted.size() / 2;
     std::nth_element(sorted.begin(), middle, sorted.end());
     Eigen::Index t = 0, k = 0;
     (cotangents.array() - *middle).abs().minCoeff(&t, &k);
@@ -186,9 +174,7 @@ FaultTrial trial_of(const Specimen& specimen, const std::vector<report::Check>& 
 
 std::vector<FaultTrial> trials_of(const Specimen& specimen) {
     const std::vector<report::Check> sound_checks = checks_of(specimen);
-    std::vector<FaultTrial> trials;
-    for (const PlantedFault& fault : planted_faults()) trials.push_back(trial_of(specimen, sound_checks, fault));
-    return trials;
+    return each_of(planted_faults(), [&](const PlantedFault& fault) { return trial_of(specimen, sound_checks, fault); });
 }
 
 report::Check check_of(const FaultTrial& trial) {

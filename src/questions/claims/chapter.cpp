@@ -28,6 +28,39 @@ void add_discussion(report::Section& section, const std::vector<JudgedClaim>& ju
     add_words(section, words, "discussion.rules");
 }
 
+bool decided(const JudgedClaim& judged) { return judged.decision.verdict != Verdict::undecidable; }
+
+/// The cell of a claim that is decided; else an empty one.
+template <class CellOf>
+auto if_decided(CellOf cell_of) {
+    return [cell_of](const JudgedClaim& j) { return decided(j) ? detail::cell(cell_of(j)) : report::Cell(); };
+}
+
+report::Table ledger_table(const std::vector<JudgedClaim>& judged) {
+    return table("claims_ledger", words.line("ledger"), judged)
+        .column("no.", {.reference = true}, [](auto& j) { return j.claim->id; })
+        .column("source", {.filter = true}, [](auto& j) { return j.claim->source().name; })
+        .column("question", {.filter = true, .reference = true}, [](auto& j) { return j.claim->question; })
+        .column("claim", [](auto& j) { return j.claim->said(); })
+        .column("verdict", {.filter = true}, [](auto& j) { return shown(j.decision.verdict); })
+        .column("deciding number", if_decided([](auto& j) { return cell_of(j.deciding_value()); }))
+        .column("unit", if_decided([](auto& j) { return j.claim->rule.unit; }))
+        .column("required", [](auto& j) { return words_of(j.claim->rule); })
+        .sortable();
+}
+
+report::EntryList ledger_entries(const std::vector<JudgedClaim>& judged) {
+    report::EntryList list{"Claim", {}};
+    for (const JudgedClaim& j : judged) {
+        const Source& source = j.claim->source();
+        list.entries.push_back({std::string(j.claim->id),
+                                words.say(source.citation.empty() ? "entry" : "entry.cited", "source"_a = source.name,
+                                          "citation"_a = source.citation, "claim"_a = j.claim->said()),
+                                {rule_text(j), verdict_text(j)}});
+    }
+    return list;
+}
+
 }   // namespace
 
 report::Check ledger_check(const std::vector<JudgedClaim>& judged) {
@@ -42,7 +75,7 @@ report::Check ledger_check(const std::vector<JudgedClaim>& judged) {
                                                      : Verdict::refuted;
         return again != j.decision.verdict;
     };
-    return report::check_near(words.line("check.followed"), 0, double(std::ranges::count_if(judged, differs)), 0);
+    return check_near(words.line("check.followed"), 0, double(std::ranges::count_if(judged, differs)), 0);
 }
 
 report::Text ledger_summary(const std::vector<JudgedClaim>& judged) {
@@ -52,9 +85,8 @@ report::Text ledger_summary(const std::vector<JudgedClaim>& judged) {
 }
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("claims")};
     report::Section& section = answer.section;
-    section = section_of("claims");
     ClaimBench bench(library, settings);
     std::vector<JudgedClaim> ledger;
     for (const Claim& claim : claim_list()) {
@@ -72,7 +104,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "every_claim");
     add(section, ledger_entries(ledger));
     add_discussion(section, ledger);
-    section.checks.push_back(ledger_check(ledger));
+    add(section, ledger_check(ledger));
 
     section.parameters = {{"rules", words.line("parameter.rules")}, {"noise", words.line("parameter.noise", "seed"_a = settings.seed)}};
     section.extent = report::plain(ledger_summary(ledger));

@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "base/errors.h"
 #include "questions/claims/parts.h"
 
 namespace meshfolio::claims {
@@ -37,17 +36,15 @@ std::string with_unit_of(const Rule& rule, const std::string& number) {
 
 /// "27.3 % (random triangles) and …".
 std::string values_of(const JudgedClaim& judged, const std::vector<std::size_t>& chosen) {
-    std::vector<std::string> values;
-    for (const std::size_t i : chosen) {
+    return listed(each_of(chosen, [&](std::size_t i) {
         const auto& [condition, value] = judged.measurement.cases[i];
-        values.push_back(with_unit(value, judged.claim->rule) + " (" + condition + ")");
-    }
-    return listed(values);
+        return with_unit(value, judged.claim->rule) + " (" + condition + ")";
+    }));
 }
 
 std::string_view key_of(Verdict verdict) {
     static constexpr std::array<std::string_view, 4> keys{"holds", "conditional", "refuted", "undecidable"};
-    return keys[static_cast<std::size_t>(verdict)];
+    return keys[int(verdict)];
 }
 
 Measurement unmeasured(const Error& error) { return {.undecidable = words.line("unmeasured", "why"_a = error.what())}; }
@@ -89,7 +86,7 @@ std::string word_of(Verdict verdict) { return words.line("verdict." + std::strin
 
 std::string_view symbol_of(Verdict verdict) {
     static constexpr std::array<std::string_view, 4> symbols{"✓", "◐", "✗", "?"};
-    return symbols[static_cast<std::size_t>(verdict)];
+    return symbols[int(verdict)];
 }
 
 std::string shown(Verdict verdict) { return std::string(symbol_of(verdict)) + " " + word_of(verdict); }
@@ -97,8 +94,7 @@ std::string shown(Verdict verdict) { return std::string(symbol_of(verdict)) + " 
 std::string Claim::said() const { return words.line(std::string(id) + ".said"); }
 
 const Source& Claim::source() const {
-    const auto* source =
-        std::ranges::find_if(sources, [&](const Source& s) { return id.starts_with("claims_" + std::string(s.key) + "_"); });
+    const auto* source = std::ranges::find_if(sources, [&](auto& s) { return id.starts_with("claims_" + std::string(s.key) + "_"); });
     if (source == sources.end()) throw std::logic_error("no source of " + std::string(id));
     return *source;
 }

@@ -57,7 +57,7 @@ enum class Property {
     flat_with_edges,       // sharp-edged as MeshClass has it, and half of the other edges lie between faces that meet at less than 2°
     negative_weights,      // some cotangent weight is below 0
     unequal_areas,         // the areas of the vertices differ, by 1 % or more
-    clean_form_known,      // the surface under the noise is known, vertex by vertex
+    clean_known,           // the surface under the noise is known, vertex by vertex
     above_1500_vertices,   // 150 modes are then a small share
 };
 
@@ -78,8 +78,8 @@ struct Measurement {
     std::string figure = {};        // id of the plot that shows it; empty: none
 };
 
-/// The verdict is a function of the rule and the numbers alone: holds where all cases satisfy the rule, refuted where none does, else on
-/// the condition of those that do. Cases without a finite value decide nothing.
+/// Follows from the rule and the numbers alone: holds where all cases satisfy the rule, refuted where none does, else conditional. Cases
+/// without a finite value decide nothing.
 struct Decision {
     Verdict verdict = Verdict::undecidable;
     std::vector<std::size_t> within, beyond;   // cases that satisfy the rule, and that do not

@@ -1,8 +1,4 @@
-#include "questions/claims/claim_bench.h"
-
-#include "base/errors.h"
 #include "geometry/operators/uniform_laplacian.h"
-#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/curvature_subject.h"
 #include "questions/bench/mesh_class.h"
@@ -21,11 +17,9 @@ bool same_mesh(const TriangleMesh& a, const TriangleMesh& b) {
 }
 
 bool has_negative_weights(const SparseMatrix& C) {
-    for (int column = 0; column < C.outerSize(); ++column) {
-        for (SparseMatrix::InnerIterator entry(C, column); entry; ++entry) {
+    for (int column = 0; column < C.outerSize(); ++column)
+        for (SparseMatrix::InnerIterator entry(C, column); entry; ++entry)
             if (entry.row() != entry.col() && entry.value() < -1e-12 * std::abs(C.coeff(column, column))) return true;
-        }
-    }
     return false;
 }
 
@@ -33,17 +27,12 @@ bool has_negative_weights(const SparseMatrix& C) {
 std::string key_of_lacking(Property property) {
     static constexpr std::array keys{
         "flat", "not_flat", "closed", "flat_with_edges", "negative_weights", "unequal_areas", "clean_form_known", "above_1500_vertices"};
-    return std::string("lacks.") + keys[static_cast<std::size_t>(property)];
+    return std::string("lacks.") + keys[int(property)];
 }
 
 /// What a run or a noisy run is made with.
 SmoothingOptions options_of(const auto& key) {
-    SmoothingOptions options;
-    options.scheme = key.scheme;
-    options.laplacian = key.laplacian;
-    options.lambda = key.lambda;
-    options.iterations = key.iterations;
-    return options;
+    return {.scheme = key.scheme, .laplacian = key.laplacian, .lambda = key.lambda, .iterations = key.iterations};
 }
 
 /// What the map keeps under the key, made when it is first asked for.
@@ -64,62 +53,40 @@ const ReportMesh& ClaimBench::mesh(std::string_view name) {
 }
 
 std::string ClaimBench::called(const MeshNames& names) {
-    std::vector<std::string> called;
-    for (const std::string_view name : names) called.push_back(mesh(name).called());
-    return listed(called);
+    return listed(each_of(names, [&](std::string_view name) { return mesh(name).called(); }));
 }
 
 bool ClaimBench::is_itself(std::string_view name) {
     const ReportMesh& m = mesh(name);
     if (!m.entry) return m.original;
     const auto agrees = [](double measured, double expected) { return std::abs(measured / expected - 1) < 1e-4; };
-    const Preflight& p = m.mesh->prepared->preflight;
+    const Preflight& p = m.mesh->preflight();
     return p.vertices_in_use == m.entry->vertices && p.triangles == m.entry->triangles && agrees(p.mean_edge, m.entry->mean_edge) &&
            agrees(subject(name).critical, m.entry->critical);
 }
 
 bool ClaimBench::in_scope(std::string_view name, About::Scope scope) {
-    switch (scope) {
-        case About::Scope::any_mesh:
-            return true;
-        case About::Scope::its_kind:
-            return is_itself(name) || (!mesh(name).own && !mesh(name).entry);   // a bundled mesh is of the kind that its role names
-        case About::Scope::itself:
-            break;
-    }
-    return is_itself(name);
+    if (scope == any_mesh || is_itself(name)) return true;
+    return scope == its_kind && !mesh(name).own && !mesh(name).entry;   // a bundled mesh is of the kind that its role names
 }
 
 bool ClaimBench::has(std::string_view name, Property property) {
     const PreparedMesh& prepared = *mesh(name).mesh->prepared;
-    switch (property) {
-        case Property::flat:
-            return common_plane_normal(prepared.mesh).has_value();
-        case Property::not_flat:
-            return !common_plane_normal(prepared.mesh).has_value();
-        case Property::closed:
-            return prepared.preflight.closed();
-        case Property::flat_with_edges: {
-            const MeshCharacter character = mesh_character(prepared.mesh, prepared.topology);
-            return character.kind() == MeshClass::sharp_edged && character.typical_angle < 2;
-        }
-        case Property::negative_weights:
-            return has_negative_weights(subject(name).laplacian.C);
-        case Property::unequal_areas: {
-            const Vector& areas = subject(name).laplacian.M;
-            return areas.minCoeff() < 0.99 * areas.maxCoeff();
-        }
-        case Property::clean_form_known:
-            return clean_form(name).has_value();
-        case Property::above_1500_vertices:
-            break;
+    if (property == flat || property == not_flat) return common_plane_normal(prepared.mesh).has_value() == (property == flat);
+    if (property == closed) return prepared.preflight.closed();
+    if (property == clean_known) return clean_form(name).has_value();
+    if (property == above_1500_vertices) return prepared.preflight.vertices_in_use > 1500;
+    if (property == flat_with_edges) {
+        const MeshCharacter character = mesh_character(prepared.mesh, prepared.topology);
+        return character.kind() == MeshClass::sharp_edged && character.typical_angle < 2;
     }
-    return prepared.preflight.vertices_in_use > 1500;
+    const auto& [C, areas] = subject(name).laplacian;
+    return property == negative_weights ? has_negative_weights(C) : areas.minCoeff() < 0.99 * areas.maxCoeff();
 }
 
 Measurable ClaimBench::measurable(const About& about) {
     Measurable result;
-    std::vector<std::string> reasons;
+    Names reasons;
     const auto refuse = [&](const std::string& reason) {
         if (std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
     };
@@ -171,7 +138,7 @@ const SmoothingSubject& ClaimBench::subject(std::string_view name) {
 double ClaimBench::uniform_limit(std::string_view name) {
     const auto& source = mesh(name).mesh;
     return kept(uniform_limits_, source.get(),
-                [&] { return largest_stable_step(largest_eigenvalue(uniform_operator(source->prepared->topology))); });
+                [&] { return largest_stable_step(largest_eigenvalue(uniform_operator(source->topology()))); });
 }
 
 double ClaimBench::raw_step(std::string_view name, double lambda) {
@@ -180,7 +147,7 @@ double ClaimBench::raw_step(std::string_view name, double lambda) {
 
 double ClaimBench::raw_length(std::string_view name, double length, int power) {
     const ReportMesh& m = mesh(name);
-    return is_itself(name) ? length : length * std::pow(m.mesh->prepared->preflight.mean_edge / m.entry->mean_edge, power);
+    return is_itself(name) ? length : length * std::pow(m.mesh->preflight().mean_edge / m.entry->mean_edge, power);
 }
 
 const Smoothed& ClaimBench::run(std::string_view name, const RunKey& key) {
@@ -229,20 +196,18 @@ const PlaneTest& ClaimBench::plane() {
 
 std::vector<report::Input> ClaimBench::inputs() const {
     std::vector<report::Input> inputs;
-    for (const auto& [name, found] : meshes_) {
+    for (const auto& [name, found] : meshes_)
         if (!found.own || inputs.empty()) inputs.push_back(found.input());
-    }
     return inputs;
 }
 
-std::vector<std::string> ClaimBench::warnings() const {
-    std::vector<std::string> warnings;
+Names ClaimBench::warnings() const {
+    Names warnings;
     for (const auto& [name, found] : meshes_) {
         report::Section section;
         enter_input(*found.mesh, section);
-        for (std::string& warning : section.warnings) {
-            if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(std::move(warning));
-        }
+        for (const std::string& warning : section.warnings)
+            if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
     }
     return warnings;
 }
@@ -251,9 +216,8 @@ double roughness(const SmoothingSubject& subject, const Positions& X) {
     const Positions near = X.rowwise() - X.row(0);   // rows of C sum to 0: the origin may be chosen where nothing is rounded away
     const Positions CX = subject.laplacian.C * near;
     double sum = 0;
-    for (Eigen::Index i = 0; i < X.rows(); ++i) {
+    for (Eigen::Index i = 0; i < X.rows(); ++i)
         if (subject.laplacian.M[i] > 0) sum += CX.row(i).squaredNorm() / subject.laplacian.M[i];
-    }
     return std::sqrt(sum);
 }
 

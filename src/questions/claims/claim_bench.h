@@ -2,13 +2,7 @@
 /// What claims are measured with. Meshes, operators, runs and spectra are computed once and shared.
 #pragma once
 
-#include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <tuple>
-#include <vector>
 
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "questions/bench/cotangent_study.h"
@@ -16,7 +10,6 @@
 #include "questions/bench/smoothing_study.h"
 #include "questions/bench/spectral_study.h"
 #include "questions/claims/claim.h"
-#include "questions/core/chapter.h"
 #include "questions/core/stand_ins.h"
 
 namespace meshfolio::claims {
@@ -59,8 +52,8 @@ public:
     const ReportMesh& mesh(std::string_view name);
     /// "bunny and creature in place of cow.off": for texts.
     std::string called(const MeshNames& names);
-    /// Whether the named mesh itself is there, and no stand-in. A mesh with known measures is recognised by its counts, mean edge and
-    /// λ_crit, to 10⁻⁴; any other by the assignment's file in a data folder.
+    /// Whether the named mesh itself is there, and no stand-in: by its counts, mean edge and λ_crit to 10⁻⁴ where those are known, else by
+    /// the assignment's file in a data folder.
     bool is_itself(std::string_view name);
     bool has(std::string_view name, Property property);
     /// By the rule in claim.h.
@@ -93,7 +86,7 @@ public:
 
     /// The meshes measured so far, as inputs, and what is wrong with them.
     std::vector<report::Input> inputs() const;
-    std::vector<std::string> warnings() const;
+    Names warnings() const;
 
     std::vector<report::Plot> plots;   // that claims refer to, in the order they were made
 

@@ -1,8 +1,6 @@
 // Claims about estimates of curvature, held against surfaces whose curvature is known, and about the ellipsoid.
 #include "geometry/curvature/fundamental_forms.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/ellipsoid_study.h"
 #include "questions/claims/parts.h"
 
@@ -31,7 +29,7 @@ double cotangent_error(ClaimBench& bench, const Sampling& s) { return error_of(b
 double deficit_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, "K.barycentric"); }
 
 std::vector<Case> over_samplings(ClaimBench& bench, double (*value)(ClaimBench&, const Sampling&)) {
-    return each(samplings, [&](const Sampling& s) { return Case{s.said(), value(bench, s)}; });
+    return each_of(samplings, [&](const Sampling& s) { return Case{s.said(), value(bench, s)}; });
 }
 
 Measurement uniform_inaccurate(ClaimBench& bench, const MeshNames&) {
@@ -139,7 +137,7 @@ Measurement places_of_extrema(ClaimBench&, const MeshNames&) {
     const auto ratio = [](const Ellipsoid& e) {
         return Case{(e.b < e.c ? "b < c, " : "b > c, ") + axes_text(e), tip_curvature_by_angle(e, 0) / tip_curvature_by_angle(e, pi / 2)};
     };
-    return {.cases = each(std::array{tall_ellipsoid, flat_ellipsoid}, ratio), .remark = words.say("claims_s3_extrema.remark")};
+    return {.cases = each_of(std::array{tall_ellipsoid, flat_ellipsoid}, ratio), .remark = words.say("claims_s3_extrema.remark")};
 }
 
 }   // namespace

@@ -1,10 +1,5 @@
 // Claims about denoising by diffusion, on meshes whose clean form is known, and about how much noise it takes.
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "geometry/operators/vertices_with_mass.h"
-#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/mesh_class.h"
 #include "questions/claims/parts.h"
@@ -39,28 +34,24 @@ bool has_minimum(const std::vector<double>& errors) { return best_of(errors) + 1
 
 report::Plot curves_of(ClaimBench& bench, const Curves& curves) {
     report::Plot plot{.id = "claims_noise", .x_label = "iteration", .y_label = "rms error [% of the box diagonal]"};
-    std::vector<std::string> minima;
+    Names minima;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         report::Series series{.name = sigma_text(bench, bunny_sigmas[i])};
-        for (std::size_t t = 0; t < curves[i].size(); ++t) {
-            series.x.push_back(double(t));
-            series.y.push_back(100 * curves[i][t] / bench.subject("bunny").diagonal);
-        }
+        for (std::size_t t = 0; t < curves[i].size(); ++t)
+            add_point(series, double(t), 100 * curves[i][t] / bench.subject("bunny").diagonal);
         const int best = best_of(curves[i]);
-        plot.markers.push_back({double(best), series.y[static_cast<std::size_t>(best)],
+        plot.markers.push_back({double(best), series.y[best],
                                 words.line(has_minimum(curves[i]) ? "plot.noise.minimum" : "plot.noise.falling", "iteration"_a = best)});
         minima.push_back(std::to_string(best));
         plot.series.push_back(std::move(series));
     }
-    plot.caption = plot.alt = words.line(bench.is_itself("bunny") ? "plot.noise" : "plot.noise.elsewhere", "minima"_a = listed(minima),
-                                         "mesh"_a = bench.mesh("bunny").mesh->name);
+    plot.caption = words.line(bench.is_itself("bunny") ? "plot.noise" : "plot.noise.elsewhere", "minima"_a = listed(minima),
+                              "mesh"_a = bench.mesh("bunny").mesh->name);
     return plot;
 }
 
 Curves bunny_curves(ClaimBench& bench) {
-    Curves curves;
-    for (const double sigma : bunny_sigmas) curves.push_back(bench.denoised("bunny", bunny_noise(bench, sigma, 45)));
-    return curves;
+    return each_of(bunny_sigmas, [&](double sigma) { return bench.denoised("bunny", bunny_noise(bench, sigma, 45)); });
 }
 
 Measurement minima_in_order(ClaimBench& bench, const MeshNames&) {
@@ -79,10 +70,10 @@ Measurement minima_in_order(ClaimBench& bench, const MeshNames&) {
 Measurement curves_meet(ClaimBench& bench, const MeshNames&) {
     const Curves curves = bunny_curves(bench);
     const auto larger = [&](std::size_t t) { return 100 * (curves.back()[t] / curves.front()[t] - 1); };
-    return {.cases = each(std::array{20, 45},
-                          [&](int t) {
-                              return Case{counted(t, "iteration"), larger(static_cast<std::size_t>(t))};
-                          }),
+    return {.cases = each_of(std::array{20, 45},
+                             [&](int t) {
+                                 return Case{counted(t, "iteration"), larger(t)};
+                             }),
             .remark = words.say("claims_s0_curves_meet.remark", "apart"_a = readable(larger(0)))};
 }
 
@@ -111,7 +102,7 @@ Measurement minima_of_report(ClaimBench& bench, const MeshNames&) {
 /// Noise of that share of the box diagonal; implicit steps of a tenth of a squared mean edge, so that the best comes after several.
 NoisyKey gentle_run(ClaimBench& bench, std::string_view name, double relative, int iterations) {
     const LibraryMesh& source = *bench.mesh(name).mesh;
-    const double edge = source.prepared->preflight.mean_edge;
+    const double edge = source.preflight().mean_edge;
     return {.sigma = Vector3::Constant(relative * bounding_box(source.mesh()).diagonal()),
             .lambda = 0.1 * edge * edge,
             .iterations = iterations};
@@ -129,21 +120,16 @@ double edges_over_rest(ClaimBench& bench, std::string_view name) {
     NoisyKey key = gentle_run(bench, name, 0.003, 15);
     key.iterations = best_of(bench.denoised(name, key));
     const Positions X = smooth(noisy_mesh(bench, name, key), {.scheme = key.scheme, .lambda = key.lambda, .iterations = key.iterations}).X;
-    const std::vector<char> on_edge = feature_vertices(clean, source.prepared->topology);
-    std::array<double, 2> squares{}, counts{};
-    for (Eigen::Index v = 0; v < X.rows(); ++v) {
-        const std::size_t kind = on_edge[static_cast<std::size_t>(v)] != 0 ? 1 : 0;
-        squares[kind] += (X.row(v) - clean.X.row(v)).squaredNorm();
-        ++counts[kind];
-    }
-    return std::sqrt(squares[1] / counts[1] / (squares[0] / counts[0]));
+    const std::vector<char> on_edge = feature_vertices(clean, source.topology());
+    const FlaggedMeans squares = flagged_means((X - clean.X).rowwise().squaredNorm(), on_edge);
+    return std::sqrt(squares.there / squares.elsewhere);
 }
 
 Measurement better_where_flat(ClaimBench& bench, const MeshNames& meshes) {
     const auto at_edges = [&](std::string_view name) {
         return Case{words.line("claims_s0_flat.case", "mesh"_a = bench.mesh(name).mesh->name), edges_over_rest(bench, name)};
     };
-    return {.cases = each(meshes, at_edges), .remark = words.say("claims_s0_flat.remark")};
+    return {.cases = each_of(meshes, at_edges), .remark = words.say("claims_s0_flat.remark")};
 }
 
 const std::vector<double>& cow_errors(ClaimBench& bench, double relative) {
@@ -191,7 +177,7 @@ constexpr int box_iterations = 10;   // S1 took 200 of steps it does not name; t
 /// From 0.01 to 100 squared mean edges, with noise of `percent` % of the box in each axis.
 Sweep step_sweep(ClaimBench& bench, std::string_view name, double percent) {
     const LibraryMesh& source = *bench.mesh(name).mesh;
-    const double edge = source.prepared->preflight.mean_edge;
+    const double edge = source.preflight().mean_edge;
     Sweep sweep;
     for (const double multiple : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0}) {
         const NoisyKey key{
@@ -222,15 +208,15 @@ Measurement low_noise_works(ClaimBench& bench, const MeshNames& meshes) {
         const Sweep sweep = step_sweep(bench, name, 1);
         return Case{bench.mesh(name).mesh->name + ", 1 % noise", sweep.noisy / sweep.least()};
     };
-    return {.cases = each(meshes, gained), .remark = words.say("claims_s1_low_noise.remark")};
+    return {.cases = each_of(meshes, gained), .remark = words.say("claims_s1_low_noise.remark")};
 }
 
 Measurement hopeless_noise(ClaimBench& bench, const MeshNames& meshes) {
     Measurement m;
-    std::vector<std::string> gains;
+    Names gains;
     for (const std::string_view name : meshes) {
         const Sweep sweep = step_sweep(bench, name, 20);
-        m.cases.push_back({bench.mesh(name).mesh->name, sweep.least() / bench.mesh(name).mesh->prepared->preflight.mean_edge});
+        m.cases.push_back({bench.mesh(name).mesh->name, sweep.least() / bench.mesh(name).mesh->preflight().mean_edge});
         gains.push_back(readable_percent(1 - sweep.least() / sweep.noisy, 2));
     }
     m.remark = words.say("claims_s1_hopeless.remark", "gains"_a = listed(gains));

@@ -1,7 +1,6 @@
 // Claims about explicit smoothing: which step is good, which is the largest stable one, and what lies beyond it.
 #include <Eigen/Dense>
 
-#include "mesh/triangle_measures.h"
 #include "questions/claims/parts.h"
 
 namespace meshfolio::claims {
@@ -21,16 +20,8 @@ struct Crossing {
     double product = 0;
 };
 Crossing crossing_when_rebuilt(ClaimBench& bench, std::string_view name, double lambda, int most) {
-    Crossing crossing;
-    SmoothingOptions options;
-    options.lambda = lambda;
-    options.iterations = most;
-    options.rebuild = options.monitor = true;
-    options.after_step = [](int, const Positions&) { return true; };
-    const Smoothed flow = smooth(bench.mesh(name).mesh->mesh(), options);
-    for (const StepStability& step : flow.steps) crossing.product = std::max(crossing.product, step.top);
-    crossing.step = flow.crossing_iteration;
-    return crossing;
+    const Smoothed flow = smooth(bench.mesh(name).mesh->mesh(), {.lambda = lambda, .iterations = most, .rebuild = true, .monitor = true});
+    return {flow.crossing_iteration, largest_product(flow)};
 }
 
 Measurement bunny_zigzag(ClaimBench& bench, const MeshNames&) {
@@ -58,7 +49,7 @@ Measurement bunny_too_large(ClaimBench& bench, const MeshNames&) {
                                "limits"_a = readable(step / bench.subject("bunny").critical)),
                     reach(bench, "bunny", {explicit_euler, step, 100})};
     };
-    return {.cases = each(std::array{8e-7, 3e-6, 1e-5, 1e-4}, reached), .remark = words.say("claims_s0_bunny_too_large.remark")};
+    return {.cases = each_of(std::array{8e-7, 3e-6, 1e-5, 1e-4}, reached), .remark = words.say("claims_s0_bunny_too_large.remark")};
 }
 
 /// Roughness left by ten steps of λ, over that left by a hundred of λ/10.
@@ -84,7 +75,7 @@ Measurement small_uniform_steps(ClaimBench& bench, const MeshNames&) {
     const auto compared = [&](double lambda) {
         return Case{"uniform, λ = " + plain_text(lambda), coarse_over_fine(bench, "bunny", lambda, OperatorKind::uniform)};
     };
-    return {.cases = each(std::array{0.05, 0.5, 1.0}, compared), .remark = words.say("claims_s2_small_steps.remark")};
+    return {.cases = each_of(std::array{0.05, 0.5, 1.0}, compared), .remark = words.say("claims_s2_small_steps.remark")};
 }
 
 /// √(mean squared distance of the vertices from their mean). [length]
@@ -103,7 +94,7 @@ Measurement cube_too_large(ClaimBench& bench, const MeshNames&) {
 
 Measurement cube_deforms(ClaimBench& bench, const MeshNames&) {
     const auto shrunk = [&](int t) { return Case{counted(t, "iteration"), 100 * (1 - size_left(bench, t))}; };
-    return {.cases = each(std::array{1, 10, 100}, shrunk), .remark = words.say("claims_s0_cube_deforms.remark")};
+    return {.cases = each_of(std::array{1, 10, 100}, shrunk), .remark = words.say("claims_s0_cube_deforms.remark")};
 }
 
 Measurement limits_differ(ClaimBench& bench, const MeshNames& meshes) {
@@ -129,17 +120,15 @@ Measurement largest_stable_is_best(ClaimBench& bench, const MeshNames& meshes) {
         const double start = roughness(s, s.mesh().X);
         for (const int t : {10, 100}) {
             report::Series series{.name = s.name(), .style = report::Series::Style::line_and_points, .panel = counted(t, "iteration")};
-            for (const double share : {0.25, 0.5, 0.75, 0.9, 0.99}) {
-                series.x.push_back(share);
-                series.y.push_back(roughness(s, bench.run(name, {explicit_euler, share * s.critical, t}).X) / start);
-            }
+            for (const double share : {0.25, 0.5, 0.75, 0.9, 0.99})
+                add_point(series, share, roughness(s, bench.run(name, {explicit_euler, share * s.critical, t}).X) / start);
             m.cases.push_back({series.name + ", " + series.panel, series.y.back() / std::ranges::min(series.y)});
             plot.series.push_back(std::move(series));
         }
     }
     const bool falls =
         std::ranges::all_of(plot.series, [](const report::Series& s) { return std::ranges::is_sorted(s.y, std::ranges::greater()); });
-    plot.caption = plot.alt = words.line(falls ? "plot.steps.falls" : "plot.steps.rises");
+    plot.caption = words.line(falls ? "plot.steps.falls" : "plot.steps.rises");
     bench.plots.push_back(std::move(plot));
     return m;
 }
@@ -156,10 +145,8 @@ Measurement collapses_to_a_line(ClaimBench& bench, const MeshNames& meshes) {
     for (const std::string_view name : meshes) {
         const SmoothingSubject& s = bench.subject(name);
         for (const double share : {1.5, 4.0}) {
-            SmoothingOptions options;
-            options.lambda = share * s.critical;
-            options.iterations = 100;
-            options.blow_up_at = 1e100;   // the claim is about the final shape: do not stop early
+            // The claim is about the final shape: the run must not stop early.
+            const SmoothingOptions options{.lambda = share * s.critical, .iterations = 100, .blow_up_at = 1e100};
             m.cases.push_back({s.name() + ", " + plain_text(share) + " λ_crit", 100 * second_extent(smooth(s.mesh(), options).X)});
         }
     }
@@ -183,10 +170,10 @@ Measurement good_at_0005(ClaimBench& bench, const MeshNames&) {
 
 Measurement distorts_beyond_one(ClaimBench& bench, const MeshNames&) {
     const double limit = bench.uniform_limit("fandisk_ns");
-    return {.cases = each(std::array{1.05, 1.2, 1.5, 2.0},
-                          [&](double lambda) {
-                              return Case{"λ = " + plain_text(lambda), lambda / limit};
-                          }),
+    return {.cases = each_of(std::array{1.05, 1.2, 1.5, 2.0},
+                             [&](double lambda) {
+                                 return Case{"λ = " + plain_text(lambda), lambda / limit};
+                             }),
             .remark = words.say("claims_s3_beyond_one.remark", "limit"_a = readable(limit, 4))};
 }
 

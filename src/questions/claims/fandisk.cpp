@@ -1,6 +1,4 @@
-// Claims about smoothing the noisy plane and the noisy machine part of the assignment with the uniform operator, and with the cotangent
-// one.
-#include "mesh/triangle_measures.h"
+// Claims about smoothing the noisy plane and the noisy machine part with the uniform and with the cotangent operator.
 #include "questions/claims/parts.h"
 
 namespace meshfolio::claims {
@@ -43,18 +41,17 @@ struct OperatorSweeps {
 };
 OperatorSweeps operator_sweeps(ClaimBench& bench) {
     const Positions clean = bench.clean_form("fandisk_ns").value();
-    const double edge = bench.mesh("fandisk_ns").mesh->prepared->preflight.mean_edge;
+    const double edge = bench.mesh("fandisk_ns").mesh->preflight().mean_edge;
     // Δ_uniform ≈ h²/4 Δ: the same diffusion with either operator.
     const std::vector<double> uniform{0.1, 0.2, 0.4, 0.8, 1.6};
-    std::vector<double> cotangent;
-    for (const double lambda : uniform) cotangent.push_back(lambda * edge * edge / 4);
+    const std::vector<double> cotangent = each_of(uniform, [&](const double lambda) { return lambda * edge * edge / 4; });
     const auto sweep = [&](OperatorKind kind, const std::vector<double>& lambdas) {
         return sweep_of(bench, "fandisk_ns", clean, {implicit_euler, 0, 3, kind}, lambdas);
     };
     return {sweep(OperatorKind::uniform, uniform), sweep(OperatorKind::cotan, cotangent), edge};
 }
 
-Measurement uniform_needs_larger(ClaimBench& bench, const MeshNames&) {
+Measurement uniform_larger(ClaimBench& bench, const MeshNames&) {
     const OperatorSweeps s = operator_sweeps(bench);
     const double uniform = s.uniform.best_step(), cotangent = s.cotangent.best_step();
     return {
@@ -62,7 +59,7 @@ Measurement uniform_needs_larger(ClaimBench& bench, const MeshNames&) {
         .remark = words.say("claims_s3_uniform_larger.remark", "uniform"_a = readable(uniform, 2), "cotangent"_a = readable(cotangent, 2))};
 }
 
-Measurement cotangent_denoises_better(ClaimBench& bench, const MeshNames&) {
+Measurement cotan_better(ClaimBench& bench, const MeshNames&) {
     const OperatorSweeps s = operator_sweeps(bench);
     const auto in_edges = [&](double length) { return readable(length / s.edge, 2); };
     return {.cases = {{words.line("claims_s3_cotangent_denoises.case"), s.cotangent.least() / s.uniform.least()}},
@@ -80,36 +77,31 @@ double least_error(ClaimBench& bench, double sigma, SmoothingScheme scheme, doub
 }
 
 Measurement noise_needs_implicit(ClaimBench& bench, const MeshNames&) {
-    const double edge = bench.mesh("fandisk").mesh->prepared->preflight.mean_edge;
+    const double edge = bench.mesh("fandisk").mesh->preflight().mean_edge;
     const auto compared = [&](double share) {
         return Case{words.line("claims_s3_implicit_needed.case", "share"_a = plain_text(share)),
                     least_error(bench, share * edge, explicit_euler, 1, 60) / least_error(bench, share * edge, implicit_euler, 5, 10)};
     };
-    return {.cases = each(std::array{0.2, 0.5, 1.0}, compared), .remark = words.say("claims_s3_implicit_needed.remark")};
+    return {.cases = each_of(std::array{0.2, 0.5, 1.0}, compared), .remark = words.say("claims_s3_implicit_needed.remark")};
 }
 
 }   // namespace
 
 extern const std::vector<Claim> fandisk_claims{
-    {"claims_s3_plane_step", "q5", {{"plane_ns"}, {clean_form_known}, its_kind}, {"over_best_step", "", at_most, 1.1}, plane_at_one},
-    {"claims_s3_fandisk_step",
-     "q5",
-     {{"fandisk_ns"}, {clean_form_known}, itself},
-     {"over_best_step", "", at_most, 1.1},
-     fandisk_at_half,
-     full},
+    {"claims_s3_plane_step", "q5", {{"plane_ns"}, {clean_known}, its_kind}, {"over_best_step", "", at_most, 1.1}, plane_at_one},
+    {"claims_s3_fandisk_step", "q5", {{"fandisk_ns"}, {clean_known}, itself}, {"over_best_step", "", at_most, 1.1}, fandisk_at_half, full},
     {"claims_s3_implicit_needed", "q7", {{"fandisk"}}, {"least_explicit", "", at_least, 1.1}, noise_needs_implicit, full},
     {"claims_s3_uniform_larger",
      "q7",
-     {{"fandisk_ns"}, {clean_form_known}, its_kind},
+     {{"fandisk_ns"}, {clean_known}, its_kind},
      {"best_uniform", "", at_least, 1.5},
-     uniform_needs_larger,
+     uniform_larger,
      full},
     {"claims_s3_cotangent_denoises",
      "q7",
-     {{"fandisk_ns"}, {clean_form_known}, its_kind},
+     {{"fandisk_ns"}, {clean_known}, its_kind},
      {"least_cotangent", "", at_most, 0.9},
-     cotangent_denoises_better,
+     cotan_better,
      full}};
 
 }   // namespace meshfolio::claims

@@ -26,13 +26,13 @@ Measurement stable_on_bunny(ClaimBench& bench, const MeshNames&) {
         return Case{words.line("claims_s0_stable.case", "share"_a = share(lambda), "iterations"_a = iterations),
                     own_energy_left(bench, "bunny", {implicit_euler, bench.raw_step("bunny", lambda), iterations})};
     };
-    return {.cases = each(std::array{std::pair{1e-6, 10}, std::pair{1e-6, 20}, std::pair{2e-6, 10}}, left),
+    return {.cases = each_of(std::array{std::pair{1e-6, 10}, std::pair{1e-6, 20}, std::pair{2e-6, 10}}, left),
             .remark = words.say("claims_s0_stable.remark", "times"_a = share(1e-6))};
 }
 
 Measurement stable_at_any_step(ClaimBench& bench, const MeshNames&) {
     const double critical = bench.subject("bunny").critical;
-    return {.cases = each(std::array{1e2, 1e4, 1e6}, [&](double share) {
+    return {.cases = each_of(std::array{1e2, 1e4, 1e6}, [&](double share) {
                 return Case{(share == 1e6 ? "10⁶" : readable(share, 1)) + " λ_crit",
                             own_energy_left(bench, "bunny", {implicit_euler, share * critical, 1})};
             })};
@@ -71,7 +71,7 @@ Case same_time(ClaimBench& bench, int factor) {
 }
 
 Measurement iterations_for_step(ClaimBench& bench, const MeshNames&) {
-    Measurement m{.cases = each(std::array{2, 10, 100}, [&](int factor) { return same_time(bench, factor); })};
+    Measurement m{.cases = each_of(std::array{2, 10, 100}, [&](int factor) { return same_time(bench, factor); })};
     const double moved = bench.motion("bunny", {implicit_euler, bench.raw_step("bunny", 1e-7), 100});
     m.remark = words.say("claims_s3_iterations_for_step.remark",
                          "apart"_a = readable_percent(m.cases[2].value / 100 * moved / bench.subject("bunny").diagonal, 2));
@@ -79,7 +79,7 @@ Measurement iterations_for_step(ClaimBench& bench, const MeshNames&) {
 }
 
 Measurement too_large_deviates(ClaimBench& bench, const MeshNames&) {
-    return {.cases = each(std::array{10, 100}, [&](int factor) { return same_time(bench, factor); })};
+    return {.cases = each_of(std::array{10, 100}, [&](int factor) { return same_time(bench, factor); })};
 }
 
 /// ‖S(X + Y) − S(X) − S(Y)‖ over ‖S(X + Y)‖, for one implicit step S and Y the positions with their axes exchanged.
@@ -100,9 +100,7 @@ Measurement non_linear_solver(ClaimBench& bench, const MeshNames&) {
 int explicit_steps_to(ClaimBench& bench, std::string_view name, double share) {
     const SmoothingSubject& s = bench.subject(name);
     int steps = 0;
-    SmoothingOptions options;
-    options.lambda = 0.95 * s.critical;
-    options.iterations = 3000;
+    SmoothingOptions options{.lambda = 0.95 * s.critical, .iterations = 3000};
     options.after_step = [&](int iteration, const Positions& X) {
         // The energy costs as much as a step, so it is computed every tenth.
         if (iteration % 10 == 0 && dirichlet_energy(s.laplacian.C, X) <= share * s.initial_energy) steps = iteration;
@@ -155,7 +153,7 @@ Measurement smooths_more(ClaimBench& bench, const MeshNames&) {
         return Case{words.line("claims_s2_smooths_more.case", "share"_a = plain_text(share)),
                     ratio({implicit_euler, lambda, 100}, {explicit_euler, lambda, 100})};
     };
-    Measurement m{.cases = each(std::array{0.05, 0.5, 0.95}, at_share), .remark = words.say("claims_s2_smooths_more.remark")};
+    Measurement m{.cases = each_of(std::array{0.05, 0.5, 0.95}, at_share), .remark = words.say("claims_s2_smooths_more.remark")};
     if (bench.is_itself("bunny"))   // steps of the report
         m.cases.push_back({words.line("claims_s2_smooths_more.case.report"),
                            ratio({implicit_euler, 5e-8, 100}, {explicit_euler, 0.005, 100, OperatorKind::uniform})});

@@ -2,17 +2,7 @@
 /// What the files of the chapter share: its words, cases, and the ledger as tables and sentences.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "base/number_text.h"
-#include "questions/bench/sentences.h"
 #include "questions/claims/claim_bench.h"
-#include "questions/core/section_tools.h"
 
 namespace meshfolio::claims {
 
@@ -24,20 +14,13 @@ using enum Effort;
 using enum About::Scope;
 using enum SmoothingScheme;
 
-/// A case for each of these meshes, steps, …
-template <class Range>
-std::vector<Case> each(const Range& range, const auto& case_of) {
-    std::vector<Case> cases;
-    for (const auto& one : range) cases.push_back(case_of(one));
-    return cases;
-}
 /// The error left by each of several steps.
 struct Sweep {
     std::vector<double> steps, errors;   // errors: rms [length]
     double noisy = 0;                    // before smoothing [length]
-    double best_step() const { return steps[static_cast<std::size_t>(best_of(errors))]; }
+    double best_step() const { return steps[best_of(errors)]; }
     double least() const { return std::ranges::min(errors); }
-    double at(double step) const { return errors[static_cast<std::size_t>(std::ranges::find(steps, step) - steps.begin())]; }
+    double at(double step) const { return errors[std::ranges::find(steps, step) - steps.begin()]; }
 };
 /// "random triangles on the torus".
 inline std::string sampled(MeshKind kind, std::string_view surface) {
@@ -46,9 +29,6 @@ inline std::string sampled(MeshKind kind, std::string_view surface) {
 
 /// "✓ holds".
 std::string shown(Verdict verdict);
-
-report::Table ledger_table(const std::vector<JudgedClaim>& judged);
-report::EntryList ledger_entries(const std::vector<JudgedClaim>& judged);
 
 /// The rules applied again, case by case.
 report::Check ledger_check(const std::vector<JudgedClaim>& judged);

@@ -24,13 +24,13 @@ Measurement L_not_symmetric(ClaimBench& bench, const MeshNames&) {
     return {.cases = {{"L = M⁻¹C", asymmetry(L_of(bench.subject("bunny").laplacian))}}};
 }
 
-Measurement clamping_is_stable(ClaimBench& bench, const MeshNames& meshes) {
+Measurement clamped_limit(ClaimBench& bench, const MeshNames& meshes) {
     const auto gained = [&](std::string_view name) {
         const LibraryMesh& source = *bench.mesh(name).mesh;
         const double clamped = largest_stable_step(largest_eigenvalue(laplace_operator(source.mesh(), OperatorKind::clamped)));
         return Case{source.name, clamped / bench.subject(name).critical};
     };
-    return {.cases = each(meshes, gained), .remark = words.say("claims_s3_clamp_stable.remark")};
+    return {.cases = each_of(meshes, gained), .remark = words.say("claims_s3_clamp_stable.remark")};
 }
 
 std::string k_text(int k) { return "k = " + std::to_string(k); }
@@ -39,7 +39,7 @@ std::string k_text(int k) { return "k = " + std::to_string(k); }
 double error_at(const SpectralStudy& study, int k) { return 100 * study.rms[std::min(k, study.modes())] / study.diagonal; }
 
 Measurement errors_at(ClaimBench& bench, const MeshNames& meshes, int k) {
-    return {.cases = each(meshes, [&](std::string_view name) {
+    return {.cases = each_of(meshes, [&](std::string_view name) {
                 const SpectralStudy& study = bench.spectrum(name);
                 return Case{study.name() + ", " + k_text(std::min(k, study.modes())), error_at(study, k)};
             })};
@@ -48,11 +48,9 @@ Measurement errors_at(ClaimBench& bench, const MeshNames& meshes, int k) {
 Measurement near_original(ClaimBench& bench, const MeshNames& meshes) {
     Measurement m = errors_at(bench, meshes, 150);
     const SpectralStudy& first = bench.spectrum(meshes.front());
-    const std::string caption = words.line("plot.modes", "error"_a = readable(m.cases.front().value, 2),
-                                           "modes"_a = std::min(150, first.modes()), "mesh"_a = first.name());
     report::Plot plot{.id = "claims_modes",
-                      .caption = caption,
-                      .alt = caption,
+                      .caption = words.line("plot.modes", "error"_a = readable(m.cases.front().value, 2),
+                                            "modes"_a = std::min(150, first.modes()), "mesh"_a = first.name()),
                       .x_label = "number of modes k",
                       .y_label = "rms error [% of the box diagonal]",
                       .log_x = true,
@@ -61,10 +59,7 @@ Measurement near_original(ClaimBench& bench, const MeshNames& meshes) {
     for (const std::string_view name : meshes) {
         const SpectralStudy& study = bench.spectrum(name);
         report::Series series{.name = study.name()};
-        for (int k = 1; k <= study.modes(); ++k) {
-            series.x.push_back(k);
-            series.y.push_back(error_at(study, k));
-        }
+        for (int k = 1; k <= study.modes(); ++k) add_point(series, k, error_at(study, k));
         plot.series.push_back(std::move(series));
     }
     m.figure = plot.id;
@@ -75,11 +70,11 @@ Measurement near_original(ClaimBench& bench, const MeshNames& meshes) {
 Measurement more_is_better(ClaimBench& bench, const MeshNames&) {
     const SpectralStudy& study = bench.spectrum("cow");
     int before = 5;
-    return {.cases = each(std::array{10, 30, 150},
-                          [&](int k) {
-                              const int last = std::exchange(before, k);
-                              return Case{k_text(k) + " after " + std::to_string(last), error_at(study, k) / error_at(study, last)};
-                          }),
+    return {.cases = each_of(std::array{10, 30, 150},
+                             [&](int k) {
+                                 const int last = std::exchange(before, k);
+                                 return Case{k_text(k) + " after " + std::to_string(last), error_at(study, k) / error_at(study, last)};
+                             }),
             .remark = words.say("claims_s1_more_modes.remark")};
 }
 
@@ -126,7 +121,7 @@ extern const std::vector<Claim> spectral_claims{
      "q4",
      {{"armadillo", "lilium", "plane_ns"}, {negative_weights}},
      {"clamped_limit", "", at_least, 1.01},
-     clamping_is_stable,
+     clamped_limit,
      full},
     {"claims_s1_k150", "q4", {{"bunny", "cow"}, {above_1500_vertices}}, {"rebuilt", of_diagonal, at_most, 1}, near_original, full},
     {"claims_s1_more_modes", "q4", {{"cow"}, {above_1500_vertices}}, {"next_k", "", at_most, 0.95}, more_is_better, full},

@@ -19,8 +19,8 @@ namespace meshfolio {
 
 struct Answer {
     report::Section section;
-    std::vector<output::FigureRequest> figures;
-    std::vector<output::MeshOutput> meshes;
+    std::vector<output::FigureRequest> figures = {};
+    std::vector<output::MeshOutput> meshes = {};
 };
 
 /// Told as a question works; may throw to stop it.
@@ -49,7 +49,6 @@ struct Chapter {
 std::span<const Chapter* const> chapter_list();
 /// @throws std::logic_error if none has this id
 const Chapter& chapter_of_id(std::string_view id);
-/// Of all, in order.
 std::vector<std::string> section_ids();
 
 }   // namespace meshfolio

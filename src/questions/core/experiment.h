@@ -16,8 +16,7 @@
 
 namespace meshfolio {
 
-/// A mesh that a report used, and the bundled one that takes its place where it is not at hand. Its own measures say how raw parameters
-/// carry over: they are areas and lengths of the original.
+/// A mesh that a report used, and the bundled one in its place. Its measures scale raw parameters, which are lengths and areas of it.
 struct OriginalMesh {
     std::string name;         // "bunny"
     std::string file;         // "bunny.off", looked for beside the settings file and in the data folders; empty: not to be had

@@ -51,9 +51,8 @@ const MeshRole& role_named(const std::string& name) {
 }
 
 std::optional<std::string_view> bundled(std::string_view file) {
-    for (const auto& entry : meshfolio_embedded::embedded_data()) {
+    for (const auto& entry : meshfolio_embedded::embedded_data())
         if (entry.name == file) return entry.bytes;
-    }
     return {};
 }
 
@@ -68,10 +67,13 @@ const MeshRole* role_of_path(const std::string& path) {
 }
 
 std::optional<fs::path> first_that_exists(const std::vector<fs::path>& candidates) {
-    for (const fs::path& candidate : candidates) {
-        if (may_be_there(candidate)) return candidate;
-    }
-    return {};
+    const auto it = std::ranges::find_if(candidates, may_be_there);
+    return it == candidates.end() ? std::nullopt : std::optional(*it);
+}
+
+/// How the report enters a file, before it is read.
+report::Input input_of(std::string_view role, std::string_view asked, const fs::path& file, bool stand_in = false) {
+    return {std::string(role), std::string(asked), file.filename().string(), stand_in, "", 0, 0};
 }
 
 /// `path` in the first of `folders` that has it, by the path itself or by the bare file name.
@@ -132,30 +134,28 @@ struct MeshLibrary::Found {
 struct MeshLibrary::Shelf {
     std::mutex mutex;
     using Key = std::pair<MeshLookup, fs::path>;   // and the base folder
-    std::map<Key, std::shared_ptr<const LibraryMesh>> meshes;
+    std::map<Key, SharedMesh> meshes;
     std::map<Key, std::exception_ptr> unusable;   // a mesh that cannot be had is looked for once, too
     std::mutex copies_mutex;
-    std::map<std::pair<std::shared_ptr<const LibraryMesh>, int>, std::shared_ptr<const LibraryMesh>> copies;   // and their vertices at most
+    std::map<std::pair<SharedMesh, int>, SharedMesh> copies;   // and their vertices at most
     std::mutex digest_mutex;
     std::map<std::string, std::string> digests;   // by path, or the name of a bundled mesh
 
-    using MeshPointer = std::shared_ptr<const LibraryMesh>;
-
-    /// Locked while decimating: several sections want the same copy. Isolated, or a thread that waits in a loop might begin a task that
+    /// Holds the lock while decimating, for several sections want the same copy. Isolated, so that a waiting thread takes no task that
     /// locks.
-    MeshPointer decimated_to(int vertices, const MeshPointer& mesh) {
+    SharedMesh decimated_to(int vertices, const SharedMesh& mesh) {
         if (mesh->mesh().vertex_count() <= vertices) return mesh;
         const std::lock_guard lock(copies_mutex);
         return tbb::this_task_arena::isolate([&] { return copy(vertices, mesh); });
     }
 
     /// One of tens of thousands is made from the one of ten times as many, so that a large mesh is decimated once.
-    MeshPointer copy(int vertices, const MeshPointer& mesh) {
+    SharedMesh copy(int vertices, const SharedMesh& mesh) {
         const TriangleMesh& whole = mesh->mesh();
         if (whole.vertex_count() <= vertices) return mesh;
-        MeshPointer& made = copies[{mesh, vertices}];
+        SharedMesh& made = copies[{mesh, vertices}];
         if (made) return made;
-        const MeshPointer source = vertices < largest_copy ? copy(std::min(10 * vertices, largest_copy), mesh) : mesh;
+        const SharedMesh source = vertices < largest_copy ? copy(std::min(10 * vertices, largest_copy), mesh) : mesh;
         LibraryMesh small = *mesh;
         small.is_copy = true;
         small.prepared =
@@ -188,14 +188,13 @@ MeshLibrary::MeshLibrary(std::vector<fs::path> data_folders, std::vector<fs::pat
         throw InputError({folder.string()}, "is not a folder of meshes", meant.empty() ? "correct --data" : meant);
     }
     std::set<std::string> taken;
-    for (const std::vector<fs::path>& paths : {own_, listed}) {
+    for (const std::vector<fs::path>& paths : {own_, listed})
         for (const fs::path& path : paths) {
             if (names_.contains(path.string())) continue;
             std::string name = short_name(path);
             for (int number = 2; !taken.insert(name).second; ++number) name = short_name(path) + "_" + std::to_string(number);
             names_[path.string()] = name;
         }
-    }
 }
 
 std::string MeshLibrary::name_of(const fs::path& path) const {
@@ -204,79 +203,46 @@ std::string MeshLibrary::name_of(const fs::path& path) const {
 }
 
 MeshLibrary::Found MeshLibrary::found_role(const MeshRole& role) const {
-    Found found;
-    found.input.role = role.role;
-    found.input.asked = role.asked;
-    if (!role.asked.empty()) found.path = in_folders(folders_, role.asked);
-    found.bundled_file = role.bundled;
-    found.input.stand_in = !found.path && !role.asked.empty();
-    const fs::path file = found.path ? *found.path : fs::path(role.bundled);
-    found.input.file = file.filename().string();
-    found.label = found.path ? std::string(role.asked) : found.input.file;
-    found.name = short_name(file);
-    return found;
+    const auto path = role.asked.empty() ? std::nullopt : in_folders(folders_, role.asked);
+    const fs::path file = path.value_or(role.bundled);
+    const std::string label = path ? std::string(role.asked) : file.filename().string();
+    return {path, role.bundled, label, short_name(file), input_of(role.role, role.asked, file, !path && !role.asked.empty())};
 }
 
 MeshLibrary::Found MeshLibrary::found_file(const fs::path& path, const fs::path& base) const {
-    Found found;
-    found.name = name_of(path);
-    found.label = path.string();
-    found.input.role = found.name;
-    found.input.file = path.filename().string();
-    if (may_be_there(base / path)) {
-        found.path = base / path;
-    } else if (const auto in_data = in_folders(folders_, path)) {
-        found.path = in_data;
-    } else if (const MeshRole* role = role_of_path(path.string())) {
-        found.bundled_file = role->bundled;
-        found.label = found.input.file = role->bundled;
-        found.input.stand_in = path.filename() != role->bundled && path.string() + ".obj" != role->bundled;
-        found.input.asked = found.input.stand_in ? path.string() : "";
-    } else {
+    const std::string name = name_of(path);
+    const auto file = may_be_there(base / path) ? base / path : in_folders(folders_, path);
+    if (file) return {file, {}, path.string(), name, input_of(name, "", path)};
+    const MeshRole* role = role_of_path(path.string());
+    if (role == nullptr)
         throw InputError({path.string()}, "no such mesh beside the settings file, in the data folders or among the bundled meshes",
                          "`meshfolio list` names the bundled ones");
-    }
-    return found;
+    const bool stand_in = path.filename() != role->bundled && path.string() + ".obj" != role->bundled;
+    return {{}, role->bundled, std::string(role->bundled), name, input_of(name, stand_in ? path.string() : "", role->bundled, stand_in)};
 }
 
 MeshLibrary::Found MeshLibrary::found_original(const MeshLookup& lookup, const fs::path& base) const {
-    Found found;
-    found.input.role = lookup.name;
+    std::vector<fs::path> candidates;
     if (!lookup.path.empty()) {
-        std::vector<fs::path> candidates{base / lookup.path};
+        candidates.push_back(base / lookup.path);
         for (const fs::path& folder : folders_) candidates.push_back(folder / lookup.path);
         for (const fs::path& folder : folders_) candidates.push_back(folder / lookup.path.filename());
-        found.path = first_that_exists(candidates);
     }
-    found.bundled_file = lookup.stand_in;
-    found.input.asked = lookup.path.empty() ? lookup.name : lookup.path.generic_string();
-    found.input.stand_in = !found.path;
-    found.input.file = found.path ? found.path->filename().string() : lookup.stand_in;
-    found.label = found.input.file;
-    found.name = short_name(found.input.file);
-    return found;
+    const auto path = first_that_exists(candidates);
+    const std::string file = path ? path->filename().string() : lookup.stand_in;
+    const std::string asked = lookup.path.empty() ? lookup.name : lookup.path.generic_string();
+    return {path, lookup.stand_in, file, short_name(file), input_of(lookup.name, asked, file, !path)};
 }
 
 std::optional<MeshLibrary::Found> MeshLibrary::found_in_data(const fs::path& file) const {
-    Found found;
-    found.path = in_folders(folders_, file);
-    if (!found.path) return {};
-    found.name = name_of(file);
-    found.label = file.string();
-    found.input.role = found.name;
-    found.input.asked = file.string();
-    found.input.file = file.filename().string();
-    return found;
+    const auto path = in_folders(folders_, file);
+    if (!path) return {};
+    const std::string name = name_of(file);
+    return Found{path, {}, file.string(), name, input_of(name, file.string(), file)};
 }
 
 MeshLibrary::Found MeshLibrary::found_own(const fs::path& path) const {
-    Found found;
-    found.path = path;
-    found.label = path.filename().string();
-    found.name = name_of(path);
-    found.input.role = own_role;
-    found.input.file = found.label;
-    return found;
+    return {path, {}, path.filename().string(), name_of(path), input_of(own_role, "", path)};
 }
 
 std::optional<MeshLibrary::Found> MeshLibrary::found(const MeshLookup& lookup, const fs::path& base) const {
@@ -294,12 +260,12 @@ std::optional<MeshLibrary::Found> MeshLibrary::found(const MeshLookup& lookup, c
     }
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::loaded(const MeshLookup& lookup, const fs::path& base) const {
+SharedMesh MeshLibrary::loaded(const MeshLookup& lookup, const fs::path& base) const {
     const auto mesh = whole(lookup, base);
     return mesh && most_vertices_ > 0 ? shelf_->decimated_to(most_vertices_, mesh) : mesh;
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::whole(const MeshLookup& lookup, const fs::path& base) const {
+SharedMesh MeshLibrary::whole(const MeshLookup& lookup, const fs::path& base) const {
     note(lookup);
     // Held while reading: a mesh that two questions want is read once. Isolated as in decimated_to().
     const std::lock_guard lock(shelf_->mutex);
@@ -314,7 +280,7 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::whole(const MeshLookup& lookup, 
     }
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::read(const MeshLookup& lookup, const fs::path& base) const {
+SharedMesh MeshLibrary::read(const MeshLookup& lookup, const fs::path& base) const {
     const std::optional<Found> where = found(lookup, base);
     if (!where) return nullptr;
     std::string from_file;
@@ -330,32 +296,29 @@ std::shared_ptr<const LibraryMesh> MeshLibrary::read(const MeshLookup& lookup, c
     return mesh;
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::role(const std::string& name) const {
+SharedMesh MeshLibrary::role(const std::string& name) const {
     if (!own_.empty()) return own_meshes().front();
     return loaded({.by = MeshLookup::By::role, .name = name}, {});
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::file(const fs::path& path, const fs::path& base) const {
+SharedMesh MeshLibrary::file(const fs::path& path, const fs::path& base) const {
     return loaded({.by = MeshLookup::By::file, .path = path}, base);
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::original(const std::string& name, const fs::path& path, const std::string& stand_in,
-                                                         const fs::path& base) const {
+SharedMesh MeshLibrary::original(const std::string& name, const fs::path& path, const std::string& stand_in, const fs::path& base) const {
     if (!own_.empty()) return own_meshes().front();
     return loaded({.by = MeshLookup::By::original, .name = name, .path = path, .stand_in = stand_in}, base);
 }
 
-std::shared_ptr<const LibraryMesh> MeshLibrary::in_data(const fs::path& file) const {
-    return loaded({.by = MeshLookup::By::in_data, .path = file}, {});
-}
+SharedMesh MeshLibrary::in_data(const fs::path& file) const { return loaded({.by = MeshLookup::By::in_data, .path = file}, {}); }
 
 bool MeshLibrary::has_own_meshes() const {
     note({.by = MeshLookup::By::own});   // whoever asks depends on the answer
     return !own_.empty();
 }
 
-std::vector<std::shared_ptr<const LibraryMesh>> MeshLibrary::own_meshes() const {
-    std::vector<std::shared_ptr<const LibraryMesh>> meshes;
+LibraryMeshes MeshLibrary::own_meshes() const {
+    LibraryMeshes meshes;
     for (const fs::path& path : own_) meshes.push_back(loaded({.by = MeshLookup::By::own, .path = path}, {}));
     return meshes;
 }
@@ -376,12 +339,10 @@ bool MeshLibrary::still_has(const report::Input& input, const fs::path& base) co
     if (input.stand_in && is_asked && (in_folders(folders_, input.asked) || may_be_there(base / input.asked))) return false;
     std::vector<fs::path> names{input.file}, candidates;
     if (is_asked) names.emplace_back(input.asked);
-    for (const MeshRole& role : roles) {
+    for (const MeshRole& role : roles)
         if (!role.asked.empty() && fs::path(role.asked).filename() == input.file) names.emplace_back(role.asked);
-    }
-    for (const auto& [path, name] : names_) {   // the user's own, those of the settings
+    for (const auto& [path, name] : names_)   // the user's own, those of the settings
         if (fs::path(path).filename() == input.file) names.emplace_back(path);
-    }
     for (const fs::path& name : names) {
         candidates.push_back(own_.empty() ? base / name : name);
         for (const fs::path& folder : folders_) candidates.push_back(folder / name);

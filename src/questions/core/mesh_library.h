@@ -18,7 +18,6 @@
 
 namespace meshfolio {
 
-/// A mesh the questions ask for by its role.
 struct MeshRole {
     std::string_view role;      // "armadillo"
     std::string_view asked;     // "decompose/armadillo.obj"; empty: not of the assignment
@@ -33,6 +32,20 @@ struct LibraryMesh {
     bool is_copy = false;          // decimated
     double decimation_error = 0;   // rms distance of the file's vertices to the copy, over the box diagonal
     const TriangleMesh& mesh() const { return prepared->mesh; }
+    const MeshTopology& topology() const { return prepared->topology; }
+    const Preflight& preflight() const { return prepared->preflight; }
+};
+
+using SharedMesh = std::shared_ptr<const LibraryMesh>;
+using LibraryMeshes = std::vector<SharedMesh>;
+
+/// What is measured on one mesh of the library.
+struct OnMesh {
+    SharedMesh source = {};
+    const std::string& name() const { return source->name; }
+    const TriangleMesh& mesh() const { return source->mesh(); }
+    const MeshTopology& topology() const { return source->topology(); }
+    const Preflight& preflight() const { return source->preflight(); }
 };
 
 /// A mesh as it is asked for, before anyone knows which file that is.
@@ -65,20 +78,20 @@ public:
                 const std::vector<std::filesystem::path>& listed = {});
 
     /// @throws InputError if the file is missing or unusable; UsageError for an unknown role
-    std::shared_ptr<const LibraryMesh> role(const std::string& role) const;
+    SharedMesh role(const std::string& role) const;
     /// A mesh named in the settings: relative to `base`, then the data folders, then the bundled data.
-    std::shared_ptr<const LibraryMesh> file(const std::filesystem::path& path, const std::filesystem::path& base) const;
+    SharedMesh file(const std::filesystem::path& path, const std::filesystem::path& base) const;
 
     /// A mesh of an earlier report, with the bundled one that stands in for it: `path` relative to `base`, then by its whole path in any
     /// data folder, then by its bare name. An empty path is that of a mesh not to be had. The user's own mesh takes its place, too.
-    std::shared_ptr<const LibraryMesh> original(const std::string& name, const std::filesystem::path& path, const std::string& stand_in,
-                                                const std::filesystem::path& base) const;
+    SharedMesh original(const std::string& name, const std::filesystem::path& path, const std::string& stand_in,
+                        const std::filesystem::path& base) const;
     /// A mesh that only a data folder may have, by its file name; null where none has it.
-    std::shared_ptr<const LibraryMesh> in_data(const std::filesystem::path& file) const;
+    SharedMesh in_data(const std::filesystem::path& file) const;
 
     bool has_own_meshes() const;
     /// The user's own meshes (`report MY.obj …`), which replace every list of roles. @throws InputError, MeshError
-    std::vector<std::shared_ptr<const LibraryMesh>> own_meshes() const;
+    LibraryMeshes own_meshes() const;
     /// Reads them, before any work begins. @throws InputError naming the first that cannot be used by its path
     void open_own_meshes() const;
 
@@ -110,9 +123,9 @@ private:
     Found found_original(const MeshLookup& lookup, const std::filesystem::path& base) const;
     std::optional<Found> found_in_data(const std::filesystem::path& file) const;
     Found found_own(const std::filesystem::path& path) const;
-    std::shared_ptr<const LibraryMesh> loaded(const MeshLookup& lookup, const std::filesystem::path& base) const;
-    std::shared_ptr<const LibraryMesh> whole(const MeshLookup& lookup, const std::filesystem::path& base) const;
-    std::shared_ptr<const LibraryMesh> read(const MeshLookup& lookup, const std::filesystem::path& base) const;
+    SharedMesh loaded(const MeshLookup& lookup, const std::filesystem::path& base) const;
+    SharedMesh whole(const MeshLookup& lookup, const std::filesystem::path& base) const;
+    SharedMesh read(const MeshLookup& lookup, const std::filesystem::path& base) const;
     std::string name_of(const std::filesystem::path& path) const;
 };
 

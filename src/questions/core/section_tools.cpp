@@ -1,12 +1,5 @@
 #include "questions/core/section_tools.h"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
-#include "base/errors.h"
-#include "base/number_text.h"
-
 namespace meshfolio {
 
 namespace {
@@ -36,23 +29,21 @@ report::Section section_of(std::string_view id) {
 void enter_input(const LibraryMesh& mesh, report::Section& section) {
     say_if_copy(mesh, section);
     const auto same = [&](const report::Input& input) { return input.file == mesh.input.file && input.sha256 == mesh.input.sha256; };
-    if (std::any_of(section.inputs.begin(), section.inputs.end(), same)) return;
+    if (std::ranges::any_of(section.inputs, same)) return;
     section.inputs.push_back(mesh.input);
-    for (const MeshWarning& warning : mesh.prepared->warnings) {
+    for (const MeshWarning& warning : mesh.prepared->warnings)
         section.warnings.push_back(mesh.input.file + (warning.line > 0 ? ":" + std::to_string(warning.line) : "") + ": " + warning.message);
-    }
 }
 
-std::vector<std::shared_ptr<const LibraryMesh>> meshes_for(const MeshLibrary& library, const QuestionSettings& settings,
-                                                           std::initializer_list<std::string_view> roles, report::Section& section) {
-    std::vector<std::shared_ptr<const LibraryMesh>> meshes;
-    if (!settings.meshes.empty()) {
+LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, std::initializer_list<std::string_view> roles,
+                         report::Section& section) {
+    LibraryMeshes meshes;
+    if (!settings.meshes.empty())
         for (const std::string& path : settings.meshes) meshes.push_back(library.file(path, settings.base));
-    } else if (library.has_own_meshes()) {
+    else if (library.has_own_meshes())
         meshes = library.own_meshes();
-    } else {
+    else
         for (const std::string_view role : roles) meshes.push_back(library.role(std::string(role)));
-    }
     for (const auto& mesh : meshes) enter_input(*mesh, section);
     return meshes;
 }
@@ -75,42 +66,57 @@ void add_words(report::Section& section, const report::Words& words, std::string
     for (report::Block& block : words.blocks(key, facts)) add(section, std::move(block));
 }
 
-void add_heading(report::Section& section, std::string title) { section.blocks.push_back(report::Heading{std::move(title)}); }
-
-ValueSummary summary_of(const Vector& values) {
-    ValueSummary summary;
-    std::vector<double> finite;
-    for (const double v : values) {
-        if (std::isfinite(v)) finite.push_back(v);
-    }
-    summary.count = static_cast<int>(finite.size());
-    summary.undefined = static_cast<int>(values.size()) - summary.count;
-    if (finite.empty()) {
-        summary.minimum = summary.maximum = summary.mean = summary.median = summary.standard_deviation = std::nan("");
-        return summary;
-    }
-    std::sort(finite.begin(), finite.end());
-    const std::size_t n = finite.size();
-    summary.minimum = finite.front();
-    summary.maximum = finite.back();
-    summary.median = 0.5 * (finite[(n - 1) / 2] + finite[n / 2]);
-    const Eigen::Map<const Vector> sorted(finite.data(), static_cast<Eigen::Index>(n));
-    summary.mean = sorted.mean();
-    summary.standard_deviation = std::sqrt((sorted.array() - summary.mean).square().mean());
-    return summary;
+void add_one(report::Section& section, report::Block block) {
+    const auto complete = [](auto& b) {
+        if constexpr (requires { b.alt; })
+            if (b.alt.empty()) b.alt = b.caption;
+    };
+    std::visit(complete, block);
+    section.blocks.push_back(std::move(block));
 }
 
-FieldError relative_error(const Vector& f, const Vector& g, const Vector& areas) {
-    double squared = 0, reference = 0, largest = 0, scale = 0;
+void add_paragraphs(report::Section& section, const std::vector<report::Text>& texts) {
+    for (const report::Text& text : texts)
+        if (!text.empty()) add(section, report::Paragraph{text});
+}
+
+std::string id_of(const std::string& question, const std::string& mesh, const std::string& what) {
+    return question + "_" + mesh + "_" + what;
+}
+
+std::vector<double> sorted_finite(const Vector& values) {
+    std::vector<double> finite;
+    std::ranges::copy_if(values, std::back_inserter(finite), [](double v) { return std::isfinite(v); });
+    std::ranges::sort(finite);
+    return finite;
+}
+
+std::vector<int> where_finite(const Vector& a, const Vector& b) {
+    std::vector<int> both;
+    for (int v = 0; v < a.size(); ++v)
+        if (std::isfinite(a[v]) && std::isfinite(b[v])) both.push_back(v);
+    return both;
+}
+
+ValueSummary summary_of(const Vector& values) {
+    const std::vector<double> finite = sorted_finite(values);
+    const auto n = finite.size();
+    const int count = static_cast<int>(n), without = static_cast<int>(values.size()) - count;
+    if (finite.empty()) return {undefined, undefined, undefined, undefined, undefined, count, without};
+    const Eigen::Map<const Vector> sorted(finite.data(), count);
+    const double mean = sorted.mean(), deviation = std::sqrt((sorted.array() - mean).square().mean());
+    return {finite.front(), finite.back(), mean, 0.5 * (finite[(n - 1) / 2] + finite[n / 2]), deviation, count, without};
+}
+
+double relative_error(const Vector& f, const Vector& g, const Vector& areas) {
+    double squared = 0, reference = 0;
     for (Eigen::Index i = 0; i < f.size(); ++i) {
         if (!std::isfinite(f[i]) || !std::isfinite(g[i])) continue;
         const double difference = f[i] - g[i];
         squared += areas[i] * difference * difference;
         reference += areas[i] * g[i] * g[i];
-        largest = std::max(largest, std::abs(difference));
-        scale = std::max(scale, std::abs(g[i]));
     }
-    return {std::sqrt(squared / reference), largest / scale};
+    return std::sqrt(squared / reference);
 }
 
 report::Cell cell_of(double x, bool defined) {
@@ -118,18 +124,35 @@ report::Cell cell_of(double x, bool defined) {
     return std::monostate{};
 }
 
-std::string listed(const std::vector<std::string>& names) {
-    std::string joined;
-    for (std::size_t i = 0; i < names.size(); ++i) joined += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-    return joined;
+report::Text paragraph_of(std::initializer_list<report::Text> sentences) {
+    report::Text paragraph;
+    for (const report::Text& sentence : sentences) go_on(paragraph, sentence);
+    return paragraph;
 }
 
-std::string listed_observed(const std::vector<Observed>& observed) {
-    const auto alike = [&](const Observed& each) { return each.condition == observed.front().condition; };
-    const bool told_once = observed.size() > 1 && std::all_of(observed.begin(), observed.end(), alike);
-    std::vector<std::string> told;
-    for (const Observed& each : observed) told.push_back(told_once ? each.what : each.what + " (" + each.condition + ")");
-    return listed(told) + (told_once ? ", each time " + observed.front().condition : "");
+void go_on(report::Text& paragraph, const report::Text& sentence) {
+    if (!paragraph.empty() && !sentence.empty()) report::extend(paragraph, " ");
+    report::extend(paragraph, sentence);
+}
+
+std::string listed(const Names& names) {
+    std::string all;
+    for (std::size_t i = 0; i < names.size(); ++i) all += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return all;
+}
+
+std::string joined(const Names& parts, std::string_view separator) {
+    std::string all;
+    for (const std::string& part : parts) all += (all.empty() ? "" : std::string(separator)) + part;
+    return all;
+}
+
+std::string span_of(const std::string& low, const std::string& high) {
+    return low == high ? low : report::Words("figures").line("span", "low"_a = low, "high"_a = high);
+}
+
+report::Text said_of(const Names& meshes, const report::Words& words, std::string_view key) {
+    return meshes.empty() ? report::Text() : words.say(key, "meshes"_a = listed(meshes));
 }
 
 std::string counted(int n, std::string_view singular, std::string_view plural) {

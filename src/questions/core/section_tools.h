@@ -1,47 +1,50 @@
 /// @file
-/// What every question needs to fill its section.
+/// What the files of a chapter share: the tools that fill a section, and the headers that nearly all of them need.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/errors.h"
+#include "base/number_text.h"
+#include "geometry/linear/special_values.h"
+#include "mesh/triangle_measures.h"
 #include "questions/core/chapter.h"
+#include "questions/core/figures.h"
+#include "questions/core/table.h"
 #include "report/text.h"
 #include "report/words.h"
 
 namespace meshfolio {
 
 using namespace report::literals;
+using report::check_at_least, report::check_at_most, report::check_near, report::undecided;
+
+using Names = std::vector<std::string>;
+
+// ---- the section ----------------------------------------------------------------------------------------------------------
 
 /// An empty section of the chapter `id`, with its title, what it asks and the code it cites.
 report::Section section_of(std::string_view id);
-
-/// The meshes a question works on: those of the settings, else the user's own, else these roles. Their inputs, and the
-/// warnings of their preflight, are entered into the section.
-/// @throws InputError if one is missing or unusable
-std::vector<std::shared_ptr<const LibraryMesh>> meshes_for(const MeshLibrary& library, const QuestionSettings& settings,
-                                                           std::initializer_list<std::string_view> roles, report::Section& section);
 
 /// Says that the section has small settings, so that the report ends in time; and why one is left out.
 void say_small_settings(report::Section& section);
 std::string left_out_to_fit();
 
-/// The failed check of a section that had to go without one of its meshes, and why.
-report::Check unusable_mesh_check(const std::string& reason);
-/// Whether such a check is there. Its answer is not cached: the mesh may be usable the next time, once it is mended or memory is free.
-bool lacks_a_mesh(const report::Section& section);
-/// Behind those that the section has.
+/// Appends a block. A plot, map or figure without an alternative text gets its caption.
+void add_one(report::Section& section, report::Block block);
+inline void add_one(report::Section& section, report::Check check) { section.checks.push_back(std::move(check)); }
+/// Appends tables, plots, … and checks, in this order.
+void add(report::Section& section, auto&&... parts) { (add_one(section, std::forward<decltype(parts)>(parts)), ...); }
 void append_checks(report::Section& section, const std::vector<report::Check>& checks);
-
-/// One mesh by its role, entered as above. The user's own mesh takes every role.
-void enter_input(const LibraryMesh& mesh, report::Section& section);
-
-// Blocks, in the order they are read.
-inline void add(report::Section& section, report::Block block) { section.blocks.push_back(std::move(block)); }
 /// What is added from here on is in the appendix of the report.
 inline void begin_appendix(report::Section& section) { section.appendix_from = static_cast<int>(section.blocks.size()); }
 /// Heading, paragraphs, formulas: whatever the message has.
@@ -49,11 +52,100 @@ void add_words(report::Section& section, const report::Words& words, std::string
 void add_words(report::Section& section, const report::Words& words, std::string_view key, auto... facts) {
     add_words(section, words, key, report::Facts{std::move(facts)...});
 }
-void add_heading(report::Section& section, std::string title);
-template <class... Parts>
-void add_paragraph(report::Section& section, Parts&&... parts) {
-    section.blocks.push_back(report::Paragraph{report::text(std::forward<Parts>(parts)...)});
+inline void add_words(report::Section& section, const report::Words& words, std::initializer_list<std::string_view> keys) {
+    for (const std::string_view key : keys) add_words(section, words, key);
 }
+/// Appends each text as a paragraph; skips empty ones.
+void add_paragraphs(report::Section& section, const std::vector<report::Text>& texts);
+/// Of a table, plot, figure or file about one mesh: "q5_cube_sweep".
+std::string id_of(const std::string& question, const std::string& mesh, const std::string& what);
+
+// ---- its meshes -----------------------------------------------------------------------------------------------------------
+
+/// Enters the mesh and the warnings of its preflight into the section.
+void enter_input(const LibraryMesh& mesh, report::Section& section);
+
+/// Finds the meshes of a question and enters them: those of the settings, else the user's own, else these roles.
+/// @throws InputError if one is missing or unusable
+LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, std::initializer_list<std::string_view> roles,
+                         report::Section& section);
+
+/// The failed check of a section that had to go without one of its meshes, and why.
+report::Check unusable_mesh_check(const std::string& reason);
+/// Whether such a check is there. Its answer is not cached: the mesh may be usable the next time, once it is mended or memory is free.
+bool lacks_a_mesh(const report::Section& section);
+
+/// Studies one mesh after the other and reports each as it begins: "denoising of cube". A mesh whose study fails (its operator has no
+/// factor, say) becomes a failed check of `section`, and the others go on.
+/// @throws SolverError if none can be studied
+template <class StudyOf>
+auto studies_of(const LibraryMeshes& meshes, const std::string& work, const QuestionSettings& settings, const Progress& progress,
+                report::Section& section, const StudyOf& study_of) {
+    std::vector<decltype(study_of(meshes.front(), settings))> studies;
+    std::string reasons;
+    for (const auto& mesh : meshes) {
+        progress(work + " of " + mesh->name);
+        try {
+            studies.push_back(study_of(mesh, settings));
+        } catch (const Error& error) {
+            const std::string reason = mesh->input.file + ": " + error.what();
+            add(section, unusable_mesh_check(reason));
+            reasons += (reasons.empty() ? "" : "; ") + reason;
+        }
+    }
+    if (studies.empty()) throw SolverError(reasons);
+    return studies;
+}
+
+/// Names of the studies that `chosen` holds for; of all.
+template <class Study>
+Names names_where(const std::vector<Study>& studies, const auto& chosen) {
+    Names names;
+    for (const Study& study : studies)
+        if (std::invoke(chosen, study)) names.push_back(study.name());
+    return names;
+}
+template <class Study>
+Names names_of(const std::vector<Study>& studies) {
+    return names_where(studies, [](const Study&) { return true; });
+}
+
+// ---- numbers --------------------------------------------------------------------------------------------------------------
+
+auto each_of(auto&& range, const auto& f) {
+    std::vector<std::remove_cvref_t<decltype(std::invoke(f, *std::begin(range)))>> values;
+    for (const auto& element : range) values.push_back(std::invoke(f, element));
+    return values;
+}
+/// The largest f of an element, at least 0; NaN is left out.
+double largest_of(auto&& range, const auto& f) {
+    double largest = 0;
+    for (const auto& element : range) largest = std::max<double>(largest, std::invoke(f, element));
+    return largest;
+}
+
+/// Ascending, each value once: a step named twice in the settings is one run.
+template <class Number>
+std::vector<Number> each_once(std::vector<Number> values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
+
+/// The last of the settings' values, or the question's own where they have none.
+inline int last_or(const std::vector<int>& given, int own) { return given.empty() ? own : given.back(); }
+
+/// Largest rise from one value to the next; 0 where none rises.
+template <class Values>
+double largest_rise(const Values& values) {
+    double rise = 0;
+    for (auto value = values.begin(), end = values.end(); value != end && value + 1 != end; ++value)
+        rise = std::max(rise, value[1] - value[0]);
+    return rise;
+}
+
+std::vector<double> sorted_finite(const Vector& values);
+std::vector<int> where_finite(const Vector& a, const Vector& b);
 
 /// Spread of the finite values.
 struct ValueSummary {
@@ -63,25 +155,34 @@ struct ValueSummary {
 };
 ValueSummary summary_of(const Vector& values);
 
-struct FieldError {
-    double l2 = 0;     // √(Σ A (f − g)² / Σ A g²) over the vertices where both are finite; relative
-    double linf = 0;   // max |f − g| / max |g|
-};
-/// Relative errors of `f` against the truth `g`, weighted by the areas.
-FieldError relative_error(const Vector& f, const Vector& g, const Vector& areas);
+/// √(Σ A (f − g)² / Σ A g²): the relative L2 error of `f` against the truth `g`, over the vertices where both are finite.
+double relative_error(const Vector& f, const Vector& g, const Vector& areas);
 
 /// A number in a table, or an empty cell where it is not defined (NaN, or `defined` is false).
 report::Cell cell_of(double x, bool defined = true);
 
-/// "a", "a and b", "a, b and c".
-std::string listed(const std::vector<std::string>& names);
+inline void add_point(report::Series& series, double x, double y) {
+    series.x.push_back(x);
+    series.y.push_back(y);
+}
 
-/// What was found, and under which condition: "3.4 % on cube", "at 0.5 λ_crit".
-struct Observed {
-    std::string what, condition;
-};
-/// "a, b and c, each time under x" where all conditions are the same, else "a (under x) and b (under y)".
-std::string listed_observed(const std::vector<Observed>& observed);
+// ---- words ----------------------------------------------------------------------------------------------------------------
+
+/// Joins sentences by spaces; skips empty ones.
+report::Text paragraph_of(std::initializer_list<report::Text> sentences);
+/// Appends a sentence to a paragraph, unless it is empty.
+void go_on(report::Text& paragraph, const report::Text& sentence);
+
+/// "a", "a and b", "a, b and c".
+std::string listed(const Names& names);
+/// "a; b; c".
+std::string joined(const Names& parts, std::string_view separator = "; ");
+
+/// "0.3 to 0.9", or "0.3" where both are alike.
+std::string span_of(const std::string& low, const std::string& high);
+
+/// The message about these {{meshes}}; nothing where there are none.
+report::Text said_of(const Names& meshes, const report::Words& words, std::string_view key);
 
 /// "1 mesh", "4 meshes", "40 962 vertices".
 std::string counted(int n, std::string_view singular, std::string_view plural = "");

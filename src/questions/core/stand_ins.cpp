@@ -32,15 +32,14 @@ report::Input ReportMesh::input() const {
 
 ReportMesh report_mesh(const MeshLibrary& library, std::string_view name) {
     ReportMesh found;
-    const auto it = std::find_if(stand_ins.begin(), stand_ins.end(), [&](const StandIn& s) { return s.name == name; });
+    const auto it = std::ranges::find(stand_ins, name, &StandIn::name);
     if (it != stand_ins.end()) found.entry = &*it;
     found.own = library.has_own_meshes();
     if (found.entry && !found.own) found.mesh = library.in_data(found.entry->file);
     found.original = found.mesh != nullptr;
     if (!found.mesh) found.mesh = library.role(std::string(found.entry ? found.entry->role : name));
     if (!found.entry) found.original = !found.own && !found.mesh->input.stand_in;
-    const auto roles = mesh_role_list();
-    const auto role = std::find_if(roles.begin(), roles.end(), [&](const MeshRole& r) { return r.role == name; });
+    const auto role = std::ranges::find(mesh_role_list(), name, &MeshRole::role);
     found.asked = found.entry ? found.entry->file : role->asked.empty() ? role->bundled : role->asked;
     return found;
 }

@@ -24,7 +24,7 @@ std::span<const StandIn> stand_in_list();
 
 /// A mesh that is spoken of by name: the original, or what is measured in its place.
 struct ReportMesh {
-    std::shared_ptr<const LibraryMesh> mesh;
+    SharedMesh mesh;
     bool original = false;            // the very mesh that is spoken of
     bool own = false;                 // the user's, which takes every place
     const StandIn* entry = nullptr;   // null for the roles of the assignment

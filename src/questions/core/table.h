@@ -19,7 +19,9 @@
 
 namespace meshfolio {
 
-inline constexpr auto smallest = report::Column::Best::smallest, largest = report::Column::Best::largest;
+using Best = report::Column::Best;
+using Rounding = report::Column::Rounding;
+using Heat = report::Column::Heat;
 
 namespace detail {
 inline report::Cell cell(report::Cell cell) { return cell; }

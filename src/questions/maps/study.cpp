@@ -1,15 +1,7 @@
-#include "questions/maps/study.h"
-
-#include <algorithm>
-#include <cmath>
-
 #include "base/parallel_tasks.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "mesh/samples/sample_parts.h"
 #include "mesh/samples/sample_shapes.h"
-#include "mesh/triangle_measures.h"
-#include "questions/core/value_lists.h"
 #include "questions/maps/parts.h"
 
 namespace meshfolio::maps {
@@ -46,7 +38,6 @@ std::optional<TriangleMesh> clean_mesh(const LibraryMesh& source) {
     return clean;
 }
 
-/// What is measured at one place of the plane.
 struct Measured {
     double moved, error, size, angle, inverted;
 };
@@ -97,9 +88,8 @@ void run_step(const SmoothingMaps& maps, const Ruler& ruler, std::size_t step, S
     map.blow_up[step] = result.blow_up_iteration;
     if (!result.blew_up || row == 0 || maps.iterations[row - 1] != result.blow_up_iteration) return;
     // The iteration that blew up was finite and has been measured: it is beyond the plane all the same.
-    for (PlaneValues* values : {&map.moved, &map.error, &map.size, &map.angle, &map.inverted}) {
+    for (PlaneValues* values : {&map.moved, &map.error, &map.size, &map.angle, &map.inverted})
         if (!values->empty()) (*values)[maps.index(step, row - 1)] = undefined;
-    }
 }
 
 SchemeMap scheme_map(const SmoothingMaps& maps, SmoothingScheme scheme) {
@@ -170,27 +160,23 @@ std::vector<MapPlace> places_of(const SmoothingMaps& maps) {
     const auto step = static_cast<std::size_t>(beyond - maps.lambdas.begin());
     const std::size_t last = maps.iterations.size() - 1;
     if (step > 0) add(SmoothingScheme::explicit_euler, step - 1, last, words.line("place.within"));
-    if (step < maps.lambdas.size()) {
-        if (const auto row = last_in_view(maps, maps.explicit_map, step)) {
-            add(SmoothingScheme::explicit_euler, step, *row, words.line("place.beyond"));
-            add(SmoothingScheme::implicit_euler, step, *row, words.line("place.implicit"));
-        }
+    const auto seen = step < maps.lambdas.size() ? last_in_view(maps, maps.explicit_map, step) : std::nullopt;
+    if (seen) {
+        add(SmoothingScheme::explicit_euler, step, *seen, words.line("place.beyond"));
+        add(SmoothingScheme::implicit_euler, step, *seen, words.line("place.implicit"));
     }
     std::size_t left = last;   // while something is left to be seen
     const std::size_t largest = maps.lambdas.size() - 1;
     while (left > 0 && !(maps.implicit_map.size[maps.index(largest, left)] > 0.05)) --left;
     add(SmoothingScheme::implicit_euler, largest, left, words.line("place.largest"));
-    for (const SchemeMap* map : maps.maps()) {
+    for (const SchemeMap* map : maps.maps())
         if (const auto best = maps.best(*map))
             add(map->scheme, maps.step_of(*best), maps.row_of(*best), words.line("place.best", "scheme"_a = map->name()));
-    }
+    for (MapPlace& place : places)
+        place.X = smooth(maps.subject.mesh(),
+                         {.scheme = place.scheme, .lambda = maps.lambdas[place.step], .iterations = maps.iterations[place.row]})
+                      .X;
     return places;
-}
-
-Positions positions_at(const SmoothingMaps& maps, const MapPlace& place) {
-    return smooth(maps.subject.mesh(),
-                  {.scheme = place.scheme, .lambda = maps.lambdas[place.step], .iterations = maps.iterations[place.row]})
-        .X;
 }
 
 }   // namespace
@@ -211,9 +197,8 @@ int GrowingModes::earliest(double lambda, int last) const {
 
 std::optional<std::size_t> SmoothingMaps::best(const SchemeMap& map) const {
     std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < map.error.size(); ++i) {
+    for (std::size_t i = 0; i < map.error.size(); ++i)
         if (std::isfinite(map.error[i]) && !(best && map.error[i] >= map.error[*best])) best = i;
-    }
     return best;
 }
 
@@ -241,11 +226,11 @@ EqualTime largest_difference_at_equal_time(const SmoothingMaps& maps, const Sche
     return largest;
 }
 
-SmoothingMaps smoothing_maps(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings) {
     const PlaneGrid grid = grid_of(settings);
     SmoothingMaps maps;
     maps.subject = smoothing_subject(std::move(source));
-    maps.closed = maps.subject.source->prepared->preflight.closed();
+    maps.closed = maps.subject.preflight().closed();
     maps.clean = clean_mesh(*maps.subject.source);
     if (maps.clean) maps.input_error = vertex_rms(maps.clean->X, maps.subject.mesh().X) / maps.subject.diagonal;
     maps.lambdas = steps_of(settings, maps.subject.critical, relative_steps(grid));
@@ -255,13 +240,12 @@ SmoothingMaps smoothing_maps(std::shared_ptr<const LibraryMesh> source, const Qu
 
     const LargestEigenvalue& top = maps.subject.top;
     maps.top = growing_modes(maps.subject, Vector::Constant(1, top.value), top.mode);
-    const int vertices = maps.subject.source->prepared->preflight.vertices_in_use;
+    const int vertices = maps.subject.preflight().vertices_in_use;
     if (vertices <= all_modes_up_to) {
         const Spectrum spectrum = smallest_eigenpairs(maps.subject.laplacian, vertices, {.dense_below = all_modes_up_to});
         maps.all = growing_modes(maps.subject, spectrum.eigenvalues, spectrum.eigenvectors);
     }
     maps.places = places_of(maps);
-    for (MapPlace& place : maps.places) place.X = positions_at(maps, place);
     return maps;
 }
 

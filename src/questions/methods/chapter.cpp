@@ -1,21 +1,11 @@
 // The denoising laboratory: kinds of noise, levels and methods against each other, each method at its best within the same budget.
-#include <algorithm>
-#include <cmath>
-#include <map>
-
-#include "base/number_text.h"
 #include "geometry/denoising/component_size.h"
 #include "mesh/samples/sample_shapes.h"
-#include "questions/core/study_list.h"
-#include "questions/core/table.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
 
 namespace {
-
-using report::check_at_most;
-using report::check_near;
 
 void add_method(report::Section& section, const SearchBudget& budget) {
     add_words(section, words, "method");
@@ -45,7 +35,7 @@ DenoisingLaboratory laboratory_of(const MeshLibrary& library, const QuestionSett
     const LibraryMeshes meshes = meshes_of(library, settings, section);
     const bool own_choice = settings.meshes.empty() && !library.has_own_meshes();
     const int most = largest_subject(settings, meshes.size() + (own_choice ? 1 : 0));
-    const auto trials_on = [most](const std::shared_ptr<const LibraryMesh>& mesh, const QuestionSettings& all) {
+    const auto trials_on = [most](const SharedMesh& mesh, const QuestionSettings& all) {
         return denoising_trials(denoising_subject(mesh->name, mesh->mesh(), most), all);
     };
     DenoisingLaboratory laboratory{search_budget(settings),
@@ -58,20 +48,12 @@ DenoisingLaboratory laboratory_of(const MeshLibrary& library, const QuestionSett
 /// Standard deviation of Σ|displacement|²/(3σ²n) about its mean 1: √2 over the root of the effective number of squares.
 double strength_deviation(const DenoisingTrials& mesh, const NoiseTrial& trial) {
     const double n = mesh.subject.mesh.vertex_count();
-    switch (trial.kind) {
-        case NoiseKind::gaussian:
-            return std::sqrt(2 / (3 * n));
-        case NoiseKind::impulsive:
-            return std::sqrt(2 / (3 * std::max(1.0, std::round(impulsive_share * n))));
-        case NoiseKind::normal:
-        case NoiseKind::box:   // as if one axis had it all
-            break;
-    }
-    return std::sqrt(2 / n);
+    if (trial.kind == NoiseKind::gaussian) return std::sqrt(2 / (3 * n));
+    if (trial.kind == NoiseKind::impulsive) return std::sqrt(2 / (3 * std::max(1.0, std::round(impulsive_share * n))));
+    return std::sqrt(2 / n);   // box: as if one axis had it all
 }
 
-/// Has a component of the result a volume of the other sign than the noise left it? Noise as large as a component turns it inside out, and
-/// no scale takes it back.
+/// Whether smoothing changed the sign of a component's volume: noise as large as a component turns it inside out, and no scale undoes that.
 bool turned_inside_out(const DenoisingSubject& subject, const NoiseTrial& trial, const SearchResult& result) {
     const auto volumes = [&](const Positions& X) { return component_sizes(moved_to(subject.mesh, X), subject.topology).volume; };
     return (volumes(trial.noisy).array() * volumes(result.X).array() <= 0).any();
@@ -96,34 +78,30 @@ void add_checks(report::Section& section, const DenoisingLaboratory& laboratory)
     }
     append_checks(section,
                   {check_at_most(words.line("check.strength"), 5, strength, 0), check_near(words.line("check.budget"), 0, unspent, 0)});
-    if (any_volume) section.checks.push_back(check_at_most(words.line("check.volume"), 0, volume, 1e-9));
-    section.checks.push_back(check_at_most(words.line("check.area"), 0, area, 1e-9));
+    if (any_volume) add(section, check_at_most(words.line("check.volume"), 0, volume, 1e-9));
+    add(section, check_at_most(words.line("check.area"), 0, area, 1e-9));
 }
 
 report::Text answer_of(const DenoisingLaboratory& laboratory) {
-    std::map<int, std::vector<std::string>> won;   // classes, by the method that is best on them
+    std::map<int, Names> won;   // classes, by the method that is best on them
     for (const ClassResult& c : class_results(laboratory))
         if (c.best() >= 0) won[c.best()].push_back("“" + c.title + "”");
-    std::vector<std::string> winners;
+    Names winners;
     for (const auto& [method, classes] : won)
-        winners.push_back(
-            words.line("answer.winner", "method"_a = method_title(static_cast<std::size_t>(method)), "classes"_a = listed(classes)));
+        winners.push_back(words.line("answer.winner", "method"_a = method_title(method), "classes"_a = listed(classes)));
     return winners.empty() ? words.say("answer.none") : words.say("answer", "winners"_a = listed(winners));
 }
 
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("methods")};
     report::Section& section = answer.section;
-    section = section_of("methods");
     const DenoisingLaboratory laboratory = laboratory_of(library, settings, progress, section);
     add_method(section, laboratory.budget);
 
     add_words(section, words, "results");
-    add(section, subject_table(laboratory));
-    add(section, winner_table(class_results(laboratory)));
-    add(section, limit_table(laboratory));
+    add(section, subject_table(laboratory), winner_table(class_results(laboratory)), limit_table(laboratory));
     for (const DenoisingTrials& mesh : laboratory.meshes) {
         for (const Measure& measure : measures) add(section, gain_table(mesh, measure));
         if (mesh.of_kind(NoiseKind::gaussian).size() > 1) add(section, gain_plot(mesh));

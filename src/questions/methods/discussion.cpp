@@ -1,10 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "questions/bench/sentences.h"
-#include "questions/core/study_list.h"
-#include "questions/core/table.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
@@ -52,14 +45,14 @@ report::Text about_winners(const DenoisingLaboratory& laboratory) {
     report::Text t;
     const auto count = [&](const char* key, const Tally& tally) {
         if (tally.trials == 0) return;
-        report::extend(t, words.say(key, "shape"_a = tally.by_shape, "normals"_a = tally.by_angle, "trials"_a = tally.trials), " ");
+        go_on(t, words.say(key, "shape"_a = tally.by_shape, "normals"_a = tally.by_angle, "trials"_a = tally.trials));
     };
     count("filters.sharp", sharp);
     count(sharp.trials > 0 ? "filters.other" : "filters.other_alone", other);
     const char* verdict = 3 * differ > compared ? "agreement.rare" : differ > 0 ? "agreement.frequent" : "agreement.always";
     if (compared > 0)
-        report::extend(t, words.say("agreement", "differ"_a = differ, "compared"_a = compared, "mesh"_a = laboratory.meshes.front().name(),
-                                    "verdict"_a = words.line(verdict)));
+        go_on(t, words.say("agreement", "differ"_a = differ, "compared"_a = compared, "mesh"_a = laboratory.meshes.front().name(),
+                           "verdict"_a = words.line(verdict)));
     return t;
 }
 
@@ -83,7 +76,7 @@ struct Those {
     std::size_t count = 1;
 };
 Those those_with(const NoiseTrial& trial, double gain) {
-    std::vector<std::string> titles;
+    Names titles;
     for (const SearchResult& r : trial.results)
         if (r.gain() >= gain) titles.push_back(method_title(r));
     if (titles.empty()) return {words.line("limits.none")};
@@ -156,7 +149,7 @@ report::Text about_kinds(const DenoisingTrials& mesh) {
 /// What 20 % of the box leaves.
 report::Text about_box_level(const DenoisingLaboratory& laboratory) {
     std::vector<double> gains, angles;
-    std::vector<std::string> helpless;
+    Names helpless;
     for (const auto& [mesh, trial] : all_trials(laboratory)) {
         if (!trial.s1_level) continue;
         const SearchResult* best = winner(trial, &SearchResult::gain);
@@ -167,12 +160,11 @@ report::Text about_box_level(const DenoisingLaboratory& laboratory) {
         gains.push_back(best->gain());
         angles.push_back(degrees * best->difference.mean_normal_angle);
     }
-    report::Text t;
-    if (!helpless.empty()) report::extend(t, words.say("box.nothing", "meshes"_a = listed(helpless)), " ");
+    report::Text t = said_of(helpless, words, "box.nothing");
     if (!gains.empty())
-        report::extend(t, words.say("box", "gain"_a = range_of(gains, [](double x) { return readable(x, 2); }),
-                                    "angle"_a = range_of(angles, [](double x) { return readable(x, 2) + "°"; }),
-                                    "mesh"_a = laboratory.meshes.front().name()));
+        go_on(t, words.say("box", "gain"_a = range_of(gains, [](double x) { return readable(x, 2); }),
+                           "angle"_a = range_of(angles, [](double x) { return readable(x, 2) + "°"; }),
+                           "mesh"_a = laboratory.meshes.front().name()));
     return t;
 }
 
@@ -195,15 +187,14 @@ report::Text about_volumes(const DenoisingLaboratory& laboratory) {
             if (most == nullptr || kept > most->difference.volume_ratio) most = &r;
         }
         if (least == nullptr) continue;
-        report::extend(t, t.empty() ? "" : " ",
-                       words.say("volumes.mesh", "mesh"_a = mesh.name(), "least_method"_a = method_title(*least),
-                                 "least"_a = share_kept(*least), "most_method"_a = method_title(*most), "most"_a = share_kept(*most)));
+        go_on(t, words.say("volumes.mesh", "mesh"_a = mesh.name(), "least_method"_a = method_title(*least), "least"_a = share_kept(*least),
+                           "most_method"_a = method_title(*most), "most"_a = share_kept(*most)));
     }
     return t;
 }
 
 report::Text about_failures(const DenoisingLaboratory& laboratory) {
-    std::vector<std::string> told;
+    Names told;
     for (std::size_t i = 0; i < denoising_list().size(); ++i) {
         int failed = 0;
         for (const auto& [mesh, trial] : all_trials(laboratory)) failed += trial.results[i].failed;
@@ -213,7 +204,7 @@ report::Text about_failures(const DenoisingLaboratory& laboratory) {
 }
 
 report::Text about_patches(const DenoisingLaboratory& laboratory) {
-    std::vector<std::string> told;
+    Names told;
     for (const DenoisingTrials& mesh : laboratory.meshes) {
         const DenoisingSubject& s = mesh.subject;
         if (s.is_patch())
@@ -227,7 +218,7 @@ report::Text about_patches(const DenoisingLaboratory& laboratory) {
 
 void add_discussion(report::Section& section, const DenoisingLaboratory& laboratory) {
     add_words(section, words, "discussion");
-    for (const ClassResult& c : class_results(laboratory)) add_paragraph(section, about_winner(c));
+    for (const ClassResult& c : class_results(laboratory)) add_paragraphs(section, {about_winner(c)});
     add_paragraphs(section, {about_winners(laboratory), about_places(laboratory)});
     for (const DenoisingTrials& mesh : laboratory.meshes) add_paragraphs(section, {about_limits(mesh), about_kinds(mesh)});
     add_paragraphs(section, {about_spoilt_triangles(laboratory), about_box_level(laboratory), about_volumes(laboratory),

@@ -1,18 +1,100 @@
 /// @file
-/// The parts of the denoising laboratory.
+/// What the section "methods" measures, kinds of noise × levels × methods on meshes within one budget of steps, and what it shows of it.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "geometry/linear/special_values.h"
-#include "questions/core/chapter.h"
+#include "mesh/vertex_noise.h"
+#include "questions/bench/denoising_search.h"
+#include "questions/bench/mesh_class.h"
 #include "questions/core/section_tools.h"
-#include "questions/methods/study.h"
 
 namespace meshfolio::methods {
 
 inline constexpr report::Words words("methods");
+
+/// A mesh to be spoilt and mended: a whole one, or a patch of one that is too large.
+struct DenoisingSubject {
+    std::string name;   // for ids
+    TriangleMesh mesh;
+    MeshTopology topology;
+    int whole_vertices = 0;   // of the mesh it is, or was cut from
+    MeshCharacter character;
+    double mean_edge = 0, diagonal = 0;   // [length]
+    double largest_eigenvalue = 0;        // of its operator [1/length²]
+
+    bool encloses_volume = false;
+
+    bool is_patch() const { return mesh.vertex_count() < whole_vertices; }
+    /// "sharp-edged, closed"
+    std::string class_title() const;
+};
+/// @param most_vertices  beyond it, the patch around the sharpest edge is taken
+DenoisingSubject denoising_subject(std::string name, const TriangleMesh& mesh, int most_vertices);
+
+/// One noisy mesh, and what each method of denoising_list() made of it, in their order.
+struct NoiseTrial {
+    NoiseKind kind = NoiseKind::gaussian;
+    double edges = 0;        // σ of with_noise() [mean edges of the clean mesh]
+    double sigma = 0;        // [length]
+    bool s1_level = false;   // 20 % of every extent of the bounding box
+    Positions noisy = {};
+    MeshDifference spoilt = {};      // of the noisy mesh from the clean one
+    double mean_edge = 0;            // of the noisy mesh [length]
+    double largest_eigenvalue = 0;   // of its operator [1/length²]
+    std::vector<SearchResult> results = {};
+
+    std::string title() const;   // "Gaussian, 0.3 mean edges"
+    std::string id() const;      // "gaussian0300", thousandths of a mean edge; "box_level20"
+};
+
+/// Is a gain as large as the largest, but for rounding? Methods that differ in size alone turn the normals alike.
+inline bool ties(double gain, double largest) { return gain >= largest * (1 - 1e-9); }
+
+/// The result of the largest gain, the first of them where several tie; null where none is above 1.
+const SearchResult* winner(const NoiseTrial& trial, Gain gain);
+
+struct DenoisingTrials {
+    DenoisingSubject subject;
+    std::vector<NoiseTrial> trials;   // kind by kind, each with ascending σ
+    int pictured = 0;                 // of trials: Gaussian, of the middle of its levels
+
+    const std::string& name() const { return subject.name; }
+    const NoiseTrial& pictured_trial() const { return trials[pictured]; }
+    /// Trials of a kind, the level of S1 aside, ascending.
+    std::vector<const NoiseTrial*> of_kind(NoiseKind kind) const;
+};
+
+struct DenoisingLaboratory {
+    SearchBudget budget;
+    std::vector<DenoisingTrials> meshes;
+};
+
+/// Largest mesh that is taken whole. [vertices]
+int largest_subject(const QuestionSettings& settings, std::size_t meshes);
+/// What every method gets on every noisy mesh.
+SearchBudget search_budget(const QuestionSettings& settings);
+/// Noise of every kind and level on the mesh, and what each method makes of it. @throws MeshError, SolverError
+DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSettings& settings);
+
+/// Where a method stands on a mesh as Gaussian noise rises, at the levels tried. NaN: at none. [mean edges]
+struct NoiseLimits {
+    double helps_from, helps_to;                          // smallest and largest level with gain ≥ 1.2
+    double halves_to;                                     // largest level with gain ≥ 2
+    bool helps_at_last = false, halves_at_last = false;   // at the largest level tried: the limit lies beyond
+    bool helps_at_first = false;                          // at the smallest: it lies below
+};
+NoiseLimits noise_limits(const DenoisingTrials& trials, std::size_t method, Gain gain);
+
+/// Meshes of one class, and the geometric means of each method's gains over all trials on them.
+struct ClassResult {
+    std::string title;   // "sharp-edged, closed"
+    Names meshes;
+    int trials = 0;
+    std::vector<double> gain, angle_gain;   // one a method; NaN where it is not defined on all of them
+    int best() const;                       // method with the largest gain; −1 where no noise changed the shape
+    int best_by_angle() const;              // −1 where no noise turned a face
+};
+/// In order of their first mesh.
+std::vector<ClassResult> class_results(const DenoisingLaboratory& laboratory);
 
 /// Tables tell angles in degrees.
 inline constexpr double degrees = 180 / pi;
@@ -32,14 +114,6 @@ report::Plot gain_plot(const DenoisingTrials& mesh);
 /// Clean, noisy and every method at its best, one small picture each.
 void add_method_figure(Answer& answer, const DenoisingTrials& mesh, const NoiseTrial& trial);
 
-/// What the numbers say, in words that follow them.
 void add_discussion(report::Section& section, const DenoisingLaboratory& laboratory);
-
-/// "a; b; c"
-inline std::string in_a_row(const std::vector<std::string>& told) {
-    std::string row;
-    for (const std::string& each : told) row += (row.empty() ? "" : "; ") + each;
-    return row;
-}
 
 }   // namespace meshfolio::methods

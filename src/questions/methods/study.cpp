@@ -1,15 +1,7 @@
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
-#include "base/errors.h"
-#include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "geometry/denoising/component_size.h"
 #include "geometry/spectrum/stability.h"
 #include "mesh/surface_patch.h"
-#include "mesh/triangle_measures.h"
-#include "questions/core/value_lists.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
@@ -19,11 +11,7 @@ namespace {
 constexpr double s1_share = 0.2;   // of every extent of the box: "noise level 20" of an earlier report
 
 NoiseTrial level_of(const DenoisingSubject& subject, NoiseKind kind, double edges) {
-    NoiseTrial trial;
-    trial.kind = kind;
-    trial.edges = edges;
-    trial.sigma = edges * subject.mean_edge;
-    return trial;
+    return {.kind = kind, .edges = edges, .sigma = edges * subject.mean_edge};
 }
 
 /// The noise to be tried, kind by kind.
@@ -33,18 +21,16 @@ std::vector<NoiseTrial> levels_of(const DenoisingSubject& subject, const Questio
     if (settings.laboratory) gaussian = {0.01, 0.03, 0.1, 0.4, 0.8, 1.6, 3.2}, others = {0.1, 0.4, 1.6};
     if (!settings.noise.empty()) {
         gaussian.clear();
-        for (const double share : each_once(settings.noise)) {
+        for (const double share : each_once(settings.noise))
             if (share > 0) gaussian.push_back(share * subject.diagonal / subject.mean_edge);
-        }
         if (gaussian.empty()) gaussian = {0.1};   // no noise, nothing to mend
     }
     std::vector<NoiseTrial> trials;
     for (const NoiseEntry& entry : noise_list()) {
         // What is scaled by the box is Gaussian on a mesh as wide as it is high: a short report keeps to the one level it was used at.
         const bool left_out = entry.kind == NoiseKind::box && !settings.laboratory;
-        for (const double edges : entry.kind == NoiseKind::gaussian ? gaussian : others) {
+        for (const double edges : entry.kind == NoiseKind::gaussian ? gaussian : others)
             if (!left_out) trials.push_back(level_of(subject, entry.kind, edges));
-        }
         if (entry.kind != NoiseKind::box || settings.quick || !settings.noise.empty()) continue;
         trials.push_back(level_of(subject, entry.kind, s1_share * subject.diagonal / (std::sqrt(3) * subject.mean_edge)));
         trials.back().s1_level = true;
@@ -74,9 +60,8 @@ void spoil(const DenoisingSubject& subject, std::uint64_t seed, NoiseTrial& tria
 
 int index_of_largest(const std::vector<double>& values) {
     int best = -1;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (std::isfinite(values[i]) && (best < 0 || values[i] > values[static_cast<std::size_t>(best)])) best = static_cast<int>(i);
-    }
+    for (int i = 0; i < std::ssize(values); ++i)
+        if (std::isfinite(values[i]) && (best < 0 || values[i] > values[best])) best = i;
     return best;
 }
 
@@ -142,9 +127,8 @@ const SearchResult* winner(const NoiseTrial& trial, Gain gain) {
 
 std::vector<const NoiseTrial*> DenoisingTrials::of_kind(NoiseKind kind) const {
     std::vector<const NoiseTrial*> chosen;
-    for (const NoiseTrial& trial : trials) {
+    for (const NoiseTrial& trial : trials)
         if (trial.kind == kind && !trial.s1_level) chosen.push_back(&trial);
-    }
     return chosen;
 }
 

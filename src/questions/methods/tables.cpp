@@ -1,9 +1,3 @@
-// Tables and the plot of the denoising laboratory.
-#include <cmath>
-
-#include "base/number_text.h"
-#include "questions/core/study_list.h"
-#include "questions/core/table.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
@@ -48,8 +42,7 @@ report::Table gain_table(const DenoisingTrials& mesh, const Measure& measure) {
     gains.column(measure.is_angle() ? "angle, noisy" : "error, noisy", {.unit = measure.is_angle() ? "°" : "% of box"},
                  [&](auto& t) { return unit * (t.results.front().noisy.*measure.error); });
     for (std::size_t i = 0; i < denoising_list().size(); ++i)
-        gains.column(method_title(i), {.unit = "×", .heat = report::Column::Heat{1, 8}},
-                     [&](auto& t) { return cell_of((t.results[i].*measure.gain)()); });
+        gains.column(method_title(i), {.unit = "×", .heat = Heat{1, 8}}, [&](auto& t) { return cell_of((t.results[i].*measure.gain)()); });
     return gains;
 }
 
@@ -123,7 +116,7 @@ report::Plot gain_plot(const DenoisingTrials& mesh) {
                       .y_label = words.line("gain_plot.y"),
                       .log_x = true,
                       .log_y = true};
-    std::vector<std::string> ends;
+    Names ends;
     for (int i = 0; i < int(denoising_list().size()); ++i) {
         const DenoisingMethod method = denoising_list()[i].method;
         const bool filter = filters_normals(method);
@@ -133,16 +126,41 @@ report::Plot gain_plot(const DenoisingTrials& mesh) {
             .color = i,   // as on the other meshes, also where a method before it has no gain
             .pattern = i,
             .panel = words.line(filter || method == DenoisingMethod::conformal_flow ? "gain_plot.others" : "gain_plot.laplacian")};
-        for (const NoiseTrial* trial : mesh.of_kind(NoiseKind::gaussian)) {
-            series.x.push_back(trial->edges);
-            series.y.push_back(trial->results[i].gain());
-        }
+        for (const NoiseTrial* trial : mesh.of_kind(NoiseKind::gaussian)) add_point(series, trial->edges, trial->results[i].gain());
         if (!std::isfinite(series.y.front())) continue;
         ends.push_back(series.name + " " + readable(series.y.front()) + " to " + readable(series.y.back()));
         plot.series.push_back(std::move(series));
     }
-    plot.alt = words.line("gain_plot.alt", "caption"_a = plot.caption, "gains"_a = in_a_row(ends));
+    plot.alt = words.line("gain_plot.alt", "caption"_a = plot.caption, "gains"_a = joined(ends));
     return plot;
+}
+
+void add_method_figure(Answer& answer, const DenoisingTrials& mesh, const NoiseTrial& trial) {
+    const DenoisingSubject& subject = mesh.subject;
+    const std::string base = id_of("methods", mesh.name(), trial.id());
+    const auto coloured = [&](const Positions& X, const std::string& what, std::string label) {
+        return panel_of(moved_to(subject.mesh, X), base + "_" + what, std::move(label),
+                        shape_distances(subject.mesh, X) / subject.mean_edge);
+    };
+    std::vector<output::Panel> panels{coloured(trial.noisy, "noisy", "noisy")};
+    Names labels;
+    for (const SearchResult& result : trial.results) {
+        if (!result.defined) continue;
+        labels.push_back(method_title(result) + ", gain " + readable(result.gain(), 2));
+        panels.push_back(coloured(result.X, std::string(denoising_entry(result.method).name), labels.back()));
+    }
+    output::FigureRequest request{.id = base,
+                                  .title = words.line("figure.title", "mesh"_a = mesh.name()),
+                                  .subtitle = words.line("figure.subtitle", "noise"_a = trial.title()),
+                                  .range = output::robust_range(panels, "pale", words.line("figure.quantity"), "mean edges", 0.01),
+                                  .layout = output::Layout::one_frame};
+    request.range->low = request.range->clipped_below = 0;   // a distance begins at 0
+    panels.insert(panels.begin(), panel_of(subject.mesh, base + "_clean", "clean"));
+    request.panels = std::move(panels);
+    const std::string name = subject.is_patch() ? words.line("figure.patch", "mesh"_a = mesh.name()) : mesh.name();
+    const double error = trial.results.front().noisy.shape / subject.mean_edge;
+    add_figure(answer, std::move(request), words.line("figure.caption", "mesh"_a = name, "noise"_a = trial.title()),
+               words.line("figure.alt", "mesh"_a = mesh.name(), "error"_a = readable(error, 2), "methods"_a = joined(labels)));
 }
 
 }   // namespace meshfolio::methods

@@ -1,17 +1,10 @@
-#include "questions/modes/costs.h"
-
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
 
 namespace {
 
-/// Where the decreasing function f > 0 takes a value, for arguments > 0: bracketed from `guess`, then by false position in the logarithms
-/// (Illinois).
+/// Solves f(x) = value for x > 0 and decreasing f > 0: brackets from `guess`, then false position (Illinois) in the logarithms.
 template <class Function>
 double argument_of(Function f, double value, double guess) {
     const auto above = [&](double u) { return std::log(f(std::exp(u)) / value); };
@@ -61,6 +54,13 @@ auto implicit_filter(double lambda, int steps) {
 }
 auto exact_filter(double time) {
     return [=](double mu) { return std::exp(-time * mu); };
+}
+
+SmoothingWay implicit_way_of(const CostModel& model, double energy, const SmoothingWay& explicit_way, std::size_t which) {
+    if (which < std::size(implicit_steps)) return model.implicit_way(energy, implicit_steps[which]);
+    if (which == std::size(implicit_steps)) return model.implicit_way_within(energy, implicit_accuracy);
+    if (explicit_way.steps == 0) return {SmoothingScheme::implicit_euler};
+    return model.implicit_way_within(explicit_way.energy, explicit_way.error);
 }
 
 }   // namespace
@@ -130,24 +130,13 @@ SmoothingWay CostModel::implicit_way_within(double energy, double error) const {
     return found;
 }
 
-std::vector<std::string> implicit_way_names() {
-    std::vector<std::string> names;
+Names implicit_way_names() {
+    Names names;
     for (const int steps : implicit_steps) names.push_back(words.line("way.steps", "steps"_a = steps));
     names.push_back(words.line("way.accurate", "error"_a = readable_percent(implicit_accuracy, 1)));
     names.push_back(words.line("way.matched"));
     return names;
 }
-
-namespace {
-
-SmoothingWay implicit_way_of(const CostModel& model, double energy, const SmoothingWay& explicit_way, std::size_t which) {
-    if (which < std::size(implicit_steps)) return model.implicit_way(energy, implicit_steps[which]);
-    if (which == std::size(implicit_steps)) return model.implicit_way_within(energy, implicit_accuracy);
-    if (explicit_way.steps == 0) return {SmoothingScheme::implicit_euler};
-    return model.implicit_way_within(explicit_way.energy, explicit_way.error);
-}
-
-}   // namespace
 
 SmoothingTarget smoothing_target(const CostModel& model, double energy) {
     SmoothingTarget target{energy, model.explicit_way(energy), {}};

@@ -4,9 +4,6 @@
 #pragma once
 
 #include <iterator>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "geometry/linear/factor_operations.h"
 #include "geometry/spectrum/spectral_measure.h"
@@ -71,7 +68,7 @@ inline constexpr double implicit_accuracy = 0.01;   // of the way that takes as 
 inline constexpr std::size_t implicit_way_count = std::size(implicit_steps) + 2;
 
 /// "implicit, 1 step", …, "implicit, error ≤ 1 %", "implicit, as true as explicit".
-std::vector<std::string> implicit_way_names();
+Names implicit_way_names();
 
 SmoothingTarget smoothing_target(const CostModel& model, double energy);
 

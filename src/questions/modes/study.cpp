@@ -1,15 +1,11 @@
-#include "questions/modes/study.h"
+#include "questions/modes/parts.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 
-#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/diffusion_step.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/spectrum/laplace_spectrum.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::modes {
 
@@ -26,7 +22,7 @@ struct Modes {
 };
 
 Modes modes_of(const SmoothingSubject& subject, bool quick) {
-    const int vertices = subject.source->prepared->preflight.vertices_in_use;
+    const int vertices = subject.preflight().vertices_in_use;
     Modes modes;
     modes.all = vertices <= all_modes_up_to;
     const int count = modes.all ? vertices : quick ? 20 : lowest_modes;
@@ -107,9 +103,8 @@ double energy_of(const SmoothingSubject& subject, const Positions& X) {
 /// Largest over smallest eigenvalue that the coordinates have a part in.
 double spread_of(const SpectralMeasure& measure) {
     double least = infinity;
-    for (Eigen::Index i = 0; i < measure.nodes.size(); ++i) {
+    for (Eigen::Index i = 0; i < measure.nodes.size(); ++i)
         if (measure.weights[i] > 1e-20 * measure.weights.sum()) least = std::min(least, measure.nodes[i]);
-    }
     return measure.nodes.maxCoeff() / least;
 }
 
@@ -134,9 +129,8 @@ void study_costs(ModeStudy& study, bool quick) {
     study.explicit_step = model.explicit_step_operations();
     study.implicit_step = model.implicit_step_operations();
     const double least = model.least_energy(0.005), most = std::max(0.95, least);
-    for (const double energy : quick ? std::vector{0.5, 0.1} : std::vector{0.9, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02}) {
+    for (const double energy : quick ? std::vector{0.5, 0.1} : std::vector{0.9, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02})
         if (energy >= least) study.targets.push_back(smoothing_target(model, energy));
-    }
     if (study.targets.empty()) study.targets.push_back(smoothing_target(model, least));
     const int points = quick ? 6 : 20;
     for (int i = 0; i <= points; ++i) study.curve.push_back(smoothing_target(model, most * std::pow(least / most, double(i) / points)));
@@ -168,7 +162,7 @@ double ModeDamping::deviation(const Vector& eigenvalues) const {
 
 int lanczos_steps(const QuestionSettings& settings) { return settings.laboratory ? 160 : settings.quick ? 60 : 100; }
 
-ModeStudy mode_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings) {
     ModeStudy study;
     study.subject = smoothing_subject(std::move(source));
     const Modes modes = modes_of(study.subject, settings.quick);
@@ -185,9 +179,8 @@ ModeStudy mode_study(std::shared_ptr<const LibraryMesh> source, const QuestionSe
     const std::vector<int> counts = settings.iterations.empty() ? std::vector{10, 100} : each_once(settings.iterations);
     ImplicitSolver solver;
     for (const double lambda : steps_of(settings, study.subject.critical, {0.1, 0.5, 0.9})) {
-        for (const int count : counts) {
+        for (const int count : counts)
             if (count > 0) study.gaps.push_back(gap_of(study, lambda, count, solver));
-        }
     }
     study_costs(study, settings.quick);
     return study;

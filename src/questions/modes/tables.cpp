@@ -1,10 +1,3 @@
-// Tables and plots of the section "modes".
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/table.h"
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
@@ -25,8 +18,8 @@ report::Series law_line(const ModeStudy& study, const ModeDamping& damping) {
     report::Series line{.name = words.line("factors.law"), .panel = relative_step(study, damping.lambda)};
     constexpr int points = 240;
     for (int i = 0; i <= points; ++i) {
-        line.x.push_back(double(i) / points);
-        line.y.push_back(visible(damping.law(line.x.back() * study.subject.top.value)));
+        const double share = double(i) / points;
+        add_point(line, share, visible(damping.law(share * study.subject.top.value)));
     }
     return line;
 }
@@ -37,8 +30,7 @@ report::Series measured_points(const ModeStudy& study, const ModeDamping& dampin
     const Eigen::Index n = study.eigenvalues.size(), shown = std::min(n, most_shown);
     for (Eigen::Index k = 0; k < shown; ++k) {
         const Eigen::Index i = shown > 1 ? k * (n - 1) / (shown - 1) : 0;
-        points.x.push_back(study.eigenvalues[i] / study.subject.top.value);
-        points.y.push_back(visible(damping.measured[i]));
+        add_point(points, study.eigenvalues[i] / study.subject.top.value, visible(damping.measured[i]));
     }
     return points;
 }
@@ -46,8 +38,7 @@ report::Series measured_points(const ModeStudy& study, const ModeDamping& dampin
 double operations_of(const SmoothingWay& way) { return way.steps > 0 ? way.operations : undefined; }
 double error_of(const SmoothingWay& way) { return way.steps > 0 ? 100 * way.error : undefined; }
 
-/// One value of the explicit way and of the first implicit ones over the energies of the curve. Those of a number of steps and those of an
-/// error, where they are there, have a panel each.
+/// Plots one value of the explicit and of the first implicit ways over energy; ways given by steps and by error have a panel each.
 report::Plot target_plot(const ModeStudy& study, const std::string& key, std::size_t implicit_ways, double (*value)(const SmoothingWay&)) {
     report::Plot plot{.id = id_of("modes", study.name(), key),
                       .caption = words.line(key, "mesh"_a = study.name()),
@@ -59,10 +50,7 @@ report::Plot target_plot(const ModeStudy& study, const std::string& key, std::si
         const std::string title =
             implicit_ways > std::size(implicit_steps) ? words.line(panel == 0 ? "targets.steps" : "targets.error") : "";
         report::Series series{.name = name, .panel = title};
-        for (const SmoothingTarget& target : study.curve) {
-            series.x.push_back(100 * target.energy);
-            series.y.push_back(value(way_of(target)));
-        }
+        for (const SmoothingTarget& target : study.curve) add_point(series, 100 * target.energy, value(way_of(target)));
         plot.series.push_back(std::move(series));
     };
     for (std::size_t which = 0; which < implicit_ways; ++which) {
@@ -118,7 +106,7 @@ report::Plot damping_plot(const ModeStudy& study, SmoothingScheme scheme) {
                       .x_label = words.line("factors.x"),
                       .y_label = words.line("factors.y"),
                       .log_y = true};
-    std::vector<std::string> shares;
+    Names shares;
     for (const ModeDamping& d : study.dampings) {
         if (d.scheme != scheme) continue;
         plot.series.push_back(law_line(study, d));
@@ -145,7 +133,7 @@ report::Table gap_table(const Studies& studies) {
 
 report::Plot cost_plot(const ModeStudy& study) {
     report::Plot plot = target_plot(study, "operations", study.crossings.size(), operations_of);
-    std::vector<std::string> crossings;
+    Names crossings;
     for (std::size_t which = 0; which < study.crossings.size(); ++which) {
         if (study.cheaper_nowhere(which)) continue;
         const SmoothingTarget& at = *study.crossings[which];

@@ -1,22 +1,73 @@
 // The operator laboratory: what each way of building the Laplacian keeps and what it gives up.
-#include <algorithm>
-#include <cmath>
-
 #include "geometry/measures/mesh_laws.h"
 #include "questions/bench/law_checks.h"
-#include "questions/core/study_list.h"
 #include "questions/operators/parts.h"
 
 namespace meshfolio::operators {
 
 namespace {
 
-using report::check_at_least;
-using report::check_at_most;
-using report::check_near;
+/// Whether −C is proved semidefinite, else how far below 0 its spectrum goes or may go.
+std::string stability_word(const OperatorScores& scores) {
+    if (std::isnan(scores.lowest)) return "–";
+    if (scores.verdict == Definiteness::Verdict::semidefinite) return "stable";
+    const bool proved = scores.verdict == Definiteness::Verdict::indefinite;
+    return words.line(proved ? "scores.none_stable" : "scores.undecided", "lowest"_a = readable(scores.lowest, 2));
+}
+
+report::Table score_table(const LaboratoryMesh& lab) {
+    return table(id_of("operators", lab.name(), "scores"),
+                 words.line("scores", "mesh"_a = lab.name(), "vertices"_a = lab.subject.mesh().vertex_count(), "flips"_a = lab.flips),
+                 lab.trials)
+        .column("operator", [](auto& t) { return t.made_by.title(); })
+        .column("asymmetry of C", {.digits = 2}, [](auto& t) { return t.scores.asymmetry; })
+        .column("eigenvalues of −C below 0", {.digits = 6}, [](auto& t) { return t.scores.negative.below; })
+        .column("weights < 0 inside", {.digits = 6}, [](auto& t) { return t.scores.negative_inside; })
+        .column("weights < 0 on the boundary", {.digits = 6}, [](auto& t) { return t.scores.negative_boundary; })
+        .column("smallest weight", [](auto& t) { return t.scores.smallest_weight; })
+        .column("steps up to λ_crit", [](auto& t) { return stability_word(t.scores); })
+        .column("λ_crit", {.unit = "length²", .digits = 4}, [](auto& t) { return cell_of(t.scores.critical); })
+        .column("λ_crit, × default", [](auto& t) { return cell_of(t.critical_ratio); })
+        .column("spectrum changes by", {.unit = "%"}, [](auto& t) { return cell_of(100 * t.spectrum_shift); })
+        .column("H changes by", {.unit = "%"}, [](auto& t) { return cell_of(100 * t.H_change); });
+}
+
+report::Table known_table(const KnownTrials& trials) {
+    return table("operators_known", words.line("known"), trials)
+        .column("operator", [](auto& t) { return t.made_by.title(); })
+        .column("H of the flat square", {.unit = "1 / mean edge", .digits = 2, .best = Best::smallest},
+                [](auto& t) { return cell_of(t.plane); })
+        .column("H of the sphere off by", {.unit = "%", .best = Best::smallest}, [](auto& t) { return cell_of(100 * t.H_error[0]); })
+        .column("H of the ellipsoid off by", {.unit = "%", .best = Best::smallest}, [](auto& t) { return cell_of(100 * t.H_error[1]); })
+        .column("eigenvalues off by", {.unit = "%", .best = Best::smallest}, [](auto& t) { return cell_of(100 * t.eigenvalue_error); });
+}
+
+/// One small picture an operator, all in the colours that suit the default.
+void add_figure_of(Answer& answer, const LaboratoryMesh& lab) {
+    const CurvatureSubject& s = lab.subject;
+    output::FigureRequest request{
+        .id = id_of("operators", lab.name(), "h"),
+        .title = words.line("figure.title"),
+        .subtitle = words.line("figure.subtitle", "file"_a = s.source->input.file, "vertices"_a = s.mesh().vertex_count()),
+        .layout = output::Layout::multiples};
+    Names told;
+    for (const OperatorTrial& t : lab.trials) {
+        const std::string title = t.made_by.title();
+        request.panels.push_back(panel_of(*s.source, id_of("operators", lab.name(), t.made_by.id()), title, s.mean_edge * t.H));
+        told.push_back(std::isfinite(t.H_change)
+                           ? words.line("figure.alt.operator", "operator"_a = title, "change"_a = readable_percent(t.H_change))
+                           : title);
+    }
+    const auto range = output::robust_range({request.panels.front()}, "diverging", "H × mean edge", "", 0.01, 0.03);
+    request.range = range_for(range, request.panels);
+    add_figure(
+        answer, std::move(request),
+        words.line("figure.caption", "mesh"_a = lab.name(), "mean_edge"_a = readable(s.mean_edge), "undefined"_a = undefined_words(s)),
+        words.line("figure.alt", "mesh"_a = lab.name(), "operators"_a = joined(told)));
+}
 
 void add_mesh_checks(report::Section& section, const LaboratoryMesh& lab) {
-    const auto add_check = [&](report::Check check) { section.checks.push_back(std::move(check)); };
+    const auto add_check = [&](report::Check check) { add(section, std::move(check)); };
     const auto name = [&](const char* key) { return words.line(key, "mesh"_a = lab.name()); };
     double asymmetry = 0;
     for (const OperatorTrial& trial : lab.trials) asymmetry = std::max(asymmetry, trial.scores.asymmetry);
@@ -27,19 +78,18 @@ void add_mesh_checks(report::Section& section, const LaboratoryMesh& lab) {
         const report::Check check = check_near(
             words.line("check.semidefinite", "operator"_a = operator_entry(kind).name, "mesh"_a = lab.name()), 0, negative.below, 0);
         const bool decided = semidefinite(negative) != Proof::undecided;
-        add_check(decided ? check : report::undecided(check, cannot_be_proved(negative.delta, -negative.sigma)));
+        add_check(decided ? check : undecided(check, cannot_be_proved(negative.delta, -negative.sigma)));
     }
     const OperatorScores& tufted = lab.trial(OperatorKind::tufted).scores;
     add_check(check_near(name("check.tufted"), 0, tufted.negative_inside + tufted.negative_boundary, 0));
     const auto if_defined = [](report::Check check) {
-        return std::isnan(check.measured) ? report::undecided(std::move(check), words.line("check.without_mass")) : check;
+        return std::isnan(check.measured) ? undecided(std::move(check), words.line("check.without_mass")) : check;
     };
     const auto critical_ratio = [&](OperatorKind kind) { return lab.trial(kind).critical_ratio; };
     add_check(if_defined(check_near(name("check.without_half"), 0.5, critical_ratio(OperatorKind::cotan_no_half), 1e-9)));
     const report::Check rippa = if_defined(check_at_least(name("check.rippa"), 1, critical_ratio(OperatorKind::idt_original_mass), 1e-9));
-    const int without_area = lab.subject.source->prepared->preflight.zero_area_faces;
-    add_check(without_area > 0 && rippa.failed() ? report::undecided(rippa, words.line("check.without_area", "faces"_a = without_area))
-                                                 : rippa);
+    const int without_area = lab.subject.preflight().zero_area_faces;
+    add_check(without_area > 0 && rippa.failed() ? undecided(rippa, words.line("check.without_area", "faces"_a = without_area)) : rippa);
     if (lab.oriented_manifold) add_check(check_near(name("check.delaunay"), 0, lab.trial(OperatorKind::idt).scores.negative_inside, 0));
 }
 
@@ -49,9 +99,9 @@ void add_known_checks(report::Section& section, const KnownTrials& trials) {
     };
     const auto name = [](const char* key, OperatorKind kind) { return words.line(key, "operator"_a = operator_entry(kind).name); };
     for (const OperatorKind kind : {OperatorKind::cotan, OperatorKind::idt, OperatorKind::idt_original_mass})
-        section.checks.push_back(check_at_most(name("check.precise", kind), 0, plane_of(kind), 1e-10));
+        add(section, check_at_most(name("check.precise", kind), 0, plane_of(kind), 1e-10));
     for (const OperatorKind kind : {OperatorKind::clamped, OperatorKind::edge_normalised})
-        section.checks.push_back(check_at_least(name("check.lost", kind), 1e-3, plane_of(kind)));
+        add(section, check_at_least(name("check.lost", kind), 1e-3, plane_of(kind)));
 }
 
 void add_method(report::Section& section) {
@@ -60,7 +110,7 @@ void add_method(report::Section& section) {
     for (const OperatorEntry& entry : operator_list())
         list.items.push_back(report::text(report::code(std::string(entry.name)), ": ", std::string(entry.description)));
     add(section, std::move(list));
-    std::vector<std::string> others;
+    Names others;
     for (const LaboratoryOperator& tried : laboratory_operators())
         if (tried.area != AreaForm::barycentric) others.push_back(quoted(tried.title()));
     add_words(section, words, "method.others", "others"_a = listed(others));
@@ -80,9 +130,8 @@ LibraryMeshes meshes_of(const MeshLibrary& library, const QuestionSettings& sett
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("operators")};
     report::Section& section = answer.section;
-    section = section_of("operators");
     const LibraryMeshes meshes = meshes_of(library, settings, section);
     add_method(section);
 

@@ -1,9 +1,4 @@
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
 #include "geometry/measures/mesh_laws.h"
-#include "questions/core/study_list.h"
 #include "questions/operators/parts.h"
 
 namespace meshfolio::operators {
@@ -13,16 +8,15 @@ namespace {
 constexpr double precise_below = 1e-8;   // |H| × mean edge of the flat square
 
 report::Text about_precision(const KnownTrials& known) {
-    std::vector<std::string> lost;
-    for (const KnownTrial& t : known) {
+    Names lost;
+    for (const KnownTrial& t : known)
         if (t.plane >= precise_below)
             lost.push_back(words.line("precision.lost", "operator"_a = t.made_by.title(), "H"_a = readable(t.plane)));
-    }
     return words.say("precision", "kept"_a = known.size() - lost.size(), "all"_a = known.size(), "lost"_a = listed(lost));
 }
 
 /// On the mesh with most of them.
-report::Text about_negative_weights(const Labs& labs, const std::vector<std::string>& clean) {
+report::Text about_negative_weights(const Labs& labs, const Names& clean) {
     const auto share_of = [](const LaboratoryMesh& lab) {
         const OperatorScores& cotan = lab.trial(OperatorKind::cotan).scores;
         return double(cotan.negative_inside + cotan.negative_boundary) / std::max(1, cotan.weights);
@@ -37,7 +31,7 @@ report::Text about_negative_weights(const Labs& labs, const std::vector<std::str
 
 /// Which operators have no negative weight on any mesh, what the default has, and which are indefinite.
 report::Text about_weights(const Labs& labs) {
-    std::vector<std::string> clean, indefinite, open;
+    Names clean, indefinite, open;
     bool any_negative = false;
     for (std::size_t i = 0; i < laboratory_operators().size(); ++i) {
         const std::string title = quoted(laboratory_operators()[i].title());
@@ -61,7 +55,7 @@ report::Text about_weights(const Labs& labs) {
 }
 
 report::Text about_steps(const Labs& labs) {
-    std::vector<std::string> idt, own;
+    Names idt, own;
     bool helps = true, harms = true;
     constexpr double rounding = 1e-9;
     for (const LaboratoryMesh& lab : labs) {
@@ -91,7 +85,7 @@ report::Text about_curvature(const KnownTrials& known) {
 
 /// Areas that are not positive leave no operator.
 report::Text about_areas(const Labs& labs) {
-    std::vector<std::string> without;
+    Names without;
     for (const LaboratoryMesh& lab : labs)
         for (const OperatorTrial& t : lab.trials)
             if (t.scores.without_mass > 0)

@@ -2,10 +2,6 @@
 /// The parts of the operator laboratory.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "questions/core/chapter.h"
 #include "questions/operators/study.h"
 
 namespace meshfolio::operators {
@@ -14,11 +10,6 @@ inline constexpr report::Words words("operators");
 
 using Labs = std::vector<LaboratoryMesh>;
 using KnownTrials = std::vector<KnownTrial>;
-
-report::Table score_table(const LaboratoryMesh& lab);
-report::Table known_table(const KnownTrials& trials);
-/// One small picture an operator, all in the colours that suit the default.
-void add_figure_of(Answer& answer, const LaboratoryMesh& lab);
 
 /// What the numbers say, in words that follow them, and the answer.
 void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known);

@@ -1,10 +1,6 @@
 #include "questions/operators/study.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "geometry/operators/intrinsic_delaunay.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/cotangent_study.h"
 #include "questions/bench/estimators.h"
 
@@ -79,7 +75,7 @@ const OperatorTrial& LaboratoryMesh::trial(OperatorKind kind) const {
     return *std::ranges::find(trials, kind, [](const OperatorTrial& t) { return t.made_by.kind; });
 }
 
-LaboratoryMesh laboratory_mesh(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+LaboratoryMesh laboratory_mesh(SharedMesh source, const QuestionSettings& settings) {
     LaboratoryMesh lab;
     lab.subject = curvature_subject(std::move(source));
     const TriangleMesh& mesh = lab.subject.mesh();
@@ -128,8 +124,7 @@ std::vector<KnownTrial> known_trials(const QuestionSettings& settings) {
             const BenchMesh& surface = surfaces[s];
             const LaplaceBeltrami laplacian = laboratory_operator.of(surface.mesh);
             trial.H_error[s] = relative_error(operator_mean_curvature(surface.mesh, surface.topology, laboratory_operator.kind, laplacian),
-                                              surface.H, surface.areas)
-                                   .l2;
+                                              surface.H, surface.areas);
             if (s > 0) continue;
             const Vector eigenvalues = smallest_nonzero_eigenvalues(laplacian, surface.topology, known_eigenvalues);
             trial.eigenvalue_error = spectrum_change(laboratory_operator, eigenvalues, truth);

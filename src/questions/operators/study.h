@@ -2,15 +2,9 @@
 /// The operator laboratory: every discrete Laplacian of the program on the same meshes, scored alike.
 #pragma once
 
-#include <array>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "geometry/measures/operator_scores.h"
 #include "geometry/operators/laplace_operator.h"
 #include "questions/bench/curvature_subject.h"
-#include "questions/core/settings.h"
 
 namespace meshfolio::operators {
 
@@ -44,7 +38,7 @@ struct LaboratoryMesh {
     const std::string& name() const { return subject.name(); }
     const OperatorTrial& trial(OperatorKind kind) const;
 };
-LaboratoryMesh laboratory_mesh(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+LaboratoryMesh laboratory_mesh(SharedMesh source, const QuestionSettings& settings);
 
 /// One operator where the truth is known.
 struct KnownTrial {

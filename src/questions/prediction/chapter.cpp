@@ -1,16 +1,9 @@
 // Predicted denoising: the error foreseen, measured, and the iteration chosen without the clean mesh.
-#include <algorithm>
-
-#include "base/number_text.h"
-#include "questions/core/study_list.h"
 #include "questions/prediction/parts.h"
 
 namespace meshfolio::prediction {
 
 namespace {
-
-using report::check_at_least;
-using report::check_at_most;
 
 void add_checks(report::Section& section, const Studies& studies) {
     constexpr double far = 5, wrong = 1.5;
@@ -23,12 +16,11 @@ void add_checks(report::Section& section, const Studies& studies) {
                                               words.line("check.vertices.note", "seeds"_a = study.seeds)),
                                 check_at_most(name("check.area"), far, right.mass)});
         // A formula that rounding drowns cannot be told from a wrong one.
-        if (study.condition < 1e12) section.checks.push_back(check_at_least(name("check.control"), far, control.vertices));
+        if (study.condition < 1e12) add(section, check_at_least(name("check.control"), far, control.vertices));
         // p(t) is the expected, m(t) the measured curve, off by δ at most: m(t_p) ≤ (1 + δ)p(t_p) ≤ (1 + δ)p(t_m) ≤ m(t_m)(1 + δ)/(1 − δ).
         const OperatorStudy& clean = level.of(FlowOperator::clean);
         const double off = deviation(clean.formula(), clean.measured);
-        if (off < 0.5)
-            section.checks.push_back(check_at_most(name("check.regret"), (1 + off) / (1 - off) - 1, clean.regret_of_formula, 1e-12));
+        if (off < 0.5) add(section, check_at_most(name("check.regret"), (1 + off) / (1 - off) - 1, clean.regret_of_formula, 1e-12));
     }
 }
 
@@ -51,13 +43,10 @@ LibraryMeshes meshes_of(const MeshLibrary& library, const QuestionSettings& sett
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("prediction")};
     report::Section& section = answer.section;
-    section = section_of("prediction");
     const LibraryMeshes meshes = meshes_of(library, settings, section);
-    add_words(section, words, "method");
-
-    add_words(section, words, "results");
+    add_words(section, words, {"method", "results"});
     const Studies studies = studies_of(meshes, "predicted denoising", settings, progress, section, prediction_study);
     add(section, clean_prediction_table(studies));
     for (const PredictionStudy& study : studies) add(section, clean_prediction_plot(study));
@@ -66,14 +55,13 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         add(section, operator_prediction_plot(study, FlowOperator::noisy));
         if (settings.laboratory) add(section, operator_prediction_plot(study, FlowOperator::rebuilt));
     }
-    add(section, why_table(studies));
-    add(section, rule_table(studies));
+    add(section, why_table(studies), rule_table(studies));
     add_discussion(section, studies);
     add_checks(section, studies);
     section.answer = answer_of(studies);
 
     const PredictionStudy& first = studies.front();
-    std::vector<std::string> levels;
+    Names levels;
     std::vector<double> noise;
     for (const NoiseLevelStudy& level : first.levels) {
         noise.push_back(level.sigma);

@@ -1,10 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/study_list.h"
 #include "questions/prediction/parts.h"
 
 namespace meshfolio::prediction {
@@ -29,7 +22,7 @@ struct Range {
 };
 
 std::string best_iterations(const PredictionStudy& study) {
-    std::vector<std::string> expected, measured;
+    Names expected, measured;
     for (const NoiseLevelStudy& level : study.levels) {
         expected.push_back(std::to_string(level.of(FlowOperator::clean).formula().best()));
         measured.push_back(std::to_string(level.of(FlowOperator::clean).measured.best()));
@@ -48,11 +41,10 @@ report::Text about_foreseen_error(const Studies& studies) {
         errors = std::max(errors, standard_distance(study, level).larger());
         regret = std::max(regret, clean.regret_of_formula);
     }
-    std::string iterations;
-    for (const PredictionStudy& study : studies) iterations += (iterations.empty() ? "" : ", ") + best_iterations(study);
     const double most = std::max(off, off_by_area);
-    report::Text t = words.say(most < 0.1 ? "foreseen" : "foreseen.off", "off"_a = readable_percent(most, 2),
-                               "errors"_a = readable(errors, 2), "seeds"_a = studies.front().seeds, "iterations"_a = iterations);
+    report::Text t =
+        words.say(most < 0.1 ? "foreseen" : "foreseen.off", "off"_a = readable_percent(most, 2), "errors"_a = readable(errors, 2),
+                  "seeds"_a = studies.front().seeds, "iterations"_a = joined(each_of(studies, best_iterations), ", "));
     go_on(t, regret < 5e-5 ? words.say("foreseen.no_loss") : words.say("foreseen.loss", "regret"_a = readable_percent(regret, 2)));
     return t;
 }
@@ -146,9 +138,9 @@ report::Text about_rebuilt_operator(const Studies& studies) {
         ++cases;
         better += rebuilt.measured.square.minCoeff() < own.measured.square.minCoeff() * (1 - 1e-9) ? 1 : 0;
     }
-    return report::text(words.say("rebuilt", "formula"_a = reach_of(studies, FlowOperator::rebuilt, by_formula),
-                                  "derivative"_a = reach_of(studies, FlowOperator::rebuilt, by_derivative)),
-                        " ", cases > 0 ? words.say("rebuilt.better", "better"_a = better, "cases"_a = cases) : report::Text());
+    return paragraph_of({words.say("rebuilt", "formula"_a = reach_of(studies, FlowOperator::rebuilt, by_formula),
+                                   "derivative"_a = reach_of(studies, FlowOperator::rebuilt, by_derivative)),
+                         cases > 0 ? words.say("rebuilt.better", "better"_a = better, "cases"_a = cases) : report::Text()});
 }
 
 /// How good σ̂ is, and where it is too large.

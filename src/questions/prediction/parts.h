@@ -2,12 +2,6 @@
 /// The parts of the chapter on predicted denoising.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "questions/bench/sentences.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 #include "questions/prediction/study.h"
 
 namespace meshfolio::prediction {
@@ -32,7 +26,6 @@ report::Plot clean_prediction_plot(const PredictionStudy& study);
 /// The noisy mesh's own operator, or the rebuilt one, and every prediction, at the highest level.
 report::Plot operator_prediction_plot(const PredictionStudy& study, FlowOperator kind);
 
-/// What the numbers say, in words that follow them.
 void add_discussion(report::Section& section, const Studies& studies);
 
 }   // namespace meshfolio::prediction

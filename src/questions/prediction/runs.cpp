@@ -1,12 +1,6 @@
-#include "questions/prediction/runs.h"
+#include "questions/prediction/study.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "base/errors.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "mesh/triangle_measures.h"
 
 namespace meshfolio::prediction {
 
@@ -23,47 +17,35 @@ double percentile(std::vector<double> values, double share) {
 struct MeanAndError {
     Vector mean, error;
 };
-template <class Of>
-MeanAndError mean_over(const std::vector<RunErrors>& runs, Of of) {
+MeanAndError mean_over(const std::vector<RunErrors>& runs, Vector RunErrors::*error) {
     const auto count = static_cast<double>(runs.size());
-    Vector sum = Vector::Zero(of(runs.front()).size()), squares = sum;
-    for (const RunErrors& run : runs) sum += of(run);
+    Vector sum = Vector::Zero((runs.front().*error).size()), squares = sum;
+    for (const RunErrors& run : runs) sum += run.*error;
     const Vector mean = sum / count;
-    for (const RunErrors& run : runs) squares += (of(run) - mean).cwiseAbs2();
+    for (const RunErrors& run : runs) squares += (run.*error - mean).cwiseAbs2();
     return {mean, runs.size() > 1 ? Vector((squares / (count * (count - 1))).cwiseSqrt()) : Vector::Zero(mean.size())};
 }
 
 }   // namespace
 
-std::string name_of(FlowOperator kind) {
-    switch (kind) {
-        case FlowOperator::clean:
-            return "clean";
-        case FlowOperator::noisy:
-            return "noisy";
-        case FlowOperator::rebuilt:
-            break;
-    }
-    return "rebuilt";
-}
+std::string name_of(FlowOperator kind) { return kind == FlowOperator::clean ? "clean" : kind == FlowOperator::noisy ? "noisy" : "rebuilt"; }
 
 DenoisingFlow::DenoisingFlow(TriangleMesh mesh, double step)
     : clean(std::move(mesh)), whole(operator_with_mass(laplace_beltrami(clean))), normals(vertex_normals(clean)), lambda(step) {}
 
 Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Positions& Y, int iterations, FlowSolvers& solvers) {
     Trajectory run{Y};
-    run.reserve(static_cast<std::size_t>(iterations) + 1);
+    run.reserve(iterations + 1);
     try {
         if (kind == FlowOperator::clean) {
             solvers.clean.prepare(flow.whole, flow.lambda, flow.clean.X);
             for (int t = 0; t < iterations; ++t) run.push_back(solvers.clean.step(run.back()));
             return run;
         }
-        SmoothingOptions options;
-        options.scheme = SmoothingScheme::implicit_euler;
-        options.lambda = flow.lambda;
-        options.iterations = iterations;
-        options.rebuild = kind == FlowOperator::rebuilt;
+        SmoothingOptions options{.scheme = SmoothingScheme::implicit_euler,
+                                 .lambda = flow.lambda,
+                                 .iterations = iterations,
+                                 .rebuild = kind == FlowOperator::rebuilt};
         options.after_step = [&](int, const Positions& X) {
             run.push_back(X);
             return true;
@@ -75,7 +57,7 @@ Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Pos
 }
 
 Trajectory kept_at_its_end(Trajectory run, int iterations) {
-    run.resize(static_cast<std::size_t>(iterations) + 1, Positions(run.back()));
+    run.resize(iterations + 1, Positions(run.back()));
     return run;
 }
 
@@ -84,7 +66,7 @@ RunErrors errors_of_run(const DenoisingFlow& flow, const Trajectory& run) {
     RunErrors errors{Vector(length), Vector(length), Vector(length)};
     const auto vertices = static_cast<double>(flow.clean.X.rows());
     for (Eigen::Index t = 0; t < length; ++t) {
-        const Positions off = run[static_cast<std::size_t>(t)] - flow.clean.X;
+        const Positions off = run[t] - flow.clean.X;
         const Vector squares = off.rowwise().squaredNorm();
         errors.vertices[t] = squares.sum() / vertices;
         errors.mass[t] = flow.whole.M.dot(squares(flow.whole.vertex)) / flow.whole.M.sum();
@@ -97,19 +79,18 @@ int MeasuredCurve::best() const { return first_smallest(square); }
 
 MeasuredCurve measured_curve(const std::vector<RunErrors>& runs) {
     if (runs.empty()) throw MeshError("measured_curve: no runs");
-    MeasuredCurve curve;
-    curve.seeds = static_cast<int>(runs.size());
-    MeanAndError vertices = mean_over(runs, [](const RunErrors& run) -> const Vector& { return run.vertices; });
-    curve.square = std::move(vertices.mean);
-    curve.square_error = std::move(vertices.error);
-    MeanAndError mass = mean_over(runs, [](const RunErrors& run) -> const Vector& { return run.mass; });
-    curve.mass = std::move(mass.mean);
-    curve.mass_error = std::move(mass.error);
-    curve.along = mean_over(runs, [](const RunErrors& run) -> const Vector& { return run.along; }).mean;
-    curve.low = curve.high = Vector(curve.square.size());
+    const MeanAndError vertices = mean_over(runs, &RunErrors::vertices), mass = mean_over(runs, &RunErrors::mass);
+    const Vector empty(vertices.mean.size());
+    MeasuredCurve curve{vertices.mean,
+                        vertices.error,
+                        mass.mean,
+                        mass.error,
+                        mean_over(runs, &RunErrors::along).mean,
+                        empty,
+                        empty,
+                        static_cast<int>(runs.size())};
     for (Eigen::Index t = 0; t < curve.square.size(); ++t) {
-        std::vector<double> rms;
-        for (const RunErrors& run : runs) rms.push_back(std::sqrt(run.vertices[t]));
+        const std::vector<double> rms = each_of(runs, [&](const RunErrors& run) { return std::sqrt(run.vertices[t]); });
         curve.low[t] = percentile(rms, 0.1);
         curve.high[t] = percentile(rms, 0.9);
     }

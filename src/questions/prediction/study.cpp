@@ -1,10 +1,5 @@
-#include "questions/prediction/study.h"
-
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
-#include "mesh/triangle_measures.h"
 #include "questions/prediction/work.h"
 
 namespace meshfolio::prediction {
@@ -33,8 +28,8 @@ template <class Choose>
 RuleOutcome rule_outcome(std::string_view name, const std::vector<SeedResult>& results, int seeds, Choose choose) {
     RuleOutcome outcome{std::string(name), {}, {}};
     for (int s = 0; s < seeds; ++s) {
-        const Vector& error = results[static_cast<std::size_t>(s)].errors.vertices;
-        const int t = choose(static_cast<std::size_t>(s));
+        const Vector& error = results[s].errors.vertices;
+        const int t = choose(s);
         outcome.chosen.push_back(t);
         outcome.regret.push_back(error.minCoeff() > 0 ? std::sqrt(error[t] / error.minCoeff()) - 1 : 0);
     }
@@ -42,16 +37,16 @@ RuleOutcome rule_outcome(std::string_view name, const std::vector<SeedResult>& r
 }
 
 void try_rules(OperatorStudy& study, const LevelResults& results, double sigma, int seeds, int numbers) {
-    const auto& runs = results.of[static_cast<std::size_t>(study.kind)];
+    const auto& runs = results.of[int(study.kind)];
     study.rule_seeds = seeds;
     study.divergence = study.divergence_held = Vector::Zero(study.measured.square.size());
     for (int s = 0; s < seeds; ++s) {
-        const SeedResult& result = runs[static_cast<std::size_t>(s)];
+        const SeedResult& result = runs[s];
         study.divergence += result.risk.divergence / (double(seeds) * numbers);
         if (study.kind == FlowOperator::noisy) study.divergence_held += result.held_fixed / (double(seeds) * numbers);
     }
     PredictedCurve stein{std::string(by_stein), Vector::Zero(study.measured.square.size())};
-    for (int s = 0; s < seeds; ++s) stein.square += runs[static_cast<std::size_t>(s)].risk.risk(sigma) * (3.0 / numbers / seeds);
+    for (int s = 0; s < seeds; ++s) stein.square += runs[s].risk.risk(sigma) * (3.0 / numbers / seeds);
     study.predictions.push_back(std::move(stein));
 
     const auto add = [&](std::string_view name, auto choose) { study.rules.push_back(rule_outcome(name, runs, seeds, choose)); };
@@ -83,7 +78,7 @@ OperatorStudy operator_study(FlowOperator kind, const LevelResults& results, Pre
     OperatorStudy study;
     study.kind = kind;
     std::vector<RunErrors> errors;
-    for (const SeedResult& result : results.of[static_cast<std::size_t>(kind)]) {
+    for (const SeedResult& result : results.of[int(kind)]) {
         errors.push_back(result.errors);
         study.collapsed += result.collapsed ? 1 : 0;
     }
@@ -98,8 +93,8 @@ double mean_of(const std::vector<double>& values) {
     return values.empty() ? std::nan("") : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// In standard errors; where noise alone is left the spread of few runs may be small by chance, so it is not taken below that of 3n equal
-/// parts, of which every quadratic form of 3n normal numbers has at least the variance.
+/// Distance in standard errors. The spread of few runs may be small by chance, so it is at least that of a mean of 3n squared normal
+/// numbers, the least variance of any quadratic form of them.
 double distance(const ExpectedError& expected, double factor, double sigma, int vertices, const Vector& mean, const Vector& error,
                 int seeds, double rounding) {
     double farthest = 0;
@@ -145,11 +140,11 @@ const PredictedCurve& OperatorStudy::closest() const {
 
 double NoiseLevelStudy::mean_sigma_ratio() const { return mean_of(sigma_ratio); }
 
-PredictionStudy prediction_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& settings) {
     PredictionStudy study;
     study.source = std::move(source);
     const TriangleMesh clean = in_box_diagonals(study.source->mesh());
-    const MeshTopology& topology = study.source->prepared->topology;
+    const MeshTopology& topology = study.topology();
     const Extent extent = extent_of(settings, clean.vertex_count());
     study.diagonal = bounding_box(study.source->mesh()).diagonal();
     study.mean_edge = mean_edge_length(clean, topology.edges);
@@ -186,7 +181,7 @@ PredictionStudy prediction_study(std::shared_ptr<const LibraryMesh> source, cons
         level.sigma_edges = level.sigma / study.mean_edge;
         enter_estimates(level, results[l].estimates);
         for (const FlowOperator kind : all_operators) {
-            const int steps = results[l].iterations[static_cast<std::size_t>(kind)];
+            const int steps = results[l].iterations[int(kind)];
             OperatorStudy& operated = level.of(kind);
             operated = operator_study(kind, results[l], formula(study.prediction, level.sigma, steps));
             if (kind == FlowOperator::clean) continue;

@@ -3,19 +3,63 @@
 /// and rules that choose the iteration without the clean mesh.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "geometry/denoising/denoising_prediction.h"
-#include "questions/core/mesh_library.h"
-#include "questions/core/settings.h"
-#include "questions/prediction/runs.h"
+#include "geometry/denoising/risk_estimate.h"
+#include "geometry/operators/vertices_with_mass.h"
+#include "geometry/smoothing/implicit_solver.h"
+#include "mesh/triangle_mesh.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio::prediction {
+
+/// Whose operator smooths the noisy mesh: that of the clean mesh, its own, or that of the current positions at every step.
+enum class FlowOperator { clean, noisy, rebuilt };
+std::string name_of(FlowOperator kind);
+
+/// Implicit smoothing of meshes with the triangles of `clean`.
+struct DenoisingFlow {
+    TriangleMesh clean;
+    OperatorWithMass whole;   // of the clean mesh
+    Positions normals;        // n × 3, of the clean mesh
+    double lambda = 0;        // [length²]
+
+    DenoisingFlow(TriangleMesh mesh, double step);
+};
+
+/// Solvers kept from run to run; each thread has its own.
+struct FlowSolvers {
+    ImplicitSolver clean, own;
+};
+
+/// From Y, T + 1 positions; fewer where triangles collapse until no operator can be built or factored.
+Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Positions& Y, int iterations, FlowSolvers& solvers);
+/// One that ended early stays where it ended.
+Trajectory kept_at_its_end(Trajectory run, int iterations);
+
+/// Squared errors of one run against the clean mesh after t = 0, 1, … T steps.
+struct RunErrors {
+    Vector vertices;   // mean over the vertices [length²]
+    Vector mass;       // mean with the areas of the clean mesh as weights [length²]
+    Vector along;      // of `vertices`, the part along the clean surface [length²]
+};
+RunErrors errors_of_run(const DenoisingFlow& flow, const Trajectory& run);
+
+/// Over the seeds, after t = 0, 1, … T steps.
+struct MeasuredCurve {
+    Vector square, square_error;   // mean squared error and its standard error [length²]
+    Vector mass, mass_error;       // the same, weighted by area
+    Vector along;                  // mean of the part along the surface
+    Vector low, high;              // tenth and ninetieth percentile of the rms error [length]
+    int seeds = 0;
+
+    int iterations() const { return static_cast<int>(square.size()) - 1; }
+    Vector rms() const { return square.cwiseSqrt(); }
+    int best() const;   // first iteration with the smallest mean squared error
+};
+/// The mean, in order of the seeds. @throws MeshError without a run
+MeasuredCurve measured_curve(const std::vector<RunErrors>& runs);
+
+int first_smallest(const Vector& values);
 
 /// A mean squared error over the vertices foreseen for t = 0, 1, … T. All lengths of a study are in box diagonals of its mesh.
 struct PredictedCurve {
@@ -72,14 +116,13 @@ struct NoiseLevelStudy {
     std::vector<double> sigma_ratio;   // σ̂/σ, one a seed the rules were tried on; empty where no patch could be fitted
     double kept = 0;                   // share of the patches whose residuals noise explains, mean
 
-    const OperatorStudy& of(FlowOperator kind) const { return operators[static_cast<std::size_t>(kind)]; }
-    OperatorStudy& of(FlowOperator kind) { return operators[static_cast<std::size_t>(kind)]; }
+    const OperatorStudy& of(FlowOperator kind) const { return operators[int(kind)]; }
+    OperatorStudy& of(FlowOperator kind) { return operators[int(kind)]; }
     int iterations(FlowOperator kind) const { return of(kind).measured.iterations(); }
     double mean_sigma_ratio() const;
 };
 
-struct PredictionStudy {
-    std::shared_ptr<const LibraryMesh> source;
+struct PredictionStudy : OnMesh {
     double diagonal = 0;        // of the bounding box [length of the model]
     double mean_edge = 0;       // [box diagonals]
     double lambda = 0;          // [squared box diagonals]
@@ -90,20 +133,18 @@ struct PredictionStudy {
     DenoisingPrediction prediction;
     std::vector<NoiseLevelStudy> levels;   // ascending σ
 
-    const std::string& name() const { return source->name; }
     int vertices() const { return source->mesh().vertex_count(); }
 };
-PredictionStudy prediction_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& settings);
 
-/// Largest distance between the formula and the measured mean of the clean mesh's operator, in standard errors of both and of rounding
-/// together; `factor` is what σ is multiplied by in the formula, which is wrong unless it is 1.
+/// Largest distance between formula and measured mean with the clean operator, in standard errors including rounding.
+/// @param factor  multiplies σ in the formula: a wrong one must be seen
 struct StandardDistance {
     double vertices = 0, mass = 0;
     double larger() const { return std::max(vertices, mass); }
 };
 StandardDistance standard_distance(const PredictionStudy& study, const NoiseLevelStudy& level, double factor = 1);
-/// Largest deviation of the expected from the measured error weighted by area, relative to the measured one [1]; clean operator, over all
-/// iterations.
+/// Largest relative deviation of the expected from the measured area-weighted error, clean operator, over all iterations.
 double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level);
 
 /// Where the formula is farthest from what was measured: the mean squared error in shares of that of the noise, 3σ².

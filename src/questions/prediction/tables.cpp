@@ -1,10 +1,3 @@
-// Tables and plots of predicted denoising.
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/study_list.h"
 #include "questions/prediction/parts.h"
 
 namespace meshfolio::prediction {
@@ -41,46 +34,45 @@ std::string best_words(int best, int iterations) {
 std::string measured_best(const Row& r) { return best_words(r.own.measured.best(), r.steps()); }
 std::string formula_best(const Row& r) { return best_words(r.own.formula().best(), r.steps()); }
 
-/// Of a prediction: its best iteration, and how far it is off at most.
-auto best_of(std::string_view name) {
-    return [name](const Row& r) {
-        const PredictedCurve* prediction = r.own.prediction(name);
-        return prediction == nullptr ? report::Cell{} : best_words(prediction->best(), r.steps());
+/// A cell made from the prediction or the rule of a name; empty where there is none.
+template <class Entry>
+auto cell_from(const Entry* (OperatorStudy::*find)(std::string_view) const, std::string_view name, auto cell) {
+    return [=](const Row& r) {
+        const Entry* entry = (r.own.*find)(name);
+        return entry == nullptr ? report::Cell() : cell(r, *entry);
     };
 }
+
+/// Of a prediction: its best iteration, and how far it is off at most.
+auto best_of(std::string_view name) {
+    return cell_from(&OperatorStudy::prediction, name,
+                     [](const Row& r, const PredictedCurve& p) -> report::Cell { return best_words(p.best(), r.steps()); });
+}
 auto deviation_of(std::string_view name) {
-    return [name](const Row& r) -> report::Cell {
-        const PredictedCurve* prediction = r.own.prediction(name);
-        if (prediction == nullptr) return {};
-        const double off = deviation(*prediction, r.own.measured);
-        if (off > deviation_shown) return "> " + plain_text(100 * deviation_shown);
-        return 100 * off;
-    };
+    return cell_from(&OperatorStudy::prediction, name, [](const Row& r, const PredictedCurve& p) -> report::Cell {
+        const double off = deviation(p, r.own.measured);
+        return off > deviation_shown ? report::Cell("> " + plain_text(100 * deviation_shown)) : report::Cell(100 * off);
+    });
 }
 
 /// Of a rule: what it chose, and what that cost, where the minimum is known.
 auto chosen_by(std::string_view name) {
-    return [name](const Row& r) {
-        const RuleOutcome* rule = r.own.rule(name);
-        return rule == nullptr ? report::Cell{} : report::Cell{rule->mean_chosen()};
-    };
+    return cell_from(&OperatorStudy::rule, name, [](const Row&, const RuleOutcome& rule) -> report::Cell { return rule.mean_chosen(); });
 }
 auto regret_of(std::string_view name, double (RuleOutcome::*regret)() const = &RuleOutcome::mean_regret) {
-    return [name, regret](const Row& r) {
-        const RuleOutcome* rule = r.own.rule(name);
-        return rule == nullptr || !r.own.minimum_reached() ? report::Cell{} : report::Cell{100 * (rule->*regret)()};
-    };
+    return cell_from(&OperatorStudy::rule, name,
+                     [=](const Row& r, const RuleOutcome& rule) { return cell_of(100 * (rule.*regret)(), r.own.minimum_reached()); });
 }
 
 /// "on cube from all 602 modes, on lily from 18 probes"
 std::string how_predicted(const Studies& studies) {
-    std::string told;
+    Names told;
     for (const PredictionStudy& study : studies) {
         const DenoisingPrediction& p = study.prediction;
-        told += (told.empty() ? "" : ", ") + (p.modes > 0 ? words.line("clean.modes", "mesh"_a = study.name(), "modes"_a = p.modes)
-                                                          : words.line("clean.probes", "mesh"_a = study.name(), "probes"_a = p.probes));
+        told.push_back(
+            words.line(p.modes > 0 ? "clean.modes" : "clean.probes", "mesh"_a = study.name(), "modes"_a = p.modes, "probes"_a = p.probes));
     }
-    return told;
+    return joined(told, ", ");
 }
 
 std::string collapsed_runs(const Studies& studies) {
@@ -93,10 +85,8 @@ std::string collapsed_runs(const Studies& studies) {
 /// √ of the values in % of the box; a negative estimate leaves a gap, and so does what lies beyond `most`.
 report::Series root_series(std::string name, const Vector& square, Style style, double most = infinity) {
     report::Series series{.name = std::move(name), .style = style};
-    for (Eigen::Index t = 0; t < square.size(); ++t) {
-        series.x.push_back(static_cast<double>(t));
-        series.y.push_back(square[t] >= 0 && square[t] <= most ? 100 * std::sqrt(square[t]) : undefined);
-    }
+    for (Eigen::Index t = 0; t < square.size(); ++t)
+        add_point(series, double(t), square[t] >= 0 && square[t] <= most ? 100 * std::sqrt(square[t]) : undefined);
     return series;
 }
 
@@ -209,8 +199,7 @@ report::Plot clean_prediction_plot(const PredictionStudy& study) {
         if (!same) plot.markers.push_back(marker_at(formula.square, formula.best(), "expected t = "));
         off = std::max(off, deviation(formula, measured));
     }
-    plot.caption = plot.alt =
-        words.line("plot.clean", "mesh"_a = study.name(), "seeds"_a = study.seeds, "off"_a = readable_percent(off, 2));
+    plot.caption = words.line("plot.clean", "mesh"_a = study.name(), "seeds"_a = study.seeds, "off"_a = readable_percent(off, 2));
     return plot;
 }
 
@@ -224,12 +213,11 @@ report::Plot operator_prediction_plot(const PredictionStudy& study, FlowOperator
         plot.series.push_back(root_series(predicted.name, predicted.square, Style::dashed, 9 * own.measured.square.maxCoeff()));
     plot.markers = {marker_at(own.measured.square, own.measured.best(), "measured t = "),
                     marker_at(own.formula().square, own.formula().best(), "formula t = ")};
-    plot.caption = plot.alt =
-        words.line("plot.operator", "mesh"_a = study.name(),
-                   "operator"_a = words.line(kind == FlowOperator::noisy ? "plot.operator.noisy" : "plot.operator.rebuilt"),
-                   "sigma"_a = readable_percent(level.sigma, 2), "edges"_a = readable(level.sigma_edges, 2), "seeds"_a = study.seeds,
-                   "formula"_a = readable_percent(deviation(own.formula(), own.measured), 2), "closest"_a = own.closest().name,
-                   "off"_a = readable_percent(deviation(own.closest(), own.measured), 2));
+    plot.caption = words.line("plot.operator", "mesh"_a = study.name(),
+                              "operator"_a = words.line(kind == FlowOperator::noisy ? "plot.operator.noisy" : "plot.operator.rebuilt"),
+                              "sigma"_a = readable_percent(level.sigma, 2), "edges"_a = readable(level.sigma_edges, 2),
+                              "seeds"_a = study.seeds, "formula"_a = readable_percent(deviation(own.formula(), own.measured), 2),
+                              "closest"_a = own.closest().name, "off"_a = readable_percent(deviation(own.closest(), own.measured), 2));
     return plot;
 }
 

@@ -1,10 +1,7 @@
 #include "questions/prediction/work.h"
 
-#include <algorithm>
-
 #include "base/parallel_tasks.h"
 #include "mesh/vertex_noise.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::prediction {
 
@@ -29,9 +26,8 @@ SeedResult seed_result(const Work& work, FlowOperator kind, const Positions& Y, 
     SeedResult result;
     Trajectory moved;
     const Positions direction = with_rule ? random_signs(Y.rows(), probe_seed) : Positions();
-    if (with_rule) {
+    if (with_rule)
         moved = kept_at_its_end(denoising_run(work.flow, kind, Y + work.difference * direction, iterations, solvers), iterations);
-    }
     Trajectory run = denoising_run(work.flow, kind, Y, iterations, solvers);
     result.collapsed = static_cast<int>(run.size()) <= iterations;
     run = kept_at_its_end(std::move(run), iterations);
@@ -44,11 +40,10 @@ SeedResult seed_result(const Work& work, FlowOperator kind, const Positions& Y, 
 
 void run_seed(const Work& work, LevelResults& results, double sigma, std::size_t level, int seed, FlowSolvers& solvers) {
     const TriangleMesh noisy = work.noisy(sigma, level, seed);
-    const auto slot = static_cast<std::size_t>(seed);
-    if (seed < work.extent.rule_seeds) results.estimates[slot] = noise_level(noisy, work.topology);
+    if (seed < work.extent.rule_seeds) results.estimates[seed] = noise_level(noisy, work.topology);
     for (const FlowOperator kind : all_operators) {
-        const auto k = static_cast<std::size_t>(kind);
-        results.of[k][slot] = seed_result(work, kind, noisy.X, results.iterations[k], seed_of(work.settings, level, first_probe + seed),
+        const int k = int(kind);
+        results.of[k][seed] = seed_result(work, kind, noisy.X, results.iterations[k], seed_of(work.settings, level, first_probe + seed),
                                           seed < rule_seeds(work.extent, kind), solvers);
     }
 }
@@ -88,20 +83,18 @@ std::vector<LevelResults> results_of_levels(const Work& work, const std::vector<
     std::vector<LevelResults> levels(iterations.size());
     for (std::size_t l = 0; l < levels.size(); ++l) {
         for (const FlowOperator kind : all_operators) {
-            const auto k = static_cast<std::size_t>(kind);
-            levels[l].of[k].resize(static_cast<std::size_t>(work.extent.seeds));
+            const int k = int(kind);
+            levels[l].of[k].resize(work.extent.seeds);
             levels[l].iterations[k] =
                 kind == FlowOperator::rebuilt ? std::min(iterations[l], work.extent.rebuilt_iterations) : iterations[l];
         }
-        levels[l].estimates.resize(static_cast<std::size_t>(work.extent.rule_seeds));
+        levels[l].estimates.resize(work.extent.rule_seeds);
     }
     for_each_task(chains, [&](std::size_t chain) {
         FlowSolvers solvers;
-        for (std::size_t l = 0; l < levels.size(); ++l) {
-            for (int seed = static_cast<int>(chain); seed < work.extent.seeds; seed += static_cast<int>(chains)) {
+        for (std::size_t l = 0; l < levels.size(); ++l)
+            for (int seed = static_cast<int>(chain); seed < work.extent.seeds; seed += chains)
                 run_seed(work, levels[l], work.extent.levels[l], l, seed, solvers);
-            }
-        }
     });
     return levels;
 }
@@ -159,10 +152,8 @@ FirstOrder first_order(const Work& work, FlowOperator kind, int iterations) {
         }
         const Positions step = work.difference * random_signs(X.rows(), seed_of(work.settings, 0, first_probe + 100 + static_cast<int>(p)));
         const Trajectory ahead = run_from(X + step), back = run_from(X - step);
-        for (int t = 0; t <= iterations; ++t) {
-            const auto i = static_cast<std::size_t>(t);
-            squares[p][t] = (ahead[i] - back[i]).squaredNorm() / (4 * work.difference * work.difference * vertices);
-        }
+        for (int t = 0; t <= iterations; ++t)
+            squares[p][t] = (ahead[t] - back[t]).squaredNorm() / (4 * work.difference * work.difference * vertices);
     });
     FirstOrder order{squares[probes], Vector::Zero(iterations + 1)};
     for (std::size_t p = 0; p < probes; ++p) order.noise += squares[p] / static_cast<double>(probes);

@@ -2,10 +2,6 @@
 /// The runs and the predictions that a study of predicted denoising is made of. Private to the layer.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
 #include "geometry/denoising/noise_level.h"
 #include "mesh/mesh_topology.h"
 #include "questions/prediction/study.h"

@@ -1,64 +1,29 @@
 // Preflight: what each mesh of the report is, what is wrong with it, which questions that affects and what was done.
-#include <algorithm>
 #include <set>
 
-#include "base/errors.h"
+#include "geometry/measures/mesh_laws.h"
 #include "questions/bench/law_checks.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/study_list.h"
 #include "questions/preflight/parts.h"
 
 namespace meshfolio::preflight {
 
 namespace {
 
-using report::check_at_most;
-using report::check_near;
+struct Inspected : OnMesh {
+    MeshFacts facts;
 
-/// The meshes of the settings, else the user's own, else one a role; each once. One that cannot be read is told and left out: the
-/// question that needs it fails by itself.
-LibraryMeshes meshes_of_report(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
-    if (!settings.meshes.empty() || library.has_own_meshes()) return meshes_for(library, settings, {}, section);
-    LibraryMeshes meshes;
-    std::set<std::string> seen;
-    for (const MeshRole& role : mesh_role_list()) {
-        try {
-            const auto mesh = library.role(std::string(role.role));
-            if (!seen.insert(mesh->input.file + mesh->input.sha256).second) continue;
-            enter_input(*mesh, section);
-            meshes.push_back(mesh);
-        } catch (const InputError& error) {
-            section.warnings.push_back(error.what());
-            section.checks.push_back(check_near(words.line("check.usable", "role"_a = role.role), 1, 0, 0, error.what()));
-        }
-    }
-    return meshes;
-}
+    const Preflight& counts() const { return facts.counts; }
+};
 
-void add_checks(report::Section& section, const Inspected& mesh) {
-    const std::string on = " on " + mesh.name();
-    const PreparedMesh& prepared = *mesh.source->prepared;
-    const Preflight& p = mesh.counts();
-    if (p.manifold())
-        section.checks.push_back(
-            check_at_most(law::gauss_bonnet.name(on), gauss_bonnet_tolerance(p.triangles), mesh.facts.gauss_bonnet_residual));
-    if (p.manifold() && p.orientable)
-        section.checks.push_back(check_near(law::half_edges.name(on), 0, repeated_half_edges(prepared.mesh.F), 0));
-    constexpr double larger = 0x1p20, smaller = 0x1p-20;
-    section.checks.push_back(check_at_most(words.line("check.moved", "mesh"_a = mesh.name()), 1e-12,
-                                           std::max(change_when_moved(prepared, larger), change_when_moved(prepared, smaller)), 0,
-                                           words.line("check.moved.note")));
-}
+/// Where a defect was found, in the order of the meshes.
+struct Occurrence {
+    const Defect* defect;
+    std::string where;   // "plane 1, lily 2"; empty: nowhere
+    int meshes = 0;
+    double count = 0;   // in all
+};
 
-report::Text answer_of(const std::vector<Inspected>& meshes) {
-    const auto sound = std::ranges::count_if(meshes, [](const Inspected& mesh) { return defects_of(mesh.facts).empty(); });
-    if (sound == std::ranges::ssize(meshes)) return words.say("answer.sound", "meshes"_a = meshes.size());
-    if (sound == 0) return words.say("answer.found_on_all", "all"_a = meshes.size());
-    return words.say("answer.found", "meshes"_a = std::ranges::ssize(meshes) - sound, "all"_a = meshes.size());
-}
-
-}   // namespace
-
+/// Of every defect in the list.
 std::vector<Occurrence> occurrences_in(const std::vector<Inspected>& meshes) {
     std::vector<Occurrence> all;
     for (const Defect& defect : defect_list()) {
@@ -73,26 +38,168 @@ std::vector<Occurrence> occurrences_in(const std::vector<Inspected>& meshes) {
     return all;
 }
 
-std::vector<Occurrence> found_of(std::vector<Occurrence> occurrences) {
-    std::erase_if(occurrences, [](const Occurrence& o) { return o.meshes == 0; });
-    return occurrences;
+std::string orientation_of(const Preflight& p) {
+    if (!p.orientable) return "none";
+    std::string orientation = "consistent";
+    if (p.flipped_faces > 0) orientation += ", " + words.line("turned", "faces"_a = p.flipped_faces);
+    if (p.inside_out_components > 0) orientation += ", " + words.line("turned_outwards", "components"_a = p.inside_out_components);
+    return orientation;
 }
 
+auto of(auto value) {
+    return [value](const Inspected& mesh) { return std::invoke(value, mesh.counts()); };
+}
+
+report::Table connectivity_table(const std::vector<Inspected>& meshes) {
+    const report::Column count{.digits = 8};
+    return table("preflight_connectivity", words.line("connectivity"), meshes)
+        .column("mesh", &Inspected::name)
+        .column("V", count, of(&Preflight::vertices_in_use))
+        .column("edges", count, of(&Preflight::edges))
+        .column("triangles", count, of(&Preflight::triangles))
+        .column("components", count, of(&Preflight::components))
+        .column("boundary loops", count, of(&Preflight::boundary_loops))
+        .column("χ", count, of(&Preflight::euler_characteristic))
+        .column("genus", count, of([](auto& p) { return cell_of(p.genus, p.genus >= 0); }))
+        .column("manifold", of([](auto& p) { return p.manifold() ? "yes" : "no"; }))
+        .column("orientation", of(orientation_of));
+}
+
+report::Table geometry_table(const std::vector<Inspected>& meshes) {
+    return table("preflight_geometry", words.line("geometry"), meshes)
+        .column("mesh", &Inspected::name)
+        .column("box diagonal", {.unit = "length", .digits = 4}, [](auto& m) { return m.facts.diagonal; })
+        .column("offset", {.unit = "diagonals", .digits = 2}, [](auto& m) { return m.facts.offset; })
+        .column("shortest edge", {.unit = "length"}, [](auto& m) { return m.facts.shortest_edge; })
+        .column("mean edge", {.unit = "length"}, of(&Preflight::mean_edge))
+        .column("longest edge", {.unit = "length"}, [](auto& m) { return m.facts.longest_edge; })
+        .column("smallest angle", {.unit = "°"}, [](auto& m) { return m.facts.smallest_angle * 180 / pi; })
+        .column("area", {.unit = "length²", .digits = 4}, of(&Preflight::area))
+        .column("volume", {.unit = "length³", .digits = 4}, of([](auto& p) { return cell_of(p.volume, p.closed()); }))
+        .column("Gauss–Bonnet", {.digits = 2}, [](auto& m) { return cell_of(m.facts.gauss_bonnet_residual, m.counts().manifold()); });
+}
+
+report::Table defect_table(const std::vector<Occurrence>& found) {
+    return table("preflight_defects", words.line("defects"), found)
+        .column("found", [](auto& o) { return o.defect->name(); })
+        .column("count", {.digits = 8}, &Occurrence::count)
+        .column("where", &Occurrence::where)
+        .column("affects", [](auto& o) { return affected_for_people(*o.defect); })
+        .column("what it breaks", [](auto& o) { return o.defect->breaks(); })
+        .column("what was done", [](auto& o) { return o.defect->done(); });
+}
+
+report::Table search_table(const std::vector<Inspected>& meshes, const std::vector<Occurrence>& occurrences) {
+    return table("preflight_looked_for", words.line("looked_for", "meshes"_a = meshes.size()), occurrences)
+        .column("looked for", [](auto& o) { return o.defect->name(); })
+        .column("affects", [](auto& o) { return affected_for_people(*o.defect); })
+        .column("meshes with it", {.digits = 8}, &Occurrence::meshes)
+        .column("count in all", {.digits = 10}, &Occurrence::count);
+}
+
+/// Finds the meshes of the settings, else the user's own, else one a role, each once. An unreadable one becomes a failed check.
+LibraryMeshes meshes_of_report(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
+    if (!settings.meshes.empty() || library.has_own_meshes()) return meshes_for(library, settings, {}, section);
+    LibraryMeshes meshes;
+    std::set<std::string> seen;
+    for (const MeshRole& role : mesh_role_list()) {
+        try {
+            const auto mesh = library.role(std::string(role.role));
+            if (!seen.insert(mesh->input.file + mesh->input.sha256).second) continue;
+            enter_input(*mesh, section);
+            meshes.push_back(mesh);
+        } catch (const InputError& error) {
+            section.warnings.push_back(error.what());
+            add(section, check_near(words.line("check.usable", "role"_a = role.role), 1, 0, 0, error.what()));
+        }
+    }
+    return meshes;
+}
+
+void add_checks(report::Section& section, const Inspected& mesh) {
+    const std::string on = " on " + mesh.name();
+    const PreparedMesh& prepared = *mesh.source->prepared;
+    const Preflight& p = mesh.counts();
+    if (p.manifold())
+        add(section, check_at_most(law::gauss_bonnet.name(on), gauss_bonnet_tolerance(p.triangles), mesh.facts.gauss_bonnet_residual));
+    if (p.manifold() && p.orientable) add(section, check_near(law::half_edges.name(on), 0, repeated_half_edges(prepared.mesh.F), 0));
+    constexpr double larger = 0x1p20, smaller = 0x1p-20;
+    add(section, check_at_most(words.line("check.moved", "mesh"_a = mesh.name()), 1e-12,
+                               std::max(change_when_moved(prepared, larger), change_when_moved(prepared, smaller)), 0,
+                               words.line("check.moved.note")));
+}
+
+report::Text answer_of(const std::vector<Inspected>& meshes) {
+    const auto sound = std::ranges::count_if(meshes, [](const Inspected& mesh) { return defects_of(mesh.facts).empty(); });
+    if (sound == std::ranges::ssize(meshes)) return words.say("answer.sound", "meshes"_a = meshes.size());
+    if (sound == 0) return words.say("answer.found_on_all", "all"_a = meshes.size());
+    return words.say("answer.found", "meshes"_a = std::ranges::ssize(meshes) - sound, "all"_a = meshes.size());
+}
+
+constexpr double thin_below = 10;   // [°]
+
+report::Text about_meshes(const std::vector<Inspected>& meshes) {
+    Names clean, repaired, open;
+    for (const Inspected& mesh : meshes) {
+        const Preflight& p = mesh.counts();
+        if (defects_of(mesh.facts).empty()) clean.push_back(mesh.name());
+        if (p.dropped_degenerate_faces + p.dropped_duplicate_faces + p.flipped_faces + p.inside_out_components > 0)
+            repaired.push_back(mesh.name());
+        if (!p.closed()) open.push_back(mesh.name());
+    }
+    report::Text t;
+    if (!clean.empty()) report::extend(t, words.say("clean", "meshes"_a = listed(clean)), " ");
+    report::extend(t,
+                   repaired.empty()
+                       ? words.say("not_repaired")
+                       : words.say(repaired.size() < meshes.size() ? "repaired" : "repaired.all", "meshes"_a = listed(repaired)),
+                   " ");
+    if (!open.empty()) report::extend(t, words.say("open", "meshes"_a = listed(open)));
+    return t;
+}
+
+/// What was found and is still there, open boundaries and further components apart: "needle faces (lily 2)".
+Names kept_of(const std::vector<Occurrence>& found) {
+    static const std::set<std::string_view> told_elsewhere = {"dropped_degenerate_faces", "dropped_duplicate_faces", "flipped_faces",
+                                                              "inside_out_components",    "boundary_loops",          "further_components"};
+    Names kept;
+    for (const Occurrence& o : found)
+        if (!told_elsewhere.contains(o.defect->key)) kept.push_back(o.defect->name() + " (" + o.where + ")");
+    return kept;
+}
+
+report::Text about_smallest_angle(const std::vector<Inspected>& meshes) {
+    const Inspected& worst = *std::ranges::min_element(meshes, {}, [](const Inspected& m) { return m.facts.smallest_angle; });
+    const double degrees = worst.facts.smallest_angle * 180 / pi;
+    return words.say(!(degrees > 0)         ? "angle.none"
+                     : degrees < thin_below ? "angle.thin"
+                                            : "angle.even",
+                     "angle"_a = readable(degrees, 2), "mesh"_a = worst.name());
+}
+
+void add_discussion(report::Section& section, const std::vector<Inspected>& meshes, const std::vector<Occurrence>& found) {
+    add_words(section, words, "discussion");
+    add_paragraphs(section, {about_meshes(meshes)});
+    if (const Names kept = kept_of(found); !kept.empty()) add_paragraphs(section, {words.say("kept", "defects"_a = listed(kept))});
+    add_paragraphs(section, {about_smallest_angle(meshes)});
+}
+
+}   // namespace
+
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("preflight")};
     report::Section& section = answer.section;
-    section = section_of("preflight");
     std::vector<Inspected> meshes;
     for (const auto& source : meshes_of_report(library, settings, section)) {
         progress("preflight of " + source->name);
         meshes.push_back({source, mesh_facts(*source->prepared)});
     }
     if (meshes.empty()) throw InputError({}, "no mesh can be used", "see the warnings");
-    const std::vector<Occurrence> occurrences = occurrences_in(meshes), found = found_of(occurrences);
-    add_words(section, words, "method");
-    add_words(section, words, "results");
-    add(section, connectivity_table(meshes));
-    add(section, geometry_table(meshes));
+    const std::vector<Occurrence> occurrences = occurrences_in(meshes);
+    std::vector<Occurrence> found = occurrences;
+    std::erase_if(found, [](const Occurrence& o) { return o.meshes == 0; });
+    add_words(section, words, {"method", "results"});
+    add(section, connectivity_table(meshes), geometry_table(meshes));
     if (!found.empty()) add(section, defect_table(found));
     add(section, search_table(meshes, occurrences));
     for (const Inspected& mesh : meshes) add_checks(section, mesh);

@@ -1,7 +1,3 @@
-#include "questions/preflight/defects.h"
-
-#include <array>
-
 #include "questions/preflight/parts.h"
 
 namespace meshfolio::preflight {

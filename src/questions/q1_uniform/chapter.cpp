@@ -1,35 +1,99 @@
 // Question 1: mean curvature from the uniform Laplacian, Gaussian curvature from the angle deficit.
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "questions/core/chapter.h"
-#include "questions/core/section_tools.h"
 #include "questions/q1_uniform/parts.h"
 
 namespace meshfolio::q1_uniform {
 
 namespace {
 
-using report::check_at_most;
-using report::check_near;
+struct Spread {
+    std::string mesh, quantity, unit;
+    ValueSummary values;
+};
+
+report::Table statistics_table(const Meshes& meshes) {
+    std::vector<Spread> rows;
+    for (const MeshCurvature& c : meshes) {
+        rows.push_back({c.name(), "½‖Δx‖", "length", summary_of(c.length)});
+        rows.push_back({c.name(), "H scaled", "1/length", summary_of(c.H)});
+        rows.push_back({c.name(), "K", "1/length²", summary_of(c.K)});
+    }
+    return table("q1_statistics", words.line("statistics"), rows)
+        .column("mesh", &Spread::mesh)
+        .column("quantity", &Spread::quantity)
+        .column("unit", &Spread::unit)
+        .column("minimum", {.digits = 4}, [](auto& row) { return cell_of(row.values.minimum); })
+        .column("median", {.digits = 4}, [](auto& row) { return cell_of(row.values.median); })
+        .column("mean", {.digits = 4}, [](auto& row) { return cell_of(row.values.mean); })
+        .column("maximum", {.digits = 4}, [](auto& row) { return cell_of(row.values.maximum); })
+        .column("standard deviation", [](auto& row) { return cell_of(row.values.standard_deviation); })
+        .column("defined", [](auto& row) { return row.values.count; })
+        .column("undefined", [](auto& row) { return row.values.undefined; });
+}
+
+report::Table error_table(const BenchRuns& runs) {
+    const auto error = [](std::string_view estimator, Norm norm = &EstimateError::l2) {
+        return [=](const BenchRun& run) { return 100 * run.finest().error(estimator).*norm; };
+    };
+    const auto order = [](std::string_view estimator) {
+        return [=](const BenchRun& run) { return cell_of(run.errors(estimator).order().exponent); };
+    };
+    int vertices = 0;
+    for (const BenchRun& run : runs) vertices = std::max(vertices, run.finest().vertices);
+    return table("q1_errors", words.line("errors", "vertices"_a = vertices), runs)
+        .column("surface", &BenchRun::surface)
+        .column("triangulation", [](auto& run) { return name_of(run.kind); })
+        .column("uniform H", {.unit = "%"}, error(uniform_H))
+        .column("order of H", {.rounding = Rounding::tenths}, order(uniform_H))
+        .column("normal part", {.unit = "%", .digits = 2}, error(normal_H))
+        .column("K barycentric", {.unit = "%", .digits = 2}, error(deficit_K))
+        .column("order of K", {.rounding = Rounding::tenths}, order(deficit_K))
+        .column("worst vertex", {.unit = "%", .digits = 2}, error(deficit_K, &EstimateError::linf))
+        .column("K Voronoi", {.unit = "%", .digits = 2}, error("K.voronoi"))
+        .column("K mixed", {.unit = "%", .digits = 2}, error("K.mixed"));
+}
+
+/// L∞ errors of K on the finest meshes, one row an area form.
+report::Table area_table(const BenchRuns& runs) {
+    auto errors = table("q1_area_forms", words.line("area_forms"), area_forms);
+    errors.column("area form", area_name);
+    for (const BenchRun& run : runs)
+        errors.column(run.title(), {.unit = "%", .best = Best::smallest},
+                      [&](AreaForm form) { return 100 * run.finest().error(K_with(form)).linf; });
+    const bool all_defined = std::ranges::all_of(area_forms, [&](AreaForm form) { return without_K(runs, form) == 0; });
+    if (!all_defined)
+        errors.column("without K", {.unit = "vertices", .best = Best::smallest}, [&](AreaForm form) { return without_K(runs, form); });
+    return errors;
+}
+
+report::Table gauss_bonnet_table(const AngleSums& sums) {
+    return table("q1_gauss_bonnet", words.line("gauss_bonnet"), sums)
+        .column("mesh", &AngleSum::mesh)
+        .column("vertices", &AngleSum::vertices)
+        .column("χ", &AngleSum::euler)
+        .column("Σ deficit / 2π", {.digits = 6}, &AngleSum::measured)
+        .column("difference", {.digits = 2}, [](auto& s) { return s.measured - s.euler; })
+        .column("applies", [](auto& s) { return s.applies ? "yes" : words.line("gauss_bonnet.does_not_apply"); });
+}
+
+report::Plot convergence_plot(const BenchRuns& runs) {
+    return meshfolio::convergence_plot("q1_convergence", words, runs, {{uniform_H, "convergence.h"}, {deficit_K, "convergence.k"}});
+}
 
 void add_checks(report::Section& section, const AngleSums& sums, const std::vector<FlatMesh>& flat, const BenchRuns& runs) {
     for (const AngleSum& s : sums)
-        if (s.applies)
-            section.checks.push_back(check_near(words.line("check.gauss_bonnet", "mesh"_a = s.mesh), s.euler, s.measured, s.tolerance()));
+        if (s.applies) add(section, check_near(words.line("check.gauss_bonnet", "mesh"_a = s.mesh), s.euler, s.measured, s.tolerance()));
     for (const FlatMesh& f : flat) {
         const CurvatureSubject& s = f.curvature->subject;
         if (s.interior == 0) continue;
         const std::string note = words.line("check.flat.note");
-        section.checks.push_back(check_at_most(words.line("check.flat.normal_part", "mesh"_a = s.name()), 0, f.normal_part, 1e-6, note));
-        section.checks.push_back(check_at_most(words.line("check.flat.deficit", "mesh"_a = s.name()), 0, f.deficit, 1e-5, note));
+        add(section, check_at_most(words.line("check.flat.normal_part", "mesh"_a = s.name()), 0, f.normal_part, 1e-6, note),
+            check_at_most(words.line("check.flat.deficit", "mesh"_a = s.name()), 0, f.deficit, 1e-5, note));
     }
     const Order of_K = run_on(runs, "torus", MeshKind::regular).errors(deficit_K).order();
-    section.checks.push_back(check_near(words.line("check.order"), 2, of_K.exponent, 0.2));
+    add(section, check_near(words.line("check.order"), 2, of_K.exponent, 0.2));
     for (const MeshKind kind : question_kinds) {
         const double error = run_on(runs, "sphere", kind).finest().error("H.uniform_n").linf;
-        section.checks.push_back(
+        add(section,
             check_at_most(words.line("check.sphere", "triangulation"_a = name_of(kind)), 0, error, 1e-9, words.line("check.sphere.note")));
     }
 }
@@ -43,23 +107,17 @@ int without_K(const BenchRuns& runs, AreaForm form) {
 }
 
 double euler_gap(const AngleSums& sums) {
-    double gap = 0;
-    for (const AngleSum& s : sums)
-        if (s.applies) gap = std::max(gap, std::abs(s.measured - s.euler));
-    return gap;
+    return largest_of(sums, [](const AngleSum& s) { return s.applies ? std::abs(s.measured - s.euler) : 0; });
 }
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("q1")};
     report::Section& section = answer.section;
-    section = section_of("q1");
     const auto sources = meshes_for(library, settings, {"bumpy_cube", "lilium", "sphere", "plane"}, section);
     Meshes meshes;
-    std::vector<std::string> names;
     for (const auto& source : sources) {
         progress("uniform curvature of " + source->name);
         meshes.push_back(curvature_of(source));
-        names.push_back(source->name);
     }
     const std::optional<Drifting> drifting = most_drifting(meshes);
     const BenchRuns runs = question_runs(settings, progress);
@@ -69,23 +127,19 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         if (c.subject.plane_normal) flat.push_back(flat_mesh(c));
 
     section.answer = answer_of(runs);
-    add_paragraph(section, lead_of(runs, drifting));
+    add_paragraphs(section, {lead_of(runs, drifting)});
     add_words(section, words, "method.laplacian");
     add(section, ring_diagram());
-    add_words(section, words, "method.deficit");
-    add_words(section, words, "results");
+    add_words(section, words, {"method.deficit", "results"});
     add_figures(answer, meshes);
     if (drifting) add_tangential_figure(answer, meshes, settings.colormap);
     add(section, error_table(runs));
-    add_discussion(section, {meshes, runs, sums, flat, panel_runs(settings.seed, settings.quick, progress), drifting});
+    add_discussion(section, meshes, flat, runs, panel_runs(settings.seed, settings.quick, progress), sums, drifting);
     add_checks(section, sums, flat, runs);
 
     begin_appendix(section);
     add_words(section, words, "appendix");
-    add(section, convergence_plot(runs));
-    add(section, statistics_table(meshes));
-    add(section, area_table(runs));
-    add(section, gauss_bonnet_table(sums));
+    add(section, convergence_plot(runs), statistics_table(meshes), area_table(runs), gauss_bonnet_table(sums));
     add_flat_boundaries(section, flat);
 
     const std::size_t levels = runs.front().levels.size();
@@ -93,7 +147,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
                           {"colour range", words.line("parameter.colour_range")},
                           {"levels of refinement", levels},
                           {"seed of the jitter", settings.seed}};
-    section.extent = words.line("extent", "meshes"_a = listed(names), "levels"_a = levels, "sums"_a = sums.size());
+    section.extent = words.line("extent", "meshes"_a = listed(names_of(meshes)), "levels"_a = levels, "sums"_a = sums.size());
     return answer;
 }
 

@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <cmath>
 #include <set>
 
-#include "base/number_text.h"
-#include "output/draw/figure_request.h"
 #include "questions/q1_uniform/parts.h"
 
 namespace meshfolio::q1_uniform {
@@ -42,7 +38,7 @@ report::Text flat_picture(const FlatMesh& f) {
 }
 
 report::Text curved_picture(const MeshCurvature& c) {
-    const std::string& mesh = c.subject.name();
+    const std::string& mesh = c.name();
     if (summary_of(c.H).count == 0) return words.say("h.nothing", "mesh"_a = mesh);
     if (const int vertices = summary_of(c.H).count; vertices < fewest_to_read)
         return words.say("h.few", "mesh"_a = mesh, "vertices"_a = vertices);
@@ -62,12 +58,12 @@ report::Text curved_picture(const MeshCurvature& c) {
 /// Has the mesh a picture that is compared with that of cotangent H?
 bool is_compared(const MeshCurvature& c) { return !c.subject.plane_normal && summary_of(c.H).count >= fewest_to_read; }
 
-report::Text about_H_picture(const Findings& found) {
+report::Text about_H_picture(const Meshes& meshes, const std::vector<FlatMesh>& flat) {
     report::Text t = words.say("h.read");
-    if (std::ranges::any_of(found.meshes, is_compared)) go_on(t, words.say("h.reference"));
-    for (const MeshCurvature& c : found.meshes)
+    if (std::ranges::any_of(meshes, is_compared)) go_on(t, words.say("h.reference"));
+    for (const MeshCurvature& c : meshes)
         if (!c.subject.plane_normal) go_on(t, curved_picture(c));
-    for (const FlatMesh& f : found.flat) go_on(t, flat_picture(f));
+    for (const FlatMesh& f : flat) go_on(t, flat_picture(f));
     return t;
 }
 
@@ -82,13 +78,13 @@ void go_on_about_flat_parts(report::Text& t, const Meshes& meshes) {
         if (const FlatParts flat = flat_parts(c); flat.mislead() && flat.share > most.share) flattest = &c, most = flat;
     }
     if (!flattest) return;
-    go_on(t, words.say("tangential.flat", "mesh"_a = flattest->subject.name(), "flat"_a = readable_percent(most.share, 2),
+    go_on(t, words.say("tangential.flat", "mesh"_a = flattest->name(), "flat"_a = readable_percent(most.share, 2),
                        "coloured"_a = readable_percent(most.coloured, 2), "drift"_a = readable_percent(most.drift, 2)));
 }
 
 report::Text about_tangential_picture(const Drifting& drifting, const Meshes& meshes) {
     const TangentialPart& part = drifting.part;
-    const std::string& mesh = drifting.mesh->subject.name();
+    const std::string& mesh = drifting.mesh->name();
     report::Text t = words.say("tangential", "mesh"_a = mesh, "share"_a = readable_percent(part.share, 2));
     go_on(t, words.say(part.dark > 0.5    ? "tangential.mostly_dark"
                        : part.dark > 0.02 ? "tangential.partly_dark"
@@ -123,28 +119,28 @@ report::Text K_picture(const MeshCurvature& c) {
 
 /// Caps outside and saddles between them: what several meshes show alike is said once.
 struct Caps {
-    std::vector<std::string> negative, outer;
+    Names negative, outer;
 
     /// Does the mesh show them?
     bool take(const MeshCurvature& c) {
         const SignsByDistance seen = signs_by_distance(c.subject, c.K, 0.05 * colour_range(c.K));
         if (irregular_vertices(c).ringed() || !(c.K.array() < 0).any() || !seen.caps_outside()) return false;
         negative.push_back(words.line(negative.empty() ? "k.caps.saddles" : "k.caps.saddles_too",
-                                      "share"_a = readable_percent(seen.negative, 2), "mesh"_a = c.subject.name()));
+                                      "share"_a = readable_percent(seen.negative, 2), "mesh"_a = c.name()));
         outer.push_back(readable_percent(seen.outer_positive, 2));
         return true;
     }
 };
 
-report::Text about_K_picture(const Findings& found) {
+report::Text about_K_picture(const Meshes& meshes, const std::vector<FlatMesh>& flat) {
     report::Text t = words.say("k.read"), others;
     Caps caps;
-    for (const MeshCurvature& c : found.meshes)
+    for (const MeshCurvature& c : meshes)
         if (!c.subject.plane_normal && !caps.take(c)) go_on(others, K_picture(c));
     if (!caps.outer.empty()) go_on(t, words.say("k.caps", "negative"_a = listed(caps.negative), "outer"_a = listed(caps.outer)));
-    report::extend(t, others);
-    for (const FlatMesh& f : found.flat)
-        if (f.curvature->subject.interior > 0) go_on(t, words.say("k.flat", "mesh"_a = f.curvature->subject.name()));
+    go_on(t, others);
+    for (const FlatMesh& f : flat)
+        if (f.curvature->subject.interior > 0) go_on(t, words.say("k.flat", "mesh"_a = f.curvature->name()));
     return t;
 }
 
@@ -178,7 +174,7 @@ report::Text about_errors(const BenchRuns& runs, const BenchRuns& panel) {
 
 /// The area form with the smallest error of K on each jittered surface.
 report::Text about_areas(const BenchRuns& runs) {
-    std::vector<std::string> told;
+    Names told;
     std::set<AreaForm> winners;
     for (const BenchRun& run : of_kind(runs, MeshKind::jittered)) {
         const auto error = [&](AreaForm form) { return run.finest().error(K_with(form)).l2; };
@@ -237,26 +233,24 @@ report::Text lead_of(const BenchRuns& runs, const std::optional<Drifting>& drift
     go_on(t, words.say("lead.k", "regular"_a = error(regular, deficit_K, &EstimateError::linf),
                        "jittered"_a = error(jittered, deficit_K, &EstimateError::linf)));
     if (drifting)
-        go_on(t, words.say("lead.drift", "mesh"_a = drifting->mesh->subject.name(), "share"_a = readable_percent(drifting->part.share, 2)));
+        go_on(t, words.say("lead.drift", "mesh"_a = drifting->mesh->name(), "share"_a = readable_percent(drifting->part.share, 2)));
     return t;
 }
 
-void add_discussion(report::Section& section, const Findings& found) {
-    add_paragraph(section, about_H_picture(found));
-    if (found.drifting) add_paragraph(section, about_tangential_picture(*found.drifting, found.meshes));
-    add_paragraph(section, about_K_picture(found));
-    add_paragraph(section, about_errors(found.runs, found.panel));
-    report::Text choice = about_areas(found.runs);
-    go_on(choice, about_gauss_bonnet(found.sums));
-    add_paragraph(section, choice);
+void add_discussion(report::Section& section, const Meshes& meshes, const std::vector<FlatMesh>& flat, const BenchRuns& runs,
+                    const BenchRuns& panel, const AngleSums& sums, const std::optional<Drifting>& drifting) {
+    add_paragraphs(section,
+                   {about_H_picture(meshes, flat), drifting ? about_tangential_picture(*drifting, meshes) : report::Text(),
+                    about_K_picture(meshes, flat), about_errors(runs, panel), paragraph_of({about_areas(runs), about_gauss_bonnet(sums)})});
 }
 
 void add_flat_boundaries(report::Section& section, const std::vector<FlatMesh>& flat) {
     for (const FlatMesh& f : flat)
         if (f.boundary_vertices > 0)
-            add_paragraph(section, words.say("flat.boundary", "mesh"_a = f.curvature->subject.name(), "vertices"_a = f.boundary_vertices,
-                                             "length"_a = readable(f.boundary_length, 2), "K"_a = readable(f.boundary_K, 3),
-                                             "largest_turning"_a = readable(f.largest_turning, 3), "turning"_a = readable(f.turning, 4)));
+            add_paragraphs(section,
+                           {words.say("flat.boundary", "mesh"_a = f.curvature->name(), "vertices"_a = f.boundary_vertices,
+                                      "length"_a = readable(f.boundary_length, 2), "K"_a = readable(f.boundary_K, 3),
+                                      "largest_turning"_a = readable(f.largest_turning, 3), "turning"_a = readable(f.turning, 4))});
 }
 
 }   // namespace meshfolio::q1_uniform

@@ -1,10 +1,106 @@
-#include "base/number_text.h"
-#include "questions/core/six_view_figure.h"
+#include <numeric>
+
+#include "geometry/operators/uniform_laplacian.h"
+#include "questions/bench/one_ring.h"
+#include "questions/core/diagram_names.h"
 #include "questions/q1_uniform/parts.h"
 
 namespace meshfolio::q1_uniform {
 
 namespace {
+
+using namespace diagram_names;
+
+constexpr double elevation = 0.8;      // of the eye over the tangent plane [rad]
+constexpr double drawn_normal = 0.9;   // length of n, on the unit sphere
+
+/// A view from aside in which the drift of Δx along the surface shows its whole length.
+class SideView {
+public:
+    SideView(const Vector3& origin, const Vector3& right, const Vector3& normal)
+        : origin_(origin), right_(right), up_(normal * std::cos(elevation) + right.cross(normal).normalized() * std::sin(elevation)) {}
+
+    DiagramPoint operator()(const Vector3& p) const { return {(p - origin_).dot(right_), (p - origin_).dot(up_)}; }
+
+private:
+    Vector3 origin_, right_, up_;
+};
+
+/// A ring on a sphere, the mean of its neighbours, and Δx with its parts along the normal and along the surface.
+Diagram::Panel laplacian_panel() {
+    const SampleRing sample = ring_on_a_sphere();
+    const auto point = [&](int v) -> Vector3 { return sample.mesh.X.row(v).transpose(); };
+    const Vector3 x = point(sample.vertex), normal = vertex_normals(sample.mesh).row(sample.vertex).transpose();
+    const Positions laplacian = uniform_laplacian(sample.topology) * sample.mesh.X;
+    const Vector3 drift = laplacian.row(sample.vertex).transpose();
+    const Vector3 along_surface = drift - drift.dot(normal) * normal;
+    const SideView seen(x, along_surface.normalized(), normal);
+
+    Diagram::Panel panel{.title = words.line("diagram.laplacian")};
+    std::vector<DiagramPoint> corners;
+    for (const int j : ring_in_order(sample.mesh, sample.topology, sample.vertex)) corners.push_back(seen(point(j)));
+    panel.paths.push_back(path_through(corners, Style::area, true));
+    panel.paths.push_back(path_through(corners, Style::line, true));
+    for (const DiagramPoint& corner : corners) panel.paths.push_back(path_through({seen(x), corner}, Style::thin));
+    const DiagramPoint tip = seen(x + drift), foot = seen(x + along_surface);
+    panel.paths.push_back(path_through({seen(x), foot}, Style::line));
+    panel.paths.back().arrow = true;
+    panel.paths.push_back(path_through({foot, tip}, Style::dashed));
+    panel.paths.push_back(path_through({seen(x), tip}, Style::accent));
+    panel.paths.back().arrow = true;
+    const DiagramPoint outwards = seen(x + drawn_normal * normal);
+    panel.paths.push_back(path_through({seen(x), outwards}, Style::line));
+    panel.paths.back().arrow = true;
+    panel.labels.push_back({.x = outwards[0], .y = outwards[1], .words = text(math("n")), .side = Side::right});
+    panel.labels.push_back({.x = 0, .y = 0, .words = text(math("x_i")), .side = Side::above_left, .dot = true});
+    const DiagramPoint left = *std::ranges::min_element(corners, {}, [](const DiagramPoint& p) { return p[0]; });
+    panel.labels.push_back({.x = left[0], .y = left[1], .words = text(math("x_j")), .side = Side::left, .dot = true});
+    panel.labels.push_back({.x = tip[0], .y = tip[1], .words = text(math("Δx")), .side = Side::below_right, .accent = true});
+    panel.labels.push_back({.x = foot[0], .y = foot[1], .words = words.say("diagram.drift"), .side = Side::above_right});
+    return panel;
+}
+
+/// The same ring cut open and laid flat.
+Diagram::Panel deficit_panel() {
+    const SampleRing sample = ring_on_a_sphere();
+    // The gap opens downwards.
+    const double gap = flat_ring(sample.mesh, sample.topology, sample.vertex).gap();
+    const FlatRing ring = flat_ring(sample.mesh, sample.topology, sample.vertex, -pi / 2 + gap / 2);
+    Diagram::Panel panel{.title = words.line("diagram.deficit")};
+    std::vector<DiagramPoint> outline = ring.corners;
+    outline.push_back({0, 0});
+    panel.paths.push_back(path_through(outline, Style::area, true));
+    panel.paths.push_back(path_through(outline, Style::line, true));
+    const auto first = ring.corners.begin();
+    for (auto corner = first + 1; corner + 1 != ring.corners.end(); ++corner)
+        panel.paths.push_back(path_through({{0, 0}, *corner}, Style::thin));
+    const auto length = [](const DiagramPoint& p) { return std::hypot(p[0], p[1]); };
+    const double cut = length(ring.corners.front()), shortest = length(*std::ranges::min_element(ring.corners, {}, length));
+    panel.paths.push_back(report::arc({0, 0}, 0.6 * cut, -pi / 2 - gap / 2, -pi / 2 + gap / 2, Style::accent));
+    panel.labels.push_back({.x = 0, .y = -0.6 * cut, .words = text(math("2π − Σθ")), .side = Side::below, .accent = true});
+    for (int t = 0; t < ring.triangles(); ++t) {
+        const DiagramPoint &p = first[t], &q = first[t + 1];
+        panel.paths.push_back(report::angle_arc({0, 0}, p, q, 0.25 * shortest, Style::thin));
+        // On the line that halves the angle, before the side that ends it.
+        const double halving = 2 * length(p) * length(q) * std::cos(ring.angles[t] / 2) / (length(p) + length(q));
+        const DiagramPoint at = report::inside_angle({0, 0}, p, q, 0.65 * halving);
+        panel.labels.push_back({.x = at[0], .y = at[1], .words = text(math("θ_" + std::to_string(t + 1))), .side = Side::centre});
+    }
+    return panel;
+}
+
+Diagram::Panel area_panel(const FlatRing& ring, AreaForm form) {
+    Diagram::Panel panel{.title = area_name(form)};
+    const auto corner = ring.corners.begin();
+    for (int t = 0; t < ring.triangles(); ++t)
+        if (is_obtuse(ring, t)) panel.paths.push_back(path_through({{0, 0}, corner[t], corner[t + 1]}, Style::area, true));
+    panel.paths.push_back(path_through(cell_of(ring, form), Style::accent_area, true));
+    panel.paths.push_back(path_through({ring.corners.begin(), ring.corners.end() - 1}, Style::line, true));
+    for (int t = 0; t < ring.triangles(); ++t) panel.paths.push_back(path_through({{0, 0}, corner[t]}, Style::thin));
+    panel.paths.push_back(path_through(cell_of(ring, form), Style::accent, true));
+    panel.labels.push_back({.x = 0, .y = 0, .words = {}, .dot = true});
+    return panel;
+}
 
 /// A quantity that every mesh shows on a range of its own, for values of meshes are not compared.
 struct Shown {
@@ -24,7 +120,7 @@ const Shown shown[]{
 
 /// In percent of the mesh's own range, which its label tells.
 output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
-    const std::string& name = c.subject.name();
+    const std::string& name = c.name();
     output::Panel panel;
     panel.values = quantity.values(c);
     const double range = output::robust_range({panel}, "diverging", "", "", quantity.floor).high;
@@ -35,15 +131,14 @@ output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
     return relative_panel(c.subject, "q1_" + name + "_" + quantity.key, label, panel.values, range);
 }
 
-/// Irregular vertices that the text reads are too small, or too faint, to be found without rings. Where there are many, none has one.
-/// @return a space and a sentence that says which meshes have rings, or nothing where none has
+/// Rings the irregular vertices that the text speaks of. @return a space and a sentence that names these meshes, or nothing
 std::string mark_irregular_vertices(std::vector<output::Panel>& panels, const Meshes& meshes) {
-    std::vector<std::string> ringed;
+    Names ringed;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const IrregularVertices odd = irregular_vertices(meshes[i]);
         if (!odd.ringed()) continue;
         panels[i].marked_vertices = odd.vertices;
-        ringed.push_back(meshes[i].subject.name());
+        ringed.push_back(meshes[i].name());
     }
     if (ringed.empty()) return {};
     return " " + words.line(ringed.size() == meshes.size() ? "k.marked.all" : "k.marked", "meshes"_a = listed(ringed));
@@ -51,41 +146,52 @@ std::string mark_irregular_vertices(std::vector<output::Panel>& panels, const Me
 
 }   // namespace
 
+Diagram ring_diagram() {
+    const SampleRing sphere = ring_on_a_sphere(), flat = obtuse_ring_in_a_plane();
+    const double share = tangential_shares(sphere.mesh, sphere.topology)[sphere.vertex];
+    const double gap = flat_ring(sphere.mesh, sphere.topology, sphere.vertex).gap();
+    const FlatRing ring = flat_ring(flat.mesh, flat.topology, flat.vertex);
+    Diagram diagram{.id = "q1_ring",
+                    .caption = words.line("diagram.caption", "share"_a = readable_percent(share, 2), "gap"_a = readable(gap * 180 / pi, 2)),
+                    .alt = words.line("diagram.alt", "gap"_a = readable(gap * 180 / pi, 2)),
+                    .panels = {laplacian_panel(), deficit_panel()}};
+    for (const AreaForm form : area_forms) diagram.panels.push_back(area_panel(ring, form));
+    return diagram;
+}
+
 void add_figures(Answer& answer, const Meshes& meshes) {
     UndefinedVertices masked;
     for (const MeshCurvature& c : meshes) masked += undefined_vertices(c.subject);
     for (const Shown& quantity : shown) {
-        SixViewFigure figure{.id = "q1_" + quantity.key, .title = words.line(quantity.title)};
+        output::FigureRequest figure{.id = "q1_" + quantity.key,
+                                     .title = words.line(quantity.title),
+                                     .range = relative_range(words.line(quantity.quantity)),
+                                     .frame_panel = -1,
+                                     .turnable = quantity.key == "h",
+                                     .view_files = true};
         for (const MeshCurvature& c : meshes) figure.panels.push_back(panel_of(quantity, c));
-        figure.caption = words.line(quantity.caption);
-        if (quantity.key == "k") figure.caption += mark_irregular_vertices(figure.panels, meshes);
-        figure.caption += undefined_words(masked);
-        figure.range = relative_range(words.line(quantity.quantity));
-        figure.frame_panel = -1;
-        figure.turnable = quantity.key == "h";
-        figure.view_files = true;
-        add_figure(answer, std::move(figure));
+        const std::string marked = quantity.key == "k" ? mark_irregular_vertices(figure.panels, meshes) : "";
+        add_figure(answer, std::move(figure), words.line(quantity.caption) + marked + undefined_words(masked));
     }
 }
 
 void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::string& colormap) {
-    SixViewFigure figure{.id = "q1_tangential",
-                         .title = words.line("tangential.title"),
-                         .frame_panel = -1,
-                         .turnable = true,
-                         .layout = output::Layout::multiples};
+    output::FigureRequest figure{.id = "q1_tangential",
+                                 .title = words.line("tangential.title"),
+                                 .frame_panel = -1,
+                                 .layout = output::Layout::multiples,
+                                 .turnable = true};
     UndefinedVertices masked;
     for (const MeshCurvature& c : meshes) {
         if (c.subject.plane_normal || summary_of(c.H).count == 0) continue;
         const TangentialPart part = tangential_part(c);
-        const std::string label = words.line("tangential.label", "mesh"_a = c.subject.name(), "share"_a = readable_percent(part.share, 2));
-        figure.panels.push_back(relative_panel(c.subject, "q1_" + c.subject.name() + "_tangential", label, part.shares, 1));
+        const std::string label = words.line("tangential.label", "mesh"_a = c.name(), "share"_a = readable_percent(part.share, 2));
+        figure.panels.push_back(relative_panel(c.subject, "q1_" + c.name() + "_tangential", label, part.shares, 1));
         masked += undefined_vertices(c.subject);
     }
-    figure.caption = words.line("tangential.caption", "undefined"_a = undefined_words(masked));
     figure.range =
         range_for({.colormap = colormap, .low = 0, .high = 100, .quantity = words.line("tangential.quantity"), .unit = "%"}, figure.panels);
-    add_figure(answer, std::move(figure));
+    add_figure(answer, std::move(figure), words.line("tangential.caption", "undefined"_a = undefined_words(masked)));
 }
 
 }   // namespace meshfolio::q1_uniform

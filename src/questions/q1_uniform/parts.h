@@ -1,18 +1,118 @@
 /// @file
-/// The parts of question 1.
+/// What question 1 measures, uniform H and angle-deficit K on its meshes and how far jitter worsens them, and what it shows of it.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
+#include <limits>
 
-#include "questions/bench/sentences.h"
-#include "questions/q1_uniform/study.h"
-#include "report/document.h"
+#include "questions/bench/curvature_bench.h"
+#include "questions/bench/curvature_subject.h"
 
 namespace meshfolio::q1_uniform {
 
 inline constexpr report::Words words("q1");
+
+// The estimators of this question.
+inline constexpr std::string_view uniform_H = "H.uniform", normal_H = "H.uniform_own_n", deficit_K = "K.barycentric";
+
+struct MeshCurvature {
+    CurvatureSubject subject;
+    Vector length;      // ½‖Δ_uniform x‖, signed [length]
+    Vector H;           // the same times 4/h² [1/length]
+    Vector K;           // barycentric areas [1/length²]
+    Vector cotangent;   // H of question 3, to compare with [1/length]
+    Vector areas;       // barycentric [length²]
+    Vector deficit;     // [rad]
+    const std::string& name() const { return subject.name(); }
+    double euler_from_angles() const;
+};
+
+MeshCurvature curvature_of(SharedMesh source);
+
+/// The end of the colours that show these values, symmetric about 0.
+double colour_range(const Vector& values);
+
+/// Medians of values in the quarter of the vertices where something else is smallest, and in that where it is largest.
+struct Contrast {
+    double least = 0, most = 0;   // NaN with fewer than eight vertices
+};
+Contrast contrast(const Vector& values, const Vector& by);
+
+/// What of Δx inside a curved mesh is no curvature: differences are rms, over the rms of cotangent H.
+struct TangentialPart {
+    Vector shares;           // of ‖Δx‖² at each vertex, along the surface
+    double share = 0;        // of Σ ‖Δx‖²
+    double dark = 0;         // of the vertices, where the share is above 0.9
+    double gap = 0;          // of ½‖Δx‖ · 4/h² to cotangent H
+    double normal_gap = 0;   // of −½Δx·n · 4/h² to it, with the mesh's own n
+    Contrast length;         // of the shares: where |½‖Δx‖| is small, and where it is large
+
+    bool explains() const { return share > 1e-3 && normal_gap < 0.9 * gap; }
+};
+TangentialPart tangential_part(const MeshCurvature& c);
+
+/// Where a curved mesh is flat: |K| and |cotangent H| are within `flat_within` of their colour ranges. Colours of ½‖Δx‖ are drift there.
+inline constexpr double flat_within = 0.1;
+struct FlatParts {
+    int vertices = 0;
+    double share = 0;      // of the vertices with curvature
+    double coloured = 0;   // of these, the share where |½‖Δx‖| is beyond flat_within of its own range
+    double drift = 0;      // median tangential share there
+
+    /// Enough to be seen, and drift that is taken for curvature.
+    bool mislead() const { return vertices >= 20 && share > 0.02 && coloured > 0.25 && drift > 0.5; }
+};
+FlatParts flat_parts(const MeshCurvature& c);
+
+/// What the picture of uniform H shows beside that of cotangent H.
+struct Picture {
+    double correlation = 0;                    // rank_correlation() of the two
+    double spread = 0, cotangent_spread = 0;   // 98th over 2nd percentile where there is one sign; 0 where there are two
+
+    bool varies_where_truth_does_not() const { return cotangent_spread > 0 && cotangent_spread < 1.2 && spread > 1.5 * cotangent_spread; }
+    bool misleads() const { return varies_where_truth_does_not() || correlation < 0.5; }
+};
+Picture picture_of(const MeshCurvature& c);
+
+/// K at the few vertices of valence other than six: its largest relative distance from the median, there, elsewhere, and with Voronoi
+/// areas.
+struct IrregularVertices {
+    std::vector<int> vertices;
+    double off = 0, off_elsewhere = 0, off_with_voronoi = 0;
+
+    bool ringed() const { return stand_out() && off > 0.1; }   // where less is off there is nothing to look for
+    bool seen() const { return off > 0.25; }                   // in a colour range about 0
+    bool stand_out() const { return !vertices.empty() && off > 5 * off_elsewhere; }
+    bool area_is_why() const { return off_with_voronoi < 0.2 * off; }
+};
+/// Where K has one sign, and at most a twentieth of the vertices are irregular; else none.
+IrregularVertices irregular_vertices(const MeshCurvature& c);
+
+struct AngleSum {
+    std::string mesh;
+    int vertices = 0, faces = 0, euler = 0;
+    double measured = 0;   // Σ deficit / 2π
+    bool applies = true;   // manifold, and every triangle has angles
+    /// Three angles a triangle, each rounded once and added up once.
+    double tolerance() const { return 8.0 * std::max(vertices, faces) * std::numeric_limits<double>::epsilon(); }
+};
+
+std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const BenchRuns& runs);
+
+/// What a flat mesh shows inside, where every curvature is zero, and what its boundary would show were it not masked.
+struct FlatMesh {
+    const MeshCurvature* curvature = nullptr;
+    double normal_part = 0;       // largest |Δx · n| inside [mean edges]
+    double drift = 0;             // largest ½‖Δx‖ inside [mean edges]
+    double deficit = 0;           // largest |2π − Σθ| inside [rad]
+    double boundary_length = 0;   // largest ½‖Δx‖ on the boundary [mean edges]
+    double boundary_K = 0;        // largest |2π − Σθ|/A there, times d²
+    double turning = 0;           // Σ (π − Σθ) over the boundary / 2π
+    double largest_turning = 0;   // [rad]
+    int boundary_vertices = 0;
+};
+
+/// @pre the mesh has a common plane
+FlatMesh flat_mesh(const MeshCurvature& c);
 
 /// Curvature × mean edge below this cannot be seen in any picture: coordinates written with six digits leave as much.
 inline constexpr double visible = 1e-4;
@@ -25,14 +125,6 @@ double euler_gap(const AngleSums& sums);
 
 /// On the finest meshes together, the vertices whose area is ≤ 0.
 int without_K(const BenchRuns& runs, AreaForm form);
-
-// Tables and plots.
-report::Table statistics_table(const Meshes& meshes);
-report::Table error_table(const BenchRuns& runs);
-/// L∞ errors of K on the finest meshes, one row an area form.
-report::Table area_table(const BenchRuns& runs);
-report::Table gauss_bonnet_table(const AngleSums& sums);
-report::Plot convergence_plot(const BenchRuns& runs);
 
 /// Δx and its parts, the angle deficit, and the three areas, each of a real ring.
 report::Diagram ring_diagram();
@@ -49,18 +141,11 @@ struct Drifting {
 };
 std::optional<Drifting> most_drifting(const Meshes& meshes);
 
-// What the numbers and pictures say, in words that follow them.
-struct Findings {
-    const Meshes& meshes;
-    const BenchRuns& runs;
-    const AngleSums& sums;
-    const std::vector<FlatMesh>& flat;
-    const BenchRuns& panel;
-    const std::optional<Drifting>& drifting;
-};
 report::Text answer_of(const BenchRuns& runs);
 report::Text lead_of(const BenchRuns& runs, const std::optional<Drifting>& drifting);
-void add_discussion(report::Section& section, const Findings& found);
+/// @param panel  runs on all surfaces
+void add_discussion(report::Section& section, const Meshes& meshes, const std::vector<FlatMesh>& flat, const BenchRuns& runs,
+                    const BenchRuns& panel, const AngleSums& sums, const std::optional<Drifting>& drifting);
 /// What is said in the appendix: the boundary of flat meshes.
 void add_flat_boundaries(report::Section& section, const std::vector<FlatMesh>& flat);
 

@@ -1,15 +1,11 @@
-#include "questions/q1_uniform/study.h"
-
-#include <utility>
+#include "questions/q1_uniform/parts.h"
 
 #include "geometry/curvature/curvature.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_laws.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/operators/vertex_areas.h"
-#include "mesh/triangle_measures.h"
-#include "questions/bench/tangential_share.h"
+#include "questions/bench/one_ring.h"
 
 namespace meshfolio::q1_uniform {
 
@@ -17,10 +13,7 @@ namespace {
 
 /// 98th over 2nd percentile of the magnitudes; 0 where there is more than one sign, or none.
 double spread_of(const Vector& values) {
-    std::vector<double> sorted;
-    for (const double v : values)
-        if (std::isfinite(v)) sorted.push_back(v);
-    std::ranges::sort(sorted);
+    const std::vector<double> sorted = sorted_finite(values);
     if (sorted.empty() || !(sorted.front() * sorted.back() > 0)) return 0;
     const double low = sorted[sorted.size() / 50], high = sorted[sorted.size() - 1 - sorted.size() / 50];
     return std::max(high / low, low / high);
@@ -36,7 +29,7 @@ double colour_range(const Vector& values) {
 
 double MeshCurvature::euler_from_angles() const { return total_deficit(deficit) / (2 * pi); }
 
-MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source) {
+MeshCurvature curvature_of(SharedMesh source) {
     MeshCurvature c;
     c.subject = curvature_subject(std::move(source));
     const TriangleMesh& mesh = c.subject.mesh();
@@ -51,9 +44,7 @@ MeshCurvature curvature_of(std::shared_ptr<const LibraryMesh> source) {
 }
 
 Contrast contrast(const Vector& values, const Vector& by) {
-    std::vector<int> order;
-    for (int i = 0; i < values.size(); ++i)
-        if (std::isfinite(values[i]) && std::isfinite(by[i])) order.push_back(i);
+    std::vector<int> order = where_finite(values, by);
     if (order.size() < 8) return {undefined, undefined};
     std::ranges::stable_sort(order, {}, [&](int i) { return by[i]; });
     const auto median = [&](auto first, auto last) {
@@ -141,8 +132,8 @@ IrregularVertices irregular_vertices(const MeshCurvature& c) {
 std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const BenchRuns& runs) {
     std::vector<AngleSum> sums;
     for (const MeshCurvature& c : meshes) {
-        const Preflight& p = c.subject.source->prepared->preflight;
-        sums.push_back({c.subject.name(), p.vertices_in_use, p.triangles, p.euler_characteristic, c.euler_from_angles(),
+        const Preflight& p = c.subject.preflight();
+        sums.push_back({c.name(), p.vertices_in_use, p.triangles, p.euler_characteristic, c.euler_from_angles(),
                         p.manifold() && p.zero_area_faces == 0});
     }
     for (const BenchRun& run : runs) {
@@ -155,7 +146,7 @@ std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const
 FlatMesh flat_mesh(const MeshCurvature& c) {
     const CurvatureSubject& s = c.subject;
     const auto inside = [&](int i) { return s.inside(i); };
-    const auto boundary = [&](int i) { return s.topology().on_boundary[static_cast<std::size_t>(i)] != 0; };
+    const auto boundary = [&](int i) { return s.topology().on_boundary[i] != 0; };
     const Vector lengths = 0.5 / s.mean_edge * s.uniform.rowwise().norm();
     FlatMesh f;
     f.curvature = &c;

@@ -2,12 +2,7 @@
 /// The parts of question 2.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "questions/bench/ellipsoid_study.h"
-#include "questions/core/section_tools.h"
-#include "report/document.h"
 
 namespace meshfolio::q2_ellipsoid {
 
@@ -22,9 +17,7 @@ struct ReadingGap {
     int degrees = 0;
 };
 ReadingGap largest_gap(const Ellipsoid& e);
-double difference_of_readings(const Ellipsoid& e, double theta);
 
-/// Of all ellipsoids.
 int total_points(const Oracles& oracles);
 /// K at the poles.
 inline double pole_limit(const Ellipsoid& e) { return e.c * e.c / (e.a * e.a * e.b * e.b); }
@@ -33,7 +26,6 @@ std::string direction_text(const Vector3& t);
 /// cos(π/2) = 6e-17 is 0.
 inline double without_rounding(double x) { return std::abs(x) < 1e-15 ? 0 : x; }
 
-// Tables and plots.
 report::Table forms_table(const Ellipsoid& ellipsoid);
 report::Table tip_table(const std::vector<Tip>& tips);
 report::Plot tip_plot(const Tip& tip, const std::string& id);
@@ -44,10 +36,5 @@ report::Table discrete_table(const Tip& exact, const DiscreteTips& tips);
 /// θ in the tangent plane, and the normal sections along y and z.
 report::Diagram angle_diagram(const Tip& tip);
 void add_ellipsoid_figure(Answer& answer, const Ellipsoid& ellipsoid, bool quick, const std::string& colormap);
-// What the numbers and pictures say, in words that follow them.
-report::Text lead_of(const Tip& tip);
-void add_discussion(report::Section& section, const Tip& tip, const Oracles& oracles, const PoleSteps& pole, const DiscreteTips& discrete);
-/// Of the other ellipsoid, and what is easily taken for the tip.
-void add_remarks(report::Section& section, const Tip& other, const Tip& tip);
 
 }   // namespace meshfolio::q2_ellipsoid

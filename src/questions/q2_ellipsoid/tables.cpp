@@ -1,15 +1,9 @@
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/table.h"
 #include "questions/q2_ellipsoid/parts.h"
 
 namespace meshfolio::q2_ellipsoid {
 
 namespace {
 
-/// A row of the table of forms.
 struct Place {
     double u, v;   // over π
     Vector3 p = {};
@@ -38,10 +32,7 @@ void add_axes(Builder& table) {
 report::Series curve_of(const Ellipsoid& ellipsoid, double (*curvature)(const Ellipsoid&, double), std::string name,
                         report::Series::Style style) {
     report::Series series{.name = std::move(name), .style = style};
-    for (int i = 0; i <= 240; ++i) {
-        series.x.push_back(i / 120.0);
-        series.y.push_back(curvature(ellipsoid, i * pi / 120));
-    }
+    for (int i = 0; i <= 240; ++i) add_point(series, i / 120.0, curvature(ellipsoid, i * pi / 120));
     return series;
 }
 
@@ -143,9 +134,9 @@ report::Table discrete_table(const Tip& exact, const DiscreteTips& tips) {
         .column("mean edge", {.unit = "length"}, [](auto& row) { return row.part.mean_edge; })
         .column("vertex to tip", {.unit = "length", .digits = 2}, [](auto& row) { return row.part.distance; })
         .column("H", {.unit = "1/length", .digits = 5}, [](auto& row) { return row.part.H; })
-        .column("error of H", {.unit = "%", .best = smallest}, [](auto& row) { return 100 * row.part.H_error; })
+        .column("error of H", {.unit = "%", .best = Best::smallest}, [](auto& row) { return 100 * row.part.H_error; })
         .column("K", {.unit = "1/length²", .digits = 5}, [](auto& row) { return row.part.K; })
-        .column("error of K", {.unit = "%", .best = smallest}, [](auto& row) { return 100 * row.part.K_error; });
+        .column("error of K", {.unit = "%", .best = Best::smallest}, [](auto& row) { return 100 * row.part.K_error; });
 }
 
 }   // namespace meshfolio::q2_ellipsoid

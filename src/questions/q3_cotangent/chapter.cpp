@@ -1,31 +1,116 @@
 // Question 3: mean curvature from the cotangent Laplace–Beltrami operator, beside that of the uniform Laplacian.
-#include <algorithm>
-#include <cmath>
+#include <iterator>
 
-#include "base/number_text.h"
-#include "questions/core/chapter.h"
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {
 
 namespace {
 
-using report::check_at_most;
-using report::check_near;
+std::vector<const Estimator*> compared_estimators() {
+    std::vector<const Estimator*> chosen;
+    std::ranges::copy_if(estimators(), std::back_inserter(chosen), [](const Estimator* e) { return !e->in_q3.empty(); });
+    return chosen;
+}
+
+report::Table difference_table(const Comparisons& meshes) {
+    const auto in_percent_of_uniform = [](const CotangentComparison& c) {
+        const bool curved = (c.drift > 1e-9 || c.precision > 1e-9) && c.rms_uniform > 0;
+        return curved ? report::Cell(100 * c.rms_difference / c.rms_uniform) : report::Cell();
+    };
+    return table("q3_differences", words.line("differences"), meshes)
+        .column("mesh", [](auto& c) { return c.name(); })
+        .column("uniform, median", {.unit = "1/length", .digits = 4}, [](auto& c) { return cell_of(summary_of(c.uniform).median); })
+        .column("uniform, std", {.unit = "1/length"}, [](auto& c) { return cell_of(summary_of(c.uniform).standard_deviation); })
+        .column("cotangent, median", {.unit = "1/length", .digits = 4}, [](auto& c) { return cell_of(summary_of(c.cotangent).median); })
+        .column("cotangent, std", {.unit = "1/length"}, [](auto& c) { return cell_of(summary_of(c.cotangent).standard_deviation); })
+        .column("uniform, jump", {.unit = "1/length"}, &CotangentComparison::jump_uniform)
+        .column("cotangent, jump", {.unit = "1/length"}, &CotangentComparison::jump_cotangent)
+        .column("difference, rms", {.unit = "1/length"}, &CotangentComparison::rms_difference)
+        .column("difference, largest", {.unit = "1/length"}, [](auto& c) { return largest_magnitude(c.difference); })
+        .column("difference, rms", {.unit = "% of uniform rms"}, in_percent_of_uniform)
+        .column("other sign", {.unit = "% of vertices"}, [](auto& c) { return 100 * c.sign_change; });
+}
+
+report::Table variant_table(const Comparisons& meshes) {
+    return table("q3_variants", words.line("variants"), parts_within(meshes, &CotangentComparison::variants))
+        .column("mesh", [](auto& row) { return row.whole.name(); })
+        .column("operator", [](auto& row) { return row.part.name; })
+        .column("negative weights, inside", {.unit = "edges"}, [](auto& row) { return row.part.negative_inside; })
+        .column("negative weights, boundary", {.unit = "edges"}, [](auto& row) { return row.part.negative_boundary; })
+        .column("smallest weight", [](auto& row) { return row.part.smallest_weight; })
+        .column("largest inside", [](auto& row) { return row.part.inside; })
+        .column("change inside, rms", {.unit = "%"}, [](auto& row) { return cell_of(100 * row.part.change); })
+        .column("largest on boundary", [](auto& row) { return row.part.boundary; });
+}
+
+/// Errors on the finest meshes in one norm, one row an estimator.
+report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name) {
+    const auto undefined_of = [](const BenchRun& run) {
+        int undefined = 0;
+        for (const Estimator* e : compared_estimators()) undefined += run.finest().error(e->key).undefined;
+        return undefined;
+    };
+    const bool some_undefined = std::ranges::any_of(runs, undefined_of);
+    std::string caption = words.line("errors", "norm"_a = name);
+    if (some_undefined) caption += " " + words.line("errors.undefined");
+    auto errors = table("q3_errors_" + key, caption, runs);
+    errors.column("surface", &BenchRun::surface).column("triangulation", [](auto& run) { return name_of(run.kind); });
+    for (const Estimator* e : compared_estimators()) {
+        errors.column(std::string(e->in_q3), {.unit = "%"}, [=](auto& run) { return 100 * run.finest().error(e->key).*norm; });
+        if (e->key == H_with(areas_used))
+            errors.column("order", {.rounding = Rounding::tenths},
+                          [=](auto& run) { return cell_of(run.errors(e->key, norm).order().exponent); });
+    }
+    if (some_undefined) errors.column("without H", {.unit = "vertices"}, undefined_of);
+    return errors;
+}
+
+report::Table order_table(const BenchRuns& runs) {
+    const auto order = [](std::string_view estimator, Norm norm = &EstimateError::l2) {
+        return [=](const BenchRun& run) { return words_of(run.errors(estimator, norm).order()); };
+    };
+    return table("q3_orders", words.line("orders", "meshes"_a = runs.front().levels.size()), runs)
+        .column("surface", &BenchRun::surface)
+        .column("triangulation", [](auto& run) { return name_of(run.kind); })
+        .column("from", {.unit = "vertices"}, [](auto& run) { return run.levels.front().vertices; })
+        .column("to", {.unit = "vertices"}, [](auto& run) { return run.finest().vertices; })
+        .column("smallest angle", {.unit = "°"}, [](auto& run) { return run.finest().smallest_angle * 180 / pi; })
+        .column("negative weights", {.unit = "% of edges"}, [](auto& run) { return 100 * run.finest().negative_weights; })
+        .column("uniform", order("H.uniform"))
+        .column("barycentric", order("H.barycentric"))
+        .column("barycentric, L∞", order("H.barycentric", &EstimateError::linf))
+        .column("Voronoi", order("H.voronoi"))
+        .column("mixed", order("H.mixed"));
+}
+
+report::Table indicator_table(const std::vector<IndicatorTrial>& trials) {
+    return table("q3_indicator", words.line("indicator"), trials)
+        .column("mesh", &IndicatorTrial::mesh)
+        .column("vertices", [](auto& t) { return t.indicator.vertices; })
+        .column("indicated", {.unit = "%"}, [](auto& t) { return 100 * t.indicator.indicated; })
+        .column("actual", {.unit = "%"}, [](auto& t) { return 100 * t.indicator.actual; })
+        .column("ratio", [](auto& t) { return cell_of(t.indicator.indicated / t.indicator.actual, t.indicator.actual > 0); })
+        .column("worst tenth found", {.unit = "%"}, [](auto& t) { return 100 * t.indicator.found; });
+}
+
+report::Plot convergence_plot(const BenchRuns& runs) {
+    return meshfolio::convergence_plot("q3_convergence", words, runs,
+                                       {{"H.uniform", "convergence.uniform"}, {H_with(areas_used), "convergence.cotangent"}});
+}
 
 void add_checks(report::Section& section, const BenchRuns& runs, const PlaneTest& plane, const Comparisons& meshes) {
     for (const AreaForm form : area_forms) {
         const Order order = run_on(runs, "torus", MeshKind::regular).errors(H_with(form)).order();
-        section.checks.push_back(check_near(words.line("check.order", "areas"_a = area_name(form)), 2, order.exponent, 0.2));
+        add(section, check_near(words.line("check.order", "areas"_a = area_name(form)), 2, order.exponent, 0.2));
     }
-    section.checks.push_back(pentagon_check(runs));
-    section.checks.push_back(check_at_most(words.line("check.linear_precision"), 0, plane.cotangent, 1e-10));
+    add(section, pentagon_check(runs), check_at_most(words.line("check.linear_precision"), 0, plane.cotangent, 1e-10));
     for (const CotangentComparison& c : meshes) {
         if (!c.subject.plane_normal || c.subject.interior == 0) continue;
         const report::Check flat =
-            check_at_most(words.line("check.flat", "mesh"_a = c.subject.name()), 0, c.precision, 1e-5, words.line("check.flat.note"));
-        const bool has_area = c.subject.source->prepared->preflight.zero_area_faces == 0;
-        section.checks.push_back(has_area || !flat.failed() ? flat : report::undecided(flat, words.line("check.flat.without_area")));
+            check_at_most(words.line("check.flat", "mesh"_a = c.name()), 0, c.precision, 1e-5, words.line("check.flat.note"));
+        const bool has_area = c.subject.preflight().zero_area_faces == 0;
+        add(section, has_area || !flat.failed() ? flat : undecided(flat, words.line("check.flat.without_area")));
     }
 }
 
@@ -49,7 +134,7 @@ report::Text about_trials(const std::vector<IndicatorTrial>& trials) {
 }
 
 report::Text about_disagreement(const CotangentComparison& c, const Disagreement& d) {
-    report::Text t = words.say("trust.mesh", "mesh"_a = c.subject.name(), "rms"_a = readable_percent(d.rms),
+    report::Text t = words.say("trust.mesh", "mesh"_a = c.name(), "rms"_a = readable_percent(d.rms),
                                "median"_a = readable_percent(d.median), "concentration"_a = readable_percent(d.concentration, 2));
     if (d.without_jet > 0) go_on(t, words.say("trust.without_jet", "vertices"_a = d.without_jet));
     return t;
@@ -61,37 +146,34 @@ void add_error_indicator(Answer& answer, const Comparisons& meshes, const BenchR
     report::Section& section = answer.section;
     add_words(section, words, "trust");
     const std::vector<IndicatorTrial> trials = indicator_trials(runs, settings);
-    add_paragraph(section, about_trials(trials));
+    add_paragraphs(section, {about_trials(trials)});
     add(section, indicator_table(trials));
     for (const CotangentComparison& c : meshes) {
         const Disagreement d = disagreement_with_jet(c);
         if (!std::isfinite(d.rms) || d.rms == 0) continue;   // flat, or nothing inside: no H to doubt
         add_disagreement_figure(answer, c, d, settings.colormap);
-        add_paragraph(section, about_disagreement(c, d));
+        add_paragraphs(section, {about_disagreement(c, d)});
     }
     const IndicatorTrial& random = trials.back();
-    section.checks.push_back(
+    add(section,
         check_near(words.line("check.indicator", "mesh"_a = random.mesh), 1, random.indicator.indicated / random.indicator.actual, 0.05));
 }
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("q3")};
     report::Section& section = answer.section;
-    section = section_of("q3");
     const auto sources = meshes_for(library, settings, {"lilium", "plane"}, section);
     Comparisons meshes;
-    std::vector<std::string> names;
     for (const auto& source : sources) {
         progress("cotangent curvature of " + source->name);
         meshes.push_back(compare_operators(source));
-        names.push_back(source->name);
     }
     const BenchRuns runs = question_runs(settings, progress);
     const PlaneTest plane = irregular_plane(settings.seed);
     const BenchRuns panel = panel_runs(settings.seed, settings.quick, progress);
 
     section.answer = answer_of(runs);
-    add_paragraph(section, lead_of(runs, plane, panel));
+    add_paragraphs(section, {lead_of(runs, plane, panel)});
     add_words(section, words, "method");
     add(section, weight_diagram());
     add_words(section, words, "results");
@@ -103,11 +185,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
     begin_appendix(section);
     add_words(section, words, "appendix");
-    add(section, error_table(runs, &EstimateError::linf, "linf", "L∞"));
-    add(section, order_table(runs));
-    add(section, difference_table(meshes));
-    add(section, variant_table(meshes));
-    add(section, convergence_plot(runs));
+    add(section, error_table(runs, &EstimateError::linf, "linf", "L∞"), order_table(runs), difference_table(meshes), variant_table(meshes),
+        convergence_plot(runs));
     add_limits(section, meshes, runs);
     add_error_indicator(answer, meshes, runs, settings);
 
@@ -118,7 +197,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
                           {"negative weights", words.line("parameter.negative_weights")},
                           {"levels of refinement", levels},
                           {"seed of the jitter", settings.seed}};
-    section.extent = words.line("extent", "meshes"_a = listed(names), "levels"_a = levels, "vertices"_a = most_vertices);
+    section.extent = words.line("extent", "meshes"_a = listed(names_of(meshes)), "levels"_a = levels, "vertices"_a = most_vertices);
     return answer;
 }
 

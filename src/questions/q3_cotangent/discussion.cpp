@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <cmath>
 #include <set>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "questions/bench/one_ring.h"
 #include "questions/q3_cotangent/parts.h"
 
@@ -17,7 +13,6 @@ constexpr double thin = 5 * pi / 180;
 double cotangent_error(const BenchRun& run, AreaForm form = areas_used) { return run.finest().error(H_with(form)).l2; }
 double uniform_error(const BenchRun& run) { return run.finest().error("H.uniform").l2; }
 
-/// Is cotangent H the better one?
 bool wins(const BenchRun& run) { return cotangent_error(run) < uniform_error(run); }
 
 /// On how many surfaces cotangent H converges, and its worst error, on one kind of triangulation.
@@ -38,7 +33,7 @@ Tally tally(const BenchRuns& runs, MeshKind kind) {
 // ---- what the pictures show
 
 report::Text flat_picture(const CotangentComparison& c) {
-    const std::string& mesh = c.subject.name();
+    const std::string& mesh = c.name();
     if (c.subject.interior == 0) return words.say("flat.no_inside", "mesh"_a = mesh);
     const bool regular = std::max(c.drift, c.precision) < 1e-4;   // what six digits of the coordinates leave
     const bool improved = !regular && c.drift > 10 * c.precision;
@@ -63,7 +58,7 @@ void go_on_about_outlier(report::Text& t, const CotangentComparison& c) {
 }
 
 report::Text curved_picture(const CotangentComparison& c) {
-    const std::string& mesh = c.subject.name();
+    const std::string& mesh = c.name();
     if (summary_of(c.difference).count == 0) return words.say("curved.nothing", "mesh"_a = mesh);
     const double range = cotangent_range(c), beyond = share_beyond(c.subject.mean_edge * c.uniform, range);
     report::Text t = words.say(beyond > 0.2 ? "curved.beyond"
@@ -106,17 +101,14 @@ report::Text smallest_gain(const BenchRuns& runs, MeshKind kind, const char* key
 
 /// The largest difference of the errors.
 double gain_of_mixed_areas(const BenchRuns& runs) {
-    double most = 0;
-    for (const BenchRun& run : runs) most = std::max(most, cotangent_error(run) - cotangent_error(run, AreaForm::mixed));
-    return most;
+    return largest_of(runs, [&](const BenchRun& run) { return cotangent_error(run) - cotangent_error(run, AreaForm::mixed); });
 }
 
 report::Text about_errors(const BenchRuns& runs) {
     const Tally jittered = tally(runs, MeshKind::jittered);
     report::Text t = smallest_gain(runs, MeshKind::regular, "errors.regular");
     go_on(t, smallest_gain(runs, MeshKind::jittered, "errors.jittered"));
-    const auto mixed =
-        std::ranges::count_if(runs, [](const BenchRun& run) { return cotangent_error(run, AreaForm::mixed) < cotangent_error(run); });
+    const auto mixed = std::ranges::count_if(runs, [](auto& run) { return cotangent_error(run, AreaForm::mixed) < cotangent_error(run); });
     go_on(t, words.say(mixed == std::ssize(runs) ? "errors.mixed.all" : "errors.mixed", "mixed"_a = mixed, "runs"_a = runs.size()));
     if (2 * mixed > std::ssize(runs)) go_on(t, words.say("errors.mixed.kept", "gain"_a = readable(100 * gain_of_mixed_areas(runs), 2)));
     const BenchRun& sphere = run_on(runs, "sphere", MeshKind::jittered);
@@ -133,9 +125,9 @@ report::Text about_negative_weights(const CotangentComparison& c) {
     const OperatorVariant& used = c.variants[0];
     const double change = c.variants[2].change;
     const int negative = used.negative_inside + used.negative_boundary;
-    if (negative == 0) return words.say("negative.none", "mesh"_a = c.subject.name());
-    report::Text t = words.say("negative", "mesh"_a = c.subject.name(), "negative"_a = negative,
-                               "edges"_a = c.subject.topology().edges.size(), "smallest"_a = readable(used.smallest_weight, 2));
+    if (negative == 0) return words.say("negative.none", "mesh"_a = c.name());
+    report::Text t = words.say("negative", "mesh"_a = c.name(), "negative"_a = negative, "edges"_a = c.subject.topology().edges.size(),
+                               "smallest"_a = readable(used.smallest_weight, 2));
     if (std::isfinite(change)) go_on(t, words.say("negative.clamped", "change"_a = readable_percent(change, 2)));
     return t;
 }
@@ -176,7 +168,7 @@ report::Text about_panel(const BenchRuns& panel) {
         lost.insert(run.kind);
         least = std::min(least, uniform_error(run));
     }
-    std::vector<std::string> kinds;
+    Names kinds;
     for (const MeshKind kind : lost) kinds.emplace_back(name_of(kind));
     const auto error = [&](const std::string& key) { return readable_percent(on_random_points(panel, key), 2); };
     const auto better = std::ranges::count_if(panel, wins);
@@ -191,7 +183,7 @@ report::Text about_panel(const BenchRuns& panel) {
 // ---- appendix
 
 report::Text about_boundary(const CotangentComparison& c) {
-    return words.say("boundary", "mesh"_a = c.subject.name(), "half_sum"_a = readable(c.variants[0].boundary, 2),
+    return words.say("boundary", "mesh"_a = c.name(), "half_sum"_a = readable(c.variants[0].boundary, 2),
                      "opposite_mean"_a = readable(c.variants[1].boundary, 2), "inside"_a = readable(c.variants[0].inside, 2));
 }
 
@@ -227,20 +219,18 @@ report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane, const BenchR
 
 void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,
                     const BenchRuns& panel) {
-    for (const CotangentComparison& c : meshes) add_paragraph(section, c.subject.plane_normal ? flat_picture(c) : curved_picture(c));
-    add_paragraph(section, about_square(plane));
-    add_paragraph(section, about_errors(runs));
-    add_paragraph(section, about_panel(panel));
+    for (const CotangentComparison& c : meshes) add_paragraphs(section, {c.subject.plane_normal ? flat_picture(c) : curved_picture(c)});
+    add_paragraphs(section, {about_square(plane), about_errors(runs), about_panel(panel)});
     report::Text clamping = about_clamping(plane, runs);
     for (const CotangentComparison& c : meshes)
         if (!c.subject.plane_normal && summary_of(c.difference).count > 0) go_on(clamping, about_negative_weights(c));
-    add_paragraph(section, clamping);
+    add_paragraphs(section, {clamping});
 }
 
 void add_limits(report::Section& section, const Comparisons& meshes, const BenchRuns& runs) {
-    add_paragraph(section, about_sphere(run_on(runs, "sphere", MeshKind::regular)));
+    add_paragraphs(section, {about_sphere(run_on(runs, "sphere", MeshKind::regular))});
     for (const CotangentComparison& c : meshes)
-        if (!c.subject.source->prepared->preflight.closed()) add_paragraph(section, about_boundary(c));
+        if (!c.subject.preflight().closed()) add_paragraphs(section, {about_boundary(c)});
 }
 
 }   // namespace meshfolio::q3_cotangent

@@ -1,10 +1,106 @@
-#include <cmath>
-
-#include "base/number_text.h"
-#include "questions/core/six_view_figure.h"
+#include "questions/bench/one_ring.h"
+#include "questions/core/diagram_names.h"
 #include "questions/q3_cotangent/parts.h"
 
 namespace meshfolio::q3_cotangent {
+
+namespace {
+
+using namespace diagram_names;
+
+/// The ring in thin lines, its vertex marked.
+Diagram::Panel ring_panel(const FlatRing& ring, const char* title) {
+    Diagram::Panel panel{.title = words.line(title)};
+    const std::vector<DiagramPoint> outline{ring.corners.begin(), ring.corners.end() - 1};
+    panel.paths.push_back(path_through(outline, Style::line, true));
+    for (const DiagramPoint& corner : outline) panel.paths.push_back(path_through({{0, 0}, corner}, Style::thin));
+    return panel;
+}
+
+void add_arrow(Diagram::Panel& panel, DiagramPoint from, DiagramPoint to) {
+    panel.paths.push_back(path_through({from, to}, Style::accent));
+    panel.paths.back().arrow = true;
+}
+
+DiagramPoint ring_mean(const FlatRing& ring) {
+    DiagramPoint mean{0, 0};
+    for (int t = 0; t < ring.triangles(); ++t)
+        for (const std::size_t axis : {0u, 1u}) mean[axis] += ring.corners[t][axis] / ring.triangles();
+    return mean;
+}
+
+/// The edge from the vertex to corner 1, and the angles opposite it.
+Diagram::Panel weight_panel(const FlatRing& ring) {
+    Diagram::Panel panel = ring_panel(ring, "diagram.weight");
+    const DiagramPoint before = ring.corners[0], end = ring.corners[1], behind = ring.corners[2];
+    const double radius = 0.3 * std::min(std::hypot(before[0], before[1]), std::hypot(behind[0], behind[1]));
+    panel.paths.insert(panel.paths.begin(), path_through({{0, 0}, before, end, behind}, Style::area, true));
+    panel.paths.push_back(path_through({{0, 0}, end}, Style::accent));
+    const std::array angles{std::pair{before, "α_ij"}, std::pair{behind, "β_ij"}};
+    for (const auto& [corner, name] : angles) {
+        panel.paths.push_back(report::angle_arc(corner, {0, 0}, end, radius, Style::accent));
+        const DiagramPoint at = report::inside_angle(corner, {0, 0}, end, 1.9 * radius);
+        panel.labels.push_back({.x = at[0], .y = at[1], .words = text(math(name)), .side = Side::centre, .accent = true});
+    }
+    panel.labels.push_back({.x = 0, .y = 0, .words = text(math("x_i")), .side = Side::below_left, .dot = true});
+    panel.labels.push_back({.x = end[0], .y = end[1], .words = text(math("x_j")), .side = Side::above, .dot = true});
+    return panel;
+}
+
+/// The mean of the neighbours, and the pull towards it.
+Diagram::Panel uniform_panel(const FlatRing& ring) {
+    Diagram::Panel panel = ring_panel(ring, "diagram.uniform");
+    const DiagramPoint mean = ring_mean(ring);
+    add_arrow(panel, {0, 0}, mean);
+    panel.labels.push_back({.x = 0, .y = 0, .words = {}, .dot = true});
+    panel.labels.push_back(
+        {.x = mean[0], .y = mean[1], .words = text(math("Δx")), .side = mean[0] > 0 ? Side::right : Side::left, .accent = true});
+    return panel;
+}
+
+/// The corners of the Voronoi cell: the circumcentres of the triangles.
+std::vector<DiagramPoint> circumcentres(const FlatRing& ring) {
+    std::vector<DiagramPoint> centres;
+    for (int t = 0; t < ring.triangles(); ++t) centres.push_back(cell_in_triangle(ring, t, AreaForm::voronoi)[2]);
+    return centres;
+}
+
+/// w_ij (x_j − x_i) from the vertex on: each a side of the cell, a quarter turn back.
+Diagram::Panel cotangent_panel(const FlatRing& ring) {
+    Diagram::Panel panel = ring_panel(ring, "diagram.cotangent");
+    const std::vector<DiagramPoint> centres = circumcentres(ring);
+    for (std::size_t t = 0; t < centres.size(); ++t) {
+        const DiagramPoint &from = centres[(t + centres.size() - 1) % centres.size()], &to = centres[t];
+        add_arrow(panel, {0, 0}, {to[1] - from[1], from[0] - to[0]});
+    }
+    panel.labels.push_back({.x = 0, .y = 0, .words = {}, .dot = true});
+    return panel;
+}
+
+/// The same arrows a quarter turn on, each where it belongs.
+Diagram::Panel cell_panel(const FlatRing& ring) {
+    Diagram::Panel panel = ring_panel(ring, "diagram.cell");
+    const std::vector<DiagramPoint> centres = circumcentres(ring);
+    panel.paths.insert(panel.paths.begin(), path_through(centres, Style::accent_area, true));
+    for (std::size_t t = 0; t < centres.size(); ++t) add_arrow(panel, centres[t], centres[(t + 1) % centres.size()]);
+    panel.labels.push_back({.x = 0, .y = 0, .words = {}, .dot = true});
+    return panel;
+}
+
+}   // namespace
+
+Diagram weight_diagram() {
+    const SampleRing sample = uneven_ring_in_a_plane();
+    const FlatRing ring = flat_ring(sample.mesh, sample.topology, sample.vertex);
+    const DiagramPoint mean = ring_mean(ring);
+    double edge = 0;
+    for (int t = 0; t < ring.triangles(); ++t) edge += std::hypot(ring.corners[t][0], ring.corners[t][1]) / ring.triangles();
+    const std::string drift = readable_percent(std::hypot(mean[0], mean[1]) / edge, 2);
+    return {.id = "q3_weights",
+            .caption = words.line("diagram.caption", "drift"_a = drift),
+            .alt = words.line("diagram.alt", "drift"_a = drift),
+            .panels = {weight_panel(ring), uniform_panel(ring), cotangent_panel(ring), cell_panel(ring)}};
+}
 
 double cotangent_range(const CotangentComparison& c) {
     output::Panel panel;
@@ -13,7 +109,12 @@ double cotangent_range(const CotangentComparison& c) {
 }
 
 void add_comparison_figure(Answer& answer, const Comparisons& meshes) {
-    SixViewFigure figure{.id = "q3_h", .title = words.line("comparison.title"), .frame_panel = -1, .turnable = true, .view_files = true};
+    output::FigureRequest figure{.id = "q3_h",
+                                 .title = words.line("comparison.title"),
+                                 .range = relative_range(words.line("comparison.quantity")),
+                                 .frame_panel = -1,
+                                 .turnable = true,
+                                 .view_files = true};
     UndefinedVertices masked;
     for (const CotangentComparison& c : meshes) {
         const CurvatureSubject& s = c.subject;
@@ -28,18 +129,13 @@ void add_comparison_figure(Answer& answer, const Comparisons& meshes) {
         add("comparison.cotangent", "comparison.cotangent.zero", "cotangent", c.cotangent);
         masked += undefined_vertices(s);
     }
-    figure.caption = words.line("comparison.caption", "undefined"_a = undefined_words(masked));
-    figure.range = relative_range(words.line("comparison.quantity"));
-    add_figure(answer, std::move(figure));
+    add_figure(answer, std::move(figure), words.line("comparison.caption", "undefined"_a = undefined_words(masked)));
 }
 
 /// Curvature is a magnitude here: the sign of a flat surface's H is that of rounding.
 void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string& colormap) {
-    SixViewFigure figure{.id = "q3_h_irregular_plane",
-                         .title = words.line("plane.title"),
-                         .caption = words.line("plane.caption", "vertices"_a = plane.mesh.vertex_count()),
-                         .edges = true,
-                         .layout = output::Layout::multiples};
+    output::FigureRequest figure{
+        .id = "q3_h_irregular_plane", .title = words.line("plane.title"), .edges = true, .layout = output::Layout::multiples};
     const auto show = [&](const std::string& name, const Vector& H, double most) {
         figure.panels.push_back(panel_of(plane.mesh, "q3_" + name + "_irregular_plane",
                                          words.line("plane." + name, "most"_a = readable(most, 2)), H.cwiseAbs()));
@@ -48,19 +144,18 @@ void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string&
     show("cotangent", plane.cotangent_H, plane.cotangent);
     show("clamped", plane.clamped_H, plane.clamped);
     figure.range = range_from_zero(figure.panels, colormap, "|H| × mean edge", 0.01);
-    add_figure(answer, std::move(figure));
+    add_figure(answer, std::move(figure), words.line("plane.caption", "vertices"_a = plane.mesh.vertex_count()));
 }
 
 void add_disagreement_figure(Answer& answer, const CotangentComparison& c, const Disagreement& d, const std::string& colormap) {
     const CurvatureSubject& s = c.subject;
     const std::string id = "q3_" + s.name() + "_disagreement";
-    SixViewFigure figure{.id = id,
-                         .title = words.line("disagreement.title"),
-                         .subtitle = subtitle_of(*s.source),
-                         .caption = words.line("disagreement.caption", "mesh"_a = s.name(), "undefined"_a = undefined_words(s)),
-                         .panels = {panel_of(*s.source, id, s.name(), s.mean_edge * d.size)}};
+    output::FigureRequest figure{.id = id,
+                                 .title = words.line("disagreement.title"),
+                                 .subtitle = subtitle_of(*s.source),
+                                 .panels = {panel_of(*s.source, id, s.name(), s.mean_edge * d.size)}};
     figure.range = range_from_zero(figure.panels, colormap, words.line("disagreement.quantity"), 0.001);
-    add_figure(answer, std::move(figure));
+    add_figure(answer, std::move(figure), words.line("disagreement.caption", "mesh"_a = s.name(), "undefined"_a = undefined_words(s)));
 }
 
 }   // namespace meshfolio::q3_cotangent

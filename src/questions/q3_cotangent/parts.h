@@ -2,14 +2,8 @@
 /// The parts of question 3.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "questions/bench/cotangent_study.h"
 #include "questions/bench/curvature_bench.h"
-#include "questions/bench/sentences.h"
-#include "questions/q3_cotangent/error_indicator.h"
-#include "report/document.h"
 
 namespace meshfolio::q3_cotangent {
 
@@ -20,7 +14,25 @@ inline constexpr AreaForm areas_used = AreaForm::barycentric;
 
 using Comparisons = std::vector<CotangentComparison>;
 
-// Figures.
+// How far cotangent H is from that of a degree-3 jet: an indicator of its error where no closed form is known.
+/// On a mesh without closed form; over the vertices inside where both estimates exist.
+struct Disagreement {
+    Vector size;                // n values |H_cotan − H_jet|, NaN elsewhere [1/length]
+    double rms = 0;             // over the rms of H_cotan; NaN where that is rounding
+    double median = 0;          // over the rms of H_cotan
+    double concentration = 0;   // share of Σ size² that the hundredth of the vertices with the largest holds
+    int without_jet = 0;        // vertices inside whose two rings do not determine one
+};
+Disagreement disagreement_with_jet(const CotangentComparison& c);
+
+/// What the indicator is worth on a mesh where the truth is known.
+struct IndicatorTrial {
+    std::string mesh;   // "jittered torus"
+    ErrorIndicator indicator;
+};
+/// On the finest regular and jittered known surfaces, and on random points of an ellipsoid.
+std::vector<IndicatorTrial> indicator_trials(const BenchRuns& runs, const QuestionSettings& settings);
+
 /// Where the colours of a mesh end: cotangent H sets them.
 double cotangent_range(const CotangentComparison& comparison);
 void add_comparison_figure(Answer& answer, const Comparisons& meshes);
@@ -28,20 +40,11 @@ void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string&
 void add_disagreement_figure(Answer& answer, const CotangentComparison& comparison, const Disagreement& disagreement,
                              const std::string& colormap);
 
-// Tables and plots.
-report::Table difference_table(const Comparisons& meshes);
-report::Table variant_table(const Comparisons& meshes);
-/// Errors on the finest meshes in one norm, one row an estimator.
-report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name);
-report::Table order_table(const BenchRuns& runs);
-report::Table indicator_table(const std::vector<IndicatorTrial>& trials);
-report::Plot convergence_plot(const BenchRuns& runs);
 /// The opposite angles, the pull of uniform weights, and why that of cotangents vanishes.
 report::Diagram weight_diagram();
 
 /// What the indicator is worth, and where it doubts H on the meshes.
 void add_error_indicator(Answer& answer, const Comparisons& meshes, const BenchRuns& runs, const QuestionSettings& settings);
-// What the numbers and pictures say, in words that follow them.
 report::Text answer_of(const BenchRuns& runs);
 report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane, const BenchRuns& panel);
 void add_discussion(report::Section& section, const Comparisons& meshes, const BenchRuns& runs, const PlaneTest& plane,

@@ -1,10 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
-#include "geometry/linear/special_values.h"
-#include "questions/bench/sentences.h"
-#include "questions/core/section_tools.h"
 #include "questions/q4_spectral/parts.h"
 
 namespace meshfolio::q4_spectral {
@@ -17,7 +10,7 @@ constexpr double clear_ratio = 1.5;   // less is no difference that one explains
 
 /// One reconstruction in words: how much of the volume is left, and how far the normals are off.
 report::Text picture_of(const SpectralStudy& study, const Reconstruction& r) {
-    const bool closed = study.source->prepared->preflight.closed() && std::isfinite(r.difference.volume_ratio);
+    const bool closed = study.preflight().closed() && std::isfinite(r.difference.volume_ratio);
     const double volume = closed ? r.difference.volume_ratio : 1;
     const report::Facts facts{"k"_a = r.k,
                               "mesh"_a = study.name(),
@@ -93,9 +86,8 @@ report::Text single_vertices(const SpectralStudy& study) {
     for (std::size_t i = 1; i < all.size(); ++i)
         if (const double share = share_made_worse(study, all[i - 1], all[i]); share > most) most = share, at = i;
     if (at == 0) return whole;
-    std::vector<double> hausdorff;
-    for (const Reconstruction& r : all) hausdorff.push_back(hausdorff_distance(study.mesh(), r.mesh));
-    const bool nearer = std::ranges::is_sorted(hausdorff, std::ranges::greater());
+    const auto hausdorff = [&](const Reconstruction& r) { return hausdorff_distance(study.mesh(), r.mesh); };
+    const bool nearer = std::ranges::is_sorted(each_of(all, hausdorff), std::ranges::greater());
     return paragraph_of({whole,
                          words.say("vertices_worse", "share"_a = readable_percent(most, 2), "from"_a = all[at - 1].k, "to"_a = all[at].k,
                                    "mesh"_a = study.name()),
@@ -105,7 +97,7 @@ report::Text single_vertices(const SpectralStudy& study) {
 /// The k for the errors that are told, and the first that no k computed reaches.
 report::Text targets(const SpectralStudy& study) {
     std::vector<int> counts;
-    std::vector<std::string> steps;
+    Names steps;
     std::string beyond;
     for (const double share : target_shares) {
         const int k = smallest_k_below(study, share);
@@ -126,7 +118,7 @@ report::Text wavelengths(const SpectralStudy& study) {
     const int end = study.modes(), quarter = end / 4;
     const auto law = fall_of_the_error(study);
     if (!law || quarter <= zero_modes(study) + 4) return {};
-    const double edge = study.source->prepared->preflight.mean_edge, shortest = wavelength(study, end);
+    const double edge = study.preflight().mean_edge, shortest = wavelength(study, end);
     return words.say(shortest >= 2 * edge ? "wavelengths" : "wavelengths.unresolved", "end"_a = end,
                      "shorter"_a = percent_of_box(study, shortest), "edges"_a = readable(shortest / edge, 2));
 }
@@ -177,7 +169,7 @@ report::Text what_modes_look_like(const SpectralStudy& study) {
 
 report::Text answer_in_short(const std::vector<Subject>& subjects) {
     const SpectralStudy& study = subjects.front().study;
-    std::vector<std::string> errors;
+    Names errors;
     for (const Reconstruction* r : told_reconstructions(study))
         if (!is_exact(study, r->k))
             errors.push_back(words.line(errors.empty() ? "answer.first" : "answer.next", "k"_a = r->k,

@@ -1,16 +1,11 @@
-#include <algorithm>
-
 #include "questions/bench/curvature_subject.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/six_view_figure.h"
 #include "questions/q4_spectral/parts.h"
 
 namespace meshfolio::q4_spectral {
 
 namespace {
 
-/// Colours of errors in % of the box diagonal: the same for every k and every mesh, so that all pictures can be compared. The end is
-/// never reached: under the darkest colours no form is seen.
+/// Range of the error colours [% of the box diagonal], the same in all pictures. Errors never reach the end, whose colour hides all form.
 constexpr double palest = 0.1, darkest = 100;
 
 output::Panel panel_of(const SpectralStudy& study, const Reconstruction& r) {
@@ -23,8 +18,10 @@ output::Panel panel_of(const SpectralStudy& study, const Reconstruction& r) {
 void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::string& what,
                          const std::vector<const Reconstruction*>& reconstructions) {
     const report::Fact mesh = "mesh"_a = study.name();
-    SixViewFigure figure{
-        .id = id_of(study, what), .title = words.line("reconstructions.title", mesh), .subtitle = subtitle_of(*study.source)};
+    output::FigureRequest figure{.id = id_of(study, what),
+                                 .title = words.line("reconstructions.title", mesh),
+                                 .subtitle = subtitle_of(*study.source),
+                                 .view_files = true};
     std::string original = words.line("reconstructions.original"), exact;   // one picture for both
     for (const Reconstruction* r : reconstructions) {
         if (!is_exact(study, r->k)) {
@@ -42,18 +39,15 @@ void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::
                                   .unit = words.line("reconstructions.unit"),
                                   .logarithmic = true},
                                  figure.panels);
+    std::string caption = words.line("further.caption", mesh);
     if (what == "reconstructions") {
-        figure.caption =
-            words.line(figure.panels.empty() ? "reconstructions.caption.exact" : "reconstructions.caption", mesh, "exact"_a = exact,
-                       "first"_a = std::to_string(study.reconstructions.front().k),   // of file names
-                       "last"_a = std::to_string(study.reconstructions.back().k));
+        caption = words.line(figure.panels.empty() ? "reconstructions.caption.exact" : "reconstructions.caption", mesh, "exact"_a = exact,
+                             "first"_a = std::to_string(study.reconstructions.front().k),   // of file names
+                             "last"_a = std::to_string(study.reconstructions.back().k));
         figure.panels.insert(figure.panels.begin(), meshfolio::panel_of(*study.source, id_of(study, "original"), original));
         figure.turnable = true;
-    } else {
-        figure.caption = words.line("further.caption", mesh);
     }
-    add_figure(answer, std::move(figure));
-    answer.figures.back().view_files = true;
+    add_figure(answer, std::move(figure), std::move(caption));
 }
 
 }   // namespace
@@ -73,11 +67,11 @@ void add_further_figure(Answer& answer, const SpectralStudy& study) {
 void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study) {
     const std::vector<int> drawn = drawn_modes(study);
     if (drawn.empty()) return;
-    output::FigureRequest request;
-    request.id = id_of(study, "eigenfunctions");
-    request.title = words.line("eigenfunctions.title", "mesh"_a = study.name());
-    request.subtitle = subtitle_of(*study.source);
-    request.layout = output::Layout::one_frame;
+    output::FigureRequest request{.id = id_of(study, "eigenfunctions"),
+                                  .title = words.line("eigenfunctions.title", "mesh"_a = study.name()),
+                                  .subtitle = subtitle_of(*study.source),
+                                  .layout = output::Layout::one_frame,
+                                  .isoline_spacing = 2};   // of values between −1 and 1 only 0 is a multiple
     for (const int mode : drawn) {
         const Vector phi = study.spectrum.eigenvectors.col(mode - 1);
         const std::string number = std::to_string(mode);
@@ -89,12 +83,10 @@ void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study) {
     request.range->low = -1;
     request.range->high = 1;
     request.range->clipped_below = request.range->clipped_above = 0;
-    request.isoline_spacing = 2;   // of values between −1 and 1 only 0 is a multiple
     const std::string caption = words.line("eigenfunctions.caption", "mesh"_a = study.name(), "first"_a = drawn.front(),
                                            "longest"_a = percent_of_box(study, wavelength(study, drawn.front())), "last"_a = drawn.back(),
                                            "shortest"_a = percent_of_box(study, wavelength(study, drawn.back())));
-    add(answer.section, report::Figure{request.id, caption, caption});
-    answer.figures.push_back(std::move(request));
+    add_figure(answer, std::move(request), caption, caption);
 }
 
 }   // namespace meshfolio::q4_spectral

@@ -2,14 +2,7 @@
 /// The parts of question 4.
 #pragma once
 
-#include <array>
-#include <string>
-#include <vector>
-
-#include "base/number_text.h"
 #include "questions/bench/spectral_uses.h"
-#include "questions/core/chapter.h"
-#include "questions/core/study_list.h"
 
 namespace meshfolio::q4_spectral {
 
@@ -29,7 +22,7 @@ struct Subject {
 
     const std::string& name() const { return study.name(); }
 };
-Subject subject_of(std::shared_ptr<const LibraryMesh> mesh, const QuestionSettings& settings);
+Subject subject_of(SharedMesh mesh, const QuestionSettings& settings);
 
 /// The reconstructions that the answer is about: the first two k, the largest that leaves an error, and the largest.
 std::vector<const Reconstruction*> told_reconstructions(const SpectralStudy& study);
@@ -39,7 +32,6 @@ std::vector<int> drawn_modes(const SpectralStudy& study);
 double remoteness_of_peak(const SpectralStudy& study, int mode);
 /// The share of the area that is off by more than seen_error.
 double share_seen(const SpectralStudy& study, const Reconstruction& r);
-/// Is the error of k modes rounding?
 bool is_exact(const SpectralStudy& study, int k);
 
 inline std::string id_of(const SpectralStudy& study, const std::string& what) { return meshfolio::id_of("q4", study.name(), what); }
@@ -50,14 +42,6 @@ inline std::string percent_of_box(const SpectralStudy& study, double length, int
     return readable_percent(length / study.diagonal, digits);
 }
 
-// Tables and plots.
-report::Table error_table(const SpectralStudy& study);
-report::Plot error_plot(const SpectralStudy& study);
-report::Table eigenvalue_table(const SpectralStudy& study);
-report::Table limb_table(const SpectralStudy& study, const LimbStudy& limbs);
-report::Table cost_table(const SpectralStudy& study, double factor_entries);
-
-// Figures.
 /// The original and the reconstructions that are told.
 void add_reconstruction_figure(Answer& answer, const SpectralStudy& study);
 /// Those between; nothing where there are none.
@@ -65,10 +49,8 @@ void add_further_figure(Answer& answer, const SpectralStudy& study);
 /// The modes that are drawn, with their nodal lines, from one view.
 void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study);
 
-// What the numbers say.
 /// Does a larger k give better reconstructions? In one sentence.
 report::Text answer_in_short(const std::vector<Subject>& subjects);
-/// What follows it.
 report::Text lead(const std::vector<Subject>& subjects);
 /// Which solver was run, and how it is known that no mode is missing.
 report::Text solvers(const std::vector<Subject>& subjects);

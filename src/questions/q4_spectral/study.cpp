@@ -1,10 +1,8 @@
-#include <algorithm>
-
 #include "questions/q4_spectral/parts.h"
 
 namespace meshfolio::q4_spectral {
 
-Subject subject_of(std::shared_ptr<const LibraryMesh> mesh, const QuestionSettings& settings) {
+Subject subject_of(SharedMesh mesh, const QuestionSettings& settings) {
     SpectralStudy study = spectral_study(std::move(mesh), settings);
     LimbStudy limbs = limb_study(study);
     const double entries = factor_entries(study);

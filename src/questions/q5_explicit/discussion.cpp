@@ -1,40 +1,23 @@
-#include <algorithm>
-#include <cmath>
 #include <set>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/one_ring.h"
-#include "questions/bench/sentences.h"
-#include "questions/core/study_list.h"
 #include "questions/q5_explicit/parts.h"
 
 namespace meshfolio::q5_explicit {
 
 namespace {
 
-using Names = std::vector<std::string>;
-
-// ---- how large may it be
-
 /// What holds the top mode: the whole triangulation, a region, or a single spot.
 enum class Extent { spot, region, whole };
 
-int vertices_of(const ExplicitStudy& study) { return study.subject.source->prepared->preflight.vertices_in_use; }
-
 Extent extent_of_top_mode(const ExplicitStudy& study) {
     const double support = study.subject.top.support;
-    const int vertices = vertices_of(study);
-    if (support < 10 && support < 0.1 * vertices) return Extent::spot;
-    return support < 0.1 * vertices ? Extent::region : Extent::whole;
+    if (support >= 0.1 * study.subject.preflight().vertices_in_use) return Extent::whole;
+    return support < 10 ? Extent::spot : Extent::region;
 }
 
 report::Text places(const Studies& studies, Extent extent, const char* key) {
-    Names names;
-    for (const ExplicitStudy& study : studies)
-        if (extent_of_top_mode(study) == extent) names.push_back(study.name());
-    return said_of(names, words, key);
+    return said_of(names_where(studies, [=](const ExplicitStudy& study) { return extent_of_top_mode(study) == extent; }), words, key);
 }
 
 /// Which vertex sets the limit, of the first mesh where a few do and its figure rings them.
@@ -44,7 +27,7 @@ report::Text ringed(const Studies& studies) {
         if (spot.empty() || !study.recommended) continue;
         const TriangleMesh& mesh = study.subject.mesh();
         double beside = pi;
-        for (const int v : spot) beside = std::min(beside, smallest_angle_around(mesh, study.subject.source->prepared->topology, v));
+        for (const int v : spot) beside = std::min(beside, smallest_angle_around(mesh, study.subject.topology(), v));
         const bool thinnest = beside <= corner_angles(mesh).minCoeff() * (1 + 1e-9);
         return words.say(thinnest ? "limit.ringed.thinnest" : "limit.ringed", "mesh"_a = study.name(), "peaks"_a = spot.size(),
                          "figure"_a = recommended_figure(studies), "angle"_a = readable(beside * 180 / pi, 2));
@@ -52,52 +35,31 @@ report::Text ringed(const Studies& studies) {
     return {};
 }
 
-}   // namespace
-
-std::vector<int> limiting_spot(const ExplicitStudy& study) {
-    return extent_of_top_mode(study) == Extent::spot ? study.peaks : std::vector<int>();
-}
-
-report::Text how_large(const Studies& studies) {
-    const auto [low, high] = std::ranges::minmax_element(studies, {}, &ExplicitStudy::critical_in_edges);
-    // Right triangles of two sides s allow s²/4, and their mean edge is (2 + √2)s/3.
-    static const double grid = 0.25 / std::pow((2 + std::sqrt(2.0)) / 3, 2);
-    const double lowest = low->critical_in_edges(), times = high->critical_in_edges() / lowest;
-    const report::Facts facts{
-        "low"_a = readable(lowest, 2), "low_mesh"_a = low->name(),   "high"_a = readable(high->critical_in_edges(), 2),
-        "high_mesh"_a = high->name(),  "grid"_a = readable(grid, 2), "grid_times"_a = readable(grid / lowest, 2),
-        "times"_a = readable(times, 2)};
-    const bool several = studies.size() > 1;
-    return paragraph_of({words.say(several ? "limit.several" : "limit.one", facts),
-                         several && times > 1.5 ? words.say("limit.times", facts) : report::Text(),
-                         several ? report::Text() : words.say(lowest < 0.5 * grid ? "limit.grid.worse" : "limit.grid.half", facts),
-                         places(studies, Extent::whole, "limit.whole"), places(studies, Extent::region, "limit.region"),
-                         places(studies, Extent::spot, "limit.spot"), ringed(studies), words.say("limit.why")});
-}
-
-// ---- which one to take
-
-namespace {
-
-/// The largest stable step beyond half the limit that was tried; as many as there are: none.
-std::size_t largest_that_flips(const ExplicitStudy& study) {
-    const std::size_t i = study.first_beyond();
-    return i > 0 && !keeps_signs(study.subject, study.runs[i - 1].lambda) ? i - 1 : study.runs.size();
+/// The largest stable step beyond half the limit that was tried, beside the one recommended.
+struct Steps {
+    const ExplicitStudy& study;
+    std::size_t larger;   // run
+    const SmoothingRun &run, &half;
+};
+std::vector<Steps> larger_steps(const Studies& studies) {
+    std::vector<Steps> steps;
+    for (const ExplicitStudy& study : studies) {
+        const std::size_t beyond = study.first_beyond();
+        if (study.recommended && beyond > 0 && !keeps_signs(study.subject, study.runs[beyond - 1].lambda))
+            steps.push_back({study, beyond - 1, study.runs[beyond - 1], study.runs[study.recommended->run]});
+    }
+    return steps;
 }
 
 /// The energy that the larger and the smaller step leave at the same λt, on the mesh where they differ most.
-report::Text energy_at_equal_time(const Studies& studies, int larger_steps) {
+report::Text energy_at_equal_time(const Studies& studies, int larger_steps_taken) {
     const ExplicitStudy* most = nullptr;
     double gap = 0, of_larger = 0, of_smaller = 0;
-    for (const ExplicitStudy& study : studies) {
-        const std::size_t larger = largest_that_flips(study);
-        if (larger == study.runs.size() || !study.recommended) continue;
-        const SmoothingRun &run = study.runs[larger], &small = study.runs[study.recommended->run];
-        const auto t = static_cast<std::size_t>(larger_steps),
-                   u = static_cast<std::size_t>(std::lround(larger_steps * run.lambda / small.lambda));
-        if (t >= run.energy.size() || u >= small.energy.size()) continue;
-        if (const double here = run.energy[t] / small.energy[u] - 1; !most || std::abs(here) > std::abs(gap))
-            most = &study, gap = here, of_larger = run.energy[t], of_smaller = small.energy[u];
+    for (const auto& [study, larger, run, half] : larger_steps(studies)) {
+        const std::ptrdiff_t t = larger_steps_taken, u = std::lround(larger_steps_taken * run.lambda / half.lambda);
+        if (t >= std::ssize(run.energy) || u >= std::ssize(half.energy)) continue;
+        if (const double here = run.energy[t] / half.energy[u] - 1; !most || std::abs(here) > std::abs(gap))
+            most = &study, gap = here, of_larger = run.energy[t], of_smaller = half.energy[u];
     }
     if (most == nullptr) return {};
     return words.say(gap > 0.02 ? "good.flips.energy" : "good.flips.alike", "mesh"_a = most->name(), "larger"_a = share_left(of_larger),
@@ -118,15 +80,12 @@ report::Text why_half(const Studies& studies) {
     if (!any) return {};
     if (!all_keep_signs) return words.say("good.changes_signs");
     report::Text flips;
-    for (const ExplicitStudy& study : studies) {
-        const std::size_t larger = largest_that_flips(study);
-        if (larger == study.runs.size() || !study.recommended) continue;
-        const double small = study.runs[study.recommended->run].lambda;
-        const int steps = static_cast<int>(std::lround(20 * study.runs[larger].lambda / small));
-        flips = words.say("good.flips", "limits"_a = in_limits(study.subject, study.runs[larger].lambda),
+    if (const std::vector<Steps> steps = larger_steps(studies); !steps.empty()) {   // the same on all
+        const auto& [study, larger, run, half] = steps.front();
+        const long half_steps = std::lround(20 * run.lambda / half.lambda);
+        flips = words.say("good.flips", "limits"_a = in_limits(study.subject, run.lambda),
                           "left"_a = share_left(study.amplification[larger].measured),
-                          "small_left"_a = share_left(std::pow(std::abs(1 - small * study.subject.top.value), steps)));
-        break;   // the same on all
+                          "small_left"_a = share_left(std::pow(std::abs(1 - half.lambda * study.subject.top.value), half_steps)));
     }
     return paragraph_of({words.say("good.keeps_signs"), said_of(smaller, words, "good.smaller"), flips,
                          flips.empty() ? report::Text() : energy_at_equal_time(studies, 20)});
@@ -135,10 +94,7 @@ report::Text why_half(const Studies& studies) {
 /// What the larger step takes with the energy, on the first mesh where it shows.
 report::Text farther_along(const Studies& studies) {
     constexpr double seen = 0.02;
-    for (const ExplicitStudy& study : studies) {
-        const std::size_t larger = largest_that_flips(study);
-        if (larger == study.runs.size() || !study.recommended) continue;
-        const SmoothingRun &run = study.runs[larger], &half = study.runs[study.recommended->run];
+    for (const auto& [study, larger, run, half] : larger_steps(studies)) {
         if (half.energy.back() - run.energy.back() < seen || half.size.back() - run.size.back() < seen) continue;
         return words.say("good.farther", "mesh"_a = study.name(), "limits"_a = in_limits(study.subject, run.lambda),
                          "iterations"_a = run.iterations, "energy"_a = share_left(run.energy.back()),
@@ -147,14 +103,6 @@ report::Text farther_along(const Studies& studies) {
     }
     return {};
 }
-
-}   // namespace
-
-report::Text which_step(const Studies& studies) { return paragraph_of({why_half(studies), farther_along(studies)}); }
-
-// ---- when to stop
-
-namespace {
 
 /// What the recommended step does to one mesh, as its figure shows.
 report::Text effect_of(const ExplicitStudy& study) {
@@ -179,33 +127,6 @@ report::Text effect_of(const ExplicitStudy& study) {
                          if_so(unfolded, "stop.turned.unfolded"), if_so(!unfolded && best.folded_after > 0, "stop.turned.folded"),
                          if_so(!unfolded && best.folded_before > 0 && best.folded_after == 0, "stop.turned.flat")});
 }
-
-}   // namespace
-
-report::Text when_to_stop(const Studies& studies) {
-    Names none, smoother;
-    report::Text effects;
-    for (const ExplicitStudy& study : studies) {
-        if (!study.recommended) {
-            none.push_back(study.name());
-            continue;
-        }
-        const Recommendation& best = *study.recommended;
-        if (best.roughness_before > 5 && best.roughness_after < 0.5 * best.roughness_before)
-            smoother.push_back(words.line("stop.roughness.mesh", "mesh"_a = study.name(), "before"_a = readable(best.roughness_before, 2),
-                                          "after"_a = readable(best.roughness_after, 2)));
-        effects = paragraph_of({effects, effect_of(study)});
-    }
-    report::Text stop;
-    if (none.size() < studies.size())
-        stop = paragraph_of({words.say("stop", "figure"_a = recommended_figure(studies)),
-                             studies.size() > 1 ? words.say("stop.lambda_t") : report::Text(), said_of(smoother, words, "stop.roughness")});
-    return paragraph_of({stop, effects, said_of(none, words, "good.none")});
-}
-
-namespace {
-
-// ---- and beyond
 
 using StudyPointers = std::vector<const ExplicitStudy*>;
 
@@ -282,8 +203,7 @@ report::Text where_it_shows(const StudyPointers& beyond) {
         if (extent_of_top_mode(*study) == Extent::whole)
             whole.push_back(study->name());
         else
-            spots = paragraph_of(
-                {spots, words.say("beyond.one_place", "mesh"_a = study->name(), "figure"_a = id_of("q5", study->name(), "frames"))});
+            go_on(spots, words.say("beyond.one_place", "mesh"_a = study->name(), "figure"_a = id_of("q5", study->name(), "frames")));
     }
     return paragraph_of({said_of(whole, words, "beyond.everywhere"), spots});
 }
@@ -305,13 +225,67 @@ StudyPointers tried_beyond(const Studies& studies) {
     return beyond;
 }
 
+/// With the blow-up where all meshes show it at one step.
+report::Text beyond_in_short(const Studies& studies) {
+    int last = 0;
+    std::string limits;
+    for (const ExplicitStudy& study : studies) {
+        const SmoothingRun& run = study.runs.back();
+        const std::string step = in_limits(study.subject, run.lambda);
+        if (!run.result.blew_up || (!limits.empty() && step != limits)) return words.say("answer.beyond");
+        limits = step;
+        last = std::max(last, run.result.blow_up_iteration);
+    }
+    return words.say("answer.beyond.blown", "limits"_a = limits, "meshes"_a = studies.size(), "last"_a = last);
+}
+
 }   // namespace
+
+std::vector<int> limiting_spot(const ExplicitStudy& study) {
+    return extent_of_top_mode(study) == Extent::spot ? study.peaks : std::vector<int>();
+}
+
+report::Text how_large(const Studies& studies) {
+    const auto [low, high] = std::ranges::minmax_element(studies, {}, &ExplicitStudy::critical_in_edges);
+    // Right triangles of two sides s allow s²/4, and their mean edge is (2 + √2)s/3.
+    static const double grid = 0.25 / std::pow((2 + std::sqrt(2.0)) / 3, 2);
+    const double lowest = low->critical_in_edges(), times = high->critical_in_edges() / lowest;
+    const report::Facts facts{
+        "low"_a = readable(lowest, 2), "low_mesh"_a = low->name(),   "high"_a = readable(high->critical_in_edges(), 2),
+        "high_mesh"_a = high->name(),  "grid"_a = readable(grid, 2), "grid_times"_a = readable(grid / lowest, 2),
+        "times"_a = readable(times, 2)};
+    const bool several = studies.size() > 1;
+    return paragraph_of({words.say(several ? "limit.several" : "limit.one", facts),
+                         several && times > 1.5 ? words.say("limit.times", facts) : report::Text(),
+                         several ? report::Text() : words.say(lowest < 0.5 * grid ? "limit.grid.worse" : "limit.grid.half", facts),
+                         places(studies, Extent::whole, "limit.whole"), places(studies, Extent::region, "limit.region"),
+                         places(studies, Extent::spot, "limit.spot"), ringed(studies), words.say("limit.why")});
+}
+
+report::Text which_step(const Studies& studies) { return paragraph_of({why_half(studies), farther_along(studies)}); }
+
+report::Text when_to_stop(const Studies& studies) {
+    const Names none = names_where(studies, [](const ExplicitStudy& study) { return !study.recommended; });
+    Names smoother;
+    report::Text effects;
+    for (const ExplicitStudy& study : studies) {
+        if (!study.recommended) continue;
+        const Recommendation& best = *study.recommended;
+        if (best.roughness_before > 5 && best.roughness_after < 0.5 * best.roughness_before)
+            smoother.push_back(words.line("stop.roughness.mesh", "mesh"_a = study.name(), "before"_a = readable(best.roughness_before, 2),
+                                          "after"_a = readable(best.roughness_after, 2)));
+        go_on(effects, effect_of(study));
+    }
+    report::Text stop;
+    if (none.size() < studies.size())
+        stop = paragraph_of({words.say("stop", "figure"_a = recommended_figure(studies)),
+                             studies.size() > 1 ? words.say("stop.lambda_t") : report::Text(), said_of(smoother, words, "stop.roughness")});
+    return paragraph_of({stop, effects, said_of(none, words, "good.none")});
+}
 
 report::Text too_large(const Studies& studies) {
     const StudyPointers beyond = tried_beyond(studies);
-    Names within;
-    for (const ExplicitStudy& study : studies)
-        if (study.first_beyond() == study.runs.size()) within.push_back(study.name());
+    const Names within = names_where(studies, [](const ExplicitStudy& study) { return study.first_beyond() == study.runs.size(); });
     report::Text growth, turned;
     if (!beyond.empty()) {
         const ExplicitStudy& telling_one = telling(studies);
@@ -333,11 +307,10 @@ report::Text units_of_lambda(const Studies& studies) {
     double safe = 1;   // the least of Gershgorin's limits, over λ_crit; 0: not all are proved
     for (const ExplicitStudy& study : studies) safe = std::min(safe, study.subject.safe() / study.subject.critical);
     const bool known = uniform(*uniform_low) > 1 && uniform(*uniform_high) < 1.5;
-    const std::string from = readable(uniform(*uniform_low), 3), to = readable(uniform(*uniform_high), 3);
     return paragraph_of({words.say(times > 1.1 ? "units.several" : "units.one", "times"_a = readable(times, 2)),
                          safe > 0 ? words.say("units.gershgorin", "share"_a = readable_percent(rounded_down(safe, 2), 2)) : report::Text(),
                          words.say(known ? "units.known" : "units.uniform",
-                                   "limit"_a = from != to ? words.line("units.range", "low"_a = from, "high"_a = to) : from)});
+                                   "limit"_a = span_of(readable(uniform(*uniform_low), 3), readable(uniform(*uniform_high), 3)))});
 }
 
 // ---- first of all
@@ -348,24 +321,6 @@ const ExplicitStudy& telling(const Studies& studies) {
         return i < study.runs.size() && !study.runs[i].result.blew_up ? study.runs[i].energy.back() : 0;
     });
 }
-
-namespace {
-
-/// With the blow-up where all meshes show it at one step.
-report::Text beyond_in_short(const Studies& studies) {
-    int last = 0;
-    std::string limits;
-    for (const ExplicitStudy& study : studies) {
-        const SmoothingRun& run = study.runs.back();
-        const std::string step = in_limits(study.subject, run.lambda);
-        if (!run.result.blew_up || (!limits.empty() && step != limits)) return words.say("answer.beyond");
-        limits = step;
-        last = std::max(last, run.result.blow_up_iteration);
-    }
-    return words.say("answer.beyond.blown", "limits"_a = limits, "meshes"_a = studies.size(), "last"_a = last);
-}
-
-}   // namespace
 
 report::Text answer_in_short(const Studies& studies) {
     double least = INFINITY, most = 0;   // of the recommended steps, over λ_crit

@@ -1,12 +1,7 @@
-#include <algorithm>
 #include <iterator>
 
-#include "base/number_text.h"
-#include "mesh/triangle_measures.h"
 #include "output/draw/framing.h"
 #include "questions/bench/curvature_subject.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/study_list.h"
 #include "questions/q5_explicit/parts.h"
 
 namespace meshfolio::q5_explicit {
@@ -51,9 +46,7 @@ std::string on_sharp_edges(const Studies& studies) {
 
 /// Likewise where a few vertices set the limit.
 std::string on_rings(const Studies& studies) {
-    std::vector<std::string> ringed;
-    for (const ExplicitStudy& study : studies)
-        if (study.recommended && !limiting_spot(study).empty()) ringed.push_back(study.name());
+    const Names ringed = names_where(studies, [](auto& study) { return study.recommended && !limiting_spot(study).empty(); });
     return ringed.empty() ? "" : " " + words.line("figure.ring", "meshes"_a = listed(ringed));
 }
 
@@ -67,29 +60,29 @@ void add_pair(Answer& answer, const Studies& studies, const std::string& id) {
     const ExplicitStudy& study = studies.front();
     const SmoothingRun& run = study.recommended->stopped;
     report::Facts facts = facts_of(study);
-    facts.push_back("ring"_a = on_rings(studies));
-    facts.push_back("sharp"_a = on_sharp_edges(studies));
-    SixViewFigure figure{.id = id,
-                         .title = words.line("recommended.title", facts),
-                         .subtitle = subtitle_of(*study.subject.source),
-                         .caption = words.line("recommended.caption", facts),
-                         .coarse_edges = true,
-                         .turnable = true};
-    figure.panels = {smoothing_panel(study.subject, run.result.X, id + "_smoothed", words.line("recommended.after", facts))};
-    add_smoothing_figure(answer, study.subject, id + "_input", std::move(figure));
-    answer.figures.back().panels.front().marked_vertices = limiting_spot(study);
+    facts.insert(facts.end(), {"ring"_a = on_rings(studies), "sharp"_a = on_sharp_edges(studies)});
+    output::FigureRequest figure{
+        .id = id,
+        .title = words.line("recommended.title", facts),
+        .subtitle = subtitle_of(*study.subject.source),
+        .panels = {panel_of(*study.subject.source, id + "_input", "before", curvature_colours(study.subject, study.subject.mesh().X)),
+                   smoothing_panel(study.subject, run.result.X, id + "_smoothed", words.line("recommended.after", facts))},
+        .turnable = true,
+        .coarse_edges = true};
+    figure.range = curvature_range({figure.panels.front()});
+    figure.panels.front().marked_vertices = limiting_spot(study);
+    add_figure(answer, std::move(figure), words.line("recommended.caption", facts));
 }
 
 /// At the size and place in which all inputs have the same box diagonal.
 output::Panel resized_panel(const ExplicitStudy& study, const Positions& X, const std::string& what, std::string label) {
-    const Eigen::RowVector3d centre = bounding_box(study.subject.mesh()).centre().transpose();
-    return panel_of(moved_to(study.subject.mesh(), (X.rowwise() - centre) / study.subject.diagonal), id_of("q5", study.name(), what),
-                    std::move(label), curvature_colours(study.subject, X));
+    return panel_of(in_unit_box(study.subject.mesh(), X), id_of("q5", study.name(), what), std::move(label),
+                    curvature_colours(study.subject, X));
 }
 
 /// Several meshes: each input beside its result.
 void add_all(Answer& answer, const Studies& studies, const std::string& id) {
-    SixViewFigure figure{.id = id, .title = words.line("results.title"), .coarse_edges = true, .frame_panel = -1, .states = 2};
+    output::FigureRequest figure{.id = id, .title = words.line("results.title"), .frame_panel = -1, .coarse_edges = true, .states = 2};
     for (const ExplicitStudy& study : studies) {
         if (!study.recommended) continue;
         const report::Facts facts = facts_of(study);
@@ -97,10 +90,10 @@ void add_all(Answer& answer, const Studies& studies, const std::string& id) {
         figure.panels.back().marked_vertices = limiting_spot(study);
         figure.panels.push_back(resized_panel(study, study.recommended->stopped.result.X, "result", words.line("results.result", facts)));
     }
-    figure.caption = words.line("results.caption", "frames"_a = telling(studies).name(), "ring"_a = on_rings(studies),
-                                "sharp"_a = on_sharp_edges(studies));
     figure.range = range_of(studies);
-    add_figure(answer, std::move(figure));
+    add_figure(answer, std::move(figure),
+               words.line("results.caption", "frames"_a = telling(studies).name(), "ring"_a = on_rings(studies),
+                          "sharp"_a = on_sharp_edges(studies)));
     answer.figures.back().range->quantity.clear();   // the colour bar is that of the frames
 }
 
@@ -119,13 +112,12 @@ void add_recommended_figure(Answer& answer, const Studies& studies) {
 }
 
 void add_frames_figure(Answer& answer, const ExplicitStudy& study, const Studies& studies) {
-    output::FigureRequest request;
-    request.id = id_of("q5", study.name(), "frames");
-    request.title = words.line("frames.title", "mesh"_a = study.name());
-    request.subtitle = subtitle_of(*study.subject.source);
-    request.layout = output::Layout::one_frame;
-    request.coarse_edges = true;
-    std::vector<std::string> shrunk;
+    output::FigureRequest request{.id = id_of("q5", study.name(), "frames"),
+                                  .title = words.line("frames.title", "mesh"_a = study.name()),
+                                  .subtitle = subtitle_of(*study.subject.source),
+                                  .layout = output::Layout::one_frame,
+                                  .coarse_edges = true};
+    Names shrunk;
     for (const int t : study.frame_times) request.columns.push_back("t = " + std::to_string(t));
     for (const Strip& strip : study.strips) {
         const std::string limits = in_limits(study.subject, study.runs[strip.run].lambda);
@@ -144,8 +136,7 @@ void add_frames_figure(Answer& answer, const ExplicitStudy& study, const Studies
     std::string alt = caption;
     for (const output::Panel& panel : request.panels)
         if (!panel.mesh) alt += " " + panel.label + ".";
-    add(answer.section, report::Figure{request.id, caption, alt});
-    answer.figures.push_back(std::move(request));
+    add_figure(answer, std::move(request), caption, alt);
 }
 
 }   // namespace meshfolio::q5_explicit

@@ -1,20 +1,14 @@
 #include "questions/q5_explicit/study.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "geometry/linear/special_values.h"
 #include "geometry/operators/uniform_laplacian.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/mesh_class.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::q5_explicit {
 
 namespace {
 
 UniformLimit uniform_limit(const LibraryMesh& mesh) {
-    const double top = largest_eigenvalue(uniform_operator(mesh.prepared->topology)).value;
+    const double top = largest_eigenvalue(uniform_operator(mesh.topology())).value;
     return {top, 2 / top};
 }
 
@@ -22,19 +16,13 @@ UniformLimit uniform_limit(const LibraryMesh& mesh) {
 
 /// rms displacement of the flagged vertices over that of the others; 0 where there are none, or the others stay.
 double moved_ratio(const Positions& before, const Positions& after, const std::vector<char>& flagged) {
-    const Vector squares = (after - before).rowwise().squaredNorm();
-    double sum[2] = {0, 0}, count[2] = {0, 0};
-    for (std::size_t v = 0; v < flagged.size(); ++v) {
-        sum[flagged[v] != 0] += squares[static_cast<Eigen::Index>(v)];
-        ++count[flagged[v] != 0];
-    }
-    if (count[0] == 0 || count[1] == 0 || !(sum[0] > 0)) return 0;
-    return std::sqrt(sum[1] / count[1] / (sum[0] / count[0]));
+    const FlaggedMeans squares = flagged_means((after - before).rowwise().squaredNorm(), flagged);
+    return squares.count > 0 && squares.elsewhere > 0 ? std::sqrt(squares.there / squares.elsewhere) : 0;
 }
 
 /// What it does to the surface.
 void look_at(Recommendation& recommendation, const SmoothingSubject& subject) {
-    const MeshTopology& topology = subject.source->prepared->topology;
+    const MeshTopology& topology = subject.topology();
     const TriangleMesh smoothed = moved_to(subject.mesh(), recommendation.stopped.result.X);
     const MeshCharacter before = mesh_character(subject.mesh(), topology);
     recommendation.roughness_before = median_face_angle(subject.mesh(), topology);
@@ -47,7 +35,7 @@ void look_at(Recommendation& recommendation, const SmoothingSubject& subject) {
 /// What the faces turned over are like, before and after: folds that smoothing has undone, or made.
 void count_folds(Recommendation& recommendation, const SmoothingSubject& subject) {
     const TriangleMesh& mesh = subject.mesh();
-    const MeshTopology& topology = subject.source->prepared->topology;
+    const MeshTopology& topology = subject.topology();
     const Positions before = face_normals(mesh), after = face_normals(moved_to(mesh, recommendation.stopped.result.X));
     for (int t = 0; t < mesh.face_count(); ++t) {
         if (!(before.row(t).dot(after.row(t)) < 0)) continue;
@@ -87,8 +75,8 @@ std::optional<Recommendation> recommended(const ExplicitStudy& study) {
 
 // ---- frames
 
-/// Early ones, while a step far beyond the limit tears the mesh apart, and later ones, in which one just beyond it shows. The first is
-/// the last in which the largest step is still in the frame, spikes and all.
+/// Early iterations show a step far beyond the limit, later ones a step just beyond it. The first is the last with the largest step in
+/// view.
 std::vector<int> frame_times(const SmoothingSubject& subject, double largest_step, int iterations) {
     constexpr int second = 5;
     const int seen =
@@ -124,7 +112,7 @@ std::size_t ExplicitStudy::first_beyond() const {
     return i;
 }
 
-ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings) {
     ExplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
     study.uniform = uniform_limit(*study.subject.source);

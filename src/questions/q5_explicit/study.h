@@ -2,13 +2,7 @@
 /// What question 5 measures: explicit smoothing with steps below and beyond its limit.
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "questions/bench/smoothing_study.h"
-#include "questions/core/settings.h"
 
 namespace meshfolio::q5_explicit {
 
@@ -17,8 +11,8 @@ struct UniformLimit {
     double critical = 0;   // 2/μ_max
 };
 
-/// The step to take, and when to stop: the largest in which no mode changes its sign, else the largest stable one, of those that leave 95 %
-/// of the size for one iteration at least; and as many iterations as do, up to ten times those of the other runs.
+/// The largest step that changes no mode's sign, else the largest stable one, with as many iterations as leave 95 % of the size (at most
+/// ten times those of the other runs).
 struct Recommendation {
     std::size_t run = 0;   // of the study, with all iterations
     SmoothingRun stopped;
@@ -61,7 +55,7 @@ inline const std::vector<double> own_steps{0.05, 0.5, 0.95, 1.05, 2.0};
 int iterations_of(const QuestionSettings& settings);
 
 /// With the steps of the settings, else with its own.
-ExplicitStudy explicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings);
 
 /// Does a step of λ leave the sign of every mode (λμ_max ≤ 1, half the limit)?
 bool keeps_signs(const SmoothingSubject& subject, double lambda);

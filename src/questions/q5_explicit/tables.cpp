@@ -1,11 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/study_list.h"
-#include "questions/core/table.h"
 #include "questions/q5_explicit/parts.h"
 
 namespace meshfolio::q5_explicit {
@@ -34,18 +26,18 @@ std::string outcome_of(const ExplicitStudy& study, std::size_t i) {
     return words.line("outcome.recommended");
 }
 
-void append_trials(std::vector<Trial>& trials, const ExplicitStudy& study) {
-    for (std::size_t i = 0; i < study.runs.size(); ++i)
-        trials.push_back({study, study.runs[i], study.amplification[i], outcome_of(study, i)});
+std::vector<Trial> trials_of(std::span<const ExplicitStudy> studies) {
+    std::vector<Trial> trials;
+    for (const ExplicitStudy& study : studies)
+        for (std::size_t i = 0; i < study.runs.size(); ++i)
+            trials.push_back({study, study.runs[i], study.amplification[i], outcome_of(study, i)});
+    return trials;
 }
 
 /// The energy over the iterations. Beyond twenty the curve has made its point and would flatten all others.
 report::Series energy_series(const ExplicitStudy& study, const SmoothingRun& run) {
     report::Series series{.name = words.line("energy.series", "limits"_a = in_limits(study.subject, run.lambda))};
-    for (std::size_t t = 0; t < run.energy.size() && run.energy[t] < 20; ++t) {
-        series.x.push_back(static_cast<double>(t));
-        series.y.push_back(run.energy[t]);
-    }
+    for (std::size_t t = 0; t < run.energy.size() && run.energy[t] < 20; ++t) add_point(series, double(t), run.energy[t]);
     return series;
 }
 
@@ -64,14 +56,11 @@ report::Plot damping_plot() {
     report::Series explicit_factor{.name = "1 − λμ"}, implicit_factor{.name = "1/(1 + λμ)"};
     for (int i = 0; i <= 48; ++i) {
         const double x = end * i / 48;
-        explicit_factor.x.push_back(x);
-        explicit_factor.y.push_back(1 - x);
-        implicit_factor.x.push_back(x);
-        implicit_factor.y.push_back(1 / (1 + x));
+        add_point(explicit_factor, x, 1 - x);
+        add_point(implicit_factor, x, 1 / (1 + x));
     }
     return {.id = "q5_damping",
             .caption = words.line("damping"),
-            .alt = words.line("damping"),
             .x_label = "λμ",
             .y_label = words.line("damping.axis"),
             .series = {std::move(explicit_factor), std::move(implicit_factor)},
@@ -96,9 +85,7 @@ report::Table limit_table(const Studies& studies) {
 }
 
 report::Table steps_table(const Studies& studies) {
-    std::vector<Trial> trials;
-    for (const ExplicitStudy& study : studies) append_trials(trials, study);
-    return table("q5_steps", words.line("steps", "iterations"_a = studies.front().runs.front().iterations), trials)
+    return table("q5_steps", words.line("steps", "iterations"_a = studies.front().runs.front().iterations), trials_of(studies))
         .column("mesh", [](auto& t) { return t.study.name(); })
         .column("λ/λ_crit", [](auto& t) { return t.run.lambda / t.study.subject.critical; })
         .column("energy", {.unit = "of input"}, [](auto& t) { return left_of(t.run, t.run.energy.back()); })
@@ -111,7 +98,7 @@ report::Table bounds_table(const Studies& studies) {
     return table("q5_bounds", words.line("bounds"), studies)
         .column("mesh", &ExplicitStudy::name)
         .column("μ_max", {.unit = "1/length²", .digits = 4}, [](auto& s) { return s.subject.top.value; })
-        .column("safe λ (Gershgorin)", {.unit = "length²", .digits = 4, .rounding = report::Column::Rounding::down},
+        .column("safe λ (Gershgorin)", {.unit = "length²", .digits = 4, .rounding = Rounding::down},
                 [](auto& s) { return s.subject.safe(); })
         .column("vertex", {.digits = 8}, [](auto& s) { return s.subject.top.vertex; })
         .column("vertices as large", [](auto& s) { return s.peaks.size(); })
@@ -121,9 +108,7 @@ report::Table bounds_table(const Studies& studies) {
 
 report::Table sweep_table(const ExplicitStudy& study) {
     const SmoothingSubject& s = study.subject;
-    std::vector<Trial> trials;
-    append_trials(trials, study);
-    return table(id_of("q5", study.name(), "sweep_table"), words.line("sweep", "mesh"_a = study.name()), trials)
+    return table(id_of("q5", study.name(), "sweep_table"), words.line("sweep", "mesh"_a = study.name()), trials_of({&study, 1}))
         .column("λ", {.unit = "length²"}, [](auto& t) { return t.run.lambda; })
         .column("λ/λ_crit", [&](auto& t) { return t.run.lambda / s.critical; })
         .column("λ/h̄²", [&](auto& t) { return t.run.lambda / (s.mean_edge * s.mean_edge); })
@@ -138,14 +123,13 @@ report::Table sweep_table(const ExplicitStudy& study) {
 report::Plot energy_plot(const ExplicitStudy& study) {
     report::Plot plot{
         .id = id_of("q5", study.name(), "energy"), .x_label = "iteration", .y_label = words.line("energy.axis"), .log_y = true};
-    std::vector<std::string> cut;
+    Names cut;
     for (const SmoothingRun* run : shown_runs(study)) {
         plot.series.push_back(energy_series(study, *run));
         if (plot.series.back().y.size() < run->energy.size()) cut.push_back(in_limits(study.subject, run->lambda));
     }
     plot.caption = words.line("energy", "mesh"_a = study.name());
     if (!cut.empty()) plot.caption += " " + words.line("energy.cut", "cut"_a = listed(cut));
-    plot.alt = plot.caption;
     return plot;
 }
 

@@ -1,22 +1,98 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <optional>
 #include <set>
 
-#include "base/number_text.h"
 #include "questions/bench/mesh_class.h"
-#include "questions/bench/sentences.h"
-#include "questions/core/study_list.h"
 #include "questions/q6_implicit/parts.h"
 
 namespace meshfolio::q6_implicit {
 
 namespace {
 
-std::string matrix_of(const ImplicitStudy& study) { return id_of("q6", study.name(), "matrix"); }
+// ---- the answer: prices of the two schemes, and how smooth both leave a mesh
 
-const MeshTopology& topology_of(const ImplicitStudy& study) { return study.subject.source->prepared->topology; }
+/// "0.25 to 4.0".
+std::string span_of(const std::vector<double>& values) {
+    const auto [low, high] = std::ranges::minmax(values);
+    return meshfolio::span_of(readable(low, 2), readable(high, 2));
+}
+
+/// Explicit over implicit arithmetic of what is recommended, where it is known.
+std::vector<double> prices(const Studies& studies) {
+    std::vector<double> ratios;
+    for (const ImplicitStudy& study : studies)
+        if (study.cost && !std::isnan(study.cost->ratio)) ratios.push_back(study.cost->ratio);
+    return ratios;
+}
+
+/// "alike" within a fifth; else "dearer" or "cheaper", where explicit smoothing is so on all meshes, or "either".
+std::string price_key(const std::vector<double>& ratios) {
+    const auto [low, high] = std::ranges::minmax(ratios);
+    if (low > 1 / 1.2 && high < 1.2) return "alike";
+    return low >= 1 ? "dearer" : high <= 1 ? "cheaper" : "either";
+}
+
+/// Which scheme is cheaper for what is recommended.
+report::Text price_of_recommended(const Studies& studies) {
+    const std::vector<double> ratios = prices(studies);
+    return ratios.empty() ? report::Text() : words.say("answer.good." + price_key(ratios), "ratios"_a = span_of(ratios));
+}
+
+/// From which amount and with which step on implicit steps pay, and what is left of the size there; on which meshes they do at none tried.
+report::Text pays_from(const Studies& studies) {
+    Names paying, never;
+    std::vector<double> kept;
+    bool large = true;   // only steps beyond the explicit limit pay
+    for (const ImplicitStudy& study : studies) {
+        if (!study.prices.counted()) continue;
+        const std::optional<BreakEven> even = study.break_even();
+        if (!even) {
+            never.push_back(study.name());
+            continue;
+        }
+        for (std::size_t l = 0; l < study.lambdas.size() && study.lambdas[l] <= study.subject.critical; ++l)
+            large = large && !study.break_even(l);
+        paying.push_back(words.line("answer.even.mesh", "mesh"_a = study.name(), "time"_a = readable(in_edges(study, even->time()), 2),
+                                    "limits"_a = in_limits(study.subject, even->lambda)));
+        kept.push_back(100 * even->kept);
+    }
+    const report::Text left = kept.empty() ? report::Text() : words.say("answer.even.kept", "kept"_a = span_of(kept));
+    return paragraph_of(
+        {said_of(paying, words, large ? "answer.even.large" : "answer.even"), left, said_of(never, words, "answer.even.never")});
+}
+
+/// Whether the explicit runs blew up, and the last of them within how many steps, where one λ blew up first on all meshes.
+report::Text stability_of(const Studies& studies) {
+    double largest = 0;
+    std::set<std::string> blown;
+    int last = 0;
+    bool all = true;
+    for (const ImplicitStudy& study : studies) {
+        largest = std::max(largest, study.lambdas.back() / study.subject.critical);
+        const std::optional<std::size_t> l = study.first_blown();
+        all = all && l.has_value();
+        if (!l) continue;
+        blown.insert(in_limits(study.subject, study.lambdas[*l]));
+        last = std::max(last, study.explicit_runs[*l].result.blow_up_iteration);
+    }
+    const char* key = blown.empty() ? "answer.alike" : all && blown.size() == 1 ? "answer.blown" : "answer";
+    return words.say(key, "limits"_a = readable(largest, 2), "blown"_a = blown.empty() ? "" : *blown.begin(), "last"_a = last);
+}
+
+/// Meshes on which the angle grows from almost none: it measures how round the shape has become.
+report::Text roundness(const Studies& studies) {
+    report::Text told;
+    for (const ImplicitStudy& study : studies) {
+        if (study.roughness > rough || !study.cost || !study.cost->reached()) continue;
+        const SmoothingCost& cost = *study.cost;
+        if (!(cost.roughness > 1.1 * study.roughness + 0.01)) continue;
+        go_on(told, words.say("quality.round", "mesh"_a = study.name(), "input"_a = readable(study.roughness, 2),
+                              "implicit"_a = readable(cost.roughness, 2), "explicit"_a = readable(cost.explicit_roughness, 2)));
+    }
+    return told;
+}
+
+// ---- what the pictures show, and why
+
+std::string matrix_of(const ImplicitStudy& study) { return id_of("q6", study.name(), "matrix"); }
 
 /// Where the two schemes differ most within the explicit limit, and from which t on by little.
 struct Gaps {
@@ -53,19 +129,14 @@ report::Text agreement(const Gaps& gaps) {
 
 /// How many times as far as the others these vertices moved; NaN where all are alike, or more than half are of them.
 double excess_of(const SmoothingSubject& subject, const Positions& X, const std::vector<char>& flags) {
-    double sums[2] = {0, 0};
-    int counts[2] = {0, 0};
-    for (Eigen::Index v = 0; v < X.rows(); ++v) {
-        const int flag = flags[static_cast<std::size_t>(v)] != 0 ? 1 : 0;
-        sums[flag] += (X.row(v) - subject.mesh().X.row(v)).squaredNorm();
-        ++counts[flag];
-    }
-    return counts[1] > 0 && counts[1] <= counts[0] && sums[0] > 0 ? std::sqrt(sums[1] / counts[1] / (sums[0] / counts[0])) : NAN;
+    const FlaggedMeans squares = flagged_means((X - subject.mesh().X).rowwise().squaredNorm(), flags);
+    const bool few = squares.count > 0 && squares.count <= squares.others;
+    return few && squares.elsewhere > 0 ? std::sqrt(squares.there / squares.elsewhere) : NAN;
 }
 
 /// Where the recommended result has moved most: at the boundary, at sharp edges, or nowhere in particular.
 report::Text where_it_goes(const ImplicitStudy& study, const SmoothingCell& good) {
-    const MeshTopology& topology = topology_of(study);
+    const MeshTopology& topology = study.subject.topology();
     const TriangleMesh& mesh = study.subject.mesh();
     const double at_boundary = excess_of(study.subject, good.implicit_X, topology.on_boundary);
     const double at_edges = excess_of(study.subject, good.implicit_X, feature_vertices(mesh, topology));
@@ -84,12 +155,12 @@ report::Text where_it_goes(const ImplicitStudy& study, const SmoothingCell& good
 /// Of the sharp convex edges' vertices, those that are concave on X: an explicit step has pulled them inside the faces.
 double share_pulled_inside(const ImplicitStudy& study, const Positions& X) {
     const TriangleMesh& mesh = study.subject.mesh();
-    if (mesh_character(mesh, topology_of(study)).kind() != MeshClass::sharp_edged) return 0;
-    const std::vector<char> sharp = feature_vertices(mesh, topology_of(study));
+    if (mesh_character(mesh, study.subject.topology()).kind() != MeshClass::sharp_edged) return 0;
+    const std::vector<char> sharp = feature_vertices(mesh, study.subject.topology());
     const Vector before = curvature_colours(study.subject, mesh.X), after = curvature_colours(study.subject, X);
     int convex = 0, inside = 0;
     for (Eigen::Index v = 0; v < before.size(); ++v) {
-        if (sharp[static_cast<std::size_t>(v)] == 0 || !(before[v] > 0)) continue;
+        if (sharp[v] == 0 || !(before[v] > 0)) continue;
         ++convex;
         inside += after[v] < 0 ? 1 : 0;
     }
@@ -112,7 +183,7 @@ report::Text too_large(const ImplicitStudy& study) {
     if (!blown || !study.cell(*blown, 0).has_explicit()) return {};
     const SmoothingCell &first = study.cell(*blown, 0), *risen = with_spikes(study, *blown);
     const double inside = share_pulled_inside(study, first.explicit_X);
-    const auto angle = [&](const Positions& X) { return median_face_angle(moved_to(study.subject.mesh(), X), topology_of(study)); };
+    const auto angle = [&](const Positions& X) { return median_face_angle(moved_to(study.subject.mesh(), X), study.subject.topology()); };
     const double by_explicit = angle(first.explicit_X), by_implicit = angle(first.implicit_X);
     report::Facts facts{"limits"_a = in_limits(study.subject, first.lambda),
                         "t"_a = first.iterations,
@@ -134,11 +205,8 @@ report::Text too_large(const ImplicitStudy& study) {
 /// How much more curved than the median vertex the hundredth is that is most curved, on meshes without sharp edges.
 double speckles_of(const ImplicitStudy& study, const SmoothingCell& good) {
     const TriangleMesh mesh = moved_to(study.subject.mesh(), good.implicit_X);
-    if (mesh_character(mesh, topology_of(study)).feature_share > 0) return 0;
-    std::vector<double> sizes;
-    for (const double H : curvature_colours(study.subject, good.implicit_X))
-        if (std::isfinite(H)) sizes.push_back(std::abs(H));
-    std::ranges::sort(sizes);
+    if (mesh_character(mesh, study.subject.topology()).feature_share > 0) return 0;
+    const std::vector<double> sizes = sorted_finite(curvature_colours(study.subject, good.implicit_X).cwiseAbs());
     if (sizes.size() < 100 || !(sizes[sizes.size() / 2] > 0)) return 0;
     return sizes[sizes.size() - sizes.size() / 100 - 1] / sizes[sizes.size() / 2];
 }
@@ -180,22 +248,88 @@ report::Text too_much(const ImplicitStudy& study) {
 
 /// Where the explicit runs end at the smallest step that blew up: "6 (cube and plane)".
 report::Text explicit_ends(const Studies& studies) {
-    std::map<std::string, std::map<int, std::vector<std::string>>> ended;   // by step and iteration
+    std::map<std::string, std::map<int, Names>> ended;   // by step and iteration
     for (const ImplicitStudy& study : studies)
         if (const std::optional<std::size_t> blown = study.first_blown())
             ended[in_limits(study.subject, study.lambdas[*blown])][study.explicit_runs[*blown].result.blow_up_iteration].push_back(
                 study.name());
     report::Text told;
     for (const auto& [limits, iterations] : ended) {
-        std::vector<std::string> ends;
+        Names ends;
         for (const auto& [iteration, meshes] : iterations)
             ends.push_back(words.line("beyond.end", "iteration"_a = iteration, "meshes"_a = listed(meshes)));
-        told = paragraph_of({told, words.say("beyond", "limits"_a = limits, "ends"_a = listed(ends))});
+        go_on(told, words.say("beyond", "limits"_a = limits, "ends"_a = listed(ends)));
     }
     return told;
 }
 
 }   // namespace
+
+std::string smoothness_key(const ImplicitStudy& study) {
+    if (!study.cost || !study.cost->reached() || study.roughness <= rough || !(study.cost->explicit_roughness > 0)) return "";
+    const double ratio = study.cost->roughness / study.cost->explicit_roughness;
+    return ratio > 1.05 ? "smoother" : ratio < 1 / 1.05 ? "rougher" : "alike";
+}
+
+report::Text answer_of(const Studies& studies) {
+    return paragraph_of({stability_of(studies), price_of_recommended(studies), pays_from(studies)});
+}
+
+/// What is recommended: "λt = 0.91 h̄² on plane".
+report::Text summary_of(const Studies& studies) {
+    Names told;
+    for (const ImplicitStudy& study : studies)
+        if (const SmoothingCell* good = study.good())
+            told.push_back(words.line("recommended.mesh", "mesh"_a = study.name(), "time"_a = readable(in_edges(study, good->time()), 2)));
+    const Names none = names_where(studies, [](const ImplicitStudy& study) { return !study.good(); });
+    return paragraph_of({said_of(told, words, "recommended"), said_of(none, words, "recommended.none")});
+}
+
+/// How smooth both schemes leave what is recommended, at the same energy; on smooth meshes the angle tells something else.
+report::Text quality_of(const Studies& studies) {
+    report::Text told;
+    for (const ImplicitStudy& study : studies) {
+        const std::string key = smoothness_key(study);
+        if (key.empty()) continue;
+        go_on(told, words.say("quality." + key, "mesh"_a = study.name(), "implicit"_a = readable(study.cost->roughness, 2),
+                              "explicit"_a = readable(study.cost->explicit_roughness, 2)));
+    }
+    if (!told.empty()) told = paragraph_of({words.say("quality"), told});
+    return paragraph_of({told, roundness(studies)});
+}
+
+/// Which scheme to use: for what is recommended, and for more.
+report::Text verdict_of(const Studies& studies) {
+    const std::vector<double> ratios = prices(studies);
+    if (ratios.empty()) return {};
+    const std::string price = price_key(ratios);
+    const auto none_is = [&](const char* key) {
+        return std::ranges::none_of(studies, [&](const ImplicitStudy& study) { return smoothness_key(study) == key; });
+    };
+    const Names cheaper = names_where(studies, [](const ImplicitStudy& study) { return study.cost && study.cost->ratio < 1; });
+    const Names dearer = names_where(studies, [](const ImplicitStudy& study) { return study.cost && study.cost->ratio >= 1; });
+    const std::string key = price == "cheaper"  ? none_is("rougher") ? "explicit.smooth" : "explicit"
+                            : price == "dearer" ? none_is("smoother") ? "implicit.smooth" : "implicit"
+                                                : price;
+    const bool more = std::ranges::any_of(studies, [](const ImplicitStudy& study) { return study.break_even().has_value(); });
+    return paragraph_of(
+        {words.say("verdict." + key, "ratios"_a = span_of(ratios), "cheaper"_a = listed(cheaper), "dearer"_a = listed(dearer)),
+         more && price != "dearer" ? words.say("verdict.more") : report::Text()});
+}
+
+/// What a step and a factorisation cost, and which λ can pay: by (1 − h)ᵏ ≤ 1/(1 + kh), 2λ/λ_crit explicit steps of half of λ_crit damp
+/// every mode as much as one implicit step.
+report::Text price_of(const Studies& studies) {
+    std::vector<double> factorisations, steps, least;
+    for (const ImplicitStudy& study : studies) {
+        if (!study.prices.counted()) continue;
+        factorisations.push_back(study.prices.factorisation / study.prices.implicit_step);
+        steps.push_back(study.prices.implicit_step / study.prices.explicit_step);
+        least.push_back(steps.back() / 2);
+    }
+    if (steps.empty()) return {};
+    return words.say("price", "step"_a = span_of(steps), "least"_a = span_of(least), "factorisation"_a = span_of(factorisations));
+}
 
 report::Text rule_of(const Studies& studies) {
     const bool any = std::ranges::any_of(studies, [](const ImplicitStudy& study) { return study.good() != nullptr; });

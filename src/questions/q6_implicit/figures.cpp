@@ -1,10 +1,4 @@
-#include <algorithm>
-#include <optional>
-
-#include "base/number_text.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/curvature_subject.h"
-#include "questions/core/study_list.h"
 #include "questions/q6_implicit/parts.h"
 
 namespace meshfolio::q6_implicit {
@@ -56,15 +50,9 @@ output::Panel panel_of_cell(const ImplicitStudy& study, const SmoothingCell& cel
     return panel;
 }
 
-/// So that meshes of any size can stand side by side: a box of diagonal 1 about the origin.
-TriangleMesh unit_sized(const TriangleMesh& mesh, const Positions& X) {
-    const Box box = bounding_box(mesh);
-    return moved_to(mesh, (X.rowwise() - box.centre().transpose()) / box.diagonal());
-}
-
 /// The explicit runs that are left out: at larger λ than the first that blew up.
 std::string left_out(const ImplicitStudy& study) {
-    std::vector<std::string> runs;
+    Names runs;
     for (std::size_t l = study.first_blown().value_or(study.lambdas.size()); l < study.lambdas.size(); ++l) {
         if (l == drawn_blow_up(study)) continue;
         const Smoothed& run = study.explicit_runs[l].result;
@@ -88,13 +76,13 @@ output::ColorRange colours_of(const Studies& studies) {
 }
 
 void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorRange& colours, bool has_legend) {
-    output::FigureRequest request;
-    request.id = id_of("q6", study.name(), "matrix");
-    request.layout = output::Layout::one_frame;
-    request.coarse_edges = true;
-    request.columns = {words.line("head.input")};
+    output::FigureRequest request{.id = id_of("q6", study.name(), "matrix"),
+                                  .subtitle = words.line("figure.subtitle", "critical"_a = readable(study.subject.critical, 4)),
+                                  .layout = output::Layout::one_frame,
+                                  .columns = {words.line("head.input")},
+                                  .coarse_edges = true};
     for (const int t : study.iterations) request.columns.push_back(words.line("head.time", "iterations"_a = t));
-    std::vector<std::string> labels;
+    Names labels;
     for (const Row& row : rows_of(study)) {
         const std::size_t r = request.rows.size();
         request.rows.push_back(words.line(row.is_explicit ? "head.explicit" : "head.implicit",
@@ -117,28 +105,22 @@ void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorR
         "much"_a = much ? words.line("matrix.much", "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2)) : "",
         "left_out"_a = left_out(study), "scale"_a = has_legend ? "" : words.line("matrix.scale")};
     request.title = words.line("matrix.title", facts);
-    request.subtitle = words.line("figure.subtitle", "critical"_a = readable(study.subject.critical, 4));
-    add(answer.section, report::Figure{request.id, words.line("matrix.caption", facts),
-                                       words.line("matrix.alt", "title"_a = request.title, "panels"_a = listed(labels))});
-    answer.figures.push_back(std::move(request));
+    const std::string alt = words.line("matrix.alt", "title"_a = request.title, "panels"_a = listed(labels));
+    add_figure(answer, std::move(request), words.line("matrix.caption", facts), alt);
 }
 
 void add_views(Answer& answer, const Studies& studies, const output::ColorRange& colours) {
-    SixViewFigure figure{.id = "q6_views",
-                         .title = words.line("views.title"),
-                         .caption = words.line("views.caption"),
-                         .coarse_edges = true,
-                         .frame_panel = -1};
+    output::FigureRequest figure{.id = "q6_views", .title = words.line("views.title"), .frame_panel = -1, .coarse_edges = true};
     for (const ImplicitStudy& study : studies) {
         const SmoothingCell* good = study.good();
         if (good == nullptr) continue;
-        figure.panels.push_back(panel_of(unit_sized(study.subject.mesh(), good->implicit_X), "q6_views_" + study.name(),
+        figure.panels.push_back(panel_of(in_unit_box(study.subject.mesh(), good->implicit_X), "q6_views_" + study.name(),
                                          words.line("views.panel", "mesh"_a = study.name(), "cell"_a = title_of(study, *good)),
                                          curvature_colours(study.subject, good->implicit_X)));
     }
     if (figure.panels.empty()) return;
     figure.range = range_for(colours, figure.panels);
-    add_figure(answer, std::move(figure));
+    add_figure(answer, std::move(figure), words.line("views.caption"));
 }
 
 }   // namespace meshfolio::q6_implicit

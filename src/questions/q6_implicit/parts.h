@@ -2,8 +2,6 @@
 /// The parts of question 6.
 #pragma once
 
-#include <vector>
-
 #include "questions/q6_implicit/study.h"
 
 namespace meshfolio::q6_implicit {
@@ -15,7 +13,6 @@ using Studies = std::vector<ImplicitStudy>;
 /// "λ = 5 λ_crit, t = 10".
 std::string title_of(const ImplicitStudy& study, const SmoothingCell& cell);
 
-// Figures.
 /// Of mean curvature on all inputs: every figure has these colours.
 output::ColorRange colours_of(const Studies& studies);
 /// Over λ × t, in the frame of the input: the input, explicit above implicit results, explicit until it blows up.
@@ -23,16 +20,9 @@ void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorR
 /// What is recommended of each mesh, from the six directions.
 void add_views(Answer& answer, const Studies& studies, const output::ColorRange& colours);
 
-// Tables and plots.
-report::Table grid_table(const ImplicitStudy& study);
-/// What is recommended, how smooth it is, and its price.
-report::Table cost_table(const Studies& studies);
-/// The price of every λ × t, and from where on the implicit steps of each λ pay; no rows where nothing is counted.
-report::Table price_table(const Studies& studies);
 /// The gap between the schemes over t, a curve a mesh; no curves where no λ is within the limit.
 report::Plot gap_plot(const Studies& studies);
 
-// What the numbers say, in words that follow them.
 /// The few sentences that stand first, in bold, and those behind them.
 report::Text answer_of(const Studies& studies);
 report::Text summary_of(const Studies& studies);
@@ -47,16 +37,10 @@ report::Text verdict_of(const Studies& studies);
 
 /// A λt in squared mean edges.
 inline double in_edges(const ImplicitStudy& study, double time) { return time / (study.subject.mean_edge * study.subject.mean_edge); }
-/// Explicit over implicit arithmetic of what is recommended, where it is known.
-std::vector<double> prices(const Studies& studies);
 /// Median face angle of a rough input; below it the angle measures the shape [°].
 inline constexpr double rough = 5;
-/// "alike" within a fifth; else "dearer" or "cheaper", where explicit smoothing is so on all meshes, or "either".
-std::string price_key(const std::vector<double>& ratios);
-/// Whether explicit steps leave a rough mesh "smoother" or "rougher" than implicit ones at the energy that is recommended, or "alike", to a
-/// twentieth; "": the mesh was not rough.
+/// "smoother", "rougher" or (to 5 %) "alike": a rough mesh after explicit steps, beside implicit ones of equal energy; "": it was not
+/// rough.
 std::string smoothness_key(const ImplicitStudy& study);
-/// "0.25 to 4.0".
-std::string span_of(const std::vector<double>& values);
 
 }   // namespace meshfolio::q6_implicit

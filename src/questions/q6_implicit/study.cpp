@@ -1,15 +1,11 @@
 #include "questions/q6_implicit/study.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <limits>
 
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "questions/bench/mesh_class.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::q6_implicit {
 
@@ -27,7 +23,7 @@ SmoothingCell implicit_cell(const ImplicitStudy& study, std::size_t l, int t, co
     cell.lambda = study.lambdas[l];
     cell.iterations = t;
     cell.implicit_X = X;
-    cell.implicit_energy = run.energy[static_cast<std::size_t>(t)];
+    cell.implicit_energy = run.energy[t];
     cell.kept = *std::min_element(run.size.begin(), run.size.begin() + t + 1);
     const bool closed = study.is_closed();
     if (cell.collapsed()) {   // a point to rounding: neither its volume nor its normals mean anything
@@ -45,7 +41,7 @@ SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) 
     const SmoothingRun& explicit_run = study.explicit_runs[l];
     if (const Positions* X = kept(explicit_run, t)) {
         cell.explicit_X = *X;
-        cell.explicit_energy = explicit_run.energy[static_cast<std::size_t>(cell.iterations)];
+        cell.explicit_energy = explicit_run.energy[cell.iterations];
     } else {
         cell.explicit_blow_up = explicit_run.result.blow_up_iteration;
     }
@@ -69,7 +65,7 @@ void compare_equal_times(ImplicitStudy& study) {
 /// Compares the damping of the lowest modes with (1 + λμ)^−t, in the runs where they have not vanished.
 void measure_damping(ImplicitStudy& study) {
     const SmoothingSubject& subject = study.subject;
-    const int k = std::min(12, subject.source->prepared->preflight.vertices_in_use);
+    const int k = std::min(12, subject.preflight().vertices_in_use);
     const Spectrum low = smallest_eigenpairs(subject.laplacian, k);
     // Well above rounding, also that of coordinates far from the origin.
     const double rounding = 1e7 * std::numeric_limits<double>::epsilon() * subject.mesh().X.cwiseAbs().maxCoeff();
@@ -99,7 +95,7 @@ std::optional<SmoothingCell> recommended_cell(const ImplicitStudy& study, Implic
     for (const SmoothingRun& run : study.implicit_runs) {
         const int keeping = iterations_keeping_size(run);
         steps.push_back(keeping < 0 ? run.iterations : keeping);
-        energy.push_back(steps.back() > 0 ? run.energy[static_cast<std::size_t>(steps.back())] : INFINITY);
+        energy.push_back(steps.back() > 0 ? run.energy[steps.back()] : INFINITY);
     }
     const double enough = 1.01 * std::ranges::min(energy);
     std::optional<std::size_t> best;
@@ -113,7 +109,7 @@ std::optional<SmoothingCell> recommended_cell(const ImplicitStudy& study, Implic
 
 /// Median angle between neighbouring faces; that of flat faces is 0, not rounding [°].
 double roughness_of(const SmoothingSubject& subject, const Positions& X) {
-    const double angle = median_face_angle(moved_to(subject.mesh(), X), subject.source->prepared->topology);
+    const double angle = median_face_angle(moved_to(subject.mesh(), X), subject.topology());
     return angle < 1e-6 ? 0 : angle;
 }
 
@@ -151,7 +147,7 @@ SmoothingCost cost_of(const ImplicitStudy& study, const SmoothingCell& good) {
     const auto run = std::ranges::find(study.lambdas, good.lambda);
     cost.roughness = roughness_of(study.subject, good.implicit_X);
     cost.explicit_steps = study.explicit_steps_to(good.implicit_energy);
-    cost.ratio = study.price(static_cast<std::size_t>(run - study.lambdas.begin()), good.iterations);
+    cost.ratio = study.price(run - study.lambdas.begin(), good.iterations);
     if (cost.reached()) cost.explicit_roughness = roughness_of(study.subject, explicit_run(study, cost.explicit_steps).X);
     return cost;
 }
@@ -161,7 +157,7 @@ SmoothingCost cost_of(const ImplicitStudy& study, const SmoothingCell& good) {
 std::optional<std::size_t> ImplicitStudy::within_limit() const {
     const auto beyond = std::ranges::upper_bound(lambdas, subject.critical);
     if (beyond == lambdas.begin()) return {};
-    return static_cast<std::size_t>(beyond - lambdas.begin()) - 1;
+    return beyond - lambdas.begin() - 1;
 }
 
 std::vector<SchemeGap> ImplicitStudy::gaps() const {
@@ -179,7 +175,7 @@ std::vector<SchemeGap> ImplicitStudy::gaps() const {
 std::optional<std::size_t> ImplicitStudy::first_blown() const {
     const auto blown = std::ranges::find(explicit_runs, true, [](const SmoothingRun& run) { return run.result.blew_up; });
     if (blown == explicit_runs.end()) return {};
-    return static_cast<std::size_t>(blown - explicit_runs.begin());
+    return blown - explicit_runs.begin();
 }
 
 int ImplicitStudy::explicit_steps_to(double energy) const {
@@ -188,7 +184,7 @@ int ImplicitStudy::explicit_steps_to(double energy) const {
 }
 
 double ImplicitStudy::price(std::size_t l, int t) const {
-    const int steps = explicit_steps_to(implicit_runs[l].energy[static_cast<std::size_t>(t)]);
+    const int steps = explicit_steps_to(implicit_runs[l].energy[t]);
     if (steps == 0 || !prices.counted()) return NAN;
     return steps * prices.explicit_step / (t * prices.implicit_step + prices.factorisation);
 }
@@ -225,7 +221,7 @@ std::vector<int> iterations_of(const QuestionSettings& settings) {
     return settings.quick ? std::vector{1, 10} : std::vector{1, 3, 10, 30, 100};
 }
 
-ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+ImplicitStudy implicit_study(SharedMesh source, const QuestionSettings& settings) {
     ImplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
     study.roughness = roughness_of(study.subject, study.subject.mesh().X);
@@ -238,9 +234,8 @@ ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const Qu
             run_smoothing(study.subject, SmoothingScheme::implicit_euler, lambda, last, study.iterations, solver));
         study.explicit_runs.push_back(run_smoothing(study.subject, SmoothingScheme::explicit_euler, lambda, last, study.iterations));
     }
-    for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
+    for (std::size_t l = 0; l < study.lambdas.size(); ++l)
         for (std::size_t t = 0; t < study.iterations.size(); ++t) study.grid.push_back(cell_at(study, l, t));
-    }
     compare_equal_times(study);
     measure_damping(study);
     const Positions far = implicit_step(study.subject.laplacian, 1e6 * study.subject.critical, study.subject.mesh().X);

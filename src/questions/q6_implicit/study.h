@@ -2,14 +2,7 @@
 /// What question 6 measures: implicit beside explicit smoothing over a grid of steps and iterations, and what both cost.
 #pragma once
 
-#include <cmath>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "questions/bench/smoothing_study.h"
-#include "questions/core/settings.h"
 
 namespace meshfolio::q6_implicit {
 
@@ -80,7 +73,7 @@ struct ImplicitStudy {
     std::vector<double> explicit_energy;   // after n = 0, 1, … explicit steps of half of λ_crit, over that of the input
 
     const std::string& name() const { return subject.name(); }
-    bool is_closed() const { return subject.source->prepared->preflight.closed(); }
+    bool is_closed() const { return subject.preflight().closed(); }
     const SmoothingCell& cell(std::size_t lambda, std::size_t t) const { return grid[lambda * iterations.size() + t]; }
     /// Index of the largest λ that is within the explicit limit.
     std::optional<std::size_t> within_limit() const;
@@ -88,8 +81,7 @@ struct ImplicitStudy {
     std::vector<SchemeGap> gaps() const;
     /// Index of the smallest λ whose explicit run blew up.
     std::optional<std::size_t> first_blown() const;
-    /// The most smoothing that leaves 95 % of the size: of each λ as many steps as do; among those within 1 % of the least energy the one
-    /// with the fewest steps. Null: none.
+    /// The most smoothing that leaves 95 % of the size: within 1 % of the least energy, the one with the fewest steps. Null: none.
     const SmoothingCell* good() const { return recommended ? &*recommended : nullptr; }
     /// Explicit steps of half of λ_crit to this share of the energy of the input; 0: none, or more than were tried.
     int explicit_steps_to(double energy) const;
@@ -111,6 +103,6 @@ inline const std::vector<double> own_steps{0.5, 5.0, 50.0};
 std::vector<int> iterations_of(const QuestionSettings& settings);
 
 /// With the steps of the settings, else with its own.
-ImplicitStudy implicit_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings);
+ImplicitStudy implicit_study(SharedMesh source, const QuestionSettings& settings);
 
 }   // namespace meshfolio::q6_implicit

@@ -1,18 +1,9 @@
 // The answer to question 7, and the few sentences behind it.
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/bench/sentences.h"
-#include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
 
 namespace meshfolio::q7_denoising {
 
 namespace {
-
-using Names = std::vector<std::string>;
 
 /// Where the surface is nearer, but the volume lost: no success.
 report::Text shrunk(const Grids& grids) {

@@ -1,28 +1,20 @@
 // Question 7: what Laplacian smoothing can do against noise, measured against the clean mesh.
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
 
 namespace meshfolio::q7_denoising {
 
 namespace {
 
-using report::check_at_most;
-using report::check_near;
-
 void add_checks(report::Section& section, const DenoisingGrid& grid) {
     const report::Fact mesh = "mesh"_a = grid.name();
     const double n = grid.clean->mesh().vertex_count();
     for (const NoisyTrial& trial : grid.trials) {
         // rms of 3n normal numbers has relative standard deviation 1/√(6n); five of them.
-        section.checks.push_back(check_near(words.line("check.noise", "percent"_a = plain_text(100 * trial.relative, 3), mesh), 1,
-                                            trial.found.noisy.rms / (std::sqrt(3.0) * trial.sigma), 5 / std::sqrt(6 * n)));
+        add(section, check_near(words.line("check.noise", "percent"_a = plain_text(100 * trial.relative, 3), mesh), 1,
+                                trial.found.noisy.rms / (std::sqrt(3.0) * trial.sigma), 5 / std::sqrt(6 * n)));
         // The nearest point of the surface is no farther than the vertex's own place.
-        section.checks.push_back(check_at_most(words.line("check.surface", "percent"_a = plain_text(100 * trial.relative, 3), mesh), 1,
-                                               trial.found.by_rms.shape / trial.found.by_rms.rms, 1e-12));
+        add(section, check_at_most(words.line("check.surface", "percent"_a = plain_text(100 * trial.relative, 3), mesh), 1,
+                                   trial.found.by_rms.shape / trial.found.by_rms.rms, 1e-12));
     }
 }
 
@@ -37,9 +29,8 @@ report::Text own_fandisk(const Grids& grids) {
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("q7")};
     report::Section& section = answer.section;
-    section = section_of("q7");
     const auto meshes = meshes_for(library, settings, {"cube", "fandisk", "armadillo"}, section);
     const auto grids = studies_of(meshes, "denoising", settings, progress, section, denoising_grid);
     section.answer = answer_of(grids);
@@ -68,17 +59,15 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add(section, measure_table(grids));
 
     const DenoisingGrid& first = grids.front();
-    std::vector<std::string> levels, steps;
-    std::vector<double> noise;
-    for (const NoisyTrial& trial : first.trials) noise.push_back(trial.relative);
-    for (const double relative : noise) levels.push_back(readable_percent(relative, 2));
-    for (const double lambda : first.lambdas) steps.push_back(readable(lambda, 3));
+    const std::vector<double> noise = each_of(first.trials, [&](const NoisyTrial& trial) { return trial.relative; });
+    const std::string levels = listed(each_of(noise, [](double relative) { return readable_percent(relative, 2); }));
+    const std::string steps = listed(each_of(first.lambdas, [](double lambda) { return readable(lambda, 3); }));
     section.parameters = {
-        {"noise", {words.line("parameter.noise", "levels"_a = listed(levels)), noise, "box diagonal"}},
-        {"λ", {words.line("parameter.lambda", "steps"_a = listed(steps)), first.lambdas, "h̄²"}},
+        {"noise", {words.line("parameter.noise", "levels"_a = levels), noise, "box diagonal"}},
+        {"λ", {words.line("parameter.lambda", "steps"_a = steps), first.lambdas, "h̄²"}},
         {"iterations", {words.line("parameter.iterations", "last"_a = first.iterations), static_cast<double>(first.iterations)}},
         {"seed", settings.seed}};
-    section.extent = words.line("extent", "levels"_a = listed(levels), "steps"_a = steps.size(), "iterations"_a = first.iterations,
+    section.extent = words.line("extent", "levels"_a = levels, "steps"_a = first.lambdas.size(), "iterations"_a = first.iterations,
                                 "meshes"_a = listed(names_of(grids)));
     return answer;
 }

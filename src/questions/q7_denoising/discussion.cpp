@@ -1,17 +1,8 @@
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/bench/sentences.h"
-#include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
 
 namespace meshfolio::q7_denoising {
 
 namespace {
-
-using Names = std::vector<std::string>;
 
 /// That the noise in mean edges does not tell the cases that are halved from the others; that it does stands in the answer.
 report::Text noise_in_mean_edges(const Grids& grids) {
@@ -57,7 +48,6 @@ report::Text strongest_noise(const Grids& grids) {
                          angle > crumpled ? words.say("strong.crumpled", "angle"_a = readable(180 / pi * angle, 2)) : report::Text()});
 }
 
-/// What the pictures of one mesh show.
 report::Text reading(const DenoisingGrid& grid) {
     const NoisyTrial& trial = grid.pictured();
     report::Facts facts = facts_of(grid, trial);
@@ -268,9 +258,8 @@ report::Text cannot(const Grids& grids) {
 
 /// Meshes whose edges cannot be looked at, and why.
 report::Text no_edges(const Grids& grids) {
-    Names smooth, coarse;
-    for (const DenoisingGrid& grid : grids)
-        if (!grid.has_features()) (grid.feature_vertices == 0 ? smooth : coarse).push_back(grid.name());
+    const Names smooth = names_where(grids, [](const DenoisingGrid& grid) { return grid.feature_vertices == 0; });
+    const Names coarse = names_where(grids, [](const DenoisingGrid& grid) { return grid.feature_vertices > 0 && !grid.has_features(); });
     return paragraph_of({said_of(smooth, words, "features.none"), said_of(coarse, words, "features.coarse")});
 }
 
@@ -296,7 +285,7 @@ report::Text explanation_of(const Grids& grids) {
 report::Text reading_of(const Grids& grids) {
     const bool improved = std::ranges::any_of(grids, [](const DenoisingGrid& grid) { return grid.pictured().improved(); });
     report::Text seen = words.say(improved ? "reading" : "reading.noise");
-    for (const DenoisingGrid& grid : grids) seen = paragraph_of({seen, reading(grid)});
+    for (const DenoisingGrid& grid : grids) go_on(seen, reading(grid));
     return paragraph_of({seen, extremes(grids), going_on(grids)});
 }
 

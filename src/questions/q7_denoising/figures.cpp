@@ -1,13 +1,5 @@
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/curvature_subject.h"
-#include "questions/core/six_view_figure.h"
-#include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
 
 namespace meshfolio::q7_denoising {
@@ -40,12 +32,6 @@ void add_states_of(output::FigureRequest& request, const DenoisingGrid& grid, co
     add_state(trial.over, "over");
 }
 
-/// So that meshes of any size can stand side by side: clean, in a box of diagonal 1 about the origin.
-TriangleMesh unit_sized(const TriangleMesh& clean, const Positions& X) {
-    const Box box = bounding_box(clean);
-    return moved_to(clean, (X.rowwise() - box.centre().transpose()) / box.diagonal());
-}
-
 /// Of distances in σ, from 0.
 output::ColorRange range_in_sigma(const std::vector<output::Panel>& panels, const std::string& quantity) {
     output::ColorRange range = output::robust_range(panels, distance_colours, words.line(quantity), "σ", 0.01);
@@ -54,16 +40,14 @@ output::ColorRange range_in_sigma(const std::vector<output::Panel>& panels, cons
 }
 
 /// A figure in one picture a panel. @param key  of its words
-void add_pictures(Answer& answer, output::FigureRequest request, const std::string& key, const report::Facts& facts) {
-    request.title = words.line(key + ".title", facts);
-    std::vector<std::string> labels;
+void add_pictures(Answer& answer, output::FigureRequest request, const std::string& key) {
+    request.title = words.line(key + ".title");
+    Names labels;
     for (const output::Panel& panel : request.panels) labels.push_back(panel.label);
-    add(answer.section, report::Figure{request.id, words.line(key + ".caption", facts),
-                                       words.line("figure.alt", "title"_a = request.title, "panels"_a = listed(labels))});
-    answer.figures.push_back(std::move(request));
+    const std::string alt = words.line("figure.alt", "title"_a = request.title, "panels"_a = listed(labels));
+    add_figure(answer, std::move(request), words.line(key + ".caption"), alt);
 }
 
-/// Rows become columns.
 void transpose(output::FigureRequest& request) {
     std::vector<output::Panel> panels;
     for (std::size_t c = 0; c < request.columns.size(); ++c)
@@ -109,10 +93,7 @@ std::vector<Case> pictured_cases(const Grids& grids) {
 }
 
 output::ColorRange add_states(Answer& answer, const Grids& grids) {
-    output::FigureRequest request;
-    request.id = "q7_states";
-    request.subtitle = words.line("trial.subtitle");
-    request.layout = output::Layout::multiples;
+    output::FigureRequest request{.id = "q7_states", .subtitle = words.line("trial.subtitle"), .layout = output::Layout::multiples};
     request.columns = {words.line("states.clean"), words.line("states.noisy"), words.line("states.best"), words.line("states.over")};
     for (const auto& [grid, trial] : pictured_cases(grids)) {
         const std::string name = request.id + "_" + grid.name() + "_" + sigma_name(trial.relative);
@@ -124,26 +105,25 @@ output::ColorRange add_states(Answer& answer, const Grids& grids) {
     const output::ColorRange colours = range_in_sigma(request.panels, "colours.surface");
     request.range = colours;
     if (request.rows.size() > request.columns.size() && request.rows.size() <= most_beside) transpose(request);
-    add_pictures(answer, std::move(request), "states", {});
+    add_pictures(answer, std::move(request), "states");
     return colours;
 }
 
 void add_views(Answer& answer, const Grids& grids, const output::ColorRange& colours) {
-    SixViewFigure figure{.id = "q7_views",
-                         .title = words.line("views.title"),
-                         .subtitle = words.line("trial.subtitle"),
-                         .caption = words.line("views.caption"),
-                         .coarse_edges = true,
-                         .frame_panel = -1};
+    output::FigureRequest figure{.id = "q7_views",
+                                 .title = words.line("views.title"),
+                                 .subtitle = words.line("trial.subtitle"),
+                                 .frame_panel = -1,
+                                 .coarse_edges = true};
     for (const DenoisingGrid& grid : grids) {
         const NoisyTrial& trial = grid.pictured();
         if (!trial.improved()) continue;
-        figure.panels.push_back(panel_of(unit_sized(grid.clean->mesh(), trial.best.X), "q7_views_" + grid.name(),
+        figure.panels.push_back(panel_of(in_unit_box(grid.clean->mesh(), trial.best.X), "q7_views_" + grid.name(),
                                          words.line("views.panel", facts_of(grid, trial)), distances_of(grid, trial.best.X) / trial.sigma));
     }
     if (figure.panels.empty()) return;
     figure.range = range_for(colours, figure.panels);
-    add_figure(answer, std::move(figure));
+    add_figure(answer, std::move(figure), words.line("views.caption"));
 }
 
 const DenoisingGrid* most_drifting(const Grids& grids) {
@@ -163,9 +143,7 @@ const DenoisingGrid* most_shrunk(const Grids& grids) {
 }
 
 void add_limits(Answer& answer, const Grids& grids) {
-    output::FigureRequest request;
-    request.id = "q7_limits";
-    request.layout = output::Layout::multiples;
+    output::FigureRequest request{.id = "q7_limits", .layout = output::Layout::multiples};
     const auto add_panel = [&](const DenoisingGrid* grid, const std::string& what, TriangleMesh NoisyTrial::*shown, const auto& distances) {
         if (grid == nullptr) return;
         const TriangleMesh& mesh = grid->pictured().*shown;
@@ -177,7 +155,7 @@ void add_limits(Answer& answer, const Grids& grids) {
     add_panel(most_shrunk(grids), "volume", &NoisyTrial::clean_alike, sinkings);
     if (request.panels.empty()) return;
     request.range = range_in_sigma(request.panels, "colours.limits");
-    add_pictures(answer, std::move(request), "limits", {});
+    add_pictures(answer, std::move(request), "limits");
 }
 
 }   // namespace meshfolio::q7_denoising

@@ -2,10 +2,6 @@
 /// The parts of question 7.
 #pragma once
 
-#include <vector>
-
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 #include "questions/q7_denoising/study.h"
 
 namespace meshfolio::q7_denoising {
@@ -24,13 +20,12 @@ inline constexpr auto distance_colours = "pale";
 /// The verdicts by a measure, of the cases that have it: noise within a plane changes neither surface nor normals.
 struct Count {
     int works = 0, helps = 0, fails = 0;
-    std::vector<std::string> shrinking;   // of those that fail, the cases whose gain cost too much volume
+    Names shrinking;   // of those that fail, the cases whose gain cost too much volume
 
     int cases() const { return works + helps + fails; }
 };
 Count count_of(const Grids& grids, const Measure& measure);
 
-// Figures.
 /// The cases to look at: of each mesh its own, and of all the one with the least and the one with the largest gain.
 std::vector<Case> pictured_cases(const Grids& grids);
 /// Each of them clean, noisy, nearest to the clean surface, smoothed on. @return  its colours
@@ -50,8 +45,6 @@ const DenoisingGrid& hardest(const Grids& grids);
 const NoisyTrial& leading_in(const DenoisingGrid& grid);
 const NoisyTrial& hardest_in(const DenoisingGrid& grid);
 
-// Tables and plots.
-/// The gains of each noisy mesh.
 report::Table result_table(const Grids& grids);
 /// How often smoothing works, helps and fails by each measure.
 report::Table count_table(const Grids& grids);
@@ -64,7 +57,6 @@ report::Plot error_plot(const DenoisingGrid& grid);
 /// The gain over λ × t, one panel a level of noise.
 report::Map gain_map(const DenoisingGrid& grid);
 
-// What the numbers say, in words that follow them.
 /// The few sentences that stand first, in bold, and those behind them.
 report::Text answer_of(const Grids& grids);
 report::Text summary_of(const Grids& grids);

@@ -1,19 +1,13 @@
 #include "questions/q7_denoising/study.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/curvature.h"
 #include "geometry/denoising/denoising_prediction.h"
 #include "geometry/denoising/noise_level.h"
 #include "geometry/denoising/risk_estimate.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/mesh_class.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::q7_denoising {
 
@@ -46,39 +40,32 @@ private:
 /// The tenth of the vertices where the clean mesh is most curved; none where it is flat.
 std::vector<char> most_curved(const TriangleMesh& mesh, const MeshTopology& topology) {
     const Vector H = cotangent_mean_curvature(mesh, topology, laplace_beltrami(mesh));
-    std::vector<std::pair<double, std::size_t>> order;
+    std::vector<std::pair<double, Eigen::Index>> order;
     for (Eigen::Index v = 0; v < H.size(); ++v)
-        if (std::isfinite(H[v])) order.push_back({-std::abs(H[v]), static_cast<std::size_t>(v)});
+        if (std::isfinite(H[v])) order.push_back({-std::abs(H[v]), v});
     std::ranges::sort(order);
-    std::vector<char> flags(static_cast<std::size_t>(H.size()), 0);
+    std::vector<char> flags(H.size(), 0);
     if (order.empty() || -order.front().first * bounding_box(mesh).diagonal() < 1e-6) return flags;
     for (std::size_t i = 0; i < order.size() / 10; ++i) flags[order[i].second] = 1;
     return flags;
 }
 
-double rms_where(const Vector& distances, const std::vector<char>& flags, char flag) {
-    double sum = 0;
-    int count = 0;
-    for (Eigen::Index v = 0; v < distances.size(); ++v) {
-        if (flags[static_cast<std::size_t>(v)] != flag) continue;
-        sum += distances[v] * distances[v];
-        ++count;
-    }
-    return count > 0 ? std::sqrt(sum / count) : std::nan("");
+Uneven rms_by(const Vector& distances, const std::vector<char>& flags) {
+    const FlaggedMeans squares = flagged_means(distances.cwiseAbs2(), flags);
+    return {std::sqrt(squares.there), std::sqrt(squares.elsewhere)};
 }
 
 Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const TriangleMesh& smoothed) {
     const TriangleMesh& clean = grid.clean->mesh();
     Remains remains;
     const Vector distances = shape_distances(clean, smoothed.X);
-    remains.features = {rms_where(distances, grid.on_feature, 1), rms_where(distances, grid.on_feature, 0)};
-    remains.curved = {rms_where(distances, grid.curved, 1), rms_where(distances, grid.curved, 0)};
+    remains.features = rms_by(distances, grid.on_feature);
+    remains.curved = rms_by(distances, grid.curved);
 
     const Positions found = face_normals(smoothed);
     std::vector<int> at_features, others;
     for (int f = 0; f < clean.face_count(); ++f) {
-        const bool at_feature =
-            std::ranges::any_of(clean.F.row(f), [&](int v) { return grid.on_feature[static_cast<std::size_t>(v)] != 0; });
+        const bool at_feature = std::ranges::any_of(clean.F.row(f), [&](int v) { return grid.on_feature[v] != 0; });
         (at_feature ? at_features : others).push_back(f);
     }
     const auto angle_of = [&](const std::vector<int>& faces) {
@@ -86,7 +73,7 @@ Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const Tr
     };
     remains.feature_angle = angle_of(at_features);
     remains.other_angle = angle_of(others);
-    if (grid.clean->prepared->preflight.closed()) remains.volume = signed_volume(smoothed) / signed_volume(clean);
+    if (grid.clean->preflight().closed()) remains.volume = signed_volume(smoothed) / signed_volume(clean);
     return remains;
 }
 
@@ -102,7 +89,7 @@ double gain_of(const DenoisingGrid& grid, const NoisyTrial& trial, std::uint64_t
 /// Two runs, from Y and from Y + εz, whose difference along z is the divergence of Stein's estimate.
 Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial, std::uint64_t seed, ImplicitSolver& solver) {
     const TriangleMesh &clean = grid.clean->mesh(), &noisy = trial.noisy;
-    const MeshTopology& topology = grid.clean->prepared->topology;
+    const MeshTopology& topology = grid.clean->topology();
     const double sigma = noise_level(noisy, topology).sigma, amount = 1e-4 * grid.mean_edge;
     if (!(sigma > 0) || !(trial.found.noisy.shape > 0)) return {};
     const Positions z = random_signs(noisy.X.rows(), seed);
@@ -116,8 +103,8 @@ Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial
     };
     smooth(noisy, options, solver);
     options.after_step = [&](int t, const Positions& X) {
-        if (static_cast<std::size_t>(t) == along.size()) return false;   // the first run ended earlier
-        divergence.push_back((z.cwiseProduct(X - noisy.X).sum() - along[static_cast<std::size_t>(t)]) / amount);
+        if (t == std::ssize(along)) return false;   // the first run ended earlier
+        divergence.push_back((z.cwiseProduct(X - noisy.X).sum() - along[t]) / amount);
         return true;
     };
     smooth(moved_to(noisy, noisy.X + amount * z), options, solver);
@@ -126,16 +113,16 @@ Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial
         return Eigen::Map<Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
     };
     const int best = RiskEstimate{vector(residual), vector(divergence), divergence[0]}.best(sigma);
-    return {best, shape[0] / shape[static_cast<std::size_t>(best)], shape[0] / std::ranges::min(shape)};
+    return {best, shape[0] / shape[best], shape[0] / std::ranges::min(shape)};
 }
 
 NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double relative, std::uint64_t seed, int further) {
     const TriangleMesh& clean = grid.clean->mesh();
-    const MeshTopology& topology = grid.clean->prepared->topology;
+    const MeshTopology& topology = grid.clean->topology();
     NoisyTrial trial;
     trial.relative = relative;
     trial.sigma = relative * grid.diagonal;
-    if (grid.clean->prepared->preflight.closed()) trial.clean_volume = signed_volume(clean);
+    if (grid.clean->preflight().closed()) trial.clean_volume = signed_volume(clean);
     trial.noisy = moved_to(clean, with_gaussian_noise(clean.X, Vector3::Constant(trial.sigma), seed));
     const SearchInput input{clean, normals, {trial.noisy, topology}, grid.mean_edge};
     trial.found = search_for_best(input, grid.lambdas, grid.iterations, &trial.states);
@@ -200,14 +187,14 @@ SearchResult search_for_best(const SearchInput& input, const std::vector<double>
                   });
 }
 
-DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+DenoisingGrid denoising_grid(SharedMesh source, const QuestionSettings& settings) {
     DenoisingGrid grid;
     grid.clean = std::move(source);
     const TriangleMesh& clean = grid.clean->mesh();
-    const MeshTopology& topology = grid.clean->prepared->topology;
+    const MeshTopology& topology = grid.clean->topology();
     grid.diagonal = bounding_box(clean).diagonal();
     grid.mean_edge = mean_edge_length(clean);
-    if (grid.clean->prepared->preflight.closed()) grid.thickness = 3 * signed_volume(clean) / surface_area(clean) / grid.mean_edge;
+    if (grid.clean->preflight().closed()) grid.thickness = 3 * signed_volume(clean) / surface_area(clean) / grid.mean_edge;
     const DenoisingTries tries = tries_of(settings, grid.mean_edge);
     grid.lambdas = tries.lambdas;
     grid.iterations = tries.iterations;

@@ -2,15 +2,8 @@
 /// What question 7 measures: noisy meshes smoothed implicitly over a grid of steps λ and iterations t, against the clean mesh.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "questions/bench/denoising_search.h"
-#include "questions/core/mesh_library.h"
-#include "questions/core/settings.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio::q7_denoising {
 
@@ -66,7 +59,7 @@ struct NoisyTrial {
 };
 
 struct DenoisingGrid {
-    std::shared_ptr<const LibraryMesh> clean;
+    SharedMesh clean;
     double diagonal = 0, mean_edge = 0;     // [length]
     double thickness = NAN;                 // 3 × volume / area, the radius of a ball of that ratio; NaN: open [mean edges]
     std::vector<double> lambdas;            // ascending [h̄²]
@@ -112,20 +105,17 @@ SearchResult search_for_best(const SearchInput& input, const std::vector<double>
                              std::vector<SearchState>* states = nullptr);
 
 /// At the noise levels of the settings, else from barely visible to hopeless; steps λ from a thousandth of a squared mean edge to ten.
-DenoisingGrid denoising_grid(std::shared_ptr<const LibraryMesh> clean, const QuestionSettings& settings);
+DenoisingGrid denoising_grid(SharedMesh clean, const QuestionSettings& settings);
 
 /// Of each vertex how far X is from where it was clean along the surface, and how far below it. [length]
 Vector drifts(const DenoisingGrid& grid, const Positions& X);
 Vector sinkings(const DenoisingGrid& grid, const Positions& X);
 
-/// Of smoothing at the best by this measure: "works" (gain ≥ 2), "helps" (≥ 1.1), "fails" (below), "–" (nothing to measure). A gain of
-/// 1.1 or more that costs more than 15 % of the volume is a failure too, "shrinks".
+/// "works" (gain ≥ 2), "helps" (≥ 1.1), "fails" (below), "shrinks" (a gain that costs more than 15 % of the volume), "–" (no noise in it).
 std::string verdict_on(const NoisyTrial& trial, const Measure& measure = measures[0]);
-/// Is the best the least or the most smoothing tried in some respect? A smaller λ with t to spare is no such end: more steps of it do
-/// the same.
+/// Whether the best lies at an end of the grid. The smallest λ is no end while t can grow: more of its steps do the same.
 bool is_unended(const DenoisingGrid& grid, const SearchState& best);
 
-/// Is this verdict one of failure?
 inline bool is_failure(const std::string& verdict) { return verdict == "fails" || verdict == "shrinks"; }
 
 /// The lowest noise whose distance to the surface is halved, ∞ for none, and the highest that is not, 0 for none. [mean edges]

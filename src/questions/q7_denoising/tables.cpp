@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
-#include "questions/core/study_list.h"
 #include "questions/q7_denoising/parts.h"
 
 namespace meshfolio::q7_denoising {
@@ -33,16 +27,16 @@ report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) 
     constexpr double joined = 0.1;   // of the distance without noise
     report::Series series{
         .name = "σ = " + readable_percent(trial.relative, 2), .x = {0}, .y = {100 / grid.diagonal * trial.found.noisy.shape}};
-    std::size_t apart = 0;   // the last place where it is
+    std::ptrdiff_t apart = 0;   // the last place where it is
     for (const SearchState& state : trial.states) {
         if (state.value != grid.middle_lambda()) continue;
-        series.x.push_back(state.step);
-        series.y.push_back(100 / grid.diagonal * state.shape);
-        const auto t = static_cast<std::size_t>(state.step);
-        if (t >= grid.without_noise.size() || std::abs(state.shape / grid.without_noise[t] - 1) > joined) apart = series.x.size() - 1;
+        add_point(series, state.step, 100 / grid.diagonal * state.shape);
+        const int t = state.step;
+        if (t >= std::ssize(grid.without_noise) || std::abs(state.shape / grid.without_noise[t] - 1) > joined)
+            apart = std::ssize(series.x) - 1;
     }
-    const auto least = std::ranges::min_element(series.y) - series.y.begin();
-    const std::size_t shown = std::min(std::max(apart, static_cast<std::size_t>(least)) + 2, series.x.size());
+    const std::ptrdiff_t least = std::ranges::min_element(series.y) - series.y.begin();
+    const std::ptrdiff_t shown = std::min(std::max(apart, least) + 2, std::ssize(series.x));
     series.x.resize(shown);
     series.y.resize(shown);
     return series;
@@ -66,14 +60,13 @@ const DenoisingGrid& leading(const Grids& grids) {
 }
 
 const DenoisingGrid& hardest(const Grids& grids) {
-    return *std::ranges::min_element(grids, {},
-                                     [](const DenoisingGrid& grid) { return std::fmin(infinity, surface_gain(hardest_in(grid))); });
+    return *std::ranges::min_element(grids, {}, [](auto& grid) { return std::fmin(infinity, surface_gain(hardest_in(grid))); });
 }
 
 report::Table result_table(const Grids& grids) {
     const auto gain_by = [](std::size_t m) { return [m](const Case& c) { return cell_of(c.part.gain(measures[m])); }; };
     // Rounded down: 1.10 and 2.00 are reached, so that verdicts can be counted.
-    const report::Column gain{.unit = "×", .rounding = report::Column::Rounding::down, .heat = report::Column::Heat{1, 8}};
+    const report::Column gain{.unit = "×", .rounding = Rounding::down, .heat = Heat{1, 8}};
     const std::vector<Case> cases = cases_of(grids);
     std::string caption = words.line("results.table");
     const auto most = std::ranges::max_element(cases, {}, [](const Case& c) { return c.part.further_gains.size(); });
@@ -91,7 +84,7 @@ report::Table result_table(const Grids& grids) {
         .column("normals", gain, gain_by(2))
         .column("volume", {.unit = "%"}, [](auto& c) { return cell_of(100 * c.part.remains.volume); })
         .column("verdict", [](auto& c) { return verdict_on(c.part); })
-        .column("alone", {.unit = "×", .rounding = report::Column::Rounding::down}, [](auto& c) { return cell_of(c.part.stopped.gain); });
+        .column("alone", {.unit = "×", .rounding = Rounding::down}, [](auto& c) { return cell_of(c.part.stopped.gain); });
 }
 
 report::Table count_table(const Grids& grids) {
@@ -122,7 +115,7 @@ report::Table measure_table(const Grids& grids) {
         .column("measure", [](auto& r) { return words.line("measure." + std::string(r.measure.key)); })
         .column("noisy", {.unit = "% of box, °"}, [](auto& r) { return r.shown(r.trial.found.noisy); })
         .column("best", {.unit = "% of box, °"}, [](auto& r) { return r.shown(r.best()); })
-        .column("gain", {.unit = "×", .rounding = report::Column::Rounding::down}, [](auto& r) { return cell_of(r.trial.gain(r.measure)); })
+        .column("gain", {.unit = "×", .rounding = Rounding::down}, [](auto& r) { return cell_of(r.trial.gain(r.measure)); })
         .column("λ", {.unit = "h̄²"}, [](auto& r) { return cell_of(r.best().value, r.better()); })
         .column("t", {.digits = 5}, [](auto& r) { return cell_of(r.best().step, r.better()); })
         .column("verdict", [](auto& r) { return verdict_on(r.trial, r.measure); });
@@ -149,10 +142,8 @@ report::Table remains_table(const Grids& grids) {
 }
 
 report::Plot error_plot(const DenoisingGrid& grid) {
-    const std::string caption = words.line("errors", "mesh"_a = grid.name(), "lambda"_a = readable(grid.middle_lambda(), 2));
     report::Plot plot{.id = id_of("q7", grid.name(), "error_versus_iteration"),
-                      .caption = caption,
-                      .alt = caption,
+                      .caption = words.line("errors", "mesh"_a = grid.name(), "lambda"_a = readable(grid.middle_lambda(), 2)),
                       .x_label = "iteration t",
                       .y_label = words.line("errors.axis"),
                       .log_x = true,
@@ -160,26 +151,21 @@ report::Plot error_plot(const DenoisingGrid& grid) {
     for (const NoisyTrial& trial : grid.trials) {
         report::Series series = error_series(grid, trial);
         const auto least = std::ranges::min_element(series.y);
-        const double x = series.x[static_cast<std::size_t>(least - series.y.begin())];
+        const double x = series.x[least - series.y.begin()];
         plot.markers.push_back({x, *least, words.line("errors.minimum", "best"_a = std::lround(x))});
         plot.series.push_back(std::move(series));
     }
     report::Series clean{.name = "without noise", .style = report::Series::Style::dashed};
-    for (std::size_t t = 1; t < grid.without_noise.size(); ++t) {
-        clean.x.push_back(static_cast<double>(t));
-        clean.y.push_back(100 / grid.diagonal * grid.without_noise[t]);
-    }
+    for (std::size_t t = 1; t < grid.without_noise.size(); ++t) add_point(clean, double(t), 100 / grid.diagonal * grid.without_noise[t]);
     plot.series.push_back(std::move(clean));
     return plot;
 }
 
 report::Map gain_map(const DenoisingGrid& grid) {
-    const std::string caption = words.line("gains", "mesh"_a = grid.name());
     const double gained = std::fmax(1, surface_gain(leading_in(grid)));
     const double largest = std::exp2(std::max(1.0, std::ceil(std::log2(gained))));   // a power of two: no gain is beyond the scale
     report::Map map{.id = id_of("q7", grid.name(), "gains"),
-                    .caption = caption,
-                    .alt = caption,
+                    .caption = words.line("gains", "mesh"_a = grid.name()),
                     .x_label = "iteration t",
                     .y_label = "λ [h̄²]",
                     .value_label = words.line("gains.axis"),
@@ -196,8 +182,8 @@ report::Map gain_map(const DenoisingGrid& grid) {
         report::Map::Panel panel{"σ = " + readable_percent(trial.relative, 2),
                                  std::vector<double>(map.x.size() * map.y.size(), std::nan(""))};
         for (const SearchState& state : trial.states) {
-            const auto row = static_cast<std::size_t>(std::ranges::find(grid.lambdas, state.value) - grid.lambdas.begin());
-            panel.values[row * map.x.size() + static_cast<std::size_t>(state.step) - 1] = trial.found.noisy.shape / state.shape;
+            const auto row = std::ranges::find(grid.lambdas, state.value) - grid.lambdas.begin();
+            panel.values[row * grid.iterations + state.step - 1] = trial.found.noisy.shape / state.shape;
         }
         if (const SearchState& best = trial.found.by_shape; best.step > 0)
             panel.markers.push_back({static_cast<double>(best.step), best.value, "B"});

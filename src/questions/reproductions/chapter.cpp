@@ -1,8 +1,6 @@
 // The section "reproductions": the experiments of four earlier reports done again, with their own parameters.
 #include <set>
 
-#include "base/errors.h"
-#include "questions/core/section_tools.h"
 #include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {
@@ -56,18 +54,13 @@ std::string number_of(std::size_t index) { return (index < 9 ? "0" : "") + std::
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("reproductions")};
     report::Section& section = answer.section;
-    section = section_of("reproductions");
     add_words(section, words, settings.own_experiments ? "method.own" : "method.bundled");
-    add_words(section, words, "method.carried");
-
-    add_words(section, words, "coverage.heading");
+    add_words(section, words, {"method.carried", "coverage.heading"});
     add(section, coverage_table(settings.bundled_experiments, settings.experiments));
-    if (!settings.bundled_experiments.empty()) {
-        section.checks.push_back(
-            report::check_at_most(words.line("check.rows"), 0, double(uncovered_rows(settings.bundled_experiments).size())));
-    }
+    if (!settings.bundled_experiments.empty())
+        add(section, check_at_most(words.line("check.rows"), 0, double(uncovered_rows(settings.bundled_experiments).size())));
     std::set<int> rows;
     std::set<std::string> reports;
     for (std::size_t i = 0; i < settings.experiments.size(); ++i) {

@@ -1,9 +1,4 @@
 // Which row of the requirements is answered where.
-#include <algorithm>
-#include <array>
-#include <map>
-
-#include "questions/core/table.h"
 #include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {
@@ -34,12 +29,11 @@ bool reproduces(const Experiment& experiment, int row) { return std::ranges::fin
 /// "S0 (1), S1 (2)": the reports with experiments on a row, and how many.
 std::string reports_on(const std::vector<Experiment>& experiments, int row) {
     std::map<std::string, int> counts;
-    for (const Experiment& experiment : experiments) {
+    for (const Experiment& experiment : experiments)
         if (reproduces(experiment, row)) ++counts[experiment.from];
-    }
-    std::string reports;
-    for (const auto& [from, count] : counts) reports += (reports.empty() ? "" : ", ") + from + " (" + std::to_string(count) + ")";
-    return reports;
+    Names reports;
+    for (const auto& [from, count] : counts) reports.push_back(from + " (" + std::to_string(count) + ")");
+    return joined(reports, ", ");
 }
 
 report::Cell cell_if_said(const std::string& said) { return said.empty() ? report::Cell() : report::Cell(said); }
@@ -47,8 +41,7 @@ report::Cell cell_if_said(const std::string& said) { return said.empty() ? repor
 /// "Q4" for a question, the title of another section.
 std::string section_name(std::string_view id) {
     if (id.empty()) return "";
-    const bool numbered = id.size() == 2 && id[0] == 'q';
-    return numbered ? "Q" + std::string(id.substr(1)) : chapter_of_id(id).title();
+    return report::is_question(id) ? "Q" + std::string(id.substr(1)) : chapter_of_id(id).title();
 }
 
 }   // namespace
@@ -63,8 +56,7 @@ report::Table coverage_table(const std::vector<Experiment>& bundled, const std::
         .column("experiments of", reports_of(bundled))
         .column("here", reports_of(here))
         .column("section", [](const RequiredRow& row) { return cell_if_said(section_name(row.section)); })
-        .column("remark",
-                [](const RequiredRow& row) { return row.remarked ? report::Cell(words.line(row.key() + ".remark")) : report::Cell(); });
+        .column("remark", [](auto& row) { return row.remarked ? report::Cell(words.line(row.key() + ".remark")) : report::Cell(); });
 }
 
 std::vector<int> uncovered_rows(const std::vector<Experiment>& experiments) {

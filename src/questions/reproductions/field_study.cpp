@@ -1,14 +1,8 @@
-#include "questions/reproductions/field_study.h"
-
-#include <algorithm>
-#include <cmath>
+#include "questions/reproductions/study.h"
 
 #include "geometry/curvature/curvature.h"
-#include "geometry/linear/special_values.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
-#include "mesh/triangle_measures.h"
-#include "questions/core/value_lists.h"
 
 namespace meshfolio::reproductions {
 
@@ -27,9 +21,8 @@ Vector half_norms(const LaplaceBeltrami& laplacian, const Positions& X) {
 Vector deficit_over_area(const TriangleMesh& mesh, const Vector& areas) {
     const CornerValues angles = corner_angles(mesh);
     Vector values = Vector::Constant(mesh.X.rows(), 2 * pi);
-    for (Eigen::Index t = 0; t < mesh.F.rows(); ++t) {
+    for (Eigen::Index t = 0; t < mesh.F.rows(); ++t)
         for (int k = 0; k < 3; ++k) values[mesh.F(t, k)] -= angles(t, k);
-    }
     for (Eigen::Index v = 0; v < values.size(); ++v) values[v] = areas[v] > 0 ? values[v] / areas[v] : std::nan("");
     return values;
 }
@@ -42,35 +35,28 @@ struct Estimate {
 
 Estimate estimate(const TriangleMesh& surface, const MeshTopology& topology, const ExperimentField& what, double h) {
     Estimate e;
-    switch (what.colour) {
-        case ExperimentColour::gauss: {
-            const Vector areas = vertex_areas(surface, what.area);
-            e.inside = h * h * gaussian_curvature(surface, topology, areas);
-            e.drawn = h * h * deficit_over_area(surface, areas);
-            break;
-        }
-        case ExperimentColour::h_uniform:
-            e.inside = uniform_mean_curvature(surface, topology) / h;
-            e.drawn = half_norms(uniform_operator(topology), surface.X) / h;
-            break;
-        default: {
-            const LaplaceBeltrami laplacian = laplace_operator(surface, what.kind, what.area);
-            e.inside = h * operator_mean_curvature(surface, topology, what.kind, laplacian);
-            e.drawn = h * half_norms(laplacian, surface.X);
-        }
+    if (what.colour == ExperimentColour::gauss) {
+        const Vector areas = vertex_areas(surface, what.area);
+        e.inside = h * h * gaussian_curvature(surface, topology, areas);
+        e.drawn = h * h * deficit_over_area(surface, areas);
+    } else if (what.colour == ExperimentColour::h_uniform) {
+        e.inside = uniform_mean_curvature(surface, topology) / h;
+        e.drawn = half_norms(uniform_operator(topology), surface.X) / h;
+    } else {
+        const LaplaceBeltrami laplacian = laplace_operator(surface, what.kind, what.area);
+        e.inside = h * operator_mean_curvature(surface, topology, what.kind, laplacian);
+        e.drawn = h * half_norms(laplacian, surface.X);
     }
-    for (Eigen::Index v = 0; v < e.inside.size(); ++v) {
-        if (std::isfinite(e.inside[v])) {
+    for (Eigen::Index v = 0; v < e.inside.size(); ++v)
+        if (std::isfinite(e.inside[v]))
             e.drawn[v] = e.inside[v];   // with its sign
-        } else if (std::isfinite(e.drawn[v])) {
+        else if (std::isfinite(e.drawn[v]))
             e.largest_boundary = std::fmax(e.largest_boundary, std::abs(e.drawn[v]));
-        }
-    }
     return e;
 }
 
 ExperimentField field_of(const ExperimentMesh& mesh, ExperimentField field) {
-    Estimate e = estimate(mesh.mesh(), mesh.used->prepared->topology, field, mesh.mean_edge);
+    Estimate e = estimate(mesh.mesh(), mesh.used->topology(), field, mesh.mean_edge);
     field.inside = std::move(e.inside);
     field.drawn = std::move(e.drawn);
     field.largest_boundary = e.largest_boundary;
@@ -91,31 +77,21 @@ double mass_rms_of(const Vector& M, const Positions& X, const Positions& Y) {
 Vector colours_of(const ExperimentMesh& mesh, ExperimentColour colour, const Positions& X) {
     if (colour == ExperimentColour::none) return {};
     if (colour == ExperimentColour::distance) return (X - mesh.mesh().X).rowwise().norm() * (100 / mesh.diagonal);
-    ExperimentField what;
-    what.colour = colour;
-    return estimate(moved_to(mesh.mesh(), X), mesh.used->prepared->topology, what, mesh.mean_edge).drawn;
+    return estimate(moved_to(mesh.mesh(), X), mesh.used->topology(), {.colour = colour}, mesh.mean_edge).drawn;
 }
 
 CurvatureExperiment curvature_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings) {
     CurvatureExperiment result;
     result.meshes = experiment_meshes(library, experiment, settings);
-    for (std::size_t m = 0; m < result.meshes.size(); ++m) {
-        for (const ExperimentColour colour : experiment.colours) {
-            for (const OperatorKind kind : experiment.operators) {
+    for (std::size_t m = 0; m < result.meshes.size(); ++m)
+        for (const ExperimentColour colour : experiment.colours)
+            for (const OperatorKind kind : experiment.operators)
                 for (const AreaForm area : experiment.areas) {
                     const bool first_kind = kind == experiment.operators.front(), first_area = area == experiment.areas.front();
                     if (colour != ExperimentColour::h_cotan && !first_kind) continue;   // neither depends on the operator
                     if (colour == ExperimentColour::h_uniform && !first_area) continue;
-                    ExperimentField field;
-                    field.mesh = m;
-                    field.colour = colour;
-                    field.kind = kind;
-                    field.area = area;
-                    result.fields.push_back(field_of(result.meshes[m], std::move(field)));
+                    result.fields.push_back(field_of(result.meshes[m], {.mesh = m, .colour = colour, .kind = kind, .area = area}));
                 }
-            }
-        }
-    }
     return result;
 }
 
@@ -125,7 +101,7 @@ ReconstructionExperiment reconstruction_experiment(const MeshLibrary& library, c
     result.meshes = experiment_meshes(library, experiment, settings);
     for (std::size_t m = 0; m < result.meshes.size(); ++m) {
         const TriangleMesh& mesh = result.meshes[m].mesh();
-        for (const OperatorKind kind : experiment.operators) {
+        for (const OperatorKind kind : experiment.operators)
             for (const AreaForm area : experiment.areas) {
                 const LaplaceBeltrami laplacian = laplace_operator(mesh, kind, area);
                 const Spectrum spectrum = smallest_eigenpairs(laplacian, experiment.k.back());
@@ -139,7 +115,6 @@ ReconstructionExperiment reconstruction_experiment(const MeshLibrary& library, c
                     result.rebuilt.push_back(std::move(rebuilt));
                 }
             }
-        }
     }
     return result;
 }

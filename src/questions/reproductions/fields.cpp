@@ -1,21 +1,11 @@
 // Experiments of earlier reports on curvature, the ellipsoid and reconstruction: pictures, tables and what was found.
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
 #include "geometry/curvature/fundamental_forms.h"
-#include "geometry/linear/special_values.h"
 #include "questions/bench/ellipsoid_study.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 #include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {
 
 namespace {
-
-using report::check_at_most;
-using report::check_near;
 
 // ---- curvature --------------------------------------------------------------------------------------------------------
 
@@ -32,9 +22,9 @@ std::string field_title(const Experiment& e, const ExperimentField& field) {
 
 void add_field_figure(const Reproduction& r, const CurvatureExperiment& done, std::size_t m, ExperimentColour colour) {
     const ExperimentMesh& mesh = done.meshes[m];
-    SixViewFigure figure{.id = r.id_of(mesh.name() + "_" + key_of(colour)),
-                         .title = r.experiment.from + ": " + r.experiment.name,
-                         .subtitle = mesh.used->input.file};
+    output::FigureRequest figure{.id = r.id_of(mesh.name() + "_" + key_of(colour)),
+                                 .title = r.experiment.from + ": " + r.experiment.name,
+                                 .subtitle = mesh.used->input.file};
     bool open = false;
     for (const ExperimentField& field : done.fields) {
         if (field.mesh != m || field.colour != colour) continue;
@@ -46,10 +36,10 @@ void add_field_figure(const Reproduction& r, const CurvatureExperiment& done, st
     figure.range = range_of(r, colour, figure.panels);
     std::string what = "Curvature";
     if (figure.panels.size() == 1) what = sentence_case(std::exchange(figure.panels.front().label, ""));
-    figure.caption = words.line(figure.range ? "field.caption" : "field.caption.no_range", "what"_a = what, "file"_a = figure.subtitle,
-                                "quantity"_a = figure.range ? figure.range->quantity : "");
-    if (open) figure.caption += " " + words.line("field.caption.boundary");
-    add_figure(r.answer, std::move(figure));
+    std::string caption = words.line(figure.range ? "field.caption" : "field.caption.no_range", "what"_a = what, "file"_a = figure.subtitle,
+                                     "quantity"_a = figure.range ? figure.range->quantity : "");
+    if (open) caption += " " + words.line("field.caption.boundary");
+    add_figure(r.answer, std::move(figure), std::move(caption));
 }
 
 report::Table field_table(const Reproduction& r, const CurvatureExperiment& done) {
@@ -102,7 +92,7 @@ report::Text fields_found(const Reproduction& r, const CurvatureExperiment& done
     const ExperimentField* first_h = nullptr;
     for (const ExperimentField& field : done.fields) {
         if (field.mesh != m) continue;
-        report::extend(text, about_field(r, field, first_h), " ");
+        tell(text, about_field(r, field, first_h));
         if (field.colour == ExperimentColour::h_cotan && first_h == nullptr && field.summary.count > 0) first_h = &field;
     }
     return text;
@@ -120,21 +110,20 @@ std::string rebuilt_label(const Experiment& e, const RebuiltMesh& rebuilt) {
 void add_rebuilt_figure(const Reproduction& r, const ReconstructionExperiment& done, std::size_t m) {
     const ExperimentMesh& mesh = done.meshes[m];
     const ExperimentColour colour = r.experiment.colours.front();
-    SixViewFigure figure = figure_on(r, mesh, "original");
+    output::FigureRequest figure = figure_on(r, mesh, "original");
     for (const RebuiltMesh& rebuilt : done.rebuilt) {
         if (rebuilt.mesh != m) continue;
         figure.panels.push_back(panel_of(moved_to(mesh.mesh(), rebuilt.X), figure.id + "_" + std::to_string(figure.panels.size()),
                                          rebuilt_label(r.experiment, rebuilt), colours_of(mesh, colour, rebuilt.X)));
     }
     figure.range = range_of(r, colour, figure.panels);
-    figure.caption = words.line("rebuilt.caption", "file"_a = mesh.used->input.file);
-    add_figure(r.answer, std::move(figure));
+    add_figure(r.answer, std::move(figure), words.line("rebuilt.caption", "file"_a = mesh.used->input.file));
 }
 
 report::Table rebuilt_table(const Reproduction& r, const ReconstructionExperiment& done) {
     const auto percent = [&](const RebuiltMesh& rebuilt) { return 100 / done.meshes[rebuilt.mesh].diagonal; };
     const auto volume = [&](const RebuiltMesh& rebuilt) {
-        return cell_of(100 * rebuilt.difference.volume_ratio, done.meshes[rebuilt.mesh].used->prepared->preflight.closed());
+        return cell_of(100 * rebuilt.difference.volume_ratio, done.meshes[rebuilt.mesh].used->preflight().closed());
     };
     return table(r.id_of("errors"), words.line("rebuilt.errors"), done.rebuilt)
         .column("mesh", [&](auto& rebuilt) { return done.meshes[rebuilt.mesh].name(); })
@@ -148,14 +137,12 @@ report::Table rebuilt_table(const Reproduction& r, const ReconstructionExperimen
 }
 
 report::Text rebuilt_found(const Reproduction& r, const ReconstructionExperiment& done, std::size_t m) {
-    std::string errors;
-    for (const RebuiltMesh& rebuilt : done.rebuilt) {
-        if (rebuilt.mesh != m) continue;
-        errors += (errors.empty() ? "" : "; ") + words.line("rebuilt.error",
-                                                            "error"_a = readable(100 * rebuilt.difference.rms / done.meshes[m].diagonal),
-                                                            "label"_a = rebuilt_label(r.experiment, rebuilt));
-    }
-    return words.say("rebuilt.found", "mesh"_a = done.meshes[m].name(), "errors"_a = errors);
+    Names errors;
+    for (const RebuiltMesh& rebuilt : done.rebuilt)
+        if (rebuilt.mesh == m)
+            errors.push_back(words.line("rebuilt.error", "error"_a = readable(100 * rebuilt.difference.rms / done.meshes[m].diagonal),
+                                        "label"_a = rebuilt_label(r.experiment, rebuilt)));
+    return words.say("rebuilt.found", "mesh"_a = done.meshes[m].name(), "errors"_a = joined(errors));
 }
 
 /// In the operator's own masses the error cannot grow with k.
@@ -164,7 +151,7 @@ void add_rebuilt_checks(const Reproduction& r, const ReconstructionExperiment& d
         const RebuiltMesh &fewer = done.rebuilt[i], &more = done.rebuilt[i + 1];
         if (fewer.mesh != more.mesh || fewer.kind != more.kind || fewer.area != more.area) continue;
         const ExperimentMesh& mesh = done.meshes[more.mesh];
-        r.section().checks.push_back(
+        add(r.section(),
             check_at_most(words.line("check.rebuilt", "fewer"_a = fewer.k, "more"_a = more.k,
                                      "operator"_a = operator_entry(more.kind).title, "mesh"_a = mesh.name(), "where"_a = r.where()),
                           fewer.mass_rms / mesh.diagonal, more.mass_rms / mesh.diagonal, 1e-9));
@@ -178,14 +165,14 @@ void add_curvature_reproduction(const Reproduction& r, const CurvatureExperiment
     for (std::size_t m = 0; m < done.meshes.size(); ++m)
         for (const ExperimentColour colour : r.experiment.colours) add_field_figure(r, done, m, colour);
     add(r.section(), field_table(r, done));
-    for (std::size_t m = 0; m < done.meshes.size(); ++m) add_paragraph(r.section(), fields_found(r, done, m));
+    for (std::size_t m = 0; m < done.meshes.size(); ++m) add_paragraphs(r.section(), {fields_found(r, done, m)});
 }
 
 void add_reconstruction_reproduction(const Reproduction& r, const ReconstructionExperiment& done) {
     add_opening(r, done.meshes);
     for (std::size_t m = 0; m < done.meshes.size(); ++m) add_rebuilt_figure(r, done, m);
     add(r.section(), rebuilt_table(r, done));
-    for (std::size_t m = 0; m < done.meshes.size(); ++m) add_paragraph(r.section(), rebuilt_found(r, done, m));
+    for (std::size_t m = 0; m < done.meshes.size(); ++m) add_paragraphs(r.section(), {rebuilt_found(r, done, m)});
     add_rebuilt_checks(r, done);
 }
 
@@ -198,17 +185,13 @@ void add_forms_reproduction(const Reproduction& r) {
     double largest = 0, smallest = INFINITY, at_largest = 0, at_smallest = 0;
     for (int i = 0; i <= steps; ++i) {
         const double theta = 2 * pi * i / steps, kappa = tip_curvature_by_angle(e, theta);
-        angle.x.push_back(theta);
-        angle.y.push_back(kappa);
-        parameters.x.push_back(theta);
-        parameters.y.push_back(tip_curvature_by_parameters(e, theta));
+        add_point(angle, theta, kappa);
+        add_point(parameters, theta, tip_curvature_by_parameters(e, theta));
         if (i < steps / 2 && kappa > largest) largest = kappa, at_largest = theta;
         if (i < steps / 2 && kappa < smallest) smallest = kappa, at_smallest = theta;
     }
-    const std::string caption = words.line("forms.caption", "axes"_a = axes_text(e));
     add(r.section(), report::Plot{.id = r.id_of("normal_curvature"),
-                                  .caption = caption,
-                                  .alt = caption,
+                                  .caption = words.line("forms.caption", "axes"_a = axes_text(e)),
                                   .x_label = "θ",
                                   .y_label = "normal curvature [1/length]",
                                   .series = {std::move(angle), std::move(parameters)},
@@ -216,8 +199,8 @@ void add_forms_reproduction(const Reproduction& r) {
     const double at_pole = (ellipsoid_point(e, 0, pi) - Vector3(e.a, 0, 0)).norm();
     add_words(r.section(), words, "forms.found", "largest"_a = readable(largest), "at_largest"_a = readable(at_largest),
               "smallest"_a = readable(smallest), "at_smallest"_a = readable(at_smallest), "pole"_a = readable(at_pole));
-    r.section().checks.push_back(check_near(words.line("check.forms.y"), e.a / (e.b * e.b), largest, 1e-12));
-    r.section().checks.push_back(check_near(words.line("check.forms.z"), e.a / (e.c * e.c), smallest, 1e-12));
+    add(r.section(), check_near(words.line("check.forms.y"), e.a / (e.b * e.b), largest, 1e-12),
+        check_near(words.line("check.forms.z"), e.a / (e.c * e.c), smallest, 1e-12));
 }
 
 }   // namespace meshfolio::reproductions

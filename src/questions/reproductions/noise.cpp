@@ -1,13 +1,7 @@
 // Denoising experiments of earlier reports: pictures, error curves, table and what was found.
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "base/number_text.h"
-#include "geometry/linear/special_values.h"
 #include "questions/bench/denoising_search.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 #include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {
@@ -15,7 +9,7 @@ namespace meshfolio::reproductions {
 namespace {
 
 double percent_of(const NoisyExperiment& done, const NoisyRun& run) { return 100 / done.meshes[run.mesh].diagonal; }
-double rms_at(const NoisyRun& run, int iteration) { return run.rms[static_cast<std::size_t>(iteration)]; }
+double rms_at(const NoisyRun& run, int iteration) { return run.rms[iteration]; }
 int last_iteration(const NoisyRun& run) { return static_cast<int>(run.rms.size()) - 1; }
 bool same_curve(const NoisyRun& a, const NoisyRun& b) {
     return a.mesh == b.mesh && a.method == b.method && a.kind == b.kind && a.area == b.area && a.given == b.given;
@@ -34,7 +28,7 @@ output::Panel panel_at(const Reproduction& r, const NoisyExperiment& done, const
 /// Of each level of noise the noisy mesh, and each run at the experiment's iterations.
 void add_denoising_figure(const Reproduction& r, const NoisyExperiment& done, std::size_t m) {
     const Experiment& e = r.experiment;
-    SixViewFigure figure = figure_on(r, done.meshes[m], "original");
+    output::FigureRequest figure = figure_on(r, done.meshes[m], "original");
     const auto next_name = [&] { return figure.id + "_" + std::to_string(figure.panels.size()); };
     for (const double noise : e.noise) {
         bool first = true;
@@ -49,22 +43,19 @@ void add_denoising_figure(const Reproduction& r, const NoisyExperiment& done, st
             }
         }
     }
-    figure.caption = words.line("denoised.caption", "file"_a = figure.subtitle);
     figure.range = range_of(r, e.colours.front(), figure.panels);
-    add_figure(r.answer, std::move(figure));
+    add_figure(r.answer, figure, words.line("denoised.caption", "file"_a = figure.subtitle));
 }
 
-/// On the report's own mesh the runs over whose curves the minima lie nearest to the report's: the first run of the curve's levels. The
-/// report's iterations belong to the triangles of that mesh: on a stand-in they choose nothing, and the first variant is shown.
+/// The variant whose minima are nearest to the report's, by its first run. On a stand-in, whose triangles differ, the first variant.
 const NoisyRun& shown_variant(const NoisyExperiment& done) {
     const NoisyRun* nearest = &done.runs.front();
     double least = std::numeric_limits<double>::infinity();
     for (const NoisyRun& candidate : done.runs) {
         if (done.meshes[candidate.mesh].stand_in) continue;
         double gap = 0;
-        for (const NoisyRun& run : done.runs) {
+        for (const NoisyRun& run : done.runs)
             if (same_curve(run, candidate) && run.minimum_said > 0) gap += std::abs(run.best - run.minimum_said);
-        }
         if (gap >= least) continue;
         least = gap;
         nearest = &candidate;
@@ -75,7 +66,7 @@ const NoisyRun& shown_variant(const NoisyExperiment& done) {
 /// The original beside the meshes at the iterations of the report and at those with the smallest error.
 void add_minimum_figure(const Reproduction& r, const NoisyExperiment& done, const NoisyRun& chosen) {
     const Experiment& e = r.experiment;
-    SixViewFigure figure = figure_on(r, done.meshes[chosen.mesh], "original");
+    output::FigureRequest figure = figure_on(r, done.meshes[chosen.mesh], "original");
     const auto add = [&](const NoisyRun& run, const Positions& X, int iteration, std::string_view key) {
         figure.panels.push_back(panel_at(r, done, run, X, figure.id + "_" + std::to_string(figure.panels.size()),
                                          words.line(key, "noise"_a = noise_text(e, run.noise), "iteration"_a = iteration)));
@@ -86,9 +77,8 @@ void add_minimum_figure(const Reproduction& r, const NoisyExperiment& done, cons
         if (index < run.snapshots.size()) add(run, run.snapshots[index], run.minimum_said, "minimum.said");
         add(run, run.best_X, run.best, "minimum.here");
     }
-    figure.caption = words.line("minimum.caption", "file"_a = figure.subtitle, "run"_a = run_label(e, chosen));
     figure.range = range_of(r, e.colours.front(), figure.panels);
-    add_figure(r.answer, std::move(figure));
+    add_figure(r.answer, figure, words.line("minimum.caption", "file"_a = figure.subtitle, "run"_a = run_label(e, chosen)));
 }
 
 report::Plot error_plot(const Reproduction& r, const NoisyExperiment& done, const NoisyRun& chosen) {
@@ -97,19 +87,14 @@ report::Plot error_plot(const Reproduction& r, const NoisyExperiment& done, cons
     const std::string_view key = done.runs.size() <= e.noise.size() ? "error.caption"
                                  : mesh.stand_in                    ? "error.caption.first"
                                                                     : "error.caption.nearest";
-    const std::string caption = words.line(key, "mesh"_a = mesh.name(), "run"_a = run_label(e, chosen));
     report::Plot plot{.id = r.id_of(mesh.name() + "_error"),
-                      .caption = caption,
-                      .alt = caption,
+                      .caption = words.line(key, "mesh"_a = mesh.name(), "run"_a = run_label(e, chosen)),
                       .x_label = "iteration",
                       .y_label = "rms error [% of box diagonal]"};
     for (const NoisyRun& run : done.runs) {
         if (!same_curve(run, chosen)) continue;
         report::Series series{.name = "σ = " + noise_text(e, run.noise)};
-        for (std::size_t t = 0; t < run.rms.size(); ++t) {
-            series.x.push_back(double(t));
-            series.y.push_back(percent_of(done, run) * run.rms[t]);
-        }
+        for (std::size_t t = 0; t < run.rms.size(); ++t) add_point(series, double(t), percent_of(done, run) * run.rms[t]);
         plot.series.push_back(std::move(series));
         plot.markers.push_back(
             {double(run.best), percent_of(done, run) * rms_at(run, run.best), "smallest, t = " + std::to_string(run.best)});
@@ -194,7 +179,7 @@ void tell_minima(report::Text& text, const Reproduction& r, const NoisyExperimen
         const auto seen = [&](const NoisyRun* other) { return same_curve(*other, first); };
         if (first.mesh != m || std::ranges::any_of(told, seen)) continue;
         told.push_back(&first);
-        std::vector<std::string> minima;
+        Names minima;
         bool later = true;
         int previous = -1;
         for (const NoisyRun& run : done.runs) {
@@ -205,7 +190,7 @@ void tell_minima(report::Text& text, const Reproduction& r, const NoisyExperimen
             previous = run.best;
         }
         const std::string_view key = minima.size() < 2 || !ascending ? "minima" : later ? "minima.later" : "minima.not_later";
-        report::extend(text, words.say(key, "run"_a = sentence_case(run_label(r.experiment, first)), "minima"_a = listed(minima)), " ");
+        tell(text, words.say(key, "run"_a = sentence_case(run_label(r.experiment, first)), "minima"_a = listed(minima)));
     }
 }
 
@@ -221,7 +206,7 @@ void add_checks(const Reproduction& r, const NoisyExperiment& done) {
         const double spread = std::sqrt(2.0 / mesh.mesh().vertex_count()) * squares.norm() / squares.sum();
         const std::string name =
             words.line("check.noise", "noise"_a = noise_text(r.experiment, run.noise), "mesh"_a = mesh.name(), "where"_a = r.where());
-        r.section().checks.push_back(report::check_near(name, 1, run.rms.front() * run.rms.front() / squares.sum(), 5 * spread));
+        add(r.section(), check_near(name, 1, run.rms.front() * run.rms.front() / squares.sum(), 5 * spread));
     }
 }
 
@@ -240,7 +225,7 @@ void add_noisy_reproduction(const Reproduction& r, const NoisyExperiment& done) 
     for (std::size_t m = 0; m < done.meshes.size(); ++m) {
         report::Text text = words.say("found_on", "mesh"_a = done.meshes[m].name());
         if (curve) tell_minima(text, r, done, m);
-        add_paragraph(r.section(), text);
+        add_paragraphs(r.section(), {text});
         if (!curve) add(r.section(), told_runs(r, done, m));
     }
     add_checks(r, done);

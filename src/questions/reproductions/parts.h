@@ -2,12 +2,6 @@
 /// The blocks of the section "reproductions": what each kind of experiment shows. Private to the section.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "questions/core/chapter.h"
-#include "questions/core/six_view_figure.h"
-#include "questions/reproductions/field_study.h"
 #include "questions/reproductions/study.h"
 
 namespace meshfolio::reproductions {
@@ -44,6 +38,8 @@ std::vector<int> uncovered_rows(const std::vector<Experiment>& experiments);
 /// Heading and opening: what the report says, on which meshes this is done here, how parameters carry over, which are lost.
 void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshes);
 
+/// Appends a sentence and a space.
+inline void tell(report::Text& text, const report::Text& sentence) { report::extend(text, sentence, " "); }
 /// "row 20", "rows 7, 8 and 9".
 std::string rows_text(const std::vector<int>& rows);
 /// "1×10⁻⁷", "0.5 λ_crit", "0.02 h̄²": as the settings have it.
@@ -62,7 +58,7 @@ std::string sentence_case(std::string words);
 /// How the id of what is coloured so ends: "h_cotan".
 std::string key_of(ExperimentColour colour);
 /// A figure on this mesh, with the mesh itself as its first panel.
-SixViewFigure figure_on(const Reproduction& r, const ExperimentMesh& mesh, const std::string& first_panel);
+output::FigureRequest figure_on(const Reproduction& r, const ExperimentMesh& mesh, const std::string& first_panel);
 /// The range of a figure, from these panels alone; nothing when there are no values.
 std::optional<output::ColorRange> range_of(const Reproduction& r, ExperimentColour colour, const std::vector<output::Panel>& panels);
 

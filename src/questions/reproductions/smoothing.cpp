@@ -1,11 +1,4 @@
 // Smoothing experiments of earlier reports: pictures, table and what was found.
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
-#include "mesh/triangle_measures.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 #include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {
@@ -39,8 +32,8 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
     const Experiment& e = r.experiment;
     const ExperimentMesh& mesh = done.meshes[m];
     const ExperimentColour colour = e.colours.front();
-    SixViewFigure figure = figure_on(r, mesh, "before");
-    std::vector<std::string> gone, shrunk;   // out of the picture with their first step; too small to be seen in it
+    output::FigureRequest figure = figure_on(r, mesh, "before");
+    Names gone, shrunk;   // out of the picture with their first step; too small to be seen in it
     for (const ExperimentRun& run : done.runs) {
         if (run.mesh != m) continue;
         if (run.run.in_view_iteration == 0 && run.run.result.blew_up) {
@@ -61,11 +54,11 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
         }
     }
     figure.range = range_of(r, colour, {figure.panels.front()});
-    figure.caption = words.line("smoothed.caption", "file"_a = figure.subtitle);
-    if (figure.range) figure.caption += " " + words.line("smoothed.caption.colours", "quantity"_a = figure.range->quantity);
-    if (!gone.empty()) figure.caption += " " + words.line("smoothed.caption.gone", "runs"_a = listed(gone));
-    if (!shrunk.empty()) figure.caption += " " + words.line("smoothed.caption.shrunk", "runs"_a = listed(shrunk));
-    add_figure(r.answer, std::move(figure));
+    std::string caption = words.line("smoothed.caption", "file"_a = figure.subtitle);
+    if (figure.range) caption += " " + words.line("smoothed.caption.colours", "quantity"_a = figure.range->quantity);
+    if (!gone.empty()) caption += " " + words.line("smoothed.caption.gone", "runs"_a = listed(gone));
+    if (!shrunk.empty()) caption += " " + words.line("smoothed.caption.shrunk", "runs"_a = listed(shrunk));
+    add_figure(r.answer, std::move(figure), std::move(caption));
 }
 
 /// A row of the table: a run at one of the experiment's iterations.
@@ -84,9 +77,8 @@ std::vector<Snapshot> snapshots_of(const SmoothingExperiment& done, const Experi
         for (std::size_t i = 0; i < e.iterations.size(); ++i) {
             Snapshot& row = rows.emplace_back(Snapshot{run, done.meshes[run.mesh], i, e.iterations[i]});
             if (i >= run.run.snapshots.size()) continue;
-            const auto t = static_cast<std::size_t>(row.iteration);
-            row.energy = run.run.energy[t];
-            if (!run.run.volume.empty()) row.volume = run.run.volume[t];
+            row.energy = run.run.energy[row.iteration];
+            if (!run.run.volume.empty()) row.volume = run.run.volume[row.iteration];
             row.moved = compare_meshes(row.mesh.mesh(), moved_to(row.mesh.mesh(), run.run.snapshots[i]));
         }
     }
@@ -128,17 +120,14 @@ using Runs = std::vector<const ExperimentRun*>;
 template <class Chosen>
 Runs runs_where(const SmoothingExperiment& done, std::size_t mesh, Chosen chosen) {
     Runs runs;
-    for (const ExperimentRun& run : done.runs) {
+    for (const ExperimentRun& run : done.runs)
         if (run.mesh == mesh && chosen(run)) runs.push_back(&run);
-    }
     return runs;
 }
 
 template <class Value>
 std::vector<double> values_of(const Runs& runs, Value value) {
-    std::vector<double> values;
-    for (const ExperimentRun* run : runs) values.push_back(value(*run));
-    return values;
+    return each_of(runs, [&](const ExperimentRun* run) { return value(*run); });
 }
 
 bool is_explicit(const ExperimentRun& run) { return run.method.scheme == SmoothingScheme::explicit_euler; }
@@ -149,8 +138,7 @@ int end_of(const ExperimentRun& run) { return run.run.result.blow_up_iteration; 
 /// In which iterations they blew up. @param blown  at least one
 std::string ends_text(const Runs& blown) {
     const auto [first, last] = std::ranges::minmax(blown, {}, [](const ExperimentRun* run) { return end_of(*run); });
-    if (end_of(*first) == end_of(*last)) return std::to_string(end_of(*first));
-    return words.line("range", "first"_a = end_of(*first), "last"_a = end_of(*last));
+    return span_of(std::to_string(end_of(*first)), std::to_string(end_of(*last)));
 }
 
 /// What became of some runs: how many, at which shares of the limit, and their energies or the iterations they ended in.
@@ -159,22 +147,19 @@ void tell_runs(report::Text& text, const Runs& runs, std::string_view what) {
     Runs blown, whole;
     for (const ExperimentRun* run : runs) (run->run.result.blew_up ? blown : whole).push_back(run);
     const std::string_view key = blown.empty() ? "runs.whole" : whole.empty() ? "runs.blown" : "runs.both";
-    report::extend(text,
-                   words.say(key, "what"_a = words.line(what), "shares"_a = range_text(values_of(runs, share_of)), "whole"_a = whole.size(),
-                             "energies"_a = whole.empty() ? "" : range_text(values_of(whole, last_energy)), "blown"_a = blown.size(),
-                             "ends"_a = blown.empty() ? "" : ends_text(blown)),
-                   " ");
+    tell(text, words.say(key, "what"_a = words.line(what), "shares"_a = range_text(values_of(runs, share_of)), "whole"_a = whole.size(),
+                         "energies"_a = whole.empty() ? "" : range_text(values_of(whole, last_energy)), "blown"_a = blown.size(),
+                         "ends"_a = blown.empty() ? "" : ends_text(blown)));
 }
 
 /// Of runs beyond the limit that ended whole with less energy: how far the top mode, for which λμ_max = 2λ/λ_crit, grew in them.
 void tell_hidden_growth(report::Text& text, const Runs& beyond) {
     Runs hidden;
-    for (const ExperimentRun* run : beyond) {
+    for (const ExperimentRun* run : beyond)
         if (!run->run.result.blew_up && last_energy(*run) < 1) hidden.push_back(run);
-    }
     if (hidden.empty()) return;
     const auto growth = [](const ExperimentRun& run) { return std::pow(2 * run.share() - 1, run.run.result.iterations); };
-    report::extend(text, words.say("runs.hidden_growth", "growth"_a = range_text(values_of(hidden, growth))), " ");
+    tell(text, words.say("runs.hidden_growth", "growth"_a = range_text(values_of(hidden, growth))));
 }
 
 /// The gap between explicit and implicit runs at the same λ, against how far they moved.
@@ -186,11 +171,8 @@ void tell_pairs(report::Text& text, const SmoothingExperiment& done, std::size_t
             if (!pair || a.run.result.blew_up || a.run.snapshots.empty() || b.run.snapshots.empty()) continue;
             const double percent = 100 / done.meshes[m].diagonal;
             const double apart = vertex_rms(a.run.snapshots.back(), b.run.snapshots.back());
-            report::extend(
-                text,
-                words.say("runs.pair", "share"_a = readable(a.share()), "apart"_a = readable(percent * apart),
-                          "explicit"_a = readable(percent * a.run.moved.rms), "implicit"_a = readable(percent * b.run.moved.rms)),
-                " ");
+            tell(text, words.say("runs.pair", "share"_a = readable(a.share()), "apart"_a = readable(percent * apart),
+                                 "explicit"_a = readable(percent * a.run.moved.rms), "implicit"_a = readable(percent * b.run.moved.rms)));
         }
     }
 }
@@ -213,8 +195,7 @@ void tell_equal_times(report::Text& text, const Experiment& e, const SmoothingEx
         }
     }
     if (gaps.empty()) return;
-    report::extend(text, words.say("runs.equal_times", "pairs"_a = gaps.size(), "gaps"_a = range_text(gaps), "moves"_a = range_text(moves)),
-                   " ");
+    tell(text, words.say("runs.equal_times", "pairs"_a = gaps.size(), "gaps"_a = range_text(gaps), "moves"_a = range_text(moves)));
 }
 
 report::Text found_on(const Reproduction& r, const SmoothingExperiment& done, std::size_t m) {
@@ -227,17 +208,15 @@ report::Text found_on(const Reproduction& r, const SmoothingExperiment& done, st
     tell_hidden_growth(text, beyond);
     const Runs rebuilt = chosen([](auto& run) { return is_explicit(run) && run.method.rebuild; });
     tell_runs(text, rebuilt, "runs.rebuilt");
-    if (!rebuilt.empty()) report::extend(text, words.say("runs.rebuilt_chaos"), " ");
+    if (!rebuilt.empty()) tell(text, words.say("runs.rebuilt_chaos"));
     tell_runs(text, chosen([](auto& run) { return run.method.scheme == SmoothingScheme::implicit_euler; }), "runs.implicit");
     tell_runs(text, chosen([](auto& run) { return run.method.scheme == SmoothingScheme::taubin; }), "runs.taubin");
     tell_pairs(text, done, m);
     tell_equal_times(text, r.experiment, done, m);
     for (const UsableStep& usable : done.usable) {
         if (usable.mesh != m) continue;
-        report::extend(text,
-                       words.say("runs.usable", "steps"_a = usable.iterations, "lambda"_a = readable(usable.lambda),
-                                 "share"_a = readable(usable.lambda / usable.critical, 4)),
-                       " ");
+        tell(text, words.say("runs.usable", "steps"_a = usable.iterations, "lambda"_a = readable(usable.lambda),
+                             "share"_a = readable(usable.lambda / usable.critical, 4)));
     }
     return text;
 }
@@ -245,11 +224,10 @@ report::Text found_on(const Reproduction& r, const SmoothingExperiment& done, st
 void add_checks(const Reproduction& r, const SmoothingExperiment& done) {
     for (const ExperimentRun& run : done.runs) {
         const bool decays = run.method.scheme == SmoothingScheme::implicit_euler || run.share() < 1;
-        const bool law = decays && !run.method.rebuild && run.method.scheme != SmoothingScheme::taubin;
-        if (!law) continue;
+        if (!decays || run.method.rebuild || run.method.scheme == SmoothingScheme::taubin) continue;
         const std::string name = words.line("check.energy", "method"_a = name_of(run.method), "share"_a = plain_text(run.share(), 3),
                                             "mesh"_a = done.meshes[run.mesh].name(), "where"_a = r.where());
-        r.section().checks.push_back(energy_check(name, run.run));
+        add(r.section(), energy_check(name, run.run));
     }
 }
 
@@ -259,7 +237,7 @@ void add_smoothing_reproduction(const Reproduction& r, const SmoothingExperiment
     add_opening(r, done.meshes);
     for (std::size_t m = 0; m < done.meshes.size(); ++m) add_figure_of(r, done, m);
     add(r.section(), run_table(r, done));
-    for (std::size_t m = 0; m < done.meshes.size(); ++m) add_paragraph(r.section(), found_on(r, done, m));
+    for (std::size_t m = 0; m < done.meshes.size(); ++m) add_paragraphs(r.section(), {found_on(r, done, m)});
     add_checks(r, done);
 }
 

@@ -1,11 +1,8 @@
 #include "questions/reproductions/study.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <set>
 
-#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 
 namespace meshfolio::reproductions {
@@ -18,7 +15,7 @@ bool looks_at_noise(const Experiment& experiment) {
     return experiment.kind == ExperimentKind::denoising || experiment.kind == ExperimentKind::error_curve;
 }
 
-ExperimentMesh measured(const OriginalMesh& original, std::shared_ptr<const LibraryMesh> used, const Experiment& experiment) {
+ExperimentMesh measured(const OriginalMesh& original, SharedMesh used, const Experiment& experiment) {
     ExperimentMesh mesh;
     mesh.originals = {original};
     mesh.used = std::move(used);
@@ -37,25 +34,21 @@ ExperimentMesh measured(const OriginalMesh& original, std::shared_ptr<const Libr
 /// Files of one name from several places, or a mesh and another's stand-in, get numbers.
 void tell_apart(std::vector<ExperimentMesh>& meshes) {
     std::set<std::string> taken;
-    for (ExperimentMesh& mesh : meshes) {
+    for (ExperimentMesh& mesh : meshes)
         for (int number = 2; !taken.insert(mesh.label).second; ++number) mesh.label = mesh.used->name + "_" + std::to_string(number);
-    }
 }
 
 /// Calls `visit` with every combination of mesh, operator, area form, method and λ.
 template <class Visit>
 void for_each_combination(const Experiment& experiment, const std::vector<ExperimentMesh>& meshes, Visit visit) {
-    for (std::size_t m = 0; m < meshes.size(); ++m) {
-        for (const OperatorKind kind : experiment.operators) {
+    for (std::size_t m = 0; m < meshes.size(); ++m)
+        for (const OperatorKind kind : experiment.operators)
             for (const AreaForm area : experiment.areas) {
                 const SmoothingSubject subject = smoothing_subject(meshes[m].used, kind, area);
                 ImplicitSolver solver;   // one symbolic analysis for all λ
-                for (const SmoothingMethod& method : experiment.methods) {
+                for (const SmoothingMethod& method : experiment.methods)
                     for (const double lambda : experiment.lambda) visit(m, subject, method, lambda, solver);
-                }
             }
-        }
-    }
 }
 
 NoisyRun noisy_run(const ExperimentMesh& mesh, const Experiment& experiment, NoisyRun run, ImplicitSolver& solver) {
@@ -65,16 +58,15 @@ NoisyRun noisy_run(const ExperimentMesh& mesh, const Experiment& experiment, Noi
     run.rms = {vertex_rms(clean.X, run.noisy->X)};
     run.best_X = run.noisy->X;
 
-    SmoothingOptions options;
-    options.scheme = run.method.scheme;
-    options.rebuild = run.method.rebuild;
-    options.laplacian = run.kind;
-    options.area = run.area;
-    options.lambda = run.lambda;
-    options.iterations = experiment.iterations.back();
+    SmoothingOptions options{.scheme = run.method.scheme,
+                             .laplacian = run.kind,
+                             .lambda = run.lambda,
+                             .iterations = experiment.iterations.back(),
+                             .rebuild = run.method.rebuild,
+                             .area = run.area};
     options.after_step = [&](int iteration, const Positions& X) {
         run.rms.push_back(vertex_rms(clean.X, X));
-        if (run.rms.back() < run.rms[static_cast<std::size_t>(run.best)]) {
+        if (run.rms.back() < run.rms[run.best]) {
             run.best = iteration;
             run.best_X = X;
         }
@@ -104,11 +96,10 @@ std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const 
         const auto same = std::find_if(meshes.begin(), meshes.end(), [&](const ExperimentMesh& mesh) {
             return mesh.stand_in && used->input.stand_in && mesh.used->input.file == used->input.file;
         });
-        if (same != meshes.end()) {
+        if (same != meshes.end())
             same->originals.push_back(original);
-        } else {
+        else
             meshes.push_back(measured(original, used, experiment));
-        }
     }
     tell_apart(meshes);
     return meshes;
@@ -123,14 +114,9 @@ Carried lambda_rule(const Experiment& experiment, const ExperimentMesh& mesh, Op
 
 double lambda_on(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind, double lambda, double critical) {
     const OriginalMesh& original = mesh.originals.front();
-    switch (lambda_rule(experiment, mesh, kind)) {
-        case Carried::by_limit:
-            return lambda / original.lambda_crit * mesh.cotan_critical;
-        case Carried::by_edge:
-            return lambda * std::pow(mesh.mean_edge / original.mean_edge, 2);
-        case Carried::as_given:
-            break;
-    }
+    const Carried rule = lambda_rule(experiment, mesh, kind);
+    if (rule == Carried::by_limit) return lambda / original.lambda_crit * mesh.cotan_critical;
+    if (rule == Carried::by_edge) return lambda * std::pow(mesh.mean_edge / original.mean_edge, 2);
     return step_in_model_units(lambda, experiment.lambda_unit, critical, mesh.mean_edge);
 }
 
@@ -140,26 +126,15 @@ Carried noise_rule(const Experiment& experiment, const ExperimentMesh& mesh) {
 }
 
 Vector3 noise_on(const Experiment& experiment, const ExperimentMesh& mesh, double noise) {
-    switch (experiment.noise_unit) {
-        case NoiseUnit::box:
-            return noise * mesh.extent;
-        case NoiseUnit::diagonal:
-            return Vector3::Constant(noise * mesh.diagonal);
-        case NoiseUnit::edge:
-            return Vector3::Constant(noise * mesh.mean_edge);
-        case NoiseUnit::raw:
-            break;
-    }
+    if (experiment.noise_unit == NoiseUnit::box) return noise * mesh.extent;
+    if (experiment.noise_unit == NoiseUnit::diagonal) return Vector3::Constant(noise * mesh.diagonal);
+    if (experiment.noise_unit == NoiseUnit::edge) return Vector3::Constant(noise * mesh.mean_edge);
     const bool carried = noise_rule(experiment, mesh) == Carried::by_edge;
     return Vector3::Constant(carried ? noise / mesh.originals.front().mean_edge * mesh.mean_edge : noise);
 }
 
 UsableStep largest_usable_step(const SmoothingSubject& subject, int iterations) {
-    SmoothingOptions options;
-    options.laplacian = subject.kind;
-    options.area = subject.area;
-    options.iterations = iterations;
-    options.blow_up_at = out_of_bounds;
+    SmoothingOptions options{.laplacian = subject.kind, .iterations = iterations, .area = subject.area, .blow_up_at = out_of_bounds};
     const auto usable = [&](double lambda) {
         options.lambda = lambda;
         return !smooth(subject.mesh(), options).blew_up;
@@ -202,12 +177,7 @@ NoisyExperiment noisy_experiment(const MeshLibrary& library, const Experiment& e
         experiment, result.meshes,
         [&](std::size_t m, const SmoothingSubject& subject, const SmoothingMethod& method, double given, ImplicitSolver& solver) {
             for (std::size_t level = 0; level < experiment.noise.size(); ++level) {
-                NoisyRun run;
-                run.mesh = m;
-                run.method = method;
-                run.kind = subject.kind;
-                run.area = subject.area;
-                run.given = given;
+                NoisyRun run{.mesh = m, .method = method, .kind = subject.kind, .area = subject.area, .given = given};
                 run.lambda = lambda_on(experiment, result.meshes[m], subject.kind, given, subject.critical);
                 run.noise = experiment.noise[level];
                 run.minimum_said = experiment.minimum.empty() ? 0 : experiment.minimum[level];

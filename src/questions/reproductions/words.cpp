@@ -1,7 +1,3 @@
-#include <algorithm>
-
-#include "base/number_text.h"
-#include "questions/core/section_tools.h"
 #include "questions/reproductions/parts.h"
 #include "report/brief_number.h"
 
@@ -15,10 +11,8 @@ std::string original_words(const OriginalMesh& original) {
 }
 
 std::string mesh_words(const ExperimentMesh& mesh) {
-    std::vector<std::string> originals;
-    for (const OriginalMesh& original : mesh.originals) originals.push_back(original_words(original));
     return words.line(mesh.stand_in ? "mesh.stand_in" : "mesh.itself", "file"_a = mesh.used->input.file,
-                      "vertices"_a = mesh.mesh().vertex_count(), "originals"_a = listed(originals));
+                      "vertices"_a = mesh.mesh().vertex_count(), "originals"_a = listed(each_of(mesh.originals, original_words)));
 }
 
 /// How raw numbers of the original became numbers here; empty when they are as given.
@@ -42,12 +36,11 @@ report::Text carried_words(const Experiment& experiment, const ExperimentMesh& m
 
 void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshes) {
     const Experiment& e = r.experiment;
-    add_heading(r.section(), words.line("heading", "rows"_a = sentence_case(rows_text(e.rows)), "report"_a = e.from, "name"_a = e.name));
+    add(r.section(),
+        report::Heading{words.line("heading", "rows"_a = sentence_case(rows_text(e.rows)), "report"_a = e.from, "name"_a = e.name)});
     report::BulletList list;
     if (!e.said.empty()) list.items.push_back(words.say("opening.said", "said"_a = e.said));
-    std::string here;
-    for (const ExperimentMesh& mesh : meshes) here += (here.empty() ? "" : "; ") + mesh_words(mesh);
-    if (!meshes.empty()) list.items.push_back(words.say("opening.here", "meshes"_a = here));
+    if (!meshes.empty()) list.items.push_back(words.say("opening.here", "meshes"_a = joined(each_of(meshes, mesh_words))));
     for (const ExperimentMesh& mesh : meshes)
         if (report::Text carried = carried_words(e, mesh); !carried.empty()) list.items.push_back(std::move(carried));
     if (!e.lost.empty()) list.items.push_back(words.say("opening.lost", "lost"_a = e.lost));
@@ -57,9 +50,7 @@ void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshe
 std::string Reproduction::where() const { return experiment.from + ", " + rows_text(experiment.rows); }
 
 std::string rows_text(const std::vector<int>& rows) {
-    std::vector<std::string> numbers;
-    for (const int row : rows) numbers.push_back(std::to_string(row));
-    return words.line("rows", "count"_a = rows.size(), "rows"_a = listed(numbers));
+    return words.line("rows", "count"_a = rows.size(), "rows"_a = listed(each_of(rows, [](int row) { return std::to_string(row); })));
 }
 
 std::string given_text(const Experiment& experiment, double lambda) {
@@ -69,17 +60,9 @@ std::string given_text(const Experiment& experiment, double lambda) {
 
 std::string noise_text(const Experiment& experiment, double noise) {
     const std::string percent = chosen_text(100 * noise) + "\u202f%";
-    switch (experiment.noise_unit) {
-        case NoiseUnit::box:
-            return words.line("noise.box", "percent"_a = percent);
-        case NoiseUnit::diagonal:
-            return words.line("noise.diagonal", "percent"_a = percent);
-        case NoiseUnit::edge:
-            return chosen_text(noise) + " h̄";
-        case NoiseUnit::raw:
-            break;
-    }
-    return chosen_text(noise);
+    if (experiment.noise_unit == NoiseUnit::box) return words.line("noise.box", "percent"_a = percent);
+    if (experiment.noise_unit == NoiseUnit::diagonal) return words.line("noise.diagonal", "percent"_a = percent);
+    return chosen_text(noise) + (experiment.noise_unit == NoiseUnit::edge ? " h̄" : "");
 }
 
 std::string variant_text(const Experiment& experiment, OperatorKind kind, AreaForm area, const SmoothingMethod& method) {
@@ -93,8 +76,7 @@ std::string chosen_text(double x) { return report::brief(x, 3); }
 
 std::string range_text(const std::vector<double>& values) {
     const auto [low, high] = std::ranges::minmax(values);
-    const std::string first = chosen_text(low), last = chosen_text(high);
-    return first == last ? first : words.line("range", "first"_a = first, "last"_a = last);
+    return span_of(chosen_text(low), chosen_text(high));
 }
 
 std::string sentence_case(std::string said) {
@@ -108,7 +90,7 @@ std::string key_of(ExperimentColour colour) {
     return key;
 }
 
-SixViewFigure figure_on(const Reproduction& r, const ExperimentMesh& mesh, const std::string& first_panel) {
+output::FigureRequest figure_on(const Reproduction& r, const ExperimentMesh& mesh, const std::string& first_panel) {
     const std::string id = r.id_of(mesh.name());
     return {.id = id,
             .title = r.experiment.from + ": " + r.experiment.name,

@@ -1,23 +1,16 @@
 // The section "stability": the limit of explicit smoothing proved, and what happens on both sides of it.
-#include <algorithm>
-
-#include "base/number_text.h"
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {
 
 namespace {
 
-using report::check_at_least;
-using report::check_at_most;
-using report::check_near;
-
 /// 1e-8, unless the rounding of a large factor forbids it.
 report::Check width_check(std::string name, const StabilityCertificate& proved) {
     constexpr double wanted = 1e-8;
     report::Check check = check_at_most(std::move(name), wanted, proved.relative_width());
     if (check.passed() || proved.rounding < 0.2 * wanted) return check;
-    return report::undecided(std::move(check), words.line("check.width.undecided", "entries"_a = proved.factor_nonzeros));
+    return undecided(std::move(check), words.line("check.width.undecided", "entries"_a = proved.factor_nonzeros));
 }
 
 /// Where that is neither proved nor refuted, the check decides nothing.
@@ -25,8 +18,8 @@ report::Check semidefinite_check(std::string name, const StabilityCertificate& p
     const Definiteness& d = proved.bottom;
     report::Check check = check_at_least(std::move(name), 0, (d.indefinite() ? d.mu_high : d.mu_low) / proved.mu_high, 1e-10);
     if (d.semidefinite() || d.indefinite()) return check;
-    return report::undecided(
-        std::move(check), words.line("check.semidefinite.undecided", "low"_a = readable(d.mu_low, 2), "high"_a = readable(d.mu_high, 2)));
+    return undecided(std::move(check),
+                     words.line("check.semidefinite.undecided", "low"_a = readable(d.mu_low, 2), "high"_a = readable(d.mu_high, 2)));
 }
 
 void add_operator_checks(report::Section& section, const std::string& mesh, const OperatorLimit& limit) {
@@ -43,33 +36,27 @@ void add_operator_checks(report::Section& section, const std::string& mesh, cons
 void add_checks(report::Section& section, const Studies& studies, const RebuiltFlow& flow) {
     for (const StabilityStudy& study : studies) {
         for (const OperatorLimit* limit : study.operators()) add_operator_checks(section, study.name(), *limit);
-        section.checks.push_back(check_at_most(words.line("check.uniform", "mesh"_a = study.name()), 2, study.uniform.certificate.mu_low));
+        add(section, check_at_most(words.line("check.uniform", "mesh"_a = study.name()), 2, study.uniform.certificate.mu_low));
     }
-    section.checks.push_back(check_at_most(words.line("check.adaptive", "mesh"_a = flow.name()), 2, largest_product(flow.adaptive.run)));
+    add(section, check_at_most(words.line("check.adaptive", "mesh"_a = flow.name()), 2, largest_product(flow.adaptive.run)));
 }
 
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer;
+    Answer answer{section_of("stability")};
     report::Section& section = answer.section;
-    section = section_of("stability");
     const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section);
-    add_words(section, words, "method");
-
-    add_words(section, words, "results");
+    add_words(section, words, {"method", "results"});
     const auto studies = studies_of(meshes, "limit of explicit smoothing", settings, progress, section, stability_study);
     const StabilityStudy& last = studies.back();
     progress("rebuilt flow of " + last.name());
     const RebuiltFlow flow = rebuilt_flow(last, settings);
-    add(section, certificate_table(studies));
-    add(section, unit_table(studies));
+    add(section, certificate_table(studies), unit_table(studies));
     add_limiting_vertex_figures(answer, studies, settings.colormap);
     add(section, growth_table(studies));
     add(section, growth_plot(last));   // the law is one: the table has the others
-    add(section, flow_table(flow));
-    add(section, flow_plot(flow));
-    add(section, flow_time_table(flow));
+    add(section, flow_table(flow), flow_plot(flow), flow_time_table(flow));
     add_discussion(section, studies, flow);
     add_checks(section, studies, flow);
 

@@ -1,8 +1,3 @@
-// What the numbers of the section "stability" say.
-#include <algorithm>
-#include <cmath>
-
-#include "base/number_text.h"
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {
@@ -38,11 +33,10 @@ report::Text what_is_proved(const Studies& studies) {
     const std::string width = readable(proofs.widest, 2);
     if (!proofs.all())
         return words.say("proved.not_all", "operators"_a = proofs.limits, "semidefinite"_a = proofs.semidefinite, "width"_a = width);
-    report::Text t = words.say("proved", "limits"_a = proofs.named(), "width"_a = width, "rounding"_a = readable(proofs.rounding, 2));
-    report::extend(t, " ",
-                   proofs.refuted == 0 ? words.say("proved.at_once") : words.say("proved.after_breakdown", "cases"_a = proofs.refuted), " ",
-                   words.say("proved.semidefinite", "below"_a = readable(proofs.below, 2)));
-    return t;
+    return paragraph_of(
+        {words.say("proved", "limits"_a = proofs.named(), "width"_a = width, "rounding"_a = readable(proofs.rounding, 2)),
+         proofs.refuted == 0 ? words.say("proved.at_once") : words.say("proved.after_breakdown", "cases"_a = proofs.refuted),
+         words.say("proved.semidefinite", "below"_a = readable(proofs.below, 2))});
 }
 
 /// What makes that vertex fast: its rate is weights over area, and each takes its part of it on a logarithmic scale.
@@ -84,8 +78,7 @@ report::Text on_both_sides(const Studies& studies) {
 report::Text about_uniform(const Studies& studies) {
     const auto range = [&](int digits, const auto& value) {
         const auto [low, high] = std::ranges::minmax_element(studies, {}, value);
-        const std::string least = readable(value(*low), digits);
-        return studies.size() == 1 ? least : words.line("uniform.range", "low"_a = least, "high"_a = readable(value(*high), digits));
+        return span_of(readable(value(*low), digits), readable(value(*high), digits));
     };
     return words.say(
         "uniform", "uniform"_a = range(4, [](const StabilityStudy& s) { return s.uniform.critical(); }),
@@ -97,26 +90,22 @@ report::Text diagnosis(const WatchedRun& watched) {
     const Smoothed& run = watched.run;
     report::Text t;
     if (watched.turned_iteration > 0)
-        report::extend(t, " ", words.say("run.turned", "face"_a = watched.turned_face, "step"_a = watched.turned_iteration));
+        go_on(t, words.say("run.turned", "face"_a = watched.turned_face, "step"_a = watched.turned_iteration));
     if (run.blew_up)
-        report::extend(t, " ",
-                       words.say("run.blew_up", "step"_a = run.blow_up_iteration, "vertex"_a = run.blow_up_vertex,
-                                 "diagonals"_a = readable(SmoothingOptions().blow_up_at)));
-    if (run.collapse_iteration > 0) report::extend(t, " ", words.say("run.collapsed", "steps"_a = run.iterations));
+        go_on(t, words.say("run.blew_up", "step"_a = run.blow_up_iteration, "vertex"_a = run.blow_up_vertex,
+                           "diagonals"_a = readable(SmoothingOptions().blow_up_at)));
+    if (run.collapse_iteration > 0) go_on(t, words.say("run.collapsed", "steps"_a = run.iterations));
     return t;
 }
 
 report::Text about_fixed(const RebuiltFlow& flow) {
     const Smoothed& fixed = flow.fixed.run;
     const bool crosses = fixed.crossing_iteration > 0;
-    report::Text t = words.say("fixed");
-    report::extend(t, " ",
-                   words.say(crosses ? "fixed.crosses" : "fixed.keeps", "mesh"_a = flow.name(), "step"_a = fixed.crossing_iteration,
-                             "vertex"_a = fixed.crossing_vertex, "largest"_a = readable(largest_product(fixed), 3)),
-                   diagnosis(flow.fixed));
-    if (crosses && !fixed.blew_up && fixed.collapse_iteration == 0)
-        report::extend(t, " ", words.say("fixed.survives", "steps"_a = fixed.iterations));
-    return t;
+    const bool survives = crosses && !fixed.blew_up && fixed.collapse_iteration == 0;
+    return paragraph_of({words.say("fixed"),
+                         words.say(crosses ? "fixed.crosses" : "fixed.keeps", "mesh"_a = flow.name(), "step"_a = fixed.crossing_iteration,
+                                   "vertex"_a = fixed.crossing_vertex, "largest"_a = readable(largest_product(fixed), 3)),
+                         diagnosis(flow.fixed), survives ? words.say("fixed.survives", "steps"_a = fixed.iterations) : report::Text()});
 }
 
 report::Text about_adaptive(const RebuiltFlow& flow) {
@@ -125,24 +114,21 @@ report::Text about_adaptive(const RebuiltFlow& flow) {
     const auto share = [&](const WatchedRun& run) { return readable_percent(double(run.inverted) / flow.source->mesh().face_count(), 1); };
     report::Text t = words.say(adaptive.crossing_iteration > 0 ? "adaptive.crosses" : "adaptive.keeps", "share"_a = readable(flow.share, 3),
                                "largest"_a = readable(largest_product(adaptive), 3));
-    report::extend(
-        t, " ",
-        words.say(adaptive.steps.back().lambda < 0.5 * flow.lambda ? "adaptive.short_time" : "adaptive.time",
-                  "time"_a = readable_percent(adaptive.time / (flow.lambda * flow.iterations)), "last"_a = readable_percent(last, 2)),
-        diagnosis(flow.adaptive));
-    if (flow.fixed.inverted + flow.adaptive.inverted > 0)
-        report::extend(t, " ", words.say("adaptive.turned", "fixed"_a = share(flow.fixed), "adaptive"_a = share(flow.adaptive)), " ",
-                       words.say("adaptive.chaotic"));
+    go_on(t, words.say(last < 0.5 ? "adaptive.short_time" : "adaptive.time",
+                       "time"_a = readable_percent(adaptive.time / (flow.lambda * flow.iterations)), "last"_a = readable_percent(last, 2)));
+    go_on(t, diagnosis(flow.adaptive));
+    if (flow.fixed.inverted + flow.adaptive.inverted == 0) return t;
+    go_on(t, words.say("adaptive.turned", "fixed"_a = share(flow.fixed), "adaptive"_a = share(flow.adaptive)));
+    go_on(t, words.say("adaptive.chaotic"));
     return t;
 }
 
 report::Text about_frozen(const RebuiltFlow& flow) {
     const Smoothed& frozen = flow.frozen.run;
-    report::Text t = words.say("frozen", "mesh"_a = flow.name(), "beyond"_a = readable(flow.beyond, 1),
-                               "factor"_a = readable(frozen.steps.front().top - 1, 2));
-    report::extend(t, diagnosis(flow.frozen));
-    if (!frozen.blew_up) report::extend(t, " ", words.say("frozen.survives", "steps"_a = frozen.iterations));
-    return t;
+    return paragraph_of({words.say("frozen", "mesh"_a = flow.name(), "beyond"_a = readable(flow.beyond, 1),
+                                   "factor"_a = readable(frozen.steps.front().top - 1, 2)),
+                         diagnosis(flow.frozen),
+                         frozen.blew_up ? report::Text() : words.say("frozen.survives", "steps"_a = frozen.iterations)});
 }
 
 }   // namespace
@@ -155,8 +141,8 @@ report::Text answer_of(const Studies& studies) {
 
 void add_discussion(report::Section& section, const Studies& studies, const RebuiltFlow& flow) {
     add_words(section, words, "discussion");
-    add_paragraph(section, what_is_proved(studies));
-    for (const StabilityStudy& study : studies) add_paragraph(section, where_and_why(study));
+    add_paragraphs(section, {what_is_proved(studies)});
+    for (const StabilityStudy& study : studies) add_paragraphs(section, {where_and_why(study)});
     add_paragraphs(section, {on_both_sides(studies), about_uniform(studies), about_fixed(flow), about_adaptive(flow), about_frozen(flow)});
 }
 

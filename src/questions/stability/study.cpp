@@ -1,13 +1,8 @@
-#include "questions/stability/study.h"
+#include "questions/stability/parts.h"
 
-#include <algorithm>
-
-#include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operators/uniform_laplacian.h"
-#include "mesh/triangle_measures.h"
 #include "questions/bench/smoothing_study.h"
-#include "questions/core/section_tools.h"
 
 namespace meshfolio::stability {
 
@@ -28,16 +23,13 @@ OperatorLimit operator_limit(std::string name, OperatorKind kind, const LaplaceB
 /// The first triangle whose normal has turned by more than 90° from that given; −1 without any.
 int first_turned(const TriangleMesh& mesh, const Positions& normals) {
     const Positions now = face_normals(mesh);
-    for (int t = 0; t < mesh.face_count(); ++t) {
+    for (int t = 0; t < mesh.face_count(); ++t)
         if (now.row(t).dot(normals.row(t)) < 0) return t;
-    }
     return -1;
 }
 
 WatchedRun watched_run(const TriangleMesh& mesh, SmoothingOptions options) {
-    WatchedRun watched;
-    watched.lambda = options.lambda;
-    watched.iterations = options.iterations;
+    WatchedRun watched{.run = {}, .lambda = options.lambda, .iterations = options.iterations};
     const Positions normals = face_normals(mesh);
     options.after_step = [&](int iteration, const Positions& X) {
         if (watched.turned_iteration > 0) return true;
@@ -55,17 +47,16 @@ LimitingVertex limiting_vertex(const LaplaceBeltrami& laplacian, const LibraryMe
     const OperatorWithMass whole = operator_with_mass(laplacian);
     LimitingVertex limiting{vertex, laplacian.M[vertex] / summary_of(whole.M).median,
                             -laplacian.C.coeff(vertex, vertex) / summary_of(whole.A.diagonal()).median,
-                            source.prepared->topology.on_boundary[static_cast<std::size_t>(vertex)] != 0, pi};
+                            source.topology().on_boundary[vertex] != 0, pi};
     const CornerValues angles = corner_angles(mesh);
-    for (int t = 0; t < mesh.face_count(); ++t) {
+    for (int t = 0; t < mesh.face_count(); ++t)
         if ((mesh.F.row(t).array() == vertex).any()) limiting.smallest_angle = std::min(limiting.smallest_angle, angles.row(t).minCoeff());
-    }
     return limiting;
 }
 
 }   // namespace
 
-StabilityStudy stability_study(std::shared_ptr<const LibraryMesh> source, const QuestionSettings& settings) {
+StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settings) {
     StabilityStudy study;
     study.source = std::move(source);
     study.mean_edge = mean_edge_length(study.mesh());
@@ -73,8 +64,8 @@ StabilityStudy stability_study(std::shared_ptr<const LibraryMesh> source, const 
     const int steps = settings.quick ? 300 : 1000;
     const LaplaceBeltrami laplacian = laplace_beltrami(study.mesh());
     study.cotangent = operator_limit("cotangent", OperatorKind::cotan, laplacian, study.mesh(), study.mean_edge, steps);
-    study.uniform = operator_limit("uniform", OperatorKind::uniform, uniform_operator(study.source->prepared->topology), study.mesh(),
-                                   study.mean_edge, steps);
+    study.uniform =
+        operator_limit("uniform", OperatorKind::uniform, uniform_operator(study.topology()), study.mesh(), study.mean_edge, steps);
     study.limiting = limiting_vertex(laplacian, *study.source, study.cotangent.certificate.top.vertex);
     study.peaks = peaks_of(study.cotangent.certificate.top.mode);
     return study;
@@ -86,30 +77,15 @@ RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& se
     flow.lambda = 0.5 * study.cotangent.critical();
     flow.share = 0.95;
     flow.iterations = settings.quick ? 20 : 50;
-    SmoothingOptions options;
-    options.lambda = flow.lambda;
-    options.iterations = flow.iterations;
-    options.rebuild = true;
-    options.monitor = true;
+    flow.beyond = 2;   // the top mode triples in each step
+    SmoothingOptions options{.lambda = flow.lambda, .iterations = flow.iterations, .rebuild = true, .monitor = true};
     flow.fixed = watched_run(study.mesh(), options);
     options.adaptive = flow.share;
     flow.adaptive = watched_run(study.mesh(), options);
-
-    flow.beyond = 2;   // the top mode triples in each step
-    options = {};
-    options.lambda = flow.beyond * study.cotangent.critical();
-    options.iterations = 100;
-    options.monitor = true;
-    flow.frozen = watched_run(study.mesh(), options);
+    flow.frozen = watched_run(study.mesh(), {.lambda = flow.beyond * study.cotangent.critical(), .iterations = 100, .monitor = true});
     return flow;
 }
 
 double over_predicted(const ModeGrowth& growth) { return growth.factor.back() / growth.predicted(growth.steps()); }
-
-double largest_product(const Smoothed& run) {
-    double largest = 0;
-    for (const StepStability& step : run.steps) largest = std::max(largest, step.top);
-    return largest;
-}
 
 }   // namespace meshfolio::stability

@@ -1,18 +1,35 @@
-// Tables and plots of the section "stability".
-#include <algorithm>
+#include <Eigen/Geometry>
 
-#include "base/number_text.h"
-#include "questions/core/table.h"
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {
 
 namespace {
 
-using Rounding = report::Column::Rounding;
+/// Where the renderer's three-quarter view looks from, near enough to see a patch from above.
+const Vector3 towards_viewer = Vector3(0.53, 0.37, 0.76).normalized();
+
+/// The positions turned about a vertex so that its normal faces the viewer.
+Positions turned(const TriangleMesh& mesh, int vertex) {
+    const Vector3 normal = vertex_normals(mesh).row(vertex);
+    if (!(normal.squaredNorm() > 0)) return mesh.X;
+    const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(normal, towards_viewer).toRotationMatrix();
+    return (mesh.X.rowwise() - mesh.X.row(vertex)) * turn.transpose();
+}
+
+/// One colour range for all, from `low` to 1.
+void add_multiples(Answer& answer, output::FigureRequest request, const std::string& caption, const std::string& colormap,
+                   const std::string& quantity, double low) {
+    request.range = output::robust_range(request.panels, colormap, quantity, "", 1);
+    request.range->low = low;
+    request.range->high = 1;
+    request.range->clipped_below = request.range->clipped_above = 0;
+    request.layout = output::Layout::multiples;
+    add_figure(answer, std::move(request), caption, caption);
+}
+
 using Style = report::Series::Style;
 
-/// One operator on one mesh, and a run with it.
 struct OperatorRow {
     const StabilityStudy& study;
     const OperatorLimit& limit;
@@ -38,21 +55,70 @@ struct UnitRow {
 report::Series curve(const std::string& name, const std::string& step, const ModeGrowth& growth, bool measured, double first = 0) {
     report::Series series{.name = name, .style = measured ? Style::points : Style::dashed, .panel = step};
     const int stride = std::max(2, growth.steps() / 15);
-    for (int t = static_cast<int>(first * stride); t <= growth.steps(); t += stride) {
-        series.x.push_back(t);
-        series.y.push_back(measured ? growth.factor[static_cast<std::size_t>(t)] : growth.predicted(t));
-    }
+    for (int t = static_cast<int>(first * stride); t <= growth.steps(); t += stride)
+        add_point(series, t, measured ? growth.factor[t] : growth.predicted(t));
     return series;
 }
 
 std::string vertex_text(int vertex) { return vertex >= 0 ? readable_count(vertex) : "–"; }
 
-/// The step something happened in, or "never".
 std::string when(int iteration) { return iteration > 0 ? readable_count(iteration) : "never"; }
 
 const char* end_of(const Smoothed& run) { return run.blew_up ? "blow-up" : run.collapse_iteration > 0 ? "collapse" : "number of steps"; }
 
 }   // namespace
+
+Neighbourhood neighbourhood(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int rings) {
+    std::vector<bool> within(mesh.vertex_count());
+    const auto is_within = [&](int v) { return within[v]; };
+    std::vector<int> front{vertex}, faces;
+    is_within(vertex) = true;
+    for (int ring = 1; ring <= rings; ++ring) {
+        std::vector<int> next;
+        for (const int v : front) {
+            for (const int w : std::span(topology.neighbours.begin(v), topology.neighbours.end(v))) {
+                if (is_within(w)) continue;
+                is_within(w) = true;
+                next.push_back(w);
+            }
+        }
+        front = std::move(next);
+    }
+    for (int t = 0; t < mesh.face_count(); ++t)
+        if (std::ranges::all_of(mesh.F.row(t), is_within)) faces.push_back(t);
+    const TriangleMesh kept{turned(mesh, vertex), mesh.F(faces, Eigen::all)};
+    CompactMesh compact = without_unreferenced_vertices(kept);
+    Neighbourhood patch{std::move(compact.mesh), std::move(compact.original), 0};
+    while (patch.original[patch.vertex] != vertex) ++patch.vertex;
+    return patch;
+}
+
+void add_limiting_vertex_figures(Answer& answer, const Studies& studies, const std::string& colormap) {
+    constexpr int rings = 4;
+    output::FigureRequest whole{.id = "stability_top_modes", .title = words.line("top_modes.title")};
+    output::FigureRequest near{.id = "stability_close_ups",
+                               .title = words.line("close_ups.title"),
+                               .subtitle = words.line("close_ups.subtitle", "rings"_a = rings),
+                               .edges = true};
+    std::string caption = words.line("close_ups.caption");
+    for (const StabilityStudy& study : studies) {
+        const LimitingVertex& v = study.limiting;
+        const Vector& mode = study.cotangent.certificate.top.mode;
+        const Vector height = mode / mode.cwiseAbs().maxCoeff();
+        const std::string label = study.name() + ", vertex " + std::to_string(v.vertex);
+        const Neighbourhood patch = neighbourhood(study.mesh(), study.topology(), v.vertex, rings);
+        whole.panels.push_back(panel_of(moved_to(study.mesh(), turned(study.mesh(), v.vertex)), id_of("stability", study.name(), "mode"),
+                                        label, height.cwiseAbs()));
+        whole.panels.back().marked_vertices = {v.vertex};
+        near.panels.push_back(panel_of(patch.mesh, id_of("stability", study.name(), "patch"), label, height(patch.original)));
+        near.panels.back().marked_vertices = {patch.vertex};
+        caption +=
+            " " + words.line("close_ups.caption.mesh", "mesh"_a = study.name(), "angle"_a = readable(v.smallest_angle * 180 / pi, 2));
+    }
+    add_multiples(answer, std::move(whole), words.line("top_modes.caption"), colormap, "|φ| / max |φ|", 0);
+    // With its sign the mode is drawn on white where it is 0: edges stay visible.
+    add_multiples(answer, std::move(near), caption, "diverging", "φ / max |φ|", -1);
+}
 
 report::Table certificate_table(const Studies& studies) {
     return table("stability_certificates", words.line("certificates"), operator_rows(studies))
@@ -166,13 +232,9 @@ report::Plot flow_plot(const RebuiltFlow& flow) {
         .x_label = "step",
         .y_label = words.line("flow.y"),
         .log_y = true};
-    plot.alt = plot.caption;
     for (const auto& [name, watched] : flow.runs()) {
-        plot.series.push_back({.name = name, .style = Style::line_and_points});
-        for (const StepStability& step : watched->run.steps) {
-            plot.series.back().x.push_back(double(plot.series.back().x.size() + 1));
-            plot.series.back().y.push_back(step.top);
-        }
+        report::Series& series = plot.series.emplace_back(report::Series{.name = name, .style = Style::line_and_points});
+        for (const StepStability& step : watched->run.steps) add_point(series, double(series.x.size() + 1), step.top);
     }
     plot.series.push_back({.name = "limit 2", .x = {1, double(flow.iterations)}, .y = {2, 2}, .style = Style::dashed});
     return plot;

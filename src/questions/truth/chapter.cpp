@@ -1,11 +1,30 @@
 // The chapter "Ground truth": the panel of all estimators on surfaces where the curvature is known.
-#include "base/number_text.h"
-#include "questions/core/section_tools.h"
 #include "questions/truth/parts.h"
 
 namespace meshfolio::truth {
 
 namespace {
+
+/// One estimator on one surface in one kind of mesh.
+struct Case {
+    const char* surface;
+    MeshKind kind;
+    std::string key;
+
+    std::string name(std::string_view message) const {
+        const Estimator& measured = estimator(key);
+        return curvature_words.line(message, "quantity"_a = symbol(measured.quantity), "estimator"_a = measured.name(),
+                                    "kind"_a = name_of(kind), "surface"_a = surface);
+    }
+};
+
+/// Values found independently, with another program and other random points.
+constexpr struct {
+    const char* key;
+    double expected, tolerance;
+} references[]{{"H.barycentric", 0.28, 0.015},    {"H.mixed", 0.20, 0.015},         {"K.mixed", 0.18, 0.015},
+               {"H.jet", 0.0041, 0.0004},         {"K.jet", 0.0084, 0.0009},        {"H.corrected_exact", 0.014, 0.002},
+               {"H.corrected_max", 0.036, 0.003}, {"H.corrected_area", 0.22, 0.015}};
 
 void add_method(report::Section& section, const GroundTruth& truth) {
     for (const BenchRun& run : of_kind(truth.runs, MeshKind::regular)) section.parameters[run.surface] = run.dimensions;
@@ -24,7 +43,94 @@ report::Text answer_of(const GroundTruth& truth) {
                      "jet"_a = readable_percent(jet.last(), 2));
 }
 
+/// L2, on the finest mesh.
+std::string error_of(const GroundTruth& truth, std::string_view surface, MeshKind kind, std::string_view estimator) {
+    return readable_percent(truth.errors(surface, kind, estimator).last(), 2);
+}
+
+/// On which surfaces H from the cotangent formula converges on random points, one kind of area after the other.
+std::string convergence_on_random_points(const GroundTruth& truth) {
+    Names where;
+    for (const AreaForm form : area_forms) {
+        Names surfaces;
+        for (const BenchRun& run : of_kind(truth.runs, MeshKind::random))
+            if (run.errors(H_with(form)).order().converges()) surfaces.push_back(run.surface);
+        if (!surfaces.empty()) where.push_back(words.line("random.with", "areas"_a = area_name(form), "surfaces"_a = listed(surfaces)));
+    }
+    return words.line(where.empty() ? "random.nowhere" : "random.somewhere", "where"_a = listed(where));
+}
+
+report::Text about_other_estimators(const GroundTruth& truth) {
+    int converging = 0, runs = 0;
+    for (const BenchRun& run : truth.runs) {
+        if (run.kind == MeshKind::noisy) continue;
+        ++runs;
+        converging += run.errors("H.jet").order().converges() ? 1 : 0;
+    }
+    const auto told = [&](const char* key) { return error_of(truth, "ellipsoid", MeshKind::random, key); };
+    return words.say(converging == runs ? "other_estimators" : "other_estimators.partly", "converging"_a = converging, "runs"_a = runs,
+                     "H"_a = told("H.jet"), "K"_a = told("K.jet"), "exact"_a = told("H.corrected_exact"),
+                     "area"_a = told("H.corrected_area"));
+}
+
+void add_discussion(report::Section& section, const GroundTruth& truth) {
+    using enum MeshKind;
+    add_words(section, words, "discussion");
+    const auto told = [&](const char* surface, MeshKind kind, const char* key) { return error_of(truth, surface, kind, key); };
+    add_paragraphs(section, {words.say("regular", "mixed"_a = told("torus", regular, "H.mixed"), "K"_a = told("torus", regular, "K.mixed"),
+                                       "uniform"_a = told("torus", regular, "H.uniform"))});
+    const ErrorHistory linf = truth.run("ellipsoid", regular).errors("H.mixed", &EstimateError::linf);
+    const double pentagons = truth.run("sphere", regular).finest().error("H.barycentric").linf;
+    add_paragraphs(
+        section,
+        {words.say("literally_regular", "mixed"_a = told("ellipsoid", regular, "H.mixed"), "linf"_a = readable_percent(linf.last(), 2),
+                   "band"_a = told("ellipsoid band", regular, "H.mixed"), "pentagons"_a = readable_percent(pentagons, 3)),
+         words.say("random", "converging"_a = convergence_on_random_points(truth),
+                   "barycentric"_a = told("ellipsoid", random, "H.barycentric"), "mixed"_a = told("ellipsoid", random, "H.mixed"),
+                   "along_normal"_a = told("ellipsoid", random, "H.mixed_n"), "K"_a = told("ellipsoid", random, "K.mixed")),
+         about_other_estimators(truth),
+         words.say("noisy", "mixed"_a = told("ellipsoid", noisy, "H.mixed"), "jet"_a = told("ellipsoid", noisy, "H.jet"))});
+}
+
 }   // namespace
+
+std::vector<report::Check> ground_truth_checks(const GroundTruth& truth) {
+    using enum MeshKind;
+    std::vector<report::Check> checks{pentagon_check(truth.runs)};
+    const auto errors = [&](const Case& c) { return truth.errors(c.surface, c.kind, c.key); };
+    const auto order_near = [&](const Case& c, double expected, double tolerance, const std::string& note = "") {
+        checks.push_back(check_near(c.name("check.order"), expected, errors(c).order().exponent, tolerance, note));
+    };
+    const auto order_at_least = [&](const Case& c, double expected, double tolerance, const char* note) {
+        checks.push_back(
+            check_at_least(c.name("check.order"), expected, errors(c).order().exponent, tolerance, curvature_words.line(note)));
+    };
+    const auto no_convergence = [&](const Case& c) {
+        checks.push_back(check_at_most(c.name("check.no_convergence.order"), truth.quick ? 0.5 : 0.3, errors(c).order().exponent));
+        checks.push_back(check_at_least(c.name("check.no_convergence.error"), 0.05, errors(c).last()));
+    };
+
+    for (const char* surface : {"torus", "ellipsoid band"}) {
+        for (const AreaForm form : area_forms)
+            for (const std::string& key : {H_with(form), K_with(form)}) order_near({surface, regular, key}, 2, truth.quick ? 0.25 : 0.15);
+        no_convergence({surface, regular, "H.uniform"});
+    }
+    for (const char* surface : {"ellipsoid", "torus"}) {
+        for (const char* key : {"H.barycentric", "H.barycentric_n", "K.barycentric", "H.mixed", "H.mixed_n", "K.mixed"})
+            no_convergence({surface, random, key});
+        order_at_least({surface, random, "H.corrected_exact"}, 0.8, 0, "check.order.first");
+    }
+    for (const char* surface : {"ellipsoid", "ellipsoid band"})
+        for (const char* key : {"H.jet", "K.jet"}) order_at_least({surface, random, key}, 2, 0.25, "check.order.second");
+    const double identity = truth.run("sphere", random).finest().error("H.voronoi_n").linf;
+    checks.push_back(check_at_most(curvature_words.line("check.sphere"), 0, identity, 1e-9));
+    for (const char* surface : {"ellipsoid", "torus"})
+        order_near({surface, noisy, "H.mixed"}, -1, 0.3, curvature_words.line("check.order.noisy"));
+    for (const auto& [key, expected, tolerance] : references)
+        checks.push_back(check_near(Case{"ellipsoid", random, key}.name("check.reference"), expected, truth.reference.error(key).l2,
+                                    tolerance, curvature_words.line("check.reference.note")));
+    return checks;
+}
 
 GroundTruth ground_truth(std::uint64_t seed, bool quick, const Progress& progress) {
     return {panel_runs(seed, quick, progress), reference_level(10000, seed), seed, quick};
@@ -42,8 +148,7 @@ report::Section ground_truth_section(const GroundTruth& truth) {
     for (const MeshKind kind : {MeshKind::regular, MeshKind::random})
         for (const Quantity quantity : {Quantity::H, Quantity::K}) add(section, convergence_plot(truth, kind, quantity));
     for (const MeshKind kind : panel_kinds) {
-        add(section, error_table(truth, kind));
-        add(section, order_table(truth, kind));
+        add(section, error_table(truth, kind), order_table(truth, kind));
     }
     add_discussion(section, truth);
     append_checks(section, ground_truth_checks(truth));

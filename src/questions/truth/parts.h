@@ -2,11 +2,7 @@
 /// The parts of the chapter "truth", which `meshfolio verify` writes too.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "questions/bench/curvature_bench.h"
-#include "report/document.h"
 
 namespace meshfolio::truth {
 
@@ -25,13 +21,9 @@ struct GroundTruth {
 };
 GroundTruth ground_truth(std::uint64_t seed, bool quick, const Progress& progress);
 
-/// What must come out, as named checks.
 std::vector<report::Check> ground_truth_checks(const GroundTruth& truth);
 
-/// The whole section, checks included.
 report::Section ground_truth_section(const GroundTruth& truth);
-/// What the numbers say, in words that follow them.
-void add_discussion(report::Section& section, const GroundTruth& truth);
 
 // Tables and plots: one row an estimator.
 report::Table overview(const GroundTruth& truth);

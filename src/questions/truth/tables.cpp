@@ -1,8 +1,3 @@
-#include <algorithm>
-
-#include "base/number_text.h"
-#include "questions/core/section_tools.h"
-#include "questions/core/table.h"
 #include "questions/truth/parts.h"
 
 namespace meshfolio::truth {
@@ -50,9 +45,8 @@ struct Measured {
 }   // namespace
 
 report::Table overview(const GroundTruth& truth) {
-    std::vector<std::string> surfaces;
-    for (const BenchRun& run : of_kind(truth.runs, MeshKind::regular)) surfaces.push_back(run.surface);
-    auto behaviours = table_of_estimators("truth_overview", words.line("overview", "surfaces"_a = listed(surfaces)));
+    const std::string surfaces = listed(each_of(of_kind(truth.runs, MeshKind::regular), &BenchRun::surface));
+    auto behaviours = table_of_estimators("truth_overview", words.line("overview", "surfaces"_a = surfaces));
     for (const MeshKind kind : panel_kinds)
         behaviours.column(std::string(name_of(kind)), [&](auto* e) { return behaviour_on(truth, kind, *e); });
     return behaviours;
@@ -62,7 +56,7 @@ report::Table error_table(const GroundTruth& truth, MeshKind kind) {
     const std::string name(name_of(kind));
     auto errors = table_of_estimators("truth_errors_" + name + "_l2", words.line("errors", "kind"_a = name));
     for (const BenchRun& run : of_kind(truth.runs, kind))
-        errors.column(run.surface, {.unit = "%", .heat = report::Column::Heat{0.1, 30}},
+        errors.column(run.surface, {.unit = "%", .heat = Heat{0.1, 30}},
                       [&](auto* e) { return cell_of(100 * run.finest().error(e->key).l2); });
     return errors;
 }
@@ -76,7 +70,7 @@ report::Table order_table(const GroundTruth& truth, MeshKind kind) {
 }
 
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity) {
-    static const std::vector<std::string> shown{"uniform", "barycentric", "voronoi", "mixed", "jet", "corrected_max", "corrected_exact"};
+    static const Names shown{"uniform", "barycentric", "voronoi", "mixed", "jet", "corrected_max", "corrected_exact"};
     const BenchRun& run = truth.run("ellipsoid", kind);
     const std::string caption = words.line("convergence", "quantity"_a = symbol(quantity), "kind"_a = name_of(kind));
     report::Plot plot = error_plot((quantity == Quantity::H ? "truth_h_" : "truth_k_") + std::string(name_of(kind)), caption, caption);

@@ -9,7 +9,6 @@
 #include "geometry/linear/special_values.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "mesh/samples/sample_shapes.h"
-#include "questions/bench/tangential_share.h"
 
 namespace meshfolio {
 namespace {

@@ -1,4 +1,4 @@
-#include "questions/bench/tangential_share.h"
+#include "questions/bench/one_ring.h"
 
 #include <gtest/gtest.h>
 

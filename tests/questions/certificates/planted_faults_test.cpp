@@ -1,4 +1,4 @@
-#include "questions/certificates/planted_faults.h"
+#include "questions/certificates/parts.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,6 @@
 #include "mesh/vertex_noise.h"
 #include "questions/core/section_tools.h"
 #include "questions/core/study_laws.h"
-#include "questions/core/study_list.h"
 #include "questions/q5_explicit/parts.h"
 #include "questions/q6_implicit/parts.h"
 #include "questions/q7_denoising/parts.h"
@@ -75,13 +74,6 @@ TEST(Discussions, NoParagraphIsWithoutItsNumber) {
                               q7_denoising::limits_of})
             add_paragraphs(section, {of(grids)});
     });
-}
-
-TEST(ListedObserved, TellsACommonConditionOnce) {
-    EXPECT_EQ(listed_observed({{"a", "x"}, {"b", "x"}, {"c", "x"}}), "a, b and c, each time x");
-    EXPECT_EQ(listed_observed({{"a", "x"}, {"b", "y"}}), "a (x) and b (y)");
-    EXPECT_EQ(listed_observed({{"a", "x"}}), "a (x)");
-    EXPECT_EQ(listed_observed({}), "");
 }
 
 TEST(ExplicitDiscussion, BlamesASpotARegionOrTheWhole) {

@@ -1,4 +1,3 @@
-#include "questions/maps/study.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
 #include "questions/methods/parts.h"
-#include "questions/methods/study.h"
 
 namespace meshfolio::methods {
 using namespace testing_tools;

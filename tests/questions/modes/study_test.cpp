@@ -1,4 +1,3 @@
-#include "questions/modes/study.h"
 
 #include <gtest/gtest.h>
 

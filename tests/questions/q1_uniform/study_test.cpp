@@ -1,4 +1,4 @@
-#include "questions/q1_uniform/study.h"
+#include "questions/q1_uniform/parts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "questions/q3_cotangent/error_indicator.h"
+#include "questions/q3_cotangent/parts.h"
 
 #include <gtest/gtest.h>
 

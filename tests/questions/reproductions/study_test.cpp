@@ -9,8 +9,7 @@
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
-#include "questions/core/value_lists.h"
-#include "questions/reproductions/field_study.h"
+#include "questions/core/section_tools.h"
 #include "temporary_folder.h"
 
 namespace meshfolio::reproductions {

@@ -1,10 +1,4 @@
-#include "questions/core/six_view_figure.h"
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "base/number_text.h"
+#include "mesh/triangle_measures.h"
 #include "questions/core/section_tools.h"
 
 namespace meshfolio {
@@ -24,28 +18,30 @@ std::string described(const output::Panel& panel) {
     return words;
 }
 
-std::string alternative_text(const SixViewFigure& figure) {
+std::string alternative_text(const output::FigureRequest& figure) {
     constexpr report::Words words("figures");
-    std::string panels;
-    for (const output::Panel& panel : figure.panels) panels += (panels.empty() ? "" : "; ") + described(panel);
-    const std::string seen = words.line(figure.layout == output::Layout::six_views ? "seen.six" : "seen.one");
-    if (!figure.range) return words.line("alt", "title"_a = figure.title, "seen"_a = seen, "panels"_a = panels);
+    Names panels;
+    for (const output::Panel& panel : figure.panels) panels.push_back(described(panel));
+    report::Facts facts{"title"_a = figure.title,
+                        "seen"_a = words.line(figure.layout == output::Layout::six_views ? "seen.six" : "seen.one"),
+                        "panels"_a = joined(panels)};
+    if (!figure.range) return words.line("alt", facts);
     const std::string unit = figure.range->unit.empty() ? "" : " " + figure.range->unit;
-    return words.line("alt.coloured", "title"_a = figure.title, "seen"_a = seen, "panels"_a = panels, "quantity"_a = figure.range->quantity,
-                      "low"_a = readable(figure.range->low), "high"_a = readable(figure.range->high) + unit);
+    facts.insert(facts.end(), {"quantity"_a = figure.range->quantity, "low"_a = readable(figure.range->low),
+                               "high"_a = readable(figure.range->high) + unit});
+    return words.line("alt.coloured", facts);
 }
 
 }   // namespace
 
-void add_figure(Answer& answer, SixViewFigure figure) {
-    answer.section.blocks.push_back(report::Figure{figure.id, figure.caption, alternative_text(figure)});
-    answer.figures.push_back({std::move(figure.id), std::move(figure.title), std::move(figure.subtitle), std::move(figure.panels),
-                              std::move(figure.range), figure.edges, figure.frame_panel});
-    answer.figures.back().coarse_edges = figure.coarse_edges;
-    answer.figures.back().states = figure.states;
-    answer.figures.back().turnable = figure.turnable;
-    answer.figures.back().view_files = figure.view_files;
-    answer.figures.back().layout = figure.layout;
+void add_figure(Answer& answer, output::FigureRequest request, std::string caption) {
+    std::string alt = alternative_text(request);
+    add_figure(answer, std::move(request), std::move(caption), std::move(alt));
+}
+
+void add_figure(Answer& answer, output::FigureRequest request, std::string caption, std::string alt) {
+    add(answer.section, report::Figure{request.id, std::move(caption), std::move(alt)});
+    answer.figures.push_back(std::move(request));
 }
 
 std::string subtitle_of(const LibraryMesh& mesh) {
@@ -59,6 +55,11 @@ output::Panel panel_of(const LibraryMesh& mesh, std::string name, std::string la
 
 output::Panel panel_of(TriangleMesh mesh, std::string name, std::string label, Vector values) {
     return {std::move(name), std::move(label), std::make_shared<const TriangleMesh>(std::move(mesh)), std::move(values)};
+}
+
+TriangleMesh in_unit_box(const TriangleMesh& mesh, const Positions& X) {
+    const Box box = bounding_box(mesh);
+    return moved_to(mesh, (X.rowwise() - box.centre().transpose()) / box.diagonal());
 }
 
 }   // namespace meshfolio

@@ -1,4 +1,4 @@
-#include "questions/core/study_list.h"
+#include "questions/core/section_tools.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,5 @@
 #include "questions/q3_cotangent/parts.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "geometry/curvature/jet_fit.h"
@@ -13,16 +11,8 @@ namespace {
 /// Below this, mean curvature × mean edge is rounding and no scale to divide by.
 constexpr double flat = 1e-6;
 
-std::vector<double> descending_finite(const Vector& values) {
-    std::vector<double> finite;
-    std::copy_if(values.begin(), values.end(), std::back_inserter(finite), [](double v) { return std::isfinite(v); });
-    std::sort(finite.rbegin(), finite.rend());
-    return finite;
-}
-
 double sum_of_squares(const std::vector<double>& values, std::size_t first) {
-    return std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first), 0.0,
-                           [](double sum, double v) { return sum + v * v; });
+    return std::accumulate(values.begin(), values.begin() + first, 0.0, [](double sum, double v) { return sum + v * v; });
 }
 
 }   // namespace
@@ -37,7 +27,8 @@ Disagreement disagreement_with_jet(const CotangentComparison& c) {
         d.without_jet += s.inside(i) && std::isfinite(c.cotangent[i]) && !std::isfinite(jet[i]) ? 1 : 0;
         if (std::isfinite(d.size[i])) scale += c.cotangent[i] * c.cotangent[i];
     }
-    const std::vector<double> sizes = descending_finite(d.size);
+    std::vector<double> sizes = sorted_finite(d.size);
+    std::ranges::reverse(sizes);
     if (sizes.empty()) return d;
     const double rms_H = std::sqrt(scale / double(sizes.size()));
     const double total = sum_of_squares(sizes, sizes.size());
