@@ -17,7 +17,6 @@
 #include "output/publish/file_group.h"
 #include "output/publish/folder_system.h"
 #include "png/png.h"
-#include "run/arguments.h"
 #include "run/console.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/mesh_pictures.h"

@@ -1,13 +1,11 @@
 #include <chrono>
 #include <memory>
-#include <set>
 
 #include "base/available_memory.h"
 #include "base/file_bytes.h"
 #include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "cli/commands.h"
-#include "geometry/curvature/curvature.h"
 #include "mesh/mesh_topology.h"
 #include "output/draw/draw_figures.h"
 #include "output/publish/publish.h"
@@ -17,7 +15,6 @@
 #include "run/from_results.h"
 #include "run/kept_sections.h"
 #include "run/lab/report_labs.h"
-#include "run/own_source.h"
 #include "run/paper_copy.h"
 #include "run/plan/plan.h"
 #include "run/progress.h"
@@ -35,13 +32,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-class Stopwatch {
-public:
-    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
+using Clock = std::chrono::steady_clock;
 
-private:
-    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
-};
+double seconds_since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
 
 /// With the sections that stay, the report is that of a run which was asked for all of them.
 ReportSettings with_kept(ReportSettings settings, const KeptSections& kept) {
@@ -124,19 +117,19 @@ ExitCode run_report(const ReportFlags& flags) {
     std::string pdf_note;
     {
         ProgressDisplay display(stderr_is_terminal(), plan.seconds());
-        const Stopwatch whole;
+        const Clock::time_point whole = Clock::now();
         std::vector<QuestionResult> results = run_questions(meshes, settings, cache ? &*cache : nullptr, kept.answers, display);
         const auto again = [&](const std::string& id) { return run_question(id, meshes, settings, display); };
         const std::optional<Cover> cover = chosen_cover(results, again);
         document = document_of(with_kept(settings, kept), results, cover);
         kept.tell_efforts(document.provenance.settings);
         submission::cite(document, own_source());
-        document.timings.push_back({"all questions", whole.seconds()});
-        const Stopwatch drawing;
+        document.timings.push_back({"all questions", seconds_since(whole)});
+        const Clock::time_point drawing = Clock::now();
         const fs::path& folder = publication.folder();
         report::DrawnFigures figures = drawn_figures(settings, results, cover, folder, display);
-        document.timings.push_back({"drawing", drawing.seconds()});
-        document.timings.push_back({"up to writing", whole.seconds()});
+        document.timings.push_back({"drawing", seconds_since(drawing)});
+        document.timings.push_back({"up to writing", seconds_since(whole)});
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
         report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.page.design};
         paper.look_up(document, figures, store.get(), folder);
@@ -150,7 +143,7 @@ ExitCode run_report(const ReportFlags& flags) {
             [&] { write_file(folder / "src.txt", own_source().text()); });
         const auto digests = stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr);
         published = publish_report(publication, document, digests, settings, flags.junit);
-        display.milestone("report written in " + plain_text(whole.seconds(), 3) + " s");
+        display.milestone("report written in " + plain_text(seconds_since(whole), 3) + " s");
     }
     return tell(published, {pdf_note, kept.note}, document);
 }

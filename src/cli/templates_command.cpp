@@ -4,7 +4,6 @@
 #include "cli/commands.h"
 #include "output/publish/file_group.h"
 #include "output/publish/folder_system.h"
-#include "report/page/template_tags.h"
 #include "report/writers.h"
 #include "run/console.h"
 

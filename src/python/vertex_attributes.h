@@ -5,9 +5,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 
-#include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/errors.h"

@@ -33,6 +33,12 @@ private:
     std::map<std::string, std::string> text_;
 };
 
+/// What every tag of the templates stands for, by its path in the view model, "sections.blocks.caption". Lists and conditions are named
+/// like the values in them.
+std::map<std::string, std::string> tag_list();
+/// The same as text for people, one line a tag.
+std::string tag_documentation();
+
 /// The two volumes that a report is published in.
 enum class Volume {
     report,    // the questions
@@ -52,6 +58,8 @@ struct Lab {
 };
 /// @param bytes  as templates/viewer/lab_math.js reads them
 Lab lab_of(std::string questions, std::string_view bytes);
+/// Those that a page of ours carries, to be put into another; what is no such data is left out.
+std::vector<Lab> labs_in(std::string_view page);
 
 struct WriteOptions {
     Volume volume = Volume::report;
@@ -91,6 +99,9 @@ std::string write_csv(const Map& map);
 std::string svg_of(const Plot& plot);
 std::string svg_of(const Map& map);
 std::string svg_of(const Diagram& diagram);
+/// What the colours of a figure mean, in a fixed size, so that its words are as large on a phone as on paper: the quantity with its unit,
+/// the histogram of the values over their colours, numbers, and what lies beyond the colours.
+std::string svg_of(const Legend& legend);
 
 /// The same as a file of its own, on white: Markdown cannot hold it inline.
 std::string svg_file_of(const Plot& plot);

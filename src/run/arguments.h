@@ -10,6 +10,9 @@ namespace meshfolio::run {
 
 bool contains(const std::vector<std::string>& words, const std::string& word);
 
+/// With small letters for those of ASCII.
+std::string lower_case(std::string text);
+
 /// A variable of the environment; empty where it is not set.
 std::string environment(const std::string& name);
 

@@ -10,7 +10,7 @@
 #include "output/draw/finished_picture.h"
 #include "output/publish/folder_system.h"
 #include "png/png.h"
-#include "report/page/labs.h"
+#include "report/json/read_json.h"
 #include "run/console.h"
 
 namespace meshfolio::run {

@@ -11,7 +11,6 @@
 
 #include "output/publish/file_sums.h"
 #include "output/publish/publish.h"
-#include "report/json/read_json.h"
 #include "report/writers.h"
 
 namespace meshfolio::run {

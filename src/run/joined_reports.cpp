@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "base/joined.h"
 #include "questions/core/section_tools.h"
 #include "run/arguments.h"
 #include "run/provenance.h"
@@ -103,10 +104,8 @@ void take_only(report::Document& whole, const EarlierReport& part) {
             for (std::string& id : split(list, ',')) ids.push_back(std::move(id));
         }
     }
-    std::string text;
-    for (const std::string& id : sections_in_order(ids)) text += (text.empty() ? "" : ", ") + id;
-    own->second = text;
-    if (text.empty()) settings.erase(own);
+    own->second = meshfolio::joined(sections_in_order(ids), ", ");
+    if (own->second.empty()) settings.erase(own);
 }
 
 /// One that several questions open is one: "q5 q7".
@@ -118,11 +117,7 @@ std::vector<report::Lab> joined_labs(const std::vector<EarlierReport>& parts) {
         }
     }
     std::vector<report::Lab> labs;
-    for (const auto& [data, ids] : questions) {
-        std::string names;
-        for (const std::string& id : ids) names += (names.empty() ? "" : " ") + id;
-        labs.push_back({names, data});
-    }
+    for (const auto& [data, ids] : questions) labs.push_back({meshfolio::joined({ids.begin(), ids.end()}, " "), data});
     std::ranges::sort(labs, {}, &report::Lab::questions);
     return labs;
 }

@@ -15,7 +15,7 @@
 #include "report/pdf/print_pdf.h"
 #include "run/arguments.h"
 #include "run/console.h"
-#include "run/program_identity.h"
+#include "run/provenance.h"
 
 namespace meshfolio::run {
 

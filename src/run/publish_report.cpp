@@ -17,9 +17,8 @@ namespace {
 /// Inside the report it appears with it, elsewhere once that is in its place.
 void add_junit(const std::string& file, std::string_view text, const output::Publication& publication, const fs::path& out,
                output::FileGroup& others) {
-    std::error_code error;
-    const fs::path inside = output::resolved(file, error).lexically_relative(output::resolved(out, error));
-    if (error || inside.empty() || *inside.begin() == "..") return others.add(file, text);
+    const fs::path inside = output::path_inside(file, out);
+    if (inside.empty()) return others.add(file, text);
     output::make_folder((publication.folder() / inside).parent_path());
     write_file(publication.folder() / inside, text);
 }

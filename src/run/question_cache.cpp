@@ -2,9 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include <atomic>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
@@ -13,7 +11,7 @@
 #include "report/json/read_json.h"
 #include "report/words.h"
 #include "report/writers.h"
-#include "run/program_identity.h"
+#include "run/provenance.h"
 
 namespace meshfolio::run {
 
@@ -190,7 +188,8 @@ std::map<std::string, std::string> QuestionCache::write(const std::string& key, 
     for (const std::string& file : files_of(section, figures)) digests[file];
     std::vector<std::pair<const std::string, std::string>*> slots;
     for (auto& slot : digests) slots.push_back(&slot);
-    tbb::parallel_for(std::size_t{0}, slots.size(), [&](std::size_t i) { slots[i]->second = store_.keep_file(folder_ / slots[i]->first); });
+    tbb::parallel_for(std::size_t{0}, slots.size(),
+                      [&](std::size_t i) { slots[i]->second = store_.keep(read_file(folder_ / slots[i]->first)); });
     report::Document document;
     document.sections = {section};
     document.sections[0].timings.clear();   // of that run

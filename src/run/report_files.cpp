@@ -1,9 +1,6 @@
 #include "run/report_files.h"
 
 #include <algorithm>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "base/file_bytes.h"
 #include "base/parallel_tasks.h"

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "base/errors.h"
 #include "questions/core/chapter.h"
 #include "report/document.h"
 #include "report/writers.h"

@@ -5,7 +5,7 @@
 #include "run/arguments.h"
 #include "run/cache_folder.h"
 #include "run/console.h"
-#include "run/program_identity.h"
+#include "run/provenance.h"
 
 namespace meshfolio::run {
 

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
-#include "submission/report_folder.h"
 
 namespace meshfolio::submission {
 

@@ -6,20 +6,17 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/joined.h"
 #include "base/sha256.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
 #include "report/escape.h"
 #include "report/page/template_render.h"
 #include "report/writers.h"
-#include "submission/readiness.h"
 #include "submission/source_listing.h"
 #include "submission/suspicious_file.h"
 
@@ -81,15 +78,9 @@ std::string zip_of(const std::vector<ZipEntry>& entries) {
 
 using nlohmann::json;
 
-std::string words_of(const std::vector<std::string>& words) {
-    std::string line;
-    for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
-    return line;
-}
-
 std::string packages_of(const std::vector<SourceFile>& tree) {
     const auto setup = std::find_if(tree.begin(), tree.end(), [](const SourceFile& f) { return f.path == "tests/setup.sh"; });
-    return words_of(build_packages(setup == tree.end() ? std::string_view() : setup->bytes));
+    return joined(build_packages(setup == tree.end() ? std::string_view() : setup->bytes), " ");
 }
 
 json citations_view(const SourceListing& listing) {

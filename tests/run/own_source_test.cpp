@@ -1,5 +1,5 @@
 // What the report cites, against src.txt as this program writes it.
-#include "run/own_source.h"
+#include "run/provenance.h"
 
 #include <gtest/gtest.h>
 

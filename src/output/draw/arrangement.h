@@ -2,7 +2,6 @@
 /// Where the pictures of a figure lie in its sheet.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "output/draw/figure_request.h"

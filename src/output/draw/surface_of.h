@@ -27,7 +27,10 @@ std::vector<double> histogram_of(const std::vector<double>& values, const render
 /// With the histogram of the range's own sample.
 render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, render::Rgba undefined_color);
 
-/// The same for a page.
+/// "#1f9e89"
+std::string hex_of(render::Rgba color);
+
+/// A colour bar for a page.
 report::Legend legend_of(const render::ColorBar& bar);
 
 }   // namespace meshfolio::output

@@ -159,16 +159,9 @@ private:
 
 std::array<double, 3> numbers(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-std::string hexadecimal(render::Rgba color) {
-    constexpr char digits[] = "0123456789abcdef";
-    std::string text = "#";
-    for (const std::uint8_t c : {color.r, color.g, color.b}) text += {digits[c >> 4], digits[c & 15]};
-    return text;
-}
-
 Json extras_of_values(const ColorRange& range, bool has_undefined, render::Rgba undefined) {
     Json colors = Json::array();
-    for (const render::Rgba& stop : value_range(range).colormap->stops) colors.push_back(hexadecimal(stop));
+    for (const render::Rgba& stop : value_range(range).colormap->stops) colors.push_back(hex_of(stop));
     return {{"attribute", "_VALUE"},
             {"quantity", range.quantity},
             {"unit", range.unit},
@@ -177,7 +170,7 @@ Json extras_of_values(const ColorRange& range, bool has_undefined, render::Rgba 
             {"colormap", range.colormap},
             {"colors", std::move(colors)},
             {"defined", has_undefined ? Json("_DEFINED") : Json()},
-            {"undefined_color", hexadecimal(undefined)}};
+            {"undefined_color", hex_of(undefined)}};
 }
 
 /// Matt, two-sided; the colour of a surface without values.

@@ -1,15 +1,12 @@
 #include "output/publish/file_group.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <set>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/linux_only.h"
 #include "output/publish/folder_system.h"
-#include "output/publish/temporaries.h"
 
 namespace meshfolio::output {
 

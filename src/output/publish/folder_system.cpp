@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 
 #include "base/errors.h"
@@ -39,6 +38,13 @@ fs::path resolved(const fs::path& path, std::error_code& error) {
     // Twice: behind "nowhere/.." the first only shortens and follows no links.
     for (int i = 0; i < 2 && !error; ++i) target = fs::weakly_canonical(target, error);
     return target;
+}
+
+fs::path path_inside(const fs::path& path, const fs::path& folder) {
+    std::error_code error;
+    const fs::path whole = resolved(path, error), outer = error ? fs::path() : resolved(folder, error);
+    const fs::path inside = error ? fs::path() : whole.lexically_relative(outer);
+    return inside.empty() || *inside.begin() == ".." ? fs::path() : inside;
 }
 
 void require_folder(const fs::path& path) {

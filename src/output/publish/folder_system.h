@@ -28,6 +28,9 @@ private:
 /// Absolute, links followed as far as the path exists: what a rename will name. @param error  why there is no such path
 std::filesystem::path resolved(const std::filesystem::path& path, std::error_code& error);
 
+/// `path` as it lies in `folder`, links followed; empty where it does not lie there.
+std::filesystem::path path_inside(const std::filesystem::path& path, const std::filesystem::path& folder);
+
 /// Where a file of that name will stand, links followed. @throws OutputError where none can be made or replaced: its folder is missing or
 /// closed, or it is a folder itself
 std::filesystem::path place_of_file(const std::filesystem::path& path);

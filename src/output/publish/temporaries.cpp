@@ -9,12 +9,10 @@
 
 #include <atomic>
 #include <set>
-#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
-#include "base/file_bytes.h"
 #include "base/number_text.h"
 #include "output/publish/publish.h"
 
@@ -99,8 +97,6 @@ bool remove_all_temporaries() noexcept {
 }
 
 std::string process_number() { return std::to_string(::getpid()); }
-
-namespace fs = std::filesystem;
 
 namespace {
 

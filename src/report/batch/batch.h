@@ -50,6 +50,23 @@ struct BatchRow {
     std::vector<Section> sections = {};   // checks alone
 };
 
+/// A cell of a row: its key in batch.json, its column in batch.csv, and the column of a report's tables that it comes from; empty: from the
+/// section's input.
+struct BatchFact {
+    Cell BatchRow::*cell;
+    const char *key, *name, *source;
+};
+inline constexpr BatchFact batch_facts[] = {
+    {&BatchRow::vertices, "vertices", "vertices", ""},
+    {&BatchRow::edges, "edges", "edges", "preflight_connectivity-edges"},
+    {&BatchRow::triangles, "triangles", "triangles", ""},
+    {&BatchRow::components, "components", "components", "preflight_connectivity-components"},
+    {&BatchRow::boundary_loops, "boundary_loops", "boundary loops", "preflight_connectivity-boundary-loops"},
+    {&BatchRow::euler_characteristic, "euler_characteristic", "Euler characteristic", "preflight_connectivity-chi"},
+    {&BatchRow::genus, "genus", "genus", "preflight_connectivity-genus"},
+    {&BatchRow::manifold, "manifold", "manifold", "preflight_connectivity-manifold"},
+    {&BatchRow::orientation, "orientation", "orientation", "preflight_connectivity-orientation"}};
+
 /// What a report on one mesh says of it. @param timings  also how long it took
 BatchRow batch_row(std::string name, std::string file, const Document& document, bool timings);
 

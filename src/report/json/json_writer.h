@@ -57,11 +57,6 @@ public:
     void derived(const char* key, Derive derive, const Note& = {}) {
         object_[key] = derived_json(derive());
     }
-    void file(const char* key, const std::string& path) { object_[key] = path; }
-    void file_if_any(const char* key, const std::string& path) {
-        if (!path.empty()) file(key, path);
-    }
-    void files(const char* key, const std::vector<std::string>& paths) { object_[key] = paths; }
     void file_or_null(const char* key, const std::string& path, bool there, const Note& = {}) {
         object_[key] = there ? Json(path) : Json();
     }

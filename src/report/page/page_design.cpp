@@ -1,10 +1,8 @@
 #include "report/page/page_design.h"
 
 #include <libdeflate.h>
-#include <initializer_list>
 #include <memory>
 #include <new>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/sha256.h"

@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
+#include "report/json/json_line.h"
 
 namespace meshfolio::report {
 
@@ -20,11 +21,6 @@ using nlohmann::json;
 using Component = mustache::component<std::string>;
 
 constexpr std::size_t longest_name = 200;   // of a tag in a message
-
-long line_of(const std::string& text, std::size_t position) {
-    const std::size_t end = std::min(position, text.size());
-    return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-}
 
 /// The tree of a template; `error` says "… at <position>" when there is none.
 Component parsed(const std::string& text, std::string& error) {
@@ -46,11 +42,11 @@ std::optional<SyntaxProblem> nesting_problem(const std::string& text) {
         const std::size_t first = text.find_first_not_of(" \t\r\n", at + 2);
         end += close.size();
         if (is_triple) continue;
-        if (text[first] == '=') return SyntaxProblem{"the delimiters of tags cannot be changed", line_of(text, at)};
+        if (text[first] == '=') return SyntaxProblem{"the delimiters of tags cannot be changed", line_of_byte(text, at)};
         if (text[first] == '/') --depth;
         if ((text[first] == '#' || text[first] == '^') && ++depth > template_limits::deepest_sections) {
             return SyntaxProblem{"more than " + std::to_string(template_limits::deepest_sections) + " sections within one another",
-                                 line_of(text, at)};
+                                 line_of_byte(text, at)};
         }
     }
     return {};
@@ -264,7 +260,7 @@ std::optional<SyntaxProblem> syntax_problem(const std::string& text) {
     parsed(text, error);
     if (error.empty()) return {};
     const std::size_t at = error.rfind(" at ");
-    return SyntaxProblem{error.substr(0, at), line_of(text, std::stoul(error.substr(at + 4)))};
+    return SyntaxProblem{error.substr(0, at), line_of_byte(text, std::stoul(error.substr(at + 4)))};
 }
 
 TagUse use_of_tags(const Templates& templates, const std::string& name, const json& model) {

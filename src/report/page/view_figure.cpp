@@ -1,11 +1,11 @@
-#include "report/page/view_figure.h"
+#include "report/page/view_blocks.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "report/escape.h"
 #include "report/page/view_value.h"
-#include "report/svg/svg_legend.h"
+#include "report/writers.h"
 
 namespace meshfolio::report {
 

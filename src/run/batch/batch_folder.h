@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "output/publish/folder_system.h"

@@ -6,12 +6,13 @@
 #include <set>
 #include <utility>
 
+#include "base/joined.h"
 #include "base/parallel_tasks.h"
 #include "questions/core/section_tools.h"
 #include "report/words.h"
 #include "run/console.h"
 #include "run/lab/lab_mesh.h"
-#include "run/program_identity.h"
+#include "run/provenance.h"
 
 namespace meshfolio::run {
 
@@ -35,11 +36,7 @@ struct LabJob {
 };
 using Wanted = std::map<std::shared_ptr<const LibraryMesh>, LabJob>;
 
-std::string names_of(const LabJob& job) {
-    std::string names;
-    for (const std::string& id : job.answered) names += (names.empty() ? "" : " ") + id;
-    return names;
-}
+std::string names_of(const LabJob& job) { return joined({job.answered.begin(), job.answered.end()}, " "); }
 
 /// Of everything that shapes the data; empty where the program does not know itself.
 std::string key_of(const std::string& names, const LibraryMesh& mesh, const LabJob& job, const ReportSettings& settings) {

@@ -6,7 +6,6 @@
 
 #include "base/joined.h"
 #include "base/number_text.h"
-#include "output/draw/robust_range.h"
 #include "output/draw/surface_of.h"
 #include "png/png.h"
 #include "questions/operators/study.h"
@@ -55,8 +54,7 @@ std::string in_words(const std::vector<ConventionKeys>& conventions) {
 
 /// "that of vertex 17".
 std::string place_of(const ItemMark& mark) {
-    const bool is_position = mark.item->what == MarkedThing::reconstruction || mark.item->what == MarkedThing::smoothed;
-    if (is_position)
+    if (is_of_mesh(mark.item->what))
         return words.line("place.coordinate", "vertex"_a = mark.agreement.where / 3,
                           "axis"_a = std::string(1, "xyz"[mark.agreement.where % 3]));
     if (mark.item->what == MarkedThing::eigenvalues) return words.line("place.eigenvalue", "index"_a = mark.agreement.where + 1);
@@ -65,21 +63,8 @@ std::string place_of(const ItemMark& mark) {
 }
 
 const char* verdict_word(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::right:
-            return "right";
-        case Verdict::accepted:
-            return "accepted";
-        case Verdict::recognised:
-            return "recognised";
-        case Verdict::wrong:
-            return "wrong";
-        case Verdict::missing:
-            return "missing";
-        case Verdict::unusable:
-            return "unusable";
-    }
-    return "";
+    constexpr const char* in_order[] = {"right", "accepted", "recognised", "wrong", "missing", "unusable"};
+    return in_order[static_cast<std::size_t>(verdict)];
 }
 
 bool keeps_all(const ItemMark& mark) { return mark.verdict == Verdict::right || mark.verdict == Verdict::accepted; }
@@ -90,7 +75,7 @@ std::string points_text(double points) { return plain_text(points, 6); }
 std::string picture_of(const ItemMark& mark) {
     if (mark.difference.size() == 0 || !mark.difference.array().isFinite().any()) return "";
     const std::shared_ptr<const TriangleMesh> mesh(mark.reference->mesh->prepared, &mark.reference->mesh->mesh());
-    const bool is_distance = mark.item->what == MarkedThing::reconstruction || mark.item->what == MarkedThing::smoothed;
+    const bool is_distance = is_of_mesh(mark.item->what);
     const output::ColorRange range =
         output::robust_range({{"", "", mesh, mark.difference}}, is_distance ? "viridis" : "diverging",
                              words.line(is_distance ? "picture.distance" : "picture.difference"), "", mark.reference->right.scale * 1e-12);

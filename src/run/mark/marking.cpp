@@ -15,13 +15,6 @@ namespace meshfolio::run {
 
 namespace {
 
-bool is_of_mesh(MarkedThing what) { return what == MarkedThing::reconstruction || what == MarkedThing::smoothed; }
-
-std::string in_lower_case(std::string text) {
-    std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
-}
-
 /// The first in order that fits, by its path or its bare name; if there is none, the first in another case.
 const std::pair<const std::string, std::string>* file_like(const submission::HandedIn& files, const std::string& pattern) {
     const auto fits = [](const std::string& as_asked_for, const std::string& path) {
@@ -31,7 +24,7 @@ const std::pair<const std::string, std::string>* file_like(const submission::Han
     for (const auto& file : files)
         if (fits(pattern, file.first)) return &file;
     for (const auto& file : files)
-        if (fits(in_lower_case(pattern), in_lower_case(file.first))) return &file;
+        if (fits(lower_case(pattern), lower_case(file.first))) return &file;
     return nullptr;
 }
 

@@ -3,7 +3,6 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "base/errors.h"
 #include "geometry/curvature/curvature.h"
@@ -11,7 +10,6 @@
 #include "geometry/spectrum/spectral_mistakes.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "mesh/triangle_measures.h"
-#include "run/mark/smoothing_variants.h"
 #include "run/mark/wrong_laplacians.h"
 
 namespace meshfolio::run {
@@ -164,7 +162,7 @@ Reference computed(const RubricItem& item, const AnswerSettings& s, const Prepar
         case MarkedThing::number:
             break;
     }
-    if (item.what == MarkedThing::reconstruction || item.what == MarkedThing::smoothed) {
+    if (is_of_mesh(item.what)) {
         reference.right.scale = diagonal;
         reference.right.relative_to_scale = true;
     }
@@ -173,23 +171,12 @@ Reference computed(const RubricItem& item, const AnswerSettings& s, const Prepar
 
 std::vector<Variant> computed_variants(const RubricItem& item, const AnswerSettings& s, const Reference& reference) {
     const PreparedMesh& prepared = *reference.mesh->prepared;
-    switch (item.what) {
-        case MarkedThing::H:
-            return curvature_variants(prepared, s);
-        case MarkedThing::H_uniform:
-            return uniform_variants(prepared, reference.right.values);
-        case MarkedThing::K:
-            return gaussian_variants(prepared, s.area);
-        case MarkedThing::eigenvalues:
-            return spectrum_variants(prepared, s);
-        case MarkedThing::reconstruction:
-            return reconstruction_variants(prepared, s);
-        case MarkedThing::smoothed:
-            return smoothing_variants(prepared, s);
-        case MarkedThing::number:
-            break;
-    }
-    return {};
+    if (item.what == MarkedThing::H) return curvature_variants(prepared, s);
+    if (item.what == MarkedThing::H_uniform) return uniform_variants(prepared, reference.right.values);
+    if (item.what == MarkedThing::K) return gaussian_variants(prepared, s.area);
+    if (item.what == MarkedThing::eigenvalues) return spectrum_variants(prepared, s);
+    if (item.what == MarkedThing::reconstruction) return reconstruction_variants(prepared, s);
+    return smoothing_variants(prepared, s);
 }
 
 }   // namespace

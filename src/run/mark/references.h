@@ -31,6 +31,13 @@ struct Reference {
     std::optional<EqualModes> equal;           // those, unless they are too many
 };
 
+/// x, y, z of vertex 0, then of vertex 1, …
+inline Vector flat(const Positions& X) { return Eigen::Map<const Vector>(X.data(), X.size()); }
+
+/// The right smoothing run, and what comes of known mistakes.
+SmoothingOptions smoothing_of(const PreparedMesh& prepared, const AnswerSettings& s);
+std::vector<Variant> smoothing_variants(const PreparedMesh& prepared, const AnswerSettings& s);
+
 class References {
 public:
     /// Opens every mesh. @throws InputError for one that is missing or unusable

@@ -17,6 +17,9 @@ namespace meshfolio::run {
 
 enum class MarkedThing { H, H_uniform, K, eigenvalues, reconstruction, smoothed, number };
 
+/// Are these the positions of a mesh's vertices?
+inline bool is_of_mesh(MarkedThing what) { return what == MarkedThing::reconstruction || what == MarkedThing::smoothed; }
+
 /// How the right answer is computed. Two answers of the same settings are the same.
 struct AnswerSettings {
     OperatorKind laplacian = OperatorKind::cotan;

@@ -1,4 +1,4 @@
-#include "run/mark/smoothing_variants.h"
+#include "run/mark/references.h"
 
 #include <functional>
 #include <memory>

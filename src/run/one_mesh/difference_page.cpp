@@ -1,4 +1,4 @@
-#include "run/one_mesh/difference_page.h"
+#include "run/one_mesh/difference_lines.h"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

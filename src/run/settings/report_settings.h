@@ -17,7 +17,6 @@
 
 #include "base/errors.h"
 #include "questions/core/settings.h"
-#include "report/writers.h"
 
 namespace meshfolio::run {
 
@@ -40,6 +39,14 @@ struct ReportFlags {
     bool quick = false, fail_fast = false, no_timings = false, no_cache = false, view_files = false, sheets_only = false, alone = false,
          plan = false, json = false;
 };
+
+/// Those of them that are one word each, by their names.
+inline constexpr std::pair<const char*, std::string ReportFlags::*> word_flags[] = {
+    {"--only", &ReportFlags::only},       {"--config", &ReportFlags::config},
+    {"--author", &ReportFlags::author},   {"--size", &ReportFlags::size},
+    {"--time", &ReportFlags::time},       {"--templates", &ReportFlags::templates},
+    {"--pdf", &ReportFlags::pdf},         {"--pdf-browser", &ReportFlags::pdf_browser},
+    {"--threads", &ReportFlags::threads}, {"--out", &ReportFlags::out}};
 
 struct ViewSize {
     int width = 0, height = 0;   // of one view [pixels]

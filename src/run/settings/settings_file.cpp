@@ -11,7 +11,6 @@
 #include "output/publish/folder_system.h"
 #include "report/page/template_render.h"
 #include "report/writers.h"
-#include "run/settings/experiment_reader.h"
 #include "run/settings/setting_list.h"
 #include "run/settings/settings_reader.h"
 

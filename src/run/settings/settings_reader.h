@@ -79,6 +79,9 @@ long line_of_long_key(std::string_view text);
 void for_each_table(const toml::node& node, const std::string& name, Problems& problems,
                     const std::function<void(const toml::table&)>& read);
 
+/// [original] and [[experiment]] of a settings file, in its order: the experiments of earlier reports. What is wrong is reported.
+std::vector<Experiment> read_experiments(const toml::table& root, Problems& problems);
+
 /// Reads the keys of one table. A value that is missing or wrong is nothing; wrong ones are reported.
 class TableReader {
 public:

@@ -1,4 +1,4 @@
-#include "report/page/labs.h"
+#include "report/writers.h"
 
 #include <gtest/gtest.h>
 

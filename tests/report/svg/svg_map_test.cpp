@@ -5,7 +5,6 @@
 #include "report/sample_document.h"
 #include "report/svg/map_scale.h"
 #include "report/svg/plot_axis.h"
-#include "report/svg/svg_legend.h"
 #include "report/test_tools.h"
 #include "report/writers.h"
 
