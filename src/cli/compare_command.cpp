@@ -36,7 +36,7 @@ void take_triangles_of_file(const CompareFlags& options, const PreparedMesh& a, 
     if (have_same_triangles(read_mesh(options.a).mesh, read_mesh(options.b).mesh)) b.mesh.F = a.mesh.F;
 }
 
-/// What needs the distances of surfaces.
+/// The output files that need the distances between surfaces.
 void add_files(output::FileGroup& files, const CompareFlags& options, const PreparedMesh& a, const PreparedMesh& b,
                const Difference& difference) {
     if (options.csv.empty() && options.ply.empty() && options.html.empty()) return;

@@ -18,7 +18,7 @@ namespace meshfolio::cli {
 
 namespace {
 
-/// Those that the printed report is set in.
+/// Fonts of the printed report.
 constexpr std::array print_fonts{"DejaVuMathTeXGyre.ttf", "DejaVuSerifCondensed.ttf", "DejaVuSansCondensed.ttf"};
 
 bool is_installed(const std::string& font) {
@@ -44,7 +44,7 @@ void add_pdf(nlohmann::ordered_json& json) {
     }
 }
 
-/// The folder and its size; why there is none.
+/// The folder of the cache with its size, or the reason why there is none.
 nlohmann::ordered_json cache_found() try {
     const auto folder = output::default_cache_folder();
     if (!folder) return {{"folder", "none: neither XDG_CACHE_HOME nor HOME names a folder"}};

@@ -36,7 +36,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
 
-/// With the sections that stay, the report is that of a run which was asked for all of them.
+/// The settings of a run that was asked for the kept sections as well: the renewed report equals the report of that run.
 ReportSettings with_kept(ReportSettings settings, const KeptSections& kept) {
     if (settings.only.empty()) return settings;
     for (const auto& [id, answer] : kept.answers) settings.only.push_back(id);
@@ -74,7 +74,7 @@ report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::ve
     return figures;
 }
 
-/// Refuses what there is no memory for, and says what is planned where that was asked for or is less than usual.
+/// Refuses work that needs more memory than there is. Prints the plan if --time was given, and warns if the time cannot be kept.
 void begin_planned(const Plan& plan, ReportSettings& settings) {
     require_memory(plan, settings, available_memory());
     settings.efforts = plan.efforts();

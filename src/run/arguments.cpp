@@ -5,6 +5,8 @@
 
 #include "base/errors.h"
 #include "base/in_quotes.h"
+#include "base/joined.h"
+#include "base/nearest_word.h"
 #include "base/number_text.h"
 
 namespace meshfolio::run {
@@ -24,6 +26,11 @@ double number_where(const std::string& option, std::string_view text, bool (*is_
 }   // namespace
 
 bool contains(const std::vector<std::string>& words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
+
+void require_choice(const std::string& option, const std::string& word, const std::vector<std::string>& choices) {
+    if (!contains(choices, word))
+        throw UsageError("unknown " + option + " " + in_quotes(word), suggestion(word, choices) + "it takes " + joined(choices, ", "));
+}
 
 std::string lower_case(std::string text) {
     for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

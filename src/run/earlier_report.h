@@ -46,7 +46,7 @@ private:
     std::map<std::string, output::FileSum> sums_;
 };
 
-/// Did the report in this folder, if there is one, end without a failure? Also of other versions.
+/// Does the folder hold a report without failures, of any version?
 bool ended_well(const std::filesystem::path& folder);
 
 }   // namespace meshfolio::run

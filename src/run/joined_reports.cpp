@@ -29,7 +29,7 @@ std::map<std::string, Meshes> meshes_by_role(const report::Document& document) {
     return meshes;
 }
 
-/// A section may read some of the meshes of a role, and another all of them.
+/// Names a role whose meshes differ. One section may read some meshes of a role and another all, so subsets are equal.
 std::string mesh_difference(const report::Document& one, const report::Document& other) {
     const auto a = meshes_by_role(one), b = meshes_by_role(other);
     for (const auto& [role, meshes] : a) {
@@ -61,7 +61,7 @@ void require_alike(const EarlierReport& first, const EarlierReport& part) {
 
 bool is_there(const Section& section) { return section.status != Status::skipped; }
 
-/// Measured apart, both have times of their own.
+/// For comparing: times differ between parts.
 Section without_timings(Section section) {
     section.timings.clear();
     return section;
@@ -108,7 +108,7 @@ void take_only(report::Document& whole, const EarlierReport& part) {
     if (own->second.empty()) settings.erase(own);
 }
 
-/// One that several questions open is one: "q5 q7".
+/// Joins laboratories of the same data: "q5 q7".
 std::vector<report::Lab> joined_labs(const std::vector<EarlierReport>& parts) {
     std::map<std::string, std::set<std::string>> questions;   // by the data
     for (const EarlierReport& part : parts) {

@@ -1,5 +1,5 @@
 /// @file
-/// What `report --only q2` leaves as it stands in the report that it renews.
+/// The sections that `report --only q2` keeps from the report that it renews.
 #pragma once
 
 #include <filesystem>

@@ -36,7 +36,7 @@ output::Temporary scratch_folder() {
     return output::Temporary(name);
 }
 
-/// The engine that --pdf asks for; with `auto`, when there is none, says so in a warning.
+/// The engine for --pdf. Warns if `auto` finds none.
 /// @throws EngineError when one is required and none is there
 std::optional<report::PdfEngine> wanted_engine(const ReportSettings& settings) {
     if (settings.pdf == "off") return {};
@@ -79,7 +79,7 @@ std::string printed(const report::Document& document, const report::DrawnFigures
 PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& templates)
     : templates_(templates), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
 
-/// Of everything that shapes the bytes: the words, the templates, the pictures, who sets and prints them.
+/// The cache key, of everything that shapes the bytes: words, templates, pictures, program and browser.
 std::string PaperCopy::key_of(report::Volume volume, const report::Document& document, const report::DrawnFigures& figures,
                               const fs::path& folder) const {
     output::KeyMaker key;

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Inside the report it appears with it, elsewhere once that is in its place.
+/// Writes the file with the report if it is inside, else adds it to the files published afterwards.
 void add_junit(const std::string& file, std::string_view text, const output::Publication& publication, const fs::path& out,
                output::FileGroup& others) {
     const fs::path inside = output::path_inside(file, out);

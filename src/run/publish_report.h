@@ -1,5 +1,5 @@
 /// @file
-/// The end of every run that makes a report: where it goes, and what is said of it.
+/// The end of every run that makes a report: publishes it and prints a summary.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct Published {
 Published publish_report(output::Publication& publication, const report::Document& document, const output::Publication::Digests& digests,
                          const ReportSettings& settings, const std::string& junit);
 
-/// Warns of what there is, tells what failed, and prints the page's path.
+/// Prints warnings, a summary of failures, and the path of the page.
 ExitCode tell(const Published& published, std::vector<std::string> notes, const report::Document& document);
 
 }   // namespace meshfolio::run

@@ -18,7 +18,7 @@ namespace {
 template <class Drawing>
 void write_drawing(const Drawing& drawing, const fs::path& folder) {
     write_file(folder / "tables" / (drawing.id + ".csv"), report::write_csv(drawing));
-    write_file(folder / "images" / (drawing.id + ".svg"), report::svg_file_of(drawing));
+    write_file(folder / "images" / (drawing.id + ".svg"), report::svg_on_white(report::svg_of(drawing)));
 }
 
 void write_tables_and_plots(const report::Document& document, const std::set<std::string>& stored, const fs::path& folder) {
@@ -30,7 +30,7 @@ void write_tables_and_plots(const report::Document& document, const std::set<std
             if (const auto* plot = std::get_if<report::Plot>(&block)) write_drawing(*plot, folder);
             if (const auto* map = std::get_if<report::Map>(&block)) write_drawing(*map, folder);
             if (const auto* diagram = std::get_if<report::Diagram>(&block))
-                write_file(folder / "images" / (diagram->id + ".svg"), report::svg_file_of(*diagram));
+                write_file(folder / "images" / (diagram->id + ".svg"), report::svg_on_white(report::svg_of(*diagram)));
         }
     }
 }

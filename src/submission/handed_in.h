@@ -21,7 +21,7 @@ struct HandInLimits {
 };
 
 /// Path → bytes of all files with one of our endings: .csv .toml .obj .off .ply .stl, in any case. Others are looked at no further than
-/// their names. Where all lies in one folder, paths begin in it.
+/// their names. If all files are in one folder, paths are relative to it.
 using HandedIn = std::map<std::string, std::string>;
 
 /// @throws InputError naming what is wrong: a path that leads outside or, in a folder, has backslashes, a link, a device, an entry that

@@ -50,7 +50,7 @@ void require_citations(const json& results, const std::string& file, const Sourc
     }
 }
 
-/// What does not stand in the way.
+/// Problems that do not prevent a submission.
 std::vector<std::string> warnings_of(const json& results) {
     std::vector<std::string> warnings;
     for (const char* kind : {"questions", "supporting"}) {

@@ -21,7 +21,7 @@ struct ReportFacts {
     std::string title, author, course;
     std::string version, commit;
     bool own_meshes = false;             // some input is none of the bundled meshes
-    std::vector<std::string> warnings;   // what does not stand in the way, and should be known
+    std::vector<std::string> warnings;   // problems that do not prevent a submission
 };
 
 /// @throws SubmissionError if a question is missing, skipped or failed, or a citation does not resolve; InputError if a file is missing

@@ -126,7 +126,7 @@ bool is_packed(const std::string& path, const SubmissionOptions& options) {
     return true;
 }
 
-/// The scripts of our own are the only programs; whatever else was in the source folder when this program was built, is refused.
+/// Adds the source tree. Our own scripts are its only executables; any other program or build product in it is refused.
 void enter_source(const std::vector<SourceFile>& tree, Contents& contents) {
     for (const SourceFile& file : tree) {
         const std::string kind = is_script(file.bytes) ? "" : program_kind(file.bytes), problem = path_problem(file.path);

@@ -32,7 +32,7 @@ bool is_digest(const std::string& text) {
     return text.size() == digest_length && std::all_of(text.begin(), text.end(), is_digit);
 }
 
-/// "ab/cdef…": no folder grows too long.
+/// "ab/cdef…" keeps folders short.
 fs::path spread(const std::string& digest) { return fs::path(digest.substr(0, 2)) / digest.substr(2); }
 
 /// The bytes of a file, which counts as used now; nothing where it is missing. One that is not whole is removed.
@@ -99,7 +99,7 @@ ResultCache::ResultCache(fs::path folder, std::uintmax_t limit) : folder_(std::m
 fs::path ResultCache::object(const std::string& digest) const { return folder_ / objects / spread(digest); }
 fs::path ResultCache::entry(const std::string& key) const { return folder_ / entries / spread(key); }
 
-/// All at once and not synced: what a loss of power leaves incomplete is found out by its digest.
+/// Writes atomically but without fsync: the digest reveals what a power loss leaves incomplete.
 void ResultCache::write_new(const fs::path& path, std::string_view bytes) {
     static std::atomic<int> number = 0;
     make_folder(path.parent_path());

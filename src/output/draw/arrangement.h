@@ -16,14 +16,14 @@ std::vector<render::View> views_in_reading_order();
 /// Of one mesh: from three quarters and, in the order above, from the six directions; none: an empty cell of a matrix.
 using PanelPictures = std::vector<render::Image>;
 
-/// Pictures and words in their places, the pictures panel after panel. Sheets are read alone, so that everything is named in them.
+/// Places pictures, panel after panel, and words. Sheets are read alone, so that everything is labelled in them.
 /// @param em  text size
 render::FigureSheet arranged(const FigureRequest& request, std::vector<PanelPictures> panels, double em);
 
-/// How many lie beside each other.
+/// The number of panels side by side.
 int panels_in_a_line(const FigureRequest& request);
 
-/// Small multiples so many that they are looked at together and not one by one: six in a line, and small.
+/// Has the figure so many small multiples that they are drawn small, six in a line?
 bool is_gallery(const FigureRequest& request);
 
 }   // namespace meshfolio::output

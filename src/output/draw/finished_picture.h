@@ -13,11 +13,11 @@ namespace meshfolio::output {
 /// from three quarters stay as they are.
 void label_view(render::Image& picture, std::string_view view);
 
-/// What lies in this rectangle; beyond the picture white.
+/// Cuts out a rectangle; outside of the picture it is white.
 render::Image part_of(const render::Image& picture, int left, int top, int width, int height);
 
 /// The JPEGs of a figure, from the sheet as it was drawn or as read back from its PNG: the same bytes.
-/// @return false where one does not lie in the sheet
+/// @return false if a picture is not inside the sheet
 bool cut_pictures(const render::Image& sheet, report::DrawnFigure& figure);
 
 }   // namespace meshfolio::output

@@ -16,7 +16,7 @@ struct PictureFrame {
 };
 
 /// From three quarters, a frame a panel, all of one size: each mesh in the middle of its own (Layout::multiples), or all in one. What is
-/// framed takes `side` pixels in width or in height; of the others, what lies within that square is shown.
+/// framed takes `side` pixels in width or in height; other meshes are cut off at that square.
 std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side);
 
 /// The six directions: one frame, and the sizes of the pictures along x, y and z. A flat mesh is slim from the side.

@@ -15,7 +15,7 @@ render::Surface surface_of(const TriangleMesh& mesh, const Vector* values = null
 
 render::Bounds bounds_of(const TriangleMesh& mesh);
 
-/// Do positions lie within the pictures along the axes that are framed on `mesh`? Not so if one of them is not finite.
+/// Are all positions inside the axis-aligned pictures that are framed on `mesh`? False if one is not finite.
 bool fit_frame_of(const TriangleMesh& mesh, const Positions& X);
 
 /// @throws UsageError for an unknown colour map, naming the known ones

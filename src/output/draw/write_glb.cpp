@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Numbers of the format.
+/// Constants of glTF.
 enum Component { byte_type = 5120, unsigned_byte = 5121, unsigned_short = 5123, unsigned_int = 5125, float_type = 5126 };
 enum Target { vertex_data = 34962, index_data = 34963 };
 constexpr int grid_steps = 65535;           // of the largest side of the box
@@ -41,7 +41,7 @@ struct Grid {
 
     explicit Grid(const TriangleMesh& mesh) : box(bounding_box(mesh)), step(box.extent().maxCoeff() / grid_steps) {}
 
-    /// Vertices that no triangle uses may lie outside: they are moved onto the side.
+    /// Clamps vertices outside of the box, which no triangle uses.
     std::uint32_t at(double x, int axis) const {
         return static_cast<std::uint32_t>(std::lrint(std::clamp((x - box.low[axis]) / step, 0.0, double(grid_steps))));
     }

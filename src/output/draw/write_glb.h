@@ -27,7 +27,7 @@ struct Ball {
 /// About the centre of the box of the triangles' corners, reaching the farthest of them.
 Ball ball_around(const TriangleMesh& mesh);
 
-/// Has triangles, all coordinates are finite, and the corners do not all lie in one point.
+/// Does the mesh have triangles, finite coordinates only, and corners that are not all one point?
 bool can_be_a_model(const TriangleMesh& mesh);
 
 /// The same bytes for the same input.

@@ -45,7 +45,7 @@ void FileGroup::add(const fs::path& path, std::string_view bytes) {
     }
 }
 
-/// What was there is kept under the temporary name, as long as the file system can exchange names.
+/// Renames a file into place. A replaced file keeps the temporary name if the file system can exchange names.
 void FileGroup::place(Member& member) {
     const fs::path& part = member.part.path();
     int error = rename_with(part, member.target, Taken::kept);

@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "output/publish/temporaries.h"
+#include "report/escape.h"
 
 namespace meshfolio::output {
 
@@ -84,9 +85,7 @@ void make_folder(const fs::path& path) {
 }
 
 bool is_safe_name(std::string_view name) {
-    const auto safe = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '+' || c == '-';
-    };
+    const auto safe = [](char c) { return report::is_alphanumeric(c) || c == '_' || c == '.' || c == '+' || c == '-'; };
     return !name.empty() && name.size() <= 120 && name.front() != '.' && name.front() != '-' && std::all_of(name.begin(), name.end(), safe);
 }
 

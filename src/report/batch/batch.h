@@ -21,8 +21,8 @@ struct WorstCheck {
     double used = 0;   // of what is allowed: 1 is the limit, beyond it fails; ∞ where nothing is allowed
 };
 
-/// The share of what a check allows that its number takes up. A limit that is a whole number other than 0 is what a theorem or a count says
-/// and no allowance: kept to, nothing is taken up, and beyond it the tolerance counts.
+/// The share of a check's allowance that the measured number uses. A limit that is a whole number other than 0 comes from a theorem or a
+/// count and is no allowance: the share is 0 up to it, and counts against the tolerance beyond it.
 double used_share(const Check& check);
 std::optional<WorstCheck> worst_check(const std::vector<Section>& sections);
 
@@ -39,7 +39,7 @@ struct BatchRow {
     };
     std::optional<Picture> picture = {};
     std::string sha256 = {};
-    /// From the sections of the report that tell of them; empty cells where none does.
+    /// From sections of the report; empty if it has no such section.
     Cell vertices = {}, edges = {}, triangles = {}, components = {}, boundary_loops = {}, euler_characteristic = {}, genus = {};
     Cell manifold = {}, orientation = {};                                      // words
     Cell lambda_critical = {};                                                 // [length²]
@@ -82,7 +82,7 @@ Table batch_table(const Batch& batch);   // for write_csv()
 std::string write_batch_json(const Batch& batch, const std::string& version);
 /// A suite a mesh, a case a check.
 std::string write_batch_junit(const Batch& batch);
-/// @throws UsageError for a template that asks for what there is not
+/// @throws UsageError for a template with an unknown tag
 std::string write_batch_page(const Batch& batch, const std::string& version, const Templates& templates);
 
 /// What batch.html prints, for the list of tags.

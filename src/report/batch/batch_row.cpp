@@ -25,7 +25,7 @@ const Table* table_of(const Document& document, const std::string& id) {
     return nullptr;
 }
 
-/// The cell of the first row in the column with this id, which begins with that of its table; empty where there is none.
+/// The cell of the first row in the column with this id, which begins with the id of its table; empty if there is no such column.
 Cell first_cell(const Document& document, const std::string& column) {
     const Table* table = table_of(document, column.substr(0, column.find('-')));
     if (table == nullptr || table->rows.empty()) return {};
@@ -60,7 +60,7 @@ void take_counts(BatchRow& row, const Document& document) {
     row.lambda_critical = first_cell(document, "q5_limits-lambda-crit");
     const auto preflight = std::ranges::find(document.sections, "preflight", &Section::id);
     if (preflight == document.sections.end() || preflight->status != Status::ok) return;
-    const Table* defects = table_of(document, "preflight_defects");   // there is none where nothing was found
+    const Table* defects = table_of(document, "preflight_defects");   // no table if no defect was found
     row.defects = defects != nullptr ? defects_in(*defects) : std::vector<std::pair<std::string, double>>();
 }
 

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
+#include "report/escape.h"
+
 namespace meshfolio::report {
 
 namespace {
 
 constexpr std::size_t longest_id = 200;
 
-bool is_id_character(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.' || c == '+';
-}
+bool is_id_character(char c) { return is_alphanumeric(c) || c == '_' || c == '-' || c == '.' || c == '+'; }
 
 [[noreturn]] void refuse_type(const Json& json, const JsonPlace& place, const std::string& wanted) {
     throw JsonProblem(place, "is " + type_in_words(json) + ", not " + wanted);

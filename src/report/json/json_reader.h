@@ -18,7 +18,7 @@
 
 namespace meshfolio::report {
 
-/// Where in the JSON a value stands; built as it is read, without a word until it is asked for.
+/// The path of a value in the JSON, formatted only on demand.
 struct JsonPlace {
     const JsonPlace* parent = nullptr;
     std::string_view key = {};   // empty: an element of a list

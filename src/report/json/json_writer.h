@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 /// outside of a cell is not listed: null says it already.
 inline constexpr const char* not_finite = "_not_finite";
 
-/// A value that follows from others; null where there is none.
+/// A derived value as JSON; null if there is none.
 template <class Value>
 Json derived_json(const Value& value) {
     return value;

@@ -22,7 +22,7 @@ struct DesignParts {
 /// @throws UsageError for a text that would end its element
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts = {});
 
-/// Bytes that lie in a page as data: zlib, then base64. The browser takes both off by itself (atob, DecompressionStream).
+/// Packs bytes for a page: zlib, then base64. The browser unpacks them itself (atob, DecompressionStream).
 std::string packed(std::string_view bytes);
 
 }   // namespace meshfolio::report

@@ -31,7 +31,7 @@ Component parsed(const std::string& text, std::string& error) {
     return root;
 }
 
-/// Asked before the parser, which copies the text of every section and follows them by recursion.
+/// Limits nesting before parsing: the parser copies the text of every section and recurses.
 std::optional<SyntaxProblem> nesting_problem(const std::string& text) {
     int depth = 0;
     for (std::size_t at = text.find("{{"), end = 0; at != std::string::npos; at = text.find("{{", end)) {
@@ -62,7 +62,7 @@ std::string as_partial(std::string text) {
 
 using Escape = std::function<std::string(const std::string&)>;
 
-/// What is printed, line by line: a line that is blank but for sections that begin or end on it is left out.
+/// Collects the output line by line and drops lines that hold nothing but section tags.
 class Lines {
 public:
     void add(const std::string& text) { line_ += text; }
@@ -139,7 +139,7 @@ private:
         State state = State::unreached;
     };
 
-    /// Lines of tags in the order of their positions: each text is gone through once, however many there are.
+    /// Sets the lines of tags sorted by position, scanning each text once.
     void find_lines(std::vector<Tag>& tags) const {
         const Tag* before = nullptr;
         for (Tag& tag : tags) {
@@ -180,7 +180,7 @@ private:
         return nullptr;
     }
 
-    /// Sections of lists within sections of lists soon take longer than anyone waits for.
+    /// Limits steps and output: nested lists could run practically forever.
     void take_step() {
         const bool too_long = ++steps_ > template_limits::most_steps;
         if (!too_long && lines_.size() <= template_limits::largest_print) return;

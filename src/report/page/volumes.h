@@ -1,5 +1,5 @@
 /// @file
-/// What of a document stands in which of its two volumes.
+/// Which parts of a document each of its two volumes contains.
 #pragma once
 
 #include <set>
@@ -25,7 +25,7 @@ std::string further_id(const Section& section);
 /// Ids of the figures shown, the cover included.
 std::set<std::string> figures_in(const Document& document, Volume volume);
 
-/// Tells the numbering what the other volume has. @param page  file of that volume; empty: no link leads there
+/// Marks in the numbering what the other volume contains. @param page  file of that volume; empty: no link leads there
 void mark_elsewhere(const Document& document, Volume volume, const std::string& page, Numbering& numbering);
 
 /// The works that a volume refers to.

@@ -17,7 +17,7 @@ public:
 
     double low() const { return low_; }
     double high() const { return high_; }
-    /// Band 0 to bands − 1 of a finite value; what lies beyond the ends is in the first or the last.
+    /// Band 0 to bands − 1 of a finite value; values beyond the ends get the first or the last band.
     int band(double value) const;
     /// "#1f9e89"
     std::string color(int band) const;

@@ -188,6 +188,4 @@ std::string svg_of(const Diagram& diagram) {
     return svg_head(diagram.id, subject.empty() ? "Diagram" : subject, diagram.alt, drawing_width, bottom + 4) + body + "</svg>\n";
 }
 
-std::string svg_file_of(const Diagram& diagram) { return svg_on_white(svg_of(diagram)); }
-
 }   // namespace meshfolio::report

@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "report/escape.h"
 #include "report/page/math_markup.h"
+#include "report/writers.h"
 
 namespace meshfolio::report {
 

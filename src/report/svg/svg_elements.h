@@ -71,7 +71,5 @@ double widest_label(const Axis& axis);
 
 /// The opening of a picture: its size, what it is and what is to be seen, for those who do not see it.
 std::string svg_head(const std::string& id, const std::string& subject, const std::string& alt, double width, double height);
-/// A picture as a file of its own, on white: without a page around it there is no colour to take over.
-std::string svg_on_white(std::string svg);
 
 }   // namespace meshfolio::report

@@ -39,7 +39,7 @@ public:
         titles_ = one_line ? title_element(over_bar, "end", colour) : title_element(above, "start", colour);
         titles_ += title_element(above, "start", map.y_label);
         const bool titled = std::ranges::any_of(map.panels, [](const Map::Panel& panel) { return !panel.title.empty(); });
-        top_ = above.y + 4 + (titled ? 7 : 0);   // titles of panels are told from those of the axes
+        top_ = above.y + 4 + (titled ? 7 : 0);   // separates titles of panels from those of the axes
         bottom_ = top_ + panel_height;
         const double bar = bar_width + std::ceil(widest_label(values_)) + tick_length + 10;
         first_left_ = std::ceil(widest_label(y_)) + tick_length + 10;
@@ -216,7 +216,7 @@ private:
 
     double height() const { return bottom_ + 24 + line_height * title_lines(map_.x_label) + 4; }
 
-    /// Pointed where values lie beyond its end.
+    /// The colour bar, with a tip at each end that values exceed.
     std::string color_bar() const {
         const Box bar{last_right_ + gap, top_, last_right_ + gap + bar_width, bottom_};
         const double middle = 0.5 * (bar.left + bar.right), band_height = panel_height / MapScale::bands;
@@ -247,7 +247,5 @@ private:
 }   // namespace
 
 std::string svg_of(const Map& map) { return MapDrawing(map).svg(); }
-
-std::string svg_file_of(const Map& map) { return svg_on_white(svg_of(map)); }
 
 }   // namespace meshfolio::report

@@ -133,6 +133,4 @@ private:
 
 std::string svg_of(const Plot& plot) { return PlotDrawing(plot).svg(); }
 
-std::string svg_file_of(const Plot& plot) { return svg_on_white(svg_of(plot)); }
-
 }   // namespace meshfolio::report

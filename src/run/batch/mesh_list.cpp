@@ -11,6 +11,7 @@
 #include "mesh/io/mesh_files.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
+#include "report/escape.h"
 #include "run/arguments.h"
 #include "run/batch/batch_folder.h"
 
@@ -104,10 +105,8 @@ void require_outside(const std::string& file, const fs::path& out) {
 std::string safe_stem(const std::string& file) {
     constexpr std::size_t longest = 60;
     std::string name = mesh_name(file).substr(0, longest);
-    for (char& c : name) {
-        const bool is_safe = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' || c == '-';
-        if (!is_safe) c = '_';
-    }
+    for (char& c : name)
+        if (!report::is_alphanumeric(c) && c != '+' && c != '-') c = '_';
     if (name.empty()) return "mesh";
     if (name.front() == '-') name.front() = '_';
     return name;

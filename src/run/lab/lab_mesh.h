@@ -26,7 +26,7 @@ struct LabReading {
 
 struct LabLimits {
     int vertices = 620, decimated_to = 420;    // larger meshes are decimated; 0: none is
-    int all_modes = 2000, fewer_modes = 300;   // up to so many vertices all modes; beyond, so many
+    int all_modes = 2000, fewer_modes = 300;   // all modes up to this many vertices, else the lowest 300
 };
 
 struct LabMesh {

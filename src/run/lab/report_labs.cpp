@@ -38,7 +38,7 @@ using Wanted = std::map<std::shared_ptr<const LibraryMesh>, LabJob>;
 
 std::string names_of(const LabJob& job) { return joined({job.answered.begin(), job.answered.end()}, " "); }
 
-/// Of everything that shapes the data; empty where the program does not know itself.
+/// The cache key, of everything that shapes the data; empty if the program has no identity.
 std::string key_of(const std::string& names, const LibraryMesh& mesh, const LabJob& job, const ReportSettings& settings) {
     if (program_identity().empty() || mesh.input.sha256.empty()) return "";
     output::KeyMaker key;
@@ -52,7 +52,7 @@ std::string key_of(const std::string& names, const LibraryMesh& mesh, const LabJ
 
 using MeshPointer = std::shared_ptr<const LibraryMesh>;
 
-/// Null where there is none, which the section has said.
+/// Null if the mesh is missing, which its section reports.
 MeshPointer mesh_for(std::string_view id, std::string_view role, const MeshLibrary& meshes, const ReportSettings& settings) try {
     report::Section unused;
     return meshes_for(meshes, question_settings(settings, std::string(id)), {role}, unused).front();

@@ -1,5 +1,5 @@
 /// @file
-/// Right but for a convention: what is known of the ways in which an answer can be a right one of something else.
+/// Conventions by which an answer can be right for another question: another sign, factor, area or operator.
 #pragma once
 
 #include <functional>
@@ -28,7 +28,7 @@ const std::vector<ValueConvention>& value_conventions(MarkedThing what);
 /// What a student gives.
 struct GivenValues {
     Vector values;
-    Vector rounding = {};   // as many: how far the digits written leave each open; none: not at all
+    Vector rounding = {};   // largest rounding error of each value, from its digits; empty: none
 };
 
 /// Values to hold others against; NaN where nothing is asked.

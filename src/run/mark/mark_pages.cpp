@@ -71,7 +71,7 @@ bool keeps_all(const ItemMark& mark) { return mark.verdict == Verdict::right || 
 
 std::string points_text(double points) { return plain_text(points, 6); }
 
-/// The difference on the mesh, from six sides, as JPEG; empty where there is none to be drawn.
+/// The difference on the mesh, from six sides, as JPEG; empty if there is nothing to draw.
 std::string picture_of(const ItemMark& mark) {
     if (mark.difference.size() == 0 || !mark.difference.array().isFinite().any()) return "";
     const std::shared_ptr<const TriangleMesh> mesh(mark.reference->mesh->prepared, &mark.reference->mesh->mesh());
@@ -109,7 +109,7 @@ json item_view(const ItemMark& mark) {
             {"picture", report::base64(picture)}};
 }
 
-/// What a spreadsheet would take for a formula is a text.
+/// Prefixes text that a spreadsheet would take for a formula.
 std::string harmless_cell(const std::string& text) {
     const std::string plain = report::safe_text(text);
     return !plain.empty() && std::string_view("=+-@").find(plain.front()) != std::string_view::npos ? "'" + plain : plain;

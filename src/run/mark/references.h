@@ -20,7 +20,7 @@ struct EqualModes {
     DenseMatrix modes;    // all of them
     int taken = 0;        // by the reconstruction
 };
-/// Do positions come of such a choice? @param tolerance  [length]
+/// Could the positions result from another choice? @param tolerance  [length]
 bool is_another_choice(const Positions& given, const EqualModes& equal, double tolerance);
 
 /// What a student's file is held against.

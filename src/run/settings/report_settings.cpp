@@ -53,7 +53,7 @@ void take(std::vector<std::filesystem::path>& folders, const Setting&, const std
     if (!given.empty()) folders.assign(given.begin(), given.end());
 }
 
-/// "Q1" and "1" are q1, "1-3" and "q1-q3" are three of them; anything else stays what it is, to be told as given.
+/// "Q1" and "1" are q1, "1-3" and "q1-q3" are three of them; anything else stays unchanged, for the error message.
 std::vector<std::string> ids_meant(const std::string& word) {
     const auto number_of = [](std::string_view text) {
         if (text.starts_with('q') || text.starts_with('Q')) text.remove_prefix(1);
@@ -174,7 +174,7 @@ std::set<std::filesystem::path> inputs_of(const ReportSettings& settings, const 
     return inputs;
 }
 
-/// What is read must not lie in an earlier report, nor be linked to there: that is removed once the new one is in its place.
+/// Refuses inputs inside an earlier report, also through links: publishing the new report removes it.
 void require_inputs_outside(const ReportSettings& settings, const std::string& config, Problems& problems) {
     std::error_code error;
     if (!std::filesystem::exists(settings.out / output::marker_file, error)) return;
@@ -218,7 +218,7 @@ Words words_of(const std::vector<Value>& values) {
     return words;
 }
 
-/// Nothing of a report depends on where its inputs lie.
+/// Names without folders: a report must not depend on where its inputs are.
 template <class Value>
 Words words_without_folders(const Value& value) {
     return words_of(value);

@@ -70,7 +70,7 @@ struct QuestionTable {
 /// How much of a section is done: run/plan decides.
 struct Effort {
     bool small = false;      // the settings of --quick
-    int most_vertices = 0;   // copies of at most so many take the place of larger meshes; 0: none does
+    int most_vertices = 0;   // larger meshes are decimated to this; 0: no limit
     bool left_out = false;
     double cpu_seconds = 0;   // estimated
 };

@@ -43,7 +43,7 @@ void Problems::raise() const {
 
 namespace {
 
-/// Goes over what is no key: comments and texts. Where the parser would stop, it does not matter what is found behind.
+/// Skips comments and strings of TOML. After a syntax error its result does not matter, as the parser stops there.
 class TomlSkipper {
 public:
     explicit TomlSkipper(std::string_view text) : text_(text) {}
