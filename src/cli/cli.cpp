@@ -14,7 +14,6 @@
 #include "build_info.h"
 #include "cli/commands.h"
 #include "cli/help_formats.h"
-#include "cli/signals.h"
 #include "geometry/distributed/ranks.h"
 #include "run/arguments.h"
 #include "run/console.h"

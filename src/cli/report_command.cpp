@@ -19,7 +19,6 @@
 #include "run/plan/plan.h"
 #include "run/progress.h"
 #include "run/provenance.h"
-#include "run/publish_report.h"
 #include "run/report_files.h"
 #include "run/run_questions.h"
 #include "run/settings/report_settings.h"

@@ -1,4 +1,4 @@
-#include "cli/signals.h"
+#include "cli/cli.h"
 
 #include <fcntl.h>
 #include <malloc.h>

@@ -1,4 +1,4 @@
-#include "run/joined_reports.h"
+#include "run/earlier_report.h"
 
 #include <algorithm>
 #include <iterator>

@@ -10,7 +10,6 @@
 #include "geometry/spectrum/spectral_mistakes.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "mesh/triangle_measures.h"
-#include "run/mark/wrong_laplacians.h"
 
 namespace meshfolio::run {
 

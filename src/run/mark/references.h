@@ -2,14 +2,17 @@
 /// The right answers of a rubric, and the wrong ones that are known, each computed once for all students who name the same settings.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "questions/core/mesh_library.h"
 #include "run/mark/conventions.h"
+#include "run/mark/rubric.h"
 
 namespace meshfolio::run {
 
@@ -31,6 +34,18 @@ struct Reference {
     std::optional<EqualModes> equal;           // those, unless they are too many
 };
 
+using OperatorOf = std::function<LaplaceBeltrami(const TriangleMesh&)>;
+
+/// An operator that is taken for the right one.
+struct WrongLaplacian {
+    std::string key;                           // of the convention
+    OperatorKind kind = OperatorKind::cotan;   // the uniform one makes a curvature in its own way
+    OperatorOf of;
+};
+
+/// Those of the operator laboratory but the right one, and what is made of that by wrong areas.
+std::vector<WrongLaplacian> wrong_laplacians(const AnswerSettings& s);
+
 /// x, y, z of vertex 0, then of vertex 1, …
 inline Vector flat(const Positions& X) { return Eigen::Map<const Vector>(X.data(), X.size()); }
 
@@ -38,6 +53,7 @@ inline Vector flat(const Positions& X) { return Eigen::Map<const Vector>(X.data(
 SmoothingOptions smoothing_of(const PreparedMesh& prepared, const AnswerSettings& s);
 std::vector<Variant> smoothing_variants(const PreparedMesh& prepared, const AnswerSettings& s);
 
+/// Computes each answer once.
 class References {
 public:
     /// Opens every mesh. @throws InputError for one that is missing or unusable

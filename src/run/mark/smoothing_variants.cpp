@@ -8,7 +8,6 @@
 #include "geometry/linear/sparse_factor.h"
 #include "geometry/operators/vertices_with_mass.h"
 #include "mesh/triangle_measures.h"
-#include "run/mark/wrong_laplacians.h"
 
 namespace meshfolio::run {
 
