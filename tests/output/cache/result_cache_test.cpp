@@ -38,7 +38,7 @@ void spoil(const fs::path& path, const std::string& bytes) {
 
 }   // namespace
 
-TEST(KeyMaker, WordsDoNotRunIntoEachOther) {
+TEST(KeyMaker, DifferentListsOfWordsHaveDifferentKeys) {
     EXPECT_NE(KeyMaker().add("ab").add("c").key(), KeyMaker().add("a").add("bc").key());
     EXPECT_NE(KeyMaker().add("").key(), KeyMaker().key());
     EXPECT_EQ(KeyMaker().add("a").key(), KeyMaker().add("a").key());

@@ -216,7 +216,7 @@ TEST(SvgMap, TheMiddleIsALineBetweenItsSides) {
     EXPECT_EQ(count_of(svg_of(map), line), 0u);
 }
 
-TEST(MapScale, BothSidesOfTheMiddleAreTold) {
+TEST(MapScale, TheTwoSidesOfTheMiddleDiffer) {
     Map map = map_of({1, 2}, {1}, {-1, 1});
     map.colours = Map::Colours::diverging;
     const MapScale scale(map);

@@ -70,7 +70,7 @@ struct OneItem {
 
 }   // namespace
 
-TEST(Marking, WhatIsRightHasAllPoints) {
+TEST(Marking, RightAnswersHaveAllPoints) {
     for (const std::string& thing : marked_things) {
         OneItem one(thing);
         for (const double noise : {0.0, 1e-7}) {
@@ -130,7 +130,7 @@ TEST(Marking, ASignThatMakesAnImplicitStepIndefiniteIsNamed) {
     EXPECT_TRUE(names(one.mark(flat(X)).conventions, {"lambda_negated"}));
 }
 
-TEST(Marking, DigitsThatAreLeftOutCostNothing) {
+TEST(Marking, RoundedDigitsCostNothing) {
     OneItem one("what = \"H_uniform\"\naccept = \"negated\"");
     const auto mark_with = [&](double factor, int decimals) {
         std::ostringstream csv;
@@ -185,7 +185,7 @@ TEST(Marking, RowsMayComeInAnyOrderWhereTheyNameTheirVertex) {
     EXPECT_EQ(verdict_with(0, true), Verdict::wrong);
 }
 
-TEST(Marking, WhatIsWrongIsNotExcused) {
+TEST(Marking, WrongAnswersAreNotRecognised) {
     for (const std::string& thing : marked_things) {
         OneItem one(thing);
         Vector values = one.right;
@@ -206,7 +206,7 @@ TEST(Marking, TrianglesTurnedRoundAreNamed) {
     EXPECT_TRUE(names(mark.conventions, {"reversed_faces"})) << said_of(mark);
 }
 
-TEST(Marking, WhatCannotBeUsedIsSaidOfItsItem) {
+TEST(Marking, UnusableFilesAreReportedWithTheirItem) {
     OneItem one("what = \"H\""), of_mesh("what = \"smoothed\"");
     const auto verdict = [&](const submission::HandedIn& files) { return one.mark(files).verdict; };
     EXPECT_EQ(verdict({}), Verdict::missing);
@@ -239,7 +239,7 @@ TEST(Marking, EveryConventionHasItsSentence) {
     }
 }
 
-TEST(Marking, PagesAndTablesSayIt) {
+TEST(Marking, PagesAndTablesShowTheMarks) {
     OneItem one("what = \"K\"");
     const Rubric& rubric = one.rubric;
     StudentMarks wrong = one.marks(3 * one.right), right = one.marks(one.right), refused;

@@ -150,7 +150,7 @@ std::vector<Rule> rules() {
 
 }   // namespace
 
-TEST(SettingsRules, EachRowSaysAllOfItAndNothingElse) {
+TEST(SettingsRules, EachTextHasExactlyTheseProblems) {
     for (const Rule& rule : rules()) {
         const std::vector<std::string> said = said_of(rule.text);
         std::string all;
