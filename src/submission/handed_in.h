@@ -1,6 +1,5 @@
 /// @file
-/// What someone else hands in, a folder or a zip, read into memory. It is not trusted: nothing is written, followed or executed, and
-/// limits hold for what is read.
+/// Reads an untrusted folder or zip into memory: writes nothing, follows no links, executes nothing, and enforces limits.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 /// @file
-/// Whether a report may be handed in, and what a submission states from results.json.
+/// Checks whether a report can be submitted, and collects facts of results.json for the submission.
 #pragma once
 
 #include <string>

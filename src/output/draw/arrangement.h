@@ -1,5 +1,5 @@
 /// @file
-/// Where the pictures of a figure lie in its sheet.
+/// Arranges the pictures of a figure in its sheet.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace meshfolio::output {
 
-/// +x +y +z, then what is seen from behind.
+/// +x +y +z, then the views from behind.
 std::vector<render::View> views_in_reading_order();
 
-/// Of one mesh: from three quarters and, in the order above, from the six directions; none: an empty cell of a matrix.
+/// Pictures of one mesh: the three-quarter view, then perhaps the six views in the order above. None: an empty cell of a matrix.
 using PanelPictures = std::vector<render::Image>;
 
 /// Places pictures, panel after panel, and words. Sheets are read alone, so that everything is labelled in them.

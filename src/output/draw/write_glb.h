@@ -31,7 +31,7 @@ Ball ball_around(const TriangleMesh& mesh);
 bool can_be_a_model(const TriangleMesh& mesh);
 
 /// The same bytes for the same input.
-/// @param values  one a vertex, NaN where undefined; used when `range` is given, and then beyond it clamped in colour only
+/// @param values  one a vertex, NaN where undefined; used only with `range`; values beyond it are clamped in colour only
 /// @throws MeshError unless can_be_a_model, and if `values` has the wrong size
 std::string write_glb(const TriangleMesh& mesh, const Vector& values, const std::optional<ColorRange>& range, const Ball& frame);
 

@@ -14,11 +14,11 @@
 
 namespace meshfolio::report {
 
-/// The check with the least room: a failed one where there is any, else the one that came nearest to its limit.
+/// The worst check: a failed one if there is any, else the one nearest to its limit.
 struct WorstCheck {
     std::string id, words;   // words: its name and what was measured
     bool failed = false;
-    double used = 0;   // of what is allowed: 1 is the limit, beyond it fails; ∞ where nothing is allowed
+    double used = 0;   // share of the allowance: above 1 fails; ∞ if nothing is allowed
 };
 
 /// The share of a check's allowance that the measured number uses. A limit that is a whole number other than 0 comes from a theorem or a
@@ -67,7 +67,7 @@ inline constexpr BatchFact batch_facts[] = {
     {&BatchRow::manifold, "manifold", "manifold", "preflight_connectivity-manifold"},
     {&BatchRow::orientation, "orientation", "orientation", "preflight_connectivity-orientation"}};
 
-/// What a report on one mesh says of it. @param timings  also how long it took
+/// The row of a mesh, from its report. @param timings  include the time it took
 BatchRow batch_row(std::string name, std::string file, const Document& document, bool timings);
 
 struct Batch {
@@ -75,12 +75,12 @@ struct Batch {
     bool timings = true;
 };
 
-/// How many rows are in a state.
+/// The number of rows in a state.
 std::size_t count_of(const Batch& batch, BatchRow::State state);
 
 Table batch_table(const Batch& batch);   // for write_csv()
 std::string write_batch_json(const Batch& batch, const std::string& version);
-/// A suite a mesh, a case a check.
+/// One suite per mesh, one case per check.
 std::string write_batch_junit(const Batch& batch);
 /// @throws UsageError for a template with an unknown tag
 std::string write_batch_page(const Batch& batch, const std::string& version, const Templates& templates);

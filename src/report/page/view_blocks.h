@@ -11,7 +11,7 @@
 
 namespace meshfolio::report {
 
-/// What the views of all blocks are made with.
+/// The data that all views of blocks need.
 struct ViewContext {
     const DrawnFigures& figures;
     const Numbering& numbering;
@@ -21,10 +21,10 @@ struct ViewContext {
 
 /// A text: its `runs`, references resolved.
 nlohmann::json text_view(const Text& text, const Numbering& numbering);
-/// A caption, a name, a heading: a text, symbols found.
+/// A caption, a name or a heading as text, with its symbols marked.
 nlohmann::json prose_view(const std::string& words);
 
-/// What a table, plot, map or figure is called and says of itself.
+/// Label and caption of a table, plot, map or figure.
 nlohmann::json captioned_view(const std::string& id, const std::string& caption, const ViewContext& context);
 
 /// Enters what a page needs to show the pictures of a figure: how they are laid out, on screens and on paper alike.
@@ -33,7 +33,7 @@ void enter_pictures(nlohmann::json& view, const Figure& figure, const DrawnFigur
 /// The picture of the first page.
 nlohmann::json cover_view(const Figure& cover, const ViewContext& context);
 
-/// Gives each of a list the `separator` behind it.
+/// Enters a `separator` into each item of a list.
 void enter_separators(nlohmann::json& list);
 
 nlohmann::json table_view(const Table& table, const ViewContext& context);

@@ -16,7 +16,7 @@
 
 namespace meshfolio::run {
 
-/// Modes of equal eigenvalues, of which a reconstruction takes some: which ones is a choice.
+/// Modes of equal eigenvalues, of which a reconstruction uses an arbitrary choice.
 struct EqualModes {
     Vector M;
     Positions X, below;   // and rebuilt from the modes before them
@@ -26,7 +26,7 @@ struct EqualModes {
 /// Could the positions result from another choice? @param tolerance  [length]
 bool is_another_choice(const Positions& given, const EqualModes& equal, double tolerance);
 
-/// What a student's file is held against.
+/// The right answer for a student's file.
 struct Reference {
     std::shared_ptr<const LibraryMesh> mesh;   // null for a number
     RightValues right;                         // one a vertex, three a vertex for positions, or a list

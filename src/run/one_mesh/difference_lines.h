@@ -1,5 +1,5 @@
 /// @file
-/// What `compare` says of two meshes.
+/// The results of `compare`.
 #pragma once
 
 #include <optional>
@@ -38,7 +38,7 @@ std::string difference_json(const Difference& difference);
 /// The page of `compare --html`: numbers, pictures and distances of two meshes in one file.
 std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances);
 
-/// How far each vertex is from the other surface, to be drawn. @param diagonal  of the box of one of them
+/// The distance of each vertex to the other surface, as a field to draw. @param diagonal  of the box of one of them
 Field distance_field(const DistancesTo& distances, double diagonal);
 
 inline constexpr int distance_bins = 40;   // from 0 to the Hausdorff distance

@@ -1,5 +1,5 @@
 /// @file
-/// What `inspect` says of a mesh: counts, defects, Gauss–Bonnet, the largest stable step and its proof.
+/// The results of `inspect`: counts, defects, Gauss–Bonnet, the largest stable step and its proof.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 /// @file
-/// The pictures of one mesh with values, and the sheet of them: what `render` draws.
+/// The pictures that `render` draws: views of a mesh with values, and their sheet.
 #pragma once
 
 #include <cstdint>

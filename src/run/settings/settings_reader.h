@@ -1,5 +1,5 @@
 /// @file
-/// Values out of TOML tables, each checked; what is wrong is collected with its line and reading goes on.
+/// Reads and checks values of TOML tables. Problems are collected with their lines, and reading continues.
 #pragma once
 
 #include <cstdint>
@@ -70,8 +70,8 @@ inline constexpr long long longest_key = 16;                  // parts of a key:
 inline constexpr std::uintmax_t largest_settings = 1 << 20;   // bytes of a file
 }   // namespace limits
 
-/// The line of the first key of more parts than limits::longest_key, or 0. The parser makes a table of each part, and they are taken apart
-/// by recursion, as deep as the key is long.
+/// The line of the first key with more parts than limits::longest_key, or 0. The parser nests a table per part and destroys them by
+/// recursion, which would overflow the stack.
 long line_of_long_key(std::string_view text);
 
 /// Calls `read` with each table of a list of tables; what is something else is reported.
