@@ -74,12 +74,8 @@ std::string markdown_escape(const std::string& text) {
     std::string escaped;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
-        if (c == '&') {
-            escaped += "&amp;";
-        } else if (c == '<') {
-            escaped += "&lt;";
-        } else if (c == '>') {
-            escaped += "&gt;";
+        if (c == '&' || c == '<' || c == '>') {
+            escaped += xml_escape({c});
         } else {
             const bool emphasis = c == '_' && !is_within_word(text, i);
             if (emphasis || special.find(c) != std::string_view::npos || begins_block(text, i) || makes_link(text, i)) escaped += '\\';

@@ -51,12 +51,9 @@ json json_of(const report::DrawnFigure& figure, output::ResultCache& store) {
     return {{"jpegs", store.keep(jpegs)}, {"lengths", lengths}, {"models", models}};
 }
 
-/// What is stored has been lost or damaged.
-struct Lost {};
-
 std::string bytes_of(const json& digest, output::ResultCache& store) {
     auto bytes = store.bytes_of(digest.get<std::string>());
-    if (!bytes) throw Lost();
+    if (!bytes) throw InputError({"cache"}, "has lost a file");
     return std::move(*bytes);
 }
 
@@ -66,7 +63,7 @@ void restore(report::DrawnFigure& figure, const json& stored, output::ResultCach
     for (report::DrawnPanel& panel : figure.panels) {
         for (report::DrawnPicture& picture : panel.pictures) {
             const auto length = stored.at("lengths").at(picture_number++).get<std::size_t>();
-            if (length > jpegs.size() - at) throw Lost();
+            if (length > jpegs.size() - at) throw InputError({"cache"}, "has lost a picture");
             picture.jpeg = jpegs.substr(at, length);
             at += length;
         }
@@ -168,8 +165,6 @@ std::optional<StoredAnswer> QuestionCache::read(const std::string& key) const tr
 } catch (const InputError&) {
     return {};
 } catch (const report::JsonProblem&) {   // a path that leaves the report's folder
-    return {};
-} catch (const Lost&) {
     return {};
 }
 

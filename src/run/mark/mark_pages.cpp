@@ -12,6 +12,7 @@
 #include "report/escape.h"
 #include "report/page/page_design.h"
 #include "report/page/template_render.h"
+#include "report/page/view_value.h"
 #include "report/words.h"
 #include "sheet/contact_sheet.h"
 
@@ -91,6 +92,22 @@ std::string picture_of(const ItemMark& mark) {
     return render::encode_jpeg(render::compose(sheet), quality);
 }
 
+/// Why an answer has its verdict.
+std::string explanation_of(const ItemMark& mark) {
+    const std::string worst = readable(mark.agreement.worst, 2), tolerance = plain_text(mark.item->tolerance, 3);
+    if (mark.verdict == Verdict::right)
+        return mark.agreement.worst > 0 ? words.line("said.right", "worst"_a = worst, "tolerance"_a = tolerance) : words.line("said.exact");
+    if (mark.verdict == Verdict::accepted) return words.line("said.accepted", "conventions"_a = in_words(mark.conventions));
+    if (mark.verdict == Verdict::recognised)
+        return words.line("said.recognised", "conventions"_a = in_words(mark.conventions),
+                          "share"_a = readable_percent(mark.item->recognised, 2));
+    if (mark.verdict == Verdict::wrong)
+        return words.line("said.wrong", "share"_a = readable_percent(mark.agreement.share), "tolerance"_a = tolerance,
+                          "place"_a = place_of(mark), "given"_a = readable(mark.given, 6), "expected"_a = readable(mark.expected, 6));
+    return mark.item->what == MarkedThing::number ? words.line("said.no_number", "file"_a = answers_file, "id"_a = mark.item->id)
+                                                  : words.line("said.missing", "pattern"_a = mark.item->file);
+}
+
 json item_view(const ItemMark& mark) {
     const std::string picture = picture_of(mark);
     return {{"id", mark.item->id},
@@ -118,39 +135,13 @@ std::string harmless_cell(const std::string& text) {
 }   // namespace
 
 std::string said_of(const ItemMark& mark) {
-    const std::string worst = readable(mark.agreement.worst, 2), tolerance = plain_text(mark.item->tolerance, 3);
-    std::string said;
-    switch (mark.verdict) {
-        case Verdict::right:
-            said = mark.agreement.worst > 0 ? words.line("said.right", "worst"_a = worst, "tolerance"_a = tolerance)
-                                            : words.line("said.exact");
-            break;
-        case Verdict::accepted:
-            said = words.line("said.accepted", "conventions"_a = in_words(mark.conventions));
-            break;
-        case Verdict::recognised:
-            said = words.line("said.recognised", "conventions"_a = in_words(mark.conventions),
-                              "share"_a = readable_percent(mark.item->recognised, 2));
-            break;
-        case Verdict::wrong:
-            said = words.line("said.wrong", "share"_a = readable_percent(mark.agreement.share), "tolerance"_a = tolerance,
-                              "place"_a = place_of(mark), "given"_a = readable(mark.given, 6), "expected"_a = readable(mark.expected, 6));
-            break;
-        case Verdict::missing:
-            said = mark.item->what == MarkedThing::number ? words.line("said.no_number", "file"_a = answers_file, "id"_a = mark.item->id)
-                                                          : words.line("said.missing", "pattern"_a = mark.item->file);
-            break;
-        case Verdict::unusable:
-            return words.line("said.unusable", "problem"_a = mark.problem);
-    }
-    if (mark.reference->not_unique && mark.verdict != Verdict::right) said += " " + words.line("said.not_unique");
-    return said;
+    if (mark.verdict == Verdict::unusable) return words.line("said.unusable", "problem"_a = mark.problem);
+    const std::string said = explanation_of(mark);
+    return mark.reference->not_unique && mark.verdict != Verdict::right ? said + " " + words.line("said.not_unique") : said;
 }
 
 std::string student_page(const StudentMarks& marks, const Rubric& rubric, const report::Templates& templates) {
-    json items = json::array(), remarks = json::array();
-    for (const ItemMark& mark : marks.items) items.push_back(item_view(mark));
-    for (const std::string& remark : marks.remarks) remarks.push_back({{"text", report::safe_text(remark)}});
+    const auto remark_view = [](const std::string& remark) -> json { return {{"text", report::safe_text(remark)}}; };
     json model{{"title", report::safe_text(rubric.title)},
                {"student", marks.id},
                {"source", report::safe_text(marks.source)},
@@ -158,9 +149,9 @@ std::string student_page(const StudentMarks& marks, const Rubric& rubric, const 
                {"points", points_text(rubric.points())},
                {"refused", report::safe_text(marks.refused)},
                {"is_refused", !marks.refused.empty()},
-               {"has_remarks", !remarks.empty()},
-               {"remarks", remarks},
-               {"items", items}};
+               {"has_remarks", !marks.remarks.empty()},
+               {"remarks", report::list_of(marks.remarks, remark_view)},
+               {"items", report::list_of(marks.items, item_view)}};
     report::add_design(model, templates, "mark");
     return report::render(templates, "mark.html", model, report::xml_escape);
 }

@@ -126,7 +126,7 @@ Reference reconstruction_of(const PreparedMesh& prepared, const AnswerSettings& 
     const LaplaceBeltrami L = laplace_operator(prepared.mesh, s.laplacian, s.area);
     const Spectrum spectrum = smallest_eigenpairs(L, s.k + 1);
     const auto found = static_cast<int>(spectrum.eigenvalues.size());
-    reference.right.values = flat(reconstruct(spectrum, L.M, prepared.mesh.X, std::min(s.k, found)));
+    reference.right = {flat(reconstruct(spectrum, L.M, prepared.mesh.X, std::min(s.k, found))), diagonal_of(prepared), true};
     if (found > s.k) {
         const double last = spectrum.eigenvalues[s.k - 1], next = spectrum.eigenvalues[s.k];
         reference.not_unique = next - last <= equal_eigenvalues * next;
@@ -135,37 +135,16 @@ Reference reconstruction_of(const PreparedMesh& prepared, const AnswerSettings& 
     return reference;
 }
 
-Reference computed(const RubricItem& item, const AnswerSettings& s, const PreparedMesh& prepared) {
+RightValues right_values(const RubricItem& item, const AnswerSettings& s, const PreparedMesh& prepared) {
     const TriangleMesh& mesh = prepared.mesh;
     const double diagonal = diagonal_of(prepared);
-    Reference reference;
-    switch (item.what) {
-        case MarkedThing::H:
-            reference.right = {mean_curvature_by(prepared, s.laplacian, laplace_operator(mesh, s.laplacian, s.area)), 1e-6 / diagonal};
-            break;
-        case MarkedThing::H_uniform:
-            reference.right = {uniform_mean_curvature(mesh, prepared.topology), 1e-9 * diagonal};
-            break;
-        case MarkedThing::K:
-            reference.right = {gaussian_curvature(mesh, prepared.topology, vertex_areas(mesh, s.area)), 1e-6 / (diagonal * diagonal)};
-            break;
-        case MarkedThing::eigenvalues:
-            reference.right = {smallest_eigenpairs(laplace_operator(mesh, s.laplacian, s.area), s.k).eigenvalues, 0};
-            break;
-        case MarkedThing::reconstruction:
-            reference = reconstruction_of(prepared, s);
-            break;
-        case MarkedThing::smoothed:
-            reference.right.values = flat(smooth(mesh, smoothing_of(prepared, s)).X);
-            break;
-        case MarkedThing::number:
-            break;
-    }
-    if (is_of_mesh(item.what)) {
-        reference.right.scale = diagonal;
-        reference.right.relative_to_scale = true;
-    }
-    return reference;
+    if (item.what == MarkedThing::H)
+        return {mean_curvature_by(prepared, s.laplacian, laplace_operator(mesh, s.laplacian, s.area)), 1e-6 / diagonal};
+    if (item.what == MarkedThing::H_uniform) return {uniform_mean_curvature(mesh, prepared.topology), 1e-9 * diagonal};
+    if (item.what == MarkedThing::K)
+        return {gaussian_curvature(mesh, prepared.topology, vertex_areas(mesh, s.area)), 1e-6 / (diagonal * diagonal)};
+    if (item.what == MarkedThing::eigenvalues) return {smallest_eigenpairs(laplace_operator(mesh, s.laplacian, s.area), s.k).eigenvalues};
+    return {flat(smooth(mesh, smoothing_of(prepared, s)).X), diagonal, true};
 }
 
 std::vector<Variant> computed_variants(const RubricItem& item, const AnswerSettings& s, const Reference& reference) {
@@ -208,8 +187,12 @@ const Reference& References::of(const RubricItem& item, const AnswerSettings& se
     if (item.what == MarkedThing::number) {
         reference.right.values = Vector::Constant(1, item.value);
     } else {
-        reference = computed(item, settings, *meshes_.at(item.id)->prepared);
-        reference.mesh = meshes_.at(item.id);
+        const auto& mesh = meshes_.at(item.id);
+        if (item.what == MarkedThing::reconstruction)
+            reference = reconstruction_of(*mesh->prepared, settings);
+        else
+            reference.right = right_values(item, settings, *mesh->prepared);
+        reference.mesh = mesh;
     }
     return references_[key] = std::move(reference);
 }
