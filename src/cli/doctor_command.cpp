@@ -35,8 +35,7 @@ void add_pdf(nlohmann::ordered_json& json) {
     json["pdf_engine"] = nullptr;
     if (finding.engine)
         json["pdf_engine"] = {{"program", printable(finding.engine->program.string())}, {"version", finding.engine->version}};
-    json["pdf_engines_refused"] = nlohmann::ordered_json::array();
-    for (const std::string& refused : finding.refused) json["pdf_engines_refused"].push_back(refused);
+    json["pdf_engines_refused"] = finding.refused;
     json["missing"] = nlohmann::ordered_json::array();
     if (!finding.engine) json["missing"].push_back("a PDF engine: apt install chromium-headless-shell");
     for (const char* font : print_fonts) {

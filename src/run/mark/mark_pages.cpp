@@ -159,8 +159,6 @@ std::string student_page(const StudentMarks& marks, const Rubric& rubric, const 
 std::string student_json(const StudentMarks& marks, const Rubric& rubric) {
     nlohmann::ordered_json tests = nlohmann::ordered_json::array();
     for (const ItemMark& mark : marks.items) {
-        nlohmann::ordered_json conventions = nlohmann::ordered_json::array();
-        for (const ConventionKeys& keys : mark.conventions) conventions.push_back(keys);
         tests.push_back({{"number", mark.item->id},
                          {"name", report::safe_text(mark.item->title)},
                          {"score", mark.score},
@@ -168,7 +166,7 @@ std::string student_json(const StudentMarks& marks, const Rubric& rubric) {
                          {"status", keeps_all(mark) ? "passed" : "failed"},
                          {"output", report::safe_text(said_of(mark))},
                          {"output_format", "text"},
-                         {"extra_data", {{"verdict", verdict_word(mark.verdict)}, {"conventions", conventions}}}});
+                         {"extra_data", {{"verdict", verdict_word(mark.verdict)}, {"conventions", mark.conventions}}}});
     }
     std::vector<std::string> remarks;
     std::ranges::transform(marks.remarks, std::back_inserter(remarks), report::safe_text);
