@@ -20,7 +20,6 @@ using PanelPictures = std::vector<render::Image>;
 /// @param em  text size
 render::FigureSheet arranged(const FigureRequest& request, std::vector<PanelPictures> panels, double em);
 
-/// The number of panels side by side.
 int panels_in_a_line(const FigureRequest& request);
 
 /// Has the figure so many small multiples that they are drawn small, six in a line?

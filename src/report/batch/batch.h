@@ -75,7 +75,6 @@ struct Batch {
     bool timings = true;
 };
 
-/// The number of rows in a state.
 std::size_t count_of(const Batch& batch, BatchRow::State state);
 
 Table batch_table(const Batch& batch);   // for write_csv()

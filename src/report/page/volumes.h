@@ -28,7 +28,6 @@ std::set<std::string> figures_in(const Document& document, Volume volume);
 /// Marks in the numbering what the other volume contains. @param page  file of that volume; empty: no link leads there
 void mark_elsewhere(const Document& document, Volume volume, const std::string& page, Numbering& numbering);
 
-/// The works that a volume refers to.
 std::set<std::string> works_cited_in(const Document& document, Volume volume, const std::vector<CitedWork>& works);
 
 }   // namespace meshfolio::report

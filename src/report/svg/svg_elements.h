@@ -25,7 +25,6 @@ std::string text_element(Point at, const std::string& anchor, const Text& text, 
 inline constexpr double title_width = drawing_width - 8;
 /// A title from `at` on, in lines of at most that width; `at` moves below them.
 std::string title_element(Point& at, const std::string& anchor, const std::string& words, double width = title_width);
-/// How many lines that is.
 double title_lines(const std::string& words, double width = title_width);
 
 std::string line_element(Point a, Point b, const std::string& attributes);
@@ -40,7 +39,6 @@ struct Look {
     bool has_line, has_points;
 };
 
-/// The look of the series at `place` in its plot.
 Look look_of(const Series& series, std::size_t place);
 
 /// Disc, square, triangle, diamond, cross, plus or triangle on its tip, for pattern 0 to 6.
@@ -66,7 +64,6 @@ std::string ticks_below(const Axis& axis, const Box& frame);
 /// Ticks and labels beside a frame, at its left or its right.
 std::string ticks_beside(const Axis& axis, const Box& frame, bool at_right = false);
 constexpr double tick_length = 5;
-/// Of the labels beside a frame.
 double widest_label(const Axis& axis);
 
 /// The opening of a picture: its size, what it is and what is to be seen, for those who do not see it.

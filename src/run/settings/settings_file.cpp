@@ -35,7 +35,6 @@ std::vector<std::string> keys_of(std::string_view table) {
     return keys;
 }
 
-/// Reads one settings file.
 class Reader {
 public:
     Reader(const toml::table& root, ReportSettings& settings, Problems& problems) : root_(root), settings_(settings), problems_(problems) {}
