@@ -1,5 +1,4 @@
 #include "cli/cli.h"
-#include "cli/signals.h"
 #include "run/console.h"
 
 int main(int argc, char** argv) {

@@ -9,14 +9,13 @@
 #include <system_error>
 #include <vector>
 
-#include "base/in_quotes.h"
 #include "base/joined.h"
 #include "base/nearest_word.h"
 #include "build_info.h"
 #include "cli/commands.h"
 #include "cli/help_formats.h"
-#include "cli/signals.h"
 #include "geometry/distributed/ranks.h"
+#include "run/arguments.h"
 #include "run/console.h"
 #include "run/progress.h"
 #include "run/settings/report_settings.h"
@@ -39,7 +38,7 @@ std::vector<std::string> with_command(int argc, const char* const* argv) {
     return words;
 }
 
-/// A script's variable that is not set: CLI11 would take the next word for the value of "--out=".
+/// Refuses empty arguments, often from unset variables of a script: CLI11 would take the next word as the value of "--out=".
 void refuse_empty(const std::vector<std::string>& words) {
     std::string before;
     for (const std::string& word : words) {
@@ -50,7 +49,7 @@ void refuse_empty(const std::vector<std::string>& words) {
     }
 }
 
-/// What CLI11 refuses. A misspelt option is told first: what else is missing or left over may follow from it.
+/// The error for what CLI11 refuses. A misspelt option is reported first, as it often causes the other problems.
 /// @param name_called  by the user: "meshfolio" alone may mean the report
 UsageError usage_error(const CLI::App& command, const std::string& name_called, const CLI::ParseError& error) {
     const std::string help = "see " + called(command) + " --help";
@@ -66,7 +65,7 @@ UsageError usage_error(const CLI::App& command, const std::string& name_called, 
     return UsageError(error.what(), help);
 }
 
-/// "--out DIR": the names of an option, and what stands for its value in the help, NUMBER if nothing does. A place is called what it is.
+/// Splits "--out DIR" into the names of an option and the type that the help shows, NUMBER by default. Positional arguments have no type.
 struct Named {
     explicit Named(const std::string& text)
         : names(text.substr(0, text.find(' '))),
@@ -117,7 +116,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
     return chosen->run();
 }
 
-/// A thread that could not begin; oneTBB says so in words only.
+/// Did a thread fail to start? oneTBB reports that by its message alone.
 bool is_shortage(const std::exception& error) {
     if (const auto* system = dynamic_cast<const std::system_error*>(&error)) {
         return system->code() == std::errc::resource_unavailable_try_again || system->code() == std::errc::not_enough_memory;
@@ -125,7 +124,7 @@ bool is_shortage(const std::exception& error) {
     return std::string_view(error.what()).starts_with("pthread_create");
 }
 
-/// A broken file of another kind may have a problem on every line.
+/// Prints at most 38 problems: a file of another kind may have one on every line.
 void complain_about(const SettingsErrors& errors) {
     constexpr std::size_t most = 38;
     const std::size_t told = std::min(most, errors.problems().size());
@@ -151,12 +150,11 @@ void CommandOptions::required(const std::string& names, std::string& value, cons
 
 void CommandOptions::choice(const std::string& names, std::string& value, const std::vector<std::string>& choices,
                             const std::string& help) {
-    const std::string type = joined(choices, "|"), name = names;
-    const auto check = [choices, name](const std::string& word) -> std::string {
-        if (std::find(choices.begin(), choices.end(), word) != choices.end()) return "";
-        throw UsageError("unknown " + name + " " + in_quotes(word), suggestion(word, choices) + "it takes " + joined(choices, ", "));
+    const auto check = [choices, names](const std::string& word) {
+        require_choice(names, word, choices);
+        return std::string();
     };
-    CLI::Option* option = app_->add_option(names, value, help)->type_name(type)->check(check);
+    CLI::Option* option = app_->add_option(names, value, help)->type_name(joined(choices, "|"))->check(check);
     if (!value.empty()) option->capture_default_str();
 }
 

@@ -22,7 +22,7 @@ namespace meshfolio::cli {
 
 using namespace run;   // what the commands share with `report`
 
-/// Puts what follows a command into variables of its own, which must outlive the parsing. Names are CLI11's: "MESH" is a place,
+/// Puts what follows a command into variables, which must outlive the parsing. Names are as in CLI11: "MESH" is positional,
 /// "-o,--output FILE" an option and what it takes, a NUMBER where nothing is said. A variable that is not empty keeps its value as the
 /// default, which the help shows.
 class CommandOptions {
@@ -34,7 +34,7 @@ public:
     /// One of the words; another is refused with the nearest of them.
     void choice(const std::string& names, std::string& value, const std::vector<std::string>& choices, const std::string& help);
     void required_texts(const std::string& names, std::vector<std::string>& values, const std::string& help);
-    /// A place takes all that follows, an option one word each time.
+    /// A positional argument takes all words that follow, an option one word each time.
     void texts(const std::string& names, std::vector<std::string>& values, const std::string& help);
     void flag(const std::string& names, bool& value, const std::string& help);
     /// What the help ends with: an example.
@@ -51,7 +51,7 @@ struct Command {
     std::function<ExitCode()> run;   // throws an Error, or returns ok or failed
 };
 
-/// Who factors: one of backend_choices(). With `slepc`, the first of the ranks of MPI does the work and the others help; else the work gets
+/// Calls work with the ranks of MPI for the backend `slepc`: the first rank does the work, the others serve it. For `builtin` the work gets
 /// nullptr. @throws EngineError for what this program was built without
 ExitCode with_backend(const std::string& backend, const std::function<ExitCode(Ranks*)>& work);
 const std::vector<std::string>& backend_choices();

@@ -6,7 +6,6 @@
 #include "mesh/io/mesh_files.h"
 #include "run/console.h"
 #include "run/one_mesh/difference_lines.h"
-#include "run/one_mesh/difference_page.h"
 #include "run/one_mesh/vertex_columns.h"
 
 namespace meshfolio::cli {
@@ -32,15 +31,12 @@ std::string in_words(const std::vector<DifferenceLine>& lines) {
 /// Repairs may turn the triangles of one mesh and not of the other (a smoothed surface can end inside out): when the files agree on the
 /// triangles, those of A count for both.
 void take_triangles_of_file(const CompareFlags& options, const PreparedMesh& a, PreparedMesh& b) {
-    const auto same_triangles = [](const TriangleMesh& p, const TriangleMesh& q) {
-        return p.vertex_count() == q.vertex_count() && p.face_count() == q.face_count() && p.F == q.F;
-    };
     const bool once = options.a == "-" || options.b == "-";   // standard input cannot be read again
-    if (once || a.mesh.vertex_count() != b.mesh.vertex_count() || same_triangles(a.mesh, b.mesh)) return;
-    if (same_triangles(read_mesh(options.a).mesh, read_mesh(options.b).mesh)) b.mesh.F = a.mesh.F;
+    if (once || a.mesh.vertex_count() != b.mesh.vertex_count() || have_same_triangles(a.mesh, b.mesh)) return;
+    if (have_same_triangles(read_mesh(options.a).mesh, read_mesh(options.b).mesh)) b.mesh.F = a.mesh.F;
 }
 
-/// What needs the distances of surfaces.
+/// The output files that need the distances between surfaces.
 void add_files(output::FileGroup& files, const CompareFlags& options, const PreparedMesh& a, const PreparedMesh& b,
                const Difference& difference) {
     if (options.csv.empty() && options.ply.empty() && options.html.empty()) return;

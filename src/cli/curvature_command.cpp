@@ -10,7 +10,7 @@ namespace meshfolio::cli {
 
 namespace {
 
-/// Interior vertices whose area is not positive have no curvature; that is worth a word.
+/// Warns of interior vertices whose area is not positive: they have no curvature.
 void warn_of_empty_areas(const PreparedMesh& prepared, const std::string& file, AreaForm form) {
     const Vector areas = vertex_areas(prepared.mesh, form);
     int empty = 0;

@@ -18,7 +18,7 @@ namespace meshfolio::cli {
 
 namespace {
 
-/// Those that the printed report is set in.
+/// Fonts of the printed report.
 constexpr std::array print_fonts{"DejaVuMathTeXGyre.ttf", "DejaVuSerifCondensed.ttf", "DejaVuSansCondensed.ttf"};
 
 bool is_installed(const std::string& font) {
@@ -35,8 +35,7 @@ void add_pdf(nlohmann::ordered_json& json) {
     json["pdf_engine"] = nullptr;
     if (finding.engine)
         json["pdf_engine"] = {{"program", printable(finding.engine->program.string())}, {"version", finding.engine->version}};
-    json["pdf_engines_refused"] = nlohmann::ordered_json::array();
-    for (const std::string& refused : finding.refused) json["pdf_engines_refused"].push_back(refused);
+    json["pdf_engines_refused"] = finding.refused;
     json["missing"] = nlohmann::ordered_json::array();
     if (!finding.engine) json["missing"].push_back("a PDF engine: apt install chromium-headless-shell");
     for (const char* font : print_fonts) {
@@ -44,7 +43,7 @@ void add_pdf(nlohmann::ordered_json& json) {
     }
 }
 
-/// The folder and its size; why there is none.
+/// The folder of the cache with its size, or the reason why there is none.
 nlohmann::ordered_json cache_found() try {
     const auto folder = output::default_cache_folder();
     if (!folder) return {{"folder", "none: neither XDG_CACHE_HOME nor HOME names a folder"}};

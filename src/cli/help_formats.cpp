@@ -1,7 +1,6 @@
 #include "cli/help_formats.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
 #include "base/errors.h"
 #include "base/in_quotes.h"

@@ -31,7 +31,7 @@ std::string facts_line(const Preflight& p) {
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-/// What was found, which questions it affects and what was done.
+/// Each defect that was found, the questions it affects, and the repair.
 std::string consequences(const MeshFacts& facts) {
     std::string text;
     for (const auto& [defect, count] : preflight::defects_of(facts)) {

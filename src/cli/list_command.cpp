@@ -12,23 +12,19 @@ namespace meshfolio::cli {
 namespace {
 
 nlohmann::ordered_json everything() {
-    nlohmann::ordered_json json{{"questions", nlohmann::ordered_json::array()},
-                                {"supporting", nlohmann::ordered_json::array()},
-                                {"meshes", nlohmann::ordered_json::array()},
-                                {"colormaps", nlohmann::ordered_json::array()},
-                                {"samples", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json;
+    const auto add = [&](const char* kind, std::string_view name, const std::string& description) {
+        json[kind].push_back({{"name", name}, {"description", description}});
+    };
     for (const Chapter* chapter : chapter_list())
-        json[chapter->is_question() ? "questions" : "supporting"].push_back(
-            {{"name", chapter->id}, {"description", chapter->title() + ": " + chapter->asked()}});
+        add(chapter->is_question() ? "questions" : "supporting", chapter->id, chapter->title() + ": " + chapter->asked());
     for (const MeshRole& role : mesh_role_list()) {
-        json["meshes"].push_back(
-            {{"name", role.role},
-             {"description", role.asked.empty() ? std::string(role.bundled)
-                                                : std::string(role.asked) + ", bundled stand-in " + std::string(role.bundled)}});
+        const std::string asked(role.asked);
+        add("meshes", role.role, (asked.empty() ? "" : asked + ", bundled stand-in ") + std::string(role.bundled));
     }
     for (const render::Colormap& map : render::colormap_list())
-        json["colormaps"].push_back({{"name", map.name}, {"description", std::string(map.kind) + ", " + std::string(map.description)}});
-    for (const Sample& sample : sample_list()) json["samples"].push_back({{"name", sample.name}, {"description", sample.description}});
+        add("colormaps", map.name, std::string(map.kind) + ", " + std::string(map.description));
+    for (const Sample& sample : sample_list()) add("samples", sample.name, std::string(sample.description));
     return json;
 }
 

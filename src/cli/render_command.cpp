@@ -17,7 +17,6 @@
 #include "output/publish/file_group.h"
 #include "output/publish/folder_system.h"
 #include "png/png.h"
-#include "run/arguments.h"
 #include "run/console.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/mesh_pictures.h"
@@ -78,7 +77,7 @@ render::DrawOptions draw_options(const RenderFlags& options) {
     return draw;
 }
 
-/// No PNG can hold it. Refused before anything is drawn.
+/// Refuses a sheet that is too large for a PNG, before anything is drawn.
 void refuse_large_sheet(std::size_t views, const render::DrawOptions& draw) {
     const std::int64_t pixels = bare_sheet_pixels(views, draw);
     if (pixels > render::largest_png)
@@ -93,7 +92,7 @@ std::string file_name(const std::string& view, bool in_words) {
     return view.substr(1) + (view[0] == '+' ? "-pos.png" : "-neg.png");
 }
 
-/// The sheet takes longer than all the views: it is begun first.
+/// Encodes the sheet first, as it takes longer than all views together.
 void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::path>& paths, const render::ContactSheet& sheet, bool bare) {
     const std::vector<render::Image>& pictures = sheet.pictures;
     for_each_task(1 + pictures.size(), [&](std::size_t task) {
@@ -113,7 +112,7 @@ bool show_something(const std::vector<render::Image>& pictures, render::Rgba bac
     });
 }
 
-/// Two meshes on one sheet: the same field of both, or how far each is from the other.
+/// Draws two meshes on one sheet: the same field of both, or the distance of each to the other.
 ExitCode run_pair(const RenderFlags& options, PictureRequest request) {
     if (options.plain || options.field == "id" || !options.values.empty() || !options.glb.empty())
         throw UsageError("--pair goes with none of --plain, --field id, --values and --glb", "render each mesh by itself");

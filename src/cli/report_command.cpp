@@ -1,13 +1,12 @@
 #include <chrono>
+#include <future>
 #include <memory>
-#include <set>
 
 #include "base/available_memory.h"
 #include "base/file_bytes.h"
 #include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "cli/commands.h"
-#include "geometry/curvature/curvature.h"
 #include "mesh/mesh_topology.h"
 #include "output/draw/draw_figures.h"
 #include "output/publish/publish.h"
@@ -18,12 +17,10 @@
 #include "run/from_results.h"
 #include "run/kept_sections.h"
 #include "run/lab/report_labs.h"
-#include "run/own_source.h"
 #include "run/paper_copy.h"
 #include "run/plan/plan.h"
 #include "run/progress.h"
 #include "run/provenance.h"
-#include "run/publish_report.h"
 #include "run/report_files.h"
 #include "run/run_questions.h"
 #include "run/settings/report_settings.h"
@@ -36,15 +33,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-class Stopwatch {
-public:
-    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
+using Clock = std::chrono::steady_clock;
 
-private:
-    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
-};
+double seconds_since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
 
-/// With the sections that stay, the report is that of a run which was asked for all of them.
+/// The settings of a run that was asked for the kept sections as well: the renewed report equals the report of that run.
 ReportSettings with_kept(ReportSettings settings, const KeptSections& kept) {
     if (settings.only.empty()) return settings;
     for (const auto& [id, answer] : kept.answers) settings.only.push_back(id);
@@ -90,7 +83,32 @@ output::DrawSettings draw_settings(const ReportSettings& settings) {
     return draw;
 }
 
-/// Refuses what there is no memory for, and says what is planned where that was asked for or is less than usual.
+struct Drawn {
+    report::DrawnFigures figures;
+    std::future<std::string> appendix;
+};
+
+/// The long appendix takes longest to print: `begin_appendix` begins that while the other figures are drawn.
+template <class Begin>
+Drawn drawn(const FigureRequests& requests, const output::DrawSettings& settings, const fs::path& folder, ProgressDisplay& display,
+            const Begin& begin_appendix) {
+    display.step("drawing");
+    double before = 0;
+    const auto draw = [&](const std::vector<output::FigureRequest>& some) {
+        const double share = double(some.size()) / double(requests.count());
+        auto figures =
+            output::draw_figures(some, folder, settings, [&](double part) { display.advance(0.7 + 0.25 * (before + share * part)); });
+        before += share;
+        return figures;
+    };
+    Drawn result{draw(requests.of_appendix), {}};
+    result.appendix = begin_appendix(result.figures);
+    result.figures.merge(draw(requests.others));
+    display.milestone(std::to_string(requests.count()) + " figures drawn");
+    return result;
+}
+
+/// Refuses work that needs more memory than there is. Prints the plan if --time was given, and warns if the time cannot be kept.
 void begin_planned(const Plan& plan, ReportSettings& settings) {
     require_memory(plan, settings, available_memory());
     settings.efforts = plan.efforts();
@@ -133,35 +151,23 @@ ExitCode run_report(const ReportFlags& flags) {
     std::vector<std::string> notes;
     {
         ProgressDisplay display(stderr_is_terminal(), plan.seconds());
-        const Stopwatch whole;
+        const Clock::time_point whole = Clock::now();
         std::vector<QuestionResult> results = run_questions(meshes, settings, cache ? &*cache : nullptr, kept.answers, display);
         const auto again = [&](const std::string& id) { return run_question(id, meshes, settings, display); };
         const std::optional<Cover> cover = chosen_cover(results, again);
         document = document_of(with_kept(settings, kept), results, cover);
         kept.tell_efforts(document.provenance.settings);
         submission::cite(document, own_source());
-        document.timings.push_back({"all questions", whole.seconds()});
-        const Stopwatch drawing;
+        document.timings.push_back({"all questions", seconds_since(whole)});
+        const Clock::time_point drawing = Clock::now();
         const fs::path& folder = publication.folder();
-        const FigureRequests requests = requests_of(results, cover, document);
-        display.step("drawing");
-        std::size_t drawn = 0;
-        const auto draw = [&](const std::vector<output::FigureRequest>& some) {
-            auto figures = output::draw_figures(some, folder, draw_settings(settings), [&](double fraction) {
-                const double done = static_cast<double>(drawn) + fraction * static_cast<double>(some.size());
-                display.advance(0.7 + 0.25 * done / static_cast<double>(requests.count()));
+        auto [figures, appendix] =
+            drawn(requests_of(results, cover, document), draw_settings(settings), folder, display, [&](report::DrawnFigures& of_appendix) {
+                add_stored_figures(results, cover, of_appendix);
+                return paper.begin(report::Volume::appendix, document, of_appendix, store.get(), folder);
             });
-            drawn += some.size();
-            return figures;
-        };
-        report::DrawnFigures figures = draw(requests.of_appendix);
-        add_stored_figures(results, cover, figures);
-        // The long appendix takes longest to print: that goes on while the other figures are drawn.
-        auto appendix = paper.begin(report::Volume::appendix, document, figures, store.get(), folder);
-        figures.merge(draw(requests.others));
-        display.milestone(std::to_string(requests.count()) + " figures drawn");
-        document.timings.push_back({"drawing", drawing.seconds()});
-        document.timings.push_back({"up to writing", whole.seconds()});
+        document.timings.push_back({"drawing", seconds_since(drawing)});
+        document.timings.push_back({"up to writing", seconds_since(whole)});
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
         report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.page.design};
         auto paper_copy = paper.begin(report::Volume::report, document, figures, store.get(), folder);
@@ -175,7 +181,7 @@ ExitCode run_report(const ReportFlags& flags) {
         notes = {paper_copy.get(), appendix.get()};
         const auto digests = stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr);
         published = publish_report(publication, document, digests, settings, flags.junit);
-        display.milestone("report written in " + plain_text(whole.seconds(), 3) + " s");
+        display.milestone("report written in " + plain_text(seconds_since(whole), 3) + " s");
     }
     notes.push_back(kept.note);
     return tell(published, notes, document);

@@ -1,4 +1,4 @@
-#include "cli/signals.h"
+#include "cli/cli.h"
 
 #include <fcntl.h>
 #include <malloc.h>
@@ -69,7 +69,7 @@ void tell(std::string_view message) {
 
 pthread_t ending_thread;   // waits in wait_for_the_end()
 
-/// A library may have started threads of its own before main(), which do not block these signals and may be the ones that get them.
+/// Forwards a signal to the waiting thread: threads that a library started before main() do not block signals and may receive them.
 void hand_on(int signal) { pthread_kill(ending_thread, signal); }
 
 /// Some destructors of the packages allocate and may not throw.
@@ -87,7 +87,7 @@ void hand_on(int signal) { pthread_kill(ending_thread, signal); }
     ::_exit(static_cast<int>(ExitCode::failed));
 }
 
-/// A run that another of ours began (run/batch) ends with it, also where that was killed.
+/// Ends this run when the run that started it (run/batch) ends, even if that one was killed.
 void end_with_parent() {
     const char* parent = std::getenv("MESHFOLIO_PARENT");
     if (parent == nullptr) return;

@@ -97,7 +97,7 @@ void warn_of_taubin(const SmoothingOptions& smoothing, const TriangleMesh& mesh)
     if (growth > 1) warn("each iteration multiplies the highest mode by " + plain_text(growth, 4) + "; take a smaller --lambda");
 }
 
-/// What became of the limit of a run whose operator was rebuilt, or whose steps were cut.
+/// Warns if a rebuilt operator made the step unstable, or if steps were cut.
 void warn_of_limit(const SmoothingOptions& smoothing, const Smoothed& result) {
     if (result.crossing_iteration > 0) {
         const StepStability& step = result.steps[static_cast<std::size_t>(result.crossing_iteration) - 1];

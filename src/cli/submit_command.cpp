@@ -3,7 +3,7 @@
 #include "cli/commands.h"
 #include "questions/core/chapter.h"
 #include "run/console.h"
-#include "run/own_source.h"
+#include "run/provenance.h"
 #include "submission/submission.h"
 
 namespace meshfolio::cli {

@@ -4,7 +4,6 @@
 #include "cli/commands.h"
 #include "output/publish/file_group.h"
 #include "output/publish/folder_system.h"
-#include "report/page/template_tags.h"
 #include "report/writers.h"
 #include "run/console.h"
 
@@ -19,7 +18,7 @@ struct TemplatesFlags {
     bool tags = false, force = false;
 };
 
-/// All of them or none: what is there already is found before anything is written.
+/// Writes all templates or none: existing files are found before anything is written.
 void export_templates(const fs::path& folder, bool force) {
     const report::Templates templates;
     for (const std::string& name : templates.names()) {

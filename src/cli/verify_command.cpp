@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/file_bytes.h"
-#include "base/number_text.h"
 #include "cli/commands.h"
 #include "output/publish/publish.h"
 #include "questions/core/chapter.h"

@@ -1,5 +1,5 @@
 /// @file
-/// Long work as Python wants it: without its lock, and ended by Ctrl-C.
+/// Long work for Python: without the GIL, and stopped by Ctrl-C.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -20,7 +20,7 @@ namespace meshfolio::python {
 
 inline std::atomic<int> works_running = 0;
 
-/// What was left to itself may still compute when the process ends. Nothing then takes its ground away, and nobody waits for it.
+/// Abandoned work may still compute when the process ends: exits without destructors that it could crash on, and without waiting.
 inline void leave_works_at_exit() {
 #ifdef __GLIBC__
     ::on_exit(

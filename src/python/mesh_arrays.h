@@ -41,14 +41,14 @@ inline Mesh mesh_of(PreparedMesh prepared) {
 /// With arrays of its own.
 inline py::dict copy_of(const py::dict& arrays) { return py::module_::import("copy").attr("deepcopy")(arrays); }
 
-/// The same triangles, turned as they are, over other positions.
+/// The same triangles, with their orientation, over other positions.
 inline Mesh moved_to(const Mesh& mesh, Positions X) {
     PreparedMesh moved = *mesh.prepared;
     moved.mesh.X = std::move(X);
     return {std::make_shared<const PreparedMesh>(std::move(moved)), copy_of(mesh.attributes), true};
 }
 
-/// All that a file takes beside the triangles.
+/// Everything a file stores besides the triangles.
 inline Attributes attributes_of(const Mesh& mesh) {
     Attributes all = mesh.prepared->attributes;
     for (VertexColumn& column : columns_of(mesh.attributes, mesh.triangles().X.rows())) all.columns.push_back(std::move(column));

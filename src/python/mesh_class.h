@@ -52,7 +52,7 @@ inline py::list warnings_of(const Mesh& mesh) {
 
 inline Mesh copy_of(const Mesh& mesh) { return {mesh.prepared, copy_of(mesh.attributes), mesh.moved}; }
 
-/// Everything as it stands: a mesh that was moved is not turned anew.
+/// The complete state for pickling: a moved mesh is not oriented again.
 inline py::tuple state_of(const Mesh& mesh) {
     const Attributes& kept = mesh.prepared->attributes;
     return py::make_tuple(mesh.triangles().X, mesh.triangles().F, mesh.prepared->file, warnings_of(mesh), mesh.attributes,

@@ -8,14 +8,10 @@
 #include <cerrno>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "base/errors.h"
-#include "base/in_quotes.h"
-#include "base/joined.h"
-#include "base/nearest_word.h"
 #include "base/number_text.h"
 #include "build_info.h"
 #include "geometry/operators/laplace_operator.h"
@@ -41,18 +37,13 @@ namespace {
 
 // ---- what is refused or warned of, in the words of the command line --------------------------------------------------------
 
-void check_choice(const std::string& name, const std::string& word, const std::vector<std::string>& choices) {
-    if (!run::contains(choices, word))
-        throw UsageError("unknown " + name + " " + in_quotes(word), suggestion(word, choices) + "it takes " + joined(choices, ", "));
-}
-
 AreaForm area_of(const std::string& name) {
-    check_choice("area", name, {"barycentric", "voronoi", "mixed"});
+    run::require_choice("area", name, {"barycentric", "voronoi", "mixed"});
     return area_form_named(name);
 }
 
 OperatorKind operator_of(const std::string& name) {
-    check_choice("operator", name, run::operator_choices());
+    run::require_choice("operator", name, run::operator_choices());
     return operator_named(name);
 }
 
@@ -148,8 +139,8 @@ ChosenStep chosen_step(const TriangleMesh& mesh, SmoothingOptions options, std::
 
 Mesh smooth_mesh(const Mesh& mesh, std::optional<double> step, const std::string& scheme, const std::string& laplacian,
                  const std::string& unit_name, long long iterations, bool rebuild, bool adaptive, std::optional<double> mu) {
-    check_choice("scheme", scheme, {"explicit", "implicit", "taubin"});
-    check_choice("unit", unit_name, {"raw", "tau", "h2"});
+    run::require_choice("scheme", scheme, {"explicit", "implicit", "taubin"});
+    run::require_choice("unit", unit_name, {"raw", "tau", "h2"});
     if (step) run::number_above_zero("step", plain_text(*step));
     if (mu) run::finite_number("mu", plain_text(*mu));
     SmoothingOptions options{.scheme = smoothing_scheme_named(scheme), .laplacian = operator_of(laplacian)};
@@ -182,7 +173,7 @@ Mesh smooth_mesh(const Mesh& mesh, std::optional<double> step, const std::string
 Mesh noise(const Mesh& mesh, double sigma, std::uint64_t seed, const std::string& unit) {
     if (run::number_not_negative("sigma", plain_text(sigma)) > largest_coordinate)
         throw UsageError("sigma " + plain_text(sigma) + " is beyond 1e100");
-    check_choice("unit", unit, {"raw", "bbox"});
+    run::require_choice("unit", unit, {"raw", "bbox"});
     const Vector3 scale = unit == "bbox" ? bounding_box(mesh.triangles()).extent() : Vector3::Ones();
     return moved_to(mesh, with_gaussian_noise(mesh.triangles().X, sigma * scale, seed));
 }
@@ -212,8 +203,8 @@ py::object inspect(const Mesh& mesh, const std::string& laplacian) {
 py::array draw(const Mesh& mesh, const std::string& field_name, const std::optional<Vector>& values, const std::string& label,
                const std::string& views, const py::object& size, const std::string& colormap,
                const std::optional<std::pair<double, double>>& range, double isolines, bool edges, bool transparent) {
-    if (!values) check_choice("field", field_name, run::field_names());
-    if (!colormap.empty()) check_choice("colormap", colormap, run::colormap_names());
+    if (!values) run::require_choice("field", field_name, run::field_names());
+    if (!colormap.empty()) run::require_choice("colormap", colormap, run::colormap_names());
     run::PictureRequest request{
         .views = run::views_named(views), .colormap = colormap, .title = std::filesystem::path(mesh.prepared->file).filename().string()};
     std::tie(request.draw.width, request.draw.height) = picture_size(size);

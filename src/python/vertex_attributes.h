@@ -5,9 +5,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 
-#include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/errors.h"
@@ -17,10 +15,10 @@ namespace meshfolio::python {
 
 namespace py = pybind11;
 
-/// Normals are no attributes: whoever writes them computes them anew.
+/// Normals are no attributes: they are computed anew when a mesh is written.
 inline bool is_normal(const VertexColumn& column) { return column.name == "nx" || column.name == "ny" || column.name == "nz"; }
 
-/// Arrays of their own, of the type that the file holds; of float64 where an integer is not defined.
+/// New arrays of the type in the file; float64 for integers with undefined values.
 inline py::dict dict_of(const std::vector<VertexColumn>& columns) {
     py::dict arrays;
     for (const VertexColumn& column : columns) {
@@ -36,7 +34,7 @@ inline py::dict dict_of(const std::vector<VertexColumn>& columns) {
     return arrays;
 }
 
-/// As files hold numbers of that type: none of 8 bytes that are integers, which become int32 where they all are within, else float64.
+/// The type of a column in a file. Files have no 8-byte integers: these become int32 if all fit, else float64.
 inline ScalarType type_in_files(const py::dtype& type, const DenseMatrix& values) {
     if (type.kind() == 'b') return ScalarType::uint8;
     if (type.kind() == 'f') return type.itemsize() <= 4 ? ScalarType::float32 : ScalarType::float64;

@@ -1,5 +1,5 @@
 /// @file
-/// The fixed lists the report draws on: displayed formulas and cited works, both kept as templates so that they can be replaced.
+/// Displayed formulas and cited works: lists that are templates, so that users can replace them.
 #pragma once
 
 #include <map>

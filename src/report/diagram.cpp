@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace meshfolio::report {
 
@@ -9,12 +10,8 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-struct AngleRange {
-    double from, to;
-};
-
 /// The directions from `vertex` to `a` and to `b`, less than half a turn apart.
-AngleRange angles_between(DiagramPoint vertex, DiagramPoint a, DiagramPoint b) {
+std::pair<double, double> angles_between(DiagramPoint vertex, DiagramPoint a, DiagramPoint b) {
     const double from = std::atan2(a[1] - vertex[1], a[0] - vertex[0]), to = std::atan2(b[1] - vertex[1], b[0] - vertex[0]);
     return {from, from + std::remainder(to - from, turn)};
 }
@@ -43,13 +40,13 @@ Diagram::Path arc(DiagramPoint centre, double radius, double from, double to, Di
 }
 
 Diagram::Path angle_arc(DiagramPoint vertex, DiagramPoint a, DiagramPoint b, double radius, Diagram::Style style) {
-    const AngleRange range = angles_between(vertex, a, b);
-    return arc(vertex, radius, range.from, range.to, style);
+    const auto [from, to] = angles_between(vertex, a, b);
+    return arc(vertex, radius, from, to, style);
 }
 
 DiagramPoint inside_angle(DiagramPoint vertex, DiagramPoint a, DiagramPoint b, double radius) {
-    const AngleRange range = angles_between(vertex, a, b);
-    const double middle = 0.5 * (range.from + range.to);
+    const auto [from, to] = angles_between(vertex, a, b);
+    const double middle = 0.5 * (from + to);
     return {vertex[0] + radius * std::cos(middle), vertex[1] + radius * std::sin(middle)};
 }
 

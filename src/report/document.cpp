@@ -5,7 +5,6 @@
 #include <functional>
 #include <set>
 #include <string_view>
-#include <utility>
 
 #include "base/number_text.h"
 

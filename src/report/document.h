@@ -58,9 +58,9 @@ struct Column {
         bool operator==(const Heat&) const = default;
     };
     std::optional<Heat> heat = {};
-    /// Readers of the page may choose one of its values and see those rows alone.
+    /// Readers may filter the rows by a value of this column.
     bool filter = false;
-    /// Texts are ids of what is referred to: people see "Figure 1.3", with a link; files keep the id.
+    /// Texts are ids: people see "Figure 1.3" with a link; files keep the id.
     bool reference = false;
     bool operator==(const Column&) const = default;
 };
@@ -79,8 +79,8 @@ struct Series {
     std::vector<double> x = {}, y = {};            // equally long; NaN leaves a gap
     std::vector<double> y_low = {}, y_high = {};   // error band; empty: none
     enum class Style { line, points, line_and_points, dashed } style = Style::line;
-    /// Which of the colours, and which of the dashes and shapes of points; −1: those of the series' place in its plot. Given where a series
-    /// is to look as in another plot, or series are to be told apart by two properties.
+    /// Number of the colour, and of the dashes and point shape; −1: by the place of the series in its plot. Set them to make a series look
+    /// as in another plot, or to distinguish series by two properties.
     int color = -1, pattern = -1;
     /// Series of one panel share a small plot of that name, beside the others on common axes: for more than five series. Empty: one plot.
     std::string panel = {};
@@ -125,7 +125,7 @@ struct Map {
         double low, high;
         bool operator==(const Range&) const = default;
     };
-    std::optional<Range> range = {};   // of the colours, what lies beyond has the last of them; empty: all that is finite
+    std::optional<Range> range = {};   // of the colours; values beyond get the end colours; empty: all finite values
     std::string undefined = {};        // what the hatched cells are: "blew up"
     struct Panel {
         std::string title;

@@ -1,6 +1,6 @@
 #include "report/escape.h"
 
-#include <array>
+#include <nettle/base64.h>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
@@ -9,8 +9,6 @@
 namespace meshfolio::report {
 
 namespace {
-
-bool is_alphanumeric(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
@@ -58,28 +56,15 @@ std::string valid_utf8(const std::string& text) {
 }
 
 std::string xml_escape(const std::string& text) {
+    constexpr std::string_view special = "&<>\"'", names[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
     std::string escaped;
     escaped.reserve(text.size() + text.size() / 8);
     for (const char c : text) {
-        switch (c) {
-            case '&':
-                escaped += "&amp;";
-                break;
-            case '<':
-                escaped += "&lt;";
-                break;
-            case '>':
-                escaped += "&gt;";
-                break;
-            case '"':
-                escaped += "&quot;";
-                break;
-            case '\'':
-                escaped += "&#39;";
-                break;
-            default:
-                escaped += c;
-        }
+        const std::size_t i = special.find(c);
+        if (i == special.npos)
+            escaped += c;
+        else
+            escaped += names[i];
     }
     return escaped;
 }
@@ -89,12 +74,8 @@ std::string markdown_escape(const std::string& text) {
     std::string escaped;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
-        if (c == '&') {
-            escaped += "&amp;";
-        } else if (c == '<') {
-            escaped += "&lt;";
-        } else if (c == '>') {
-            escaped += "&gt;";
+        if (c == '&' || c == '<' || c == '>') {
+            escaped += xml_escape({c});
         } else {
             const bool emphasis = c == '_' && !is_within_word(text, i);
             if (emphasis || special.find(c) != std::string_view::npos || begins_block(text, i) || makes_link(text, i)) escaped += '\\';
@@ -119,16 +100,8 @@ std::string url_path(const std::string& path) {
 }
 
 std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const auto byte = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : std::uint32_t{0}; };
-    std::string encoded;
-    encoded.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::uint32_t group = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-        const std::array<char, 4> quad{digits[group >> 18], digits[group >> 12 & 63], digits[group >> 6 & 63], digits[group & 63]};
-        encoded.append(quad.data(), quad.size());
-    }
-    if (bytes.size() % 3 > 0) encoded.replace(encoded.size() - (3 - bytes.size() % 3), 3 - bytes.size() % 3, 3 - bytes.size() % 3, '=');
+    std::string encoded(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
+    base64_encode_raw(encoded.data(), bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
     return encoded;
 }
 

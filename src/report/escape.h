@@ -1,11 +1,14 @@
 /// @file
-/// Text from anywhere made safe for one format. Names of files and meshes may hold anything; what leaves here is valid.
+/// Makes arbitrary text, such as names of files and meshes, safe and valid for one format.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 namespace meshfolio::report {
+
+/// A letter or a digit of ASCII, in any locale.
+inline bool is_alphanumeric(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// Valid UTF-8 on one line, of characters that XML 1.0 knows: line ends and tabs become spaces, other control characters, bidirectional
 /// overrides and bytes that are not UTF-8 become visible escapes such as \xff.

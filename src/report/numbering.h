@@ -1,5 +1,5 @@
 /// @file
-/// What everything in a document is called: "Figure 1.3", "Table 4.1", "Equation (2.2)", "Claim A.3", "Question 5", "[4]".
+/// Labels of everything in a document: "Figure 1.3", "Table 4.1", "Equation (2.2)", "Claim A.3", "Question 5", "[4]".
 #pragma once
 
 #include <map>
@@ -26,12 +26,12 @@ public:
     Numbering(const Document& document, const std::vector<CitedWork>& works);
 
     /// Of a figure, table, plot, map, formula, entry, question or cited work. "t:q1_errors" means "q1_errors".
-    /// What belongs to a section that failed or was not asked for is called by that section, without an anchor: one failure must
-    /// not take the other sections with it.
+    /// A part of a section that failed or was not asked for resolves to that section, without an anchor: one failure must not break
+    /// the other sections.
     /// @throws std::logic_error naming the id if nothing has it
     Reference resolve(const std::string& id) const;
 
-    /// What has this id is in the other volume. @param page  its file; empty: no link leads there
+    /// Marks an id as part of the other volume. @param page  its file; empty: no link leads there
     void place_elsewhere(const std::string& id, const std::string& page);
 
 private:

@@ -70,7 +70,7 @@ const Fact& fact_named(std::string_view name, const Facts& facts, std::string_vi
     return *fact;
 }
 
-/// What stands for "name" or "name|one|many".
+/// The text for the placeholder "name" or "name|one|many".
 Text filled(std::string_view placeholder, const Facts& facts, std::string_view message) {
     const std::size_t bar = placeholder.find('|');
     const Fact& fact = fact_named(placeholder.substr(0, bar), facts, message);
@@ -163,7 +163,7 @@ std::string only_paragraph(const Message& message) {
     return message.paragraphs.empty() ? "" : message.paragraphs.front();
 }
 
-/// A message of a replaced file whose marks do not close would fail only where it is told.
+/// Checks that a replaced message can be formatted, instead of failing when it is first used.
 void require_readable(const Message& message, const std::string& file) {
     Facts facts;
     const std::vector<std::string> names = facts_in(message);
@@ -185,7 +185,7 @@ std::set<std::string> counts_in(const Message& message) {
     return names;
 }
 
-/// A replaced message may say what its own text says, and choose by a number only what that chooses.
+/// Allows in a replaced message only the facts and plurals that the bundled message has.
 void require_known_facts(const Message& message, const Message& own, const Location& place) {
     const auto require_among = [&](const auto& known, const auto& named, const std::string& problem) {
         for (const std::string& fact : named)

@@ -71,14 +71,14 @@ private:
     std::string_view file_;
 };
 
-/// From here on the messages of all files "words/…" of these templates are told. Not to be called beside threads that say something.
+/// Replaces the messages by those of the files "words/…" of these templates. Not thread-safe.
 /// @throws UsageError for a message that the program does not know, or that names other facts than its own message does, with file and line
 void use_words_of(const Templates& templates);
 
-/// Tells these messages from others: a digest; empty for those of the program itself.
+/// A digest of replaced messages; empty if none is replaced.
 std::string words_identity();
 
-/// What the messages of every file may tell, as text for people: one line a message, with the names of its facts.
+/// Lists all messages for people: one line each, with the names of its facts.
 std::string words_documentation();
 
 /// One message of a file: "limit.spot", and what stands below it, line by line.

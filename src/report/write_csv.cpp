@@ -1,5 +1,4 @@
 // RFC 4180 with LF line ends.
-#include <cmath>
 
 #include "base/number_text.h"
 #include "report/escape.h"

@@ -33,6 +33,12 @@ private:
     std::map<std::string, std::string> text_;
 };
 
+/// What every tag of the templates stands for, by its path in the view model, "sections.blocks.caption". Lists and conditions are named
+/// like the values in them.
+std::map<std::string, std::string> tag_list();
+/// The same list as text, one line a tag.
+std::string tag_documentation();
+
 /// The two volumes that a report is published in.
 enum class Volume {
     report,    // the questions
@@ -52,11 +58,13 @@ struct Lab {
 };
 /// @param bytes  as templates/viewer/lab_math.js reads them
 Lab lab_of(std::string questions, std::string_view bytes);
+/// The laboratories inside a page that we wrote; anything malformed is skipped.
+std::vector<Lab> labs_in(std::string_view page);
 
 struct WriteOptions {
     Volume volume = Volume::report;
     bool timings = true;             // false: nothing that differs from run to run
-    bool plot_files = false;         // the caller also writes svg_file_of(plot) to images/<id>.svg; Markdown then shows the plots
+    bool plot_files = false;         // the caller also writes svg_on_white(svg_of(plot)) to images/<id>.svg; Markdown then shows the plots
     std::string design = "report";   // of the page: design.html with design.css, of the templates
     std::string_view viewer = viewer_program();   // turns the models of the page; empty: they are only linked to
     std::vector<Lab> labs = {};                   // of the report's page; none without the viewer
@@ -91,10 +99,11 @@ std::string write_csv(const Map& map);
 std::string svg_of(const Plot& plot);
 std::string svg_of(const Map& map);
 std::string svg_of(const Diagram& diagram);
+/// What the colours of a figure mean, in a fixed size, so that its words are as large on a phone as on paper: the quantity with its unit,
+/// the histogram of the values over their colours, numbers, and what lies beyond the colours.
+std::string svg_of(const Legend& legend);
 
-/// The same as a file of its own, on white: Markdown cannot hold it inline.
-std::string svg_file_of(const Plot& plot);
-std::string svg_file_of(const Map& map);
-std::string svg_file_of(const Diagram& diagram);
+/// The same as a file of its own, which Markdown cannot hold inline: on white, as there is no page to take a colour from.
+std::string svg_on_white(std::string svg);
 
 }   // namespace meshfolio::report

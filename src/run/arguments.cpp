@@ -5,6 +5,8 @@
 
 #include "base/errors.h"
 #include "base/in_quotes.h"
+#include "base/joined.h"
+#include "base/nearest_word.h"
 #include "base/number_text.h"
 
 namespace meshfolio::run {
@@ -15,9 +17,25 @@ namespace {
     throw UsageError(option + " " + in_quotes(text) + " is not " + wanted);
 }
 
+double number_where(const std::string& option, std::string_view text, bool (*is_right)(double), const char* wanted) {
+    const auto value = parse_number(text);
+    if (!value || !is_right(*value)) refuse(option, text, wanted);
+    return *value;
+}
+
 }   // namespace
 
 bool contains(const std::vector<std::string>& words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
+
+void require_choice(const std::string& option, const std::string& word, const std::vector<std::string>& choices) {
+    if (!contains(choices, word))
+        throw UsageError("unknown " + option + " " + in_quotes(word), suggestion(word, choices) + "it takes " + joined(choices, ", "));
+}
+
+std::string lower_case(std::string text) {
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
+}
 
 std::string environment(const std::string& name) {
     const char* value = std::getenv(name.c_str());
@@ -49,21 +67,18 @@ std::vector<int> integers_between(const std::string& option, std::string_view te
 }
 
 double finite_number(const std::string& option, std::string_view text) {
-    const auto value = parse_number(text);
-    if (!value) refuse(option, text, "a finite number");
-    return *value;
+    return number_where(
+        option, text, [](double) { return true; }, "a finite number");
 }
 
 double number_not_negative(const std::string& option, std::string_view text) {
-    const auto value = parse_number(text);
-    if (!value || *value < 0) refuse(option, text, "a finite number ≥ 0");
-    return *value;
+    return number_where(
+        option, text, [](double x) { return x >= 0; }, "a finite number ≥ 0");
 }
 
 double number_above_zero(const std::string& option, std::string_view text) {
-    const auto value = parse_number(text);
-    if (!value || *value <= 0) refuse(option, text, "a finite number > 0");
-    return *value;
+    return number_where(
+        option, text, [](double x) { return x > 0; }, "a finite number > 0");
 }
 
 }   // namespace meshfolio::run

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstring>
 
-#include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/in_quotes.h"
 #include "base/joined.h"
@@ -58,9 +57,7 @@ void check_output(const std::string& option, const std::string& file, const std:
             option + " " + in_quotes(file) + (ending.empty() ? " does not say its format" : " cannot be written as '" + ending + "'"),
             "let its name end in " + meshfolio::joined(known, ", ") + (takes_streams ? ", or take - for standard output" : ""));
     }
-    std::error_code error;
-    const std::filesystem::path inside = output::resolved(file, error).lexically_relative(output::resolved(made, error));
-    if (made.empty() || error || inside.empty() || *inside.begin() == "..") output::place_of_file(file);
+    if (made.empty() || output::path_inside(file, made).empty()) output::place_of_file(file);
 }
 
 std::vector<std::string> mesh_or_standard_output() {

@@ -35,7 +35,7 @@ void add_mesh(output::FileGroup& files, const std::filesystem::path& file, const
 
 /// To be called before the work, of a file that an option names; empty: none. Devices and pipes need no ending where "-" is taken.
 /// @param endings  of the formats it may be written in, "-" being standard output
-/// @param made     folder that the command makes; the file may lie in it
+/// @param made     folder that the command creates; the file may be inside
 /// @throws UsageError for another ending; OutputError where no file can be made
 void check_output(const std::string& option, const std::string& file, const std::vector<std::string>& endings,
                   const std::filesystem::path& made = {});

@@ -11,7 +11,7 @@
 
 namespace meshfolio::run {
 
-/// What an answer of this run offers.
+/// The cover that an answer of this run offers.
 CoverOffer offer_of(const Answer& answer);
 
 struct Cover {

@@ -10,7 +10,7 @@
 #include "output/draw/finished_picture.h"
 #include "output/publish/folder_system.h"
 #include "png/png.h"
-#include "report/page/labs.h"
+#include "report/json/read_json.h"
 #include "run/console.h"
 
 namespace meshfolio::run {
@@ -22,7 +22,7 @@ namespace {
 constexpr std::uintmax_t largest_results = std::uintmax_t{256} << 20;
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;
 
-/// What is taken over as it is; the rest is written anew.
+/// Is the file copied unchanged? The others are written anew.
 bool is_taken_over(const std::string& file, bool with_cover) {
     if (file == "src.txt") return true;
     if (!with_cover && file.starts_with("images/cover")) return false;
@@ -128,9 +128,9 @@ bool ended_well(const fs::path& folder) try {
         }
     }
     return true;
-} catch (const InputError&) {   // there is none
+} catch (const InputError&) {   // no report
     return false;
-} catch (const nlohmann::json::exception&) {   // nor is this one
+} catch (const nlohmann::json::exception&) {   // not a report
     return false;
 }
 

@@ -11,7 +11,6 @@
 
 #include "output/publish/file_sums.h"
 #include "output/publish/publish.h"
-#include "report/json/read_json.h"
 #include "report/writers.h"
 
 namespace meshfolio::run {
@@ -47,7 +46,19 @@ private:
     std::map<std::string, output::FileSum> sums_;
 };
 
-/// Did the report in this folder, if there is one, end without a failure? Also of other versions.
+/// Does the folder hold a report without failures, of any version?
 bool ended_well(const std::filesystem::path& folder);
+
+struct JoinedReport {
+    report::Document document;
+    report::DrawnFigures figures;
+    std::vector<report::Lab> labs;
+    std::size_t cover = 0;   // the part that has the picture of the first page
+};
+
+/// Each section from the first part that has it; of the covers, the one that a run of all would have chosen.
+/// @param parts  at least one; their figures are moved from
+/// @throws InputError naming two parts, and what they do not have in common: inputs, settings, program, or what both say of one section
+JoinedReport joined(std::vector<EarlierReport>& parts);
 
 }   // namespace meshfolio::run

@@ -5,9 +5,8 @@
 
 #include "report/writers.h"
 #include "run/console.h"
-#include "run/joined_reports.h"
+#include "run/earlier_report.h"
 #include "run/paper_copy.h"
-#include "run/publish_report.h"
 #include "run/report_files.h"
 #include "run/stored_results.h"
 

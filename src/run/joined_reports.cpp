@@ -1,4 +1,4 @@
-#include "run/joined_reports.h"
+#include "run/earlier_report.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "base/joined.h"
 #include "questions/core/section_tools.h"
 #include "run/arguments.h"
 #include "run/provenance.h"
@@ -28,7 +29,7 @@ std::map<std::string, Meshes> meshes_by_role(const report::Document& document) {
     return meshes;
 }
 
-/// A section may read some of the meshes of a role, and another all of them.
+/// Names a role whose meshes differ. One section may read some meshes of a role and another all, so subsets are equal.
 std::string mesh_difference(const report::Document& one, const report::Document& other) {
     const auto a = meshes_by_role(one), b = meshes_by_role(other);
     for (const auto& [role, meshes] : a) {
@@ -60,7 +61,7 @@ void require_alike(const EarlierReport& first, const EarlierReport& part) {
 
 bool is_there(const Section& section) { return section.status != Status::skipped; }
 
-/// Measured apart, both have times of their own.
+/// For comparing: times differ between parts.
 Section without_timings(Section section) {
     section.timings.clear();
     return section;
@@ -103,13 +104,11 @@ void take_only(report::Document& whole, const EarlierReport& part) {
             for (std::string& id : split(list, ',')) ids.push_back(std::move(id));
         }
     }
-    std::string text;
-    for (const std::string& id : sections_in_order(ids)) text += (text.empty() ? "" : ", ") + id;
-    own->second = text;
-    if (text.empty()) settings.erase(own);
+    own->second = meshfolio::joined(sections_in_order(ids), ", ");
+    if (own->second.empty()) settings.erase(own);
 }
 
-/// One that several questions open is one: "q5 q7".
+/// Joins laboratories of the same data: "q5 q7".
 std::vector<report::Lab> joined_labs(const std::vector<EarlierReport>& parts) {
     std::map<std::string, std::set<std::string>> questions;   // by the data
     for (const EarlierReport& part : parts) {
@@ -118,11 +117,7 @@ std::vector<report::Lab> joined_labs(const std::vector<EarlierReport>& parts) {
         }
     }
     std::vector<report::Lab> labs;
-    for (const auto& [data, ids] : questions) {
-        std::string names;
-        for (const std::string& id : ids) names += (names.empty() ? "" : " ") + id;
-        labs.push_back({names, data});
-    }
+    for (const auto& [data, ids] : questions) labs.push_back({meshfolio::joined({ids.begin(), ids.end()}, " "), data});
     std::ranges::sort(labs, {}, &report::Lab::questions);
     return labs;
 }

@@ -1,5 +1,5 @@
 /// @file
-/// What `report --only q2` leaves as it stands in the report that it renews.
+/// The sections that `report --only q2` keeps from the report that it renews.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct KeptSections {
     std::string note;                              // why there are none, where an earlier report has some; else empty
     std::map<std::string, std::string> settings;   // of that report
 
-    /// In place of what is planned of these sections now, what was done of them.
+    /// Replaces the planned efforts of these sections by those of the earlier report.
     void tell_efforts(std::map<std::string, std::string>& described) const;
 };
 

@@ -16,7 +16,7 @@
 #include "report/pdf/print_pdf.h"
 #include "run/arguments.h"
 #include "run/console.h"
-#include "run/program_identity.h"
+#include "run/provenance.h"
 
 namespace meshfolio::run {
 
@@ -37,7 +37,7 @@ output::Temporary scratch_folder() {
     return output::Temporary(name);
 }
 
-/// The engine that --pdf asks for; with `auto`, when there is none, says so in a warning.
+/// The engine for --pdf. Warns if `auto` finds none.
 /// @throws EngineError when one is required and none is there
 std::optional<report::PdfEngine> wanted_engine(const ReportSettings& settings) {
     if (settings.pdf == "off") return {};
@@ -75,7 +75,7 @@ std::string printed(const report::Document& document, const report::DrawnFigures
     return report::print_pdf(job, engine, scratch.path());
 }
 
-/// In the cache, of everything that shapes the bytes: the words, the templates, the pictures, who sets and prints them.
+/// The cache key, of everything that shapes the bytes: words, templates, pictures, program and browser.
 std::string key_of(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
                    report::Volume volume, const report::PdfEngine& engine, const fs::path& folder) {
     output::KeyMaker key;

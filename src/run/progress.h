@@ -42,7 +42,7 @@ private:
     std::string left_unlocked() const;
 };
 
-/// What is left when that share is done: at the beginning as expected, and the later the more by what the share has taken.
+/// Remaining seconds at a share done: first from the estimate, later more and more from the time taken.
 double seconds_left(double expected, double taken, double fraction);
 
 /// What a command works on while the object lives. On a terminal, a command that runs for more than two seconds shows its innermost stage
@@ -65,7 +65,7 @@ private:
 /// "inspect: reading bunny.off, 45 %, 12 s", cut to `width` columns; no share where `fraction` is negative.
 std::string stage_line(std::string_view what, double fraction, int seconds, int width);
 
-/// Wipes what a stage has drawn on the terminal, before other words are written to it.
+/// Erases the stage line on the terminal, before other text is written.
 void make_room_on_terminal();
 
 /// "[#########···········]  45 %  q4: 150 eigenpairs", cut to `width` columns (counted in code points).

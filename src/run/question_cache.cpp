@@ -2,9 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include <atomic>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
@@ -13,7 +11,7 @@
 #include "report/json/read_json.h"
 #include "report/words.h"
 #include "report/writers.h"
-#include "run/program_identity.h"
+#include "run/provenance.h"
 
 namespace meshfolio::run {
 
@@ -53,12 +51,9 @@ json json_of(const report::DrawnFigure& figure, output::ResultCache& store) {
     return {{"jpegs", store.keep(jpegs)}, {"lengths", lengths}, {"models", models}};
 }
 
-/// What is stored has been lost or damaged.
-struct Lost {};
-
 std::string bytes_of(const json& digest, output::ResultCache& store) {
     auto bytes = store.bytes_of(digest.get<std::string>());
-    if (!bytes) throw Lost();
+    if (!bytes) throw InputError({"cache"}, "has lost a file");
     return std::move(*bytes);
 }
 
@@ -68,7 +63,7 @@ void restore(report::DrawnFigure& figure, const json& stored, output::ResultCach
     for (report::DrawnPanel& panel : figure.panels) {
         for (report::DrawnPicture& picture : panel.pictures) {
             const auto length = stored.at("lengths").at(picture_number++).get<std::size_t>();
-            if (length > jpegs.size() - at) throw Lost();
+            if (length > jpegs.size() - at) throw InputError({"cache"}, "has lost a picture");
             picture.jpeg = jpegs.substr(at, length);
             at += length;
         }
@@ -171,8 +166,6 @@ std::optional<StoredAnswer> QuestionCache::read(const std::string& key) const tr
     return {};
 } catch (const report::JsonProblem&) {   // a path that leaves the report's folder
     return {};
-} catch (const Lost&) {
-    return {};
 }
 
 std::map<std::string, std::string> QuestionCache::keep(const report::Section& section, const report::DrawnFigures& figures,
@@ -190,7 +183,8 @@ std::map<std::string, std::string> QuestionCache::write(const std::string& key, 
     for (const std::string& file : files_of(section, figures)) digests[file];
     std::vector<std::pair<const std::string, std::string>*> slots;
     for (auto& slot : digests) slots.push_back(&slot);
-    tbb::parallel_for(std::size_t{0}, slots.size(), [&](std::size_t i) { slots[i]->second = store_.keep_file(folder_ / slots[i]->first); });
+    tbb::parallel_for(std::size_t{0}, slots.size(),
+                      [&](std::size_t i) { slots[i]->second = store_.keep(read_file(folder_ / slots[i]->first)); });
     report::Document document;
     document.sections = {section};
     document.sections[0].timings.clear();   // of that run

@@ -1,7 +1,7 @@
 /// @file
-/// Answers of earlier runs: a question whose inputs, settings and code have not changed is not answered again. Which meshes a question
-/// reads is known once it has run, so that two things are kept: under its settings and the program's identity what it looked up; under
-/// these and what the lookups give now, the answer with all its files. A section that looks no mesh up is kept without the user's own.
+/// Answers of earlier runs: a question whose inputs, settings and code have not changed is not answered again. The meshes of a question
+/// are known only after it has run, so the cache stores two things: the lookups, under settings and program identity; and the answer with
+/// its files, under these and the present results of the lookups. The key of a section without lookups leaves out the user's meshes.
 #pragma once
 
 #include <filesystem>

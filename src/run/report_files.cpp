@@ -1,15 +1,14 @@
 #include "run/report_files.h"
 
 #include <algorithm>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "base/file_bytes.h"
 #include "base/parallel_tasks.h"
+#include "output/publish/file_group.h"
 #include "output/publish/folder_system.h"
 #include "questions/core/section_tools.h"
 #include "run/console.h"
+#include "run/earlier_report.h"
 
 namespace meshfolio::run {
 
@@ -17,11 +16,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Writes the file with the report if it is inside, else adds it to the files published afterwards.
+void add_junit(const std::string& file, std::string_view text, const output::Publication& publication, const fs::path& out,
+               output::FileGroup& others) {
+    const fs::path inside = output::path_inside(file, out);
+    if (inside.empty()) return others.add(file, text);
+    output::make_folder((publication.folder() / inside).parent_path());
+    write_file(publication.folder() / inside, text);
+}
+
 /// The data and the picture of a plot or a map.
 template <class Drawing>
 void write_drawing(const Drawing& drawing, const fs::path& folder) {
     write_file(folder / "tables" / (drawing.id + ".csv"), report::write_csv(drawing));
-    write_file(folder / "images" / (drawing.id + ".svg"), report::svg_file_of(drawing));
+    write_file(folder / "images" / (drawing.id + ".svg"), report::svg_on_white(report::svg_of(drawing)));
 }
 
 void write_tables_and_plots(const report::Document& document, const std::set<std::string>& stored, const fs::path& folder) {
@@ -33,7 +41,7 @@ void write_tables_and_plots(const report::Document& document, const std::set<std
             if (const auto* plot = std::get_if<report::Plot>(&block)) write_drawing(*plot, folder);
             if (const auto* map = std::get_if<report::Map>(&block)) write_drawing(*map, folder);
             if (const auto* diagram = std::get_if<report::Diagram>(&block))
-                write_file(folder / "images" / (diagram->id + ".svg"), report::svg_file_of(*diagram));
+                write_file(folder / "images" / (diagram->id + ".svg"), report::svg_on_white(report::svg_of(*diagram)));
         }
     }
 }
@@ -105,6 +113,35 @@ bool has_failed(const report::Document& document) {
     return std::ranges::any_of(document.sections, [](const report::Section& section) {
         return section.status == report::Status::failed || report::score_of(section.checks).failed > 0;
     });
+}
+
+Published publish_report(output::Publication& publication, const report::Document& document, const output::Publication::Digests& digests,
+                         const ReportSettings& settings, const std::string& junit) {
+    output::FileGroup others;
+    if (!junit.empty()) add_junit(junit, report::write_junit(document, settings.timings), publication, settings.out, others);
+    Published published{settings.out, settings.out, ""};
+    if (has_failed(document) && ended_well(settings.out)) {
+        publication.step_aside();
+        published.folder = output::failed_beside(settings.out);
+    }
+    published.note = publication.publish(digests);
+    if (!has_failed(document)) publication.remove_failed();
+    others.publish();
+    return published;
+}
+
+ExitCode tell(const Published& published, std::vector<std::string> notes, const report::Document& document) {
+    notes.insert(notes.begin(), published.note);
+    for (const std::string& note : notes) {
+        if (!note.empty()) warn(note);
+    }
+    summarise(document);
+    if (published.folder != published.wanted) {
+        complain(published.wanted.string() + " keeps the report that ended well; this one is " + published.folder.string() +
+                 ", until one ends well again");
+    }
+    print_path(published.folder / "index.html");
+    return has_failed(document) ? ExitCode::failed : ExitCode::ok;
 }
 
 }   // namespace meshfolio::run

@@ -1,5 +1,5 @@
 /// @file
-/// A report as files, and what it did not achieve in a few lines for the terminal.
+/// A report as files: written, published, and summarised in a few lines for the terminal.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "output/publish/publish.h"
 #include "questions/core/chapter.h"
 #include "report/document.h"
 #include "report/writers.h"
+#include "run/settings/report_settings.h"
 
 namespace meshfolio::run {
 
@@ -27,5 +29,20 @@ bool has_failed(const report::Document& document);
 
 /// Warnings, failures, failed checks and the number of undecided ones, on stderr.
 void summarise(const report::Document& document);
+
+struct Published {
+    std::filesystem::path folder, wanted;   // where it is, and where it was to be
+    std::string note;                       // what to warn of; else empty
+};
+
+/// Publishes what has been written. A report with a failure does not take the place of one without: it goes to `<out>.failed`, which the
+/// next good one removes.
+/// @param junit  file for the checks; empty: none is wanted
+/// @throws OutputError
+Published publish_report(output::Publication& publication, const report::Document& document, const output::Publication::Digests& digests,
+                         const ReportSettings& settings, const std::string& junit);
+
+/// Prints warnings, a summary of failures, and the path of the page.
+ExitCode tell(const Published& published, std::vector<std::string> notes, const report::Document& document);
 
 }   // namespace meshfolio::run

@@ -20,7 +20,7 @@ namespace {
 /// Thrown through a question that --fail-fast stops.
 struct Stopped {};
 
-/// Names become files: they begin with the question, so that no two questions write the same one.
+/// Requires names that begin with the id of the question: names become files, and no two questions may write the same one.
 void require_own_names(const Answer& answer) {
     const std::string prefix = answer.section.id + "_";
     const auto require = [&](const std::string& name) {

@@ -1,5 +1,5 @@
 /// @file
-/// Runs the questions, several at a time; one that fails does not take the others with it.
+/// Runs the questions in parallel; a failure of one does not affect the others.
 #pragma once
 
 #include <optional>

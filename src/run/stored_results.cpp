@@ -5,13 +5,13 @@
 #include "run/arguments.h"
 #include "run/cache_folder.h"
 #include "run/console.h"
-#include "run/program_identity.h"
+#include "run/provenance.h"
 
 namespace meshfolio::run {
 
 namespace {
 
-/// Only a whole answer is kept: what failed may have failed for reasons that pass.
+/// Stores complete answers only: the cause of a failure may be temporary.
 bool is_worth_keeping(const QuestionResult& result) {
     return !result.stored && result.section().status == report::Status::ok && !lacks_a_mesh(result.section());
 }

@@ -1,5 +1,5 @@
 /// @file
-/// Answers of this run and of earlier ones side by side in one report.
+/// Combines answers of this run and stored answers of earlier runs in one report.
 #pragma once
 
 #include <set>
@@ -12,7 +12,7 @@
 
 namespace meshfolio::run {
 
-/// The cache, unless this run is made to fail: what MESHFOLIO_FAIL touches is neither stored nor taken.
+/// The cache; null if MESHFOLIO_FAIL is set, as such a run neither stores nor takes answers.
 std::unique_ptr<output::ResultCache> cache_for_report();
 
 /// The answers whose output meshes are still to be written.

@@ -1,4 +1,4 @@
-#include "submission/definition.h"
+#include "submission/source_listing.h"
 
 #include <algorithm>
 #include <cctype>

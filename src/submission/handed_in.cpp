@@ -30,7 +30,7 @@ bool has_read_ending(const std::string& path) {
     return std::ranges::find(read_endings, ending) != read_endings.end();
 }
 
-/// Why an entry's path is a trick; empty: it is none. Names may be of any alphabet.
+/// Why a path is malicious; empty if it is not. Any alphabet is allowed.
 std::string trick_in(std::string_view path) {
     if (path.empty()) return "has no name";
     if (path.size() > 1024) return "has a name of " + std::to_string(path.size()) + " bytes";   // patterns are held against it
@@ -78,7 +78,7 @@ public:
     }
     void take(const std::string& path, std::string bytes) { files_[fs::path(path).lexically_normal().generic_string()] = std::move(bytes); }
 
-    /// Students often pack the folder and not what is in it.
+    /// Drops the common top folder: students often pack the folder instead of its contents.
     HandedIn files() && {
         const auto first_part = [](const std::string& path) { return path.substr(0, path.find('/') + 1); };
         const std::string top = files_.empty() ? "" : first_part(files_.begin()->first);
@@ -121,7 +121,7 @@ std::string reason_of(archive* reader) {
     return reason != nullptr ? reason : "libarchive failed";
 }
 
-/// While one lives, characters of this thread are UTF-8: libarchive drops names that the locale has not.
+/// Sets the locale of this thread to UTF-8 while it lives: libarchive drops names that the locale cannot represent.
 class Utf8Names {
 public:
     Utf8Names() : names_(::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)), before_(::uselocale(names_)) {}   // null changes nothing

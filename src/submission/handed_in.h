@@ -1,6 +1,5 @@
 /// @file
-/// What someone else hands in, a folder or a zip, read into memory. It is not trusted: nothing is written, followed or executed, and
-/// limits hold for what is read.
+/// Reads an untrusted folder or zip into memory: writes nothing, follows no links, executes nothing, and enforces limits.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +20,7 @@ struct HandInLimits {
 };
 
 /// Path → bytes of all files with one of our endings: .csv .toml .obj .off .ply .stl, in any case. Others are looked at no further than
-/// their names. Where all lies in one folder, paths begin in it.
+/// their names. If all files are in one folder, paths are relative to it.
 using HandedIn = std::map<std::string, std::string>;
 
 /// @throws InputError naming what is wrong: a path that leads outside or, in a folder, has backslashes, a link, a device, an entry that

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
-#include "submission/report_folder.h"
 
 namespace meshfolio::submission {
 
@@ -51,7 +50,7 @@ void require_citations(const json& results, const std::string& file, const Sourc
     }
 }
 
-/// What does not stand in the way.
+/// Problems that do not prevent a submission.
 std::vector<std::string> warnings_of(const json& results) {
     std::vector<std::string> warnings;
     for (const char* kind : {"questions", "supporting"}) {

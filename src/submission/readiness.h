@@ -1,5 +1,5 @@
 /// @file
-/// Whether a report may be handed in, and what a submission states from results.json.
+/// Checks whether a report can be submitted, and collects facts of results.json for the submission.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct ReportFacts {
     std::string title, author, course;
     std::string version, commit;
     bool own_meshes = false;             // some input is none of the bundled meshes
-    std::vector<std::string> warnings;   // what does not stand in the way, and should be known
+    std::vector<std::string> warnings;   // problems that do not prevent a submission
 };
 
 /// @throws SubmissionError if a question is missing, skipped or failed, or a citation does not resolve; InputError if a file is missing

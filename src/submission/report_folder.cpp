@@ -1,8 +1,5 @@
 #include "submission/report_folder.h"
 
-#include <vector>
-
-#include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/sha256.h"
 #include "output/publish/file_sums.h"

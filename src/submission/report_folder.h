@@ -1,5 +1,5 @@
 /// @file
-/// A report as `meshfolio report` left it, read back whole and checked.
+/// A complete report, read from its folder and checked.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ ReportFolder read_report(const std::filesystem::path& folder);
 
 inline constexpr const char* renew = "make the report again with meshfolio report";
 
-/// A report that is not fit to be handed in: a question or a citation is missing.
+/// A report that cannot be submitted: a question or a citation is missing.
 class SubmissionError : public Error {
 public:
     explicit SubmissionError(const std::string& file, const std::string& problem, const std::string& remedy)

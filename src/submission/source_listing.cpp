@@ -7,7 +7,6 @@
 #include "embedded_data.h"
 #include "embedded_reports.h"
 #include "embedded_source.h"
-#include "submission/definition.h"
 
 namespace meshfolio::submission {
 

@@ -19,6 +19,13 @@ std::vector<SourceFile> source_tree();
 /// @throws std::logic_error if `setup_script` has no such list
 std::vector<std::string> build_packages(std::string_view setup_script);
 
+/// The line, counted from 1, that holds the name in the definition of a function or a class at namespace scope, as a reader would find it:
+/// not a call, a declaration or a comment; 0 if there is none. The text is formatted: such a definition begins in the first column, and
+/// nothing else that looks like one does.
+/// Of overloads the first counts. "Type::member" asks for a member defined outside its class; a bare name finds one too, when no
+/// function or class of that name alone is defined: "SparseFactor" may be the constructor SparseFactor::SparseFactor.
+long definition_line(std::string_view cpp, std::string_view name);
+
 /// A section of the report and the code it cites, for the index.
 struct CitingSection {
     std::string label;   // "Q1", "A"

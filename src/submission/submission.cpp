@@ -6,20 +6,17 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/joined.h"
 #include "base/sha256.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
 #include "report/escape.h"
 #include "report/page/template_render.h"
 #include "report/writers.h"
-#include "submission/readiness.h"
 #include "submission/source_listing.h"
 #include "submission/suspicious_file.h"
 
@@ -81,15 +78,9 @@ std::string zip_of(const std::vector<ZipEntry>& entries) {
 
 using nlohmann::json;
 
-std::string words_of(const std::vector<std::string>& words) {
-    std::string line;
-    for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
-    return line;
-}
-
 std::string packages_of(const std::vector<SourceFile>& tree) {
     const auto setup = std::find_if(tree.begin(), tree.end(), [](const SourceFile& f) { return f.path == "tests/setup.sh"; });
-    return words_of(build_packages(setup == tree.end() ? std::string_view() : setup->bytes));
+    return joined(build_packages(setup == tree.end() ? std::string_view() : setup->bytes), " ");
 }
 
 json citations_view(const SourceListing& listing) {
@@ -135,7 +126,7 @@ bool is_packed(const std::string& path, const SubmissionOptions& options) {
     return true;
 }
 
-/// The scripts of our own are the only programs; whatever else was in the source folder when this program was built, is refused.
+/// Adds the source tree. Our own scripts are its only executables; any other program or build product in it is refused.
 void enter_source(const std::vector<SourceFile>& tree, Contents& contents) {
     for (const SourceFile& file : tree) {
         const std::string kind = is_script(file.bytes) ? "" : program_kind(file.bytes), problem = path_problem(file.path);

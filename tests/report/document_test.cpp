@@ -10,7 +10,7 @@
 namespace meshfolio::report {
 namespace {
 
-TEST(Check, WhatRoundingMayHaveMovedDecidesNothing) {
+TEST(Check, FailuresWithinRoundingAreUndecided) {
     const Check off = check_near("", 1, 1.2, 0.1);
     EXPECT_EQ(within_rounding(off, 0.11).status, Check::Status::undecided);
     EXPECT_TRUE(within_rounding(off, 0.09).failed());

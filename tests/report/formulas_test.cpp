@@ -65,7 +65,7 @@ TEST(Formulas, EachHasItsThreeForms) {
     }
 }
 
-TEST(Formulas, ThoseTheQuestionsSpeakOfAreThere) {
+TEST(Formulas, EveryFormulaOfTheQuestionsExists) {
     const auto formulas = formulas_of(Templates());
     for (const char* name : {"uniform_laplacian",
                              "mean_curvature_from_laplacian",

@@ -17,7 +17,7 @@ std::vector<std::string> paragraphs_of(const std::string& text) { return message
 
 }   // namespace
 
-TEST(Words, LinesAreOneParagraphUntilAnEmptyOne) {
+TEST(Words, EmptyLinesSeparateParagraphs) {
     EXPECT_EQ(paragraphs_of("one\n  two\n\nthree\n# a remark\nfour"), (std::vector<std::string>{"one two", "three", "four"}));
     EXPECT_EQ(paragraphs_of("one\n### Title\ntwo\n$$ formula $$\n- a\n  b\n- c"),
               (std::vector<std::string>{"one", "### Title", "two", "$$ formula $$", "- a b", "- c"}));
@@ -52,7 +52,7 @@ TEST(Words, CountsChooseTheWord) {
     EXPECT_THROW(running_text("{{n|mesh|meshes}}", {"n"_a = "1"}), std::logic_error) << "no count";
 }
 
-TEST(Words, WhatIsMissingIsAMistakeOfTheProgram) {
+TEST(Words, MissingKeysAndFactsAreLogicErrors) {
     EXPECT_THROW(Words("q3").say("no such message"), std::logic_error);
     EXPECT_THROW(Words("no such file").say("title"), std::logic_error);
     EXPECT_THROW(Words("q3").line("plane.caption"), std::logic_error) << "without its fact";
@@ -100,7 +100,7 @@ TEST(Words, ATemplateReplacesAMessageAndKeepsTheOthers) {
     EXPECT_EQ(words_identity(), "");
 }
 
-TEST(Words, AReplacedMessageThatCannotBeToldIsRefusedWithItsLine) {
+TEST(Words, UnusableReplacedMessagesAreRefusedWithTheirLine) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder.path() / "words");
     const auto problem_of = [&](const std::string& text) -> std::string {

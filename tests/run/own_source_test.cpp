@@ -1,5 +1,5 @@
 // What the report cites, against src.txt as this program writes it.
-#include "run/own_source.h"
+#include "run/provenance.h"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ std::size_t first_line_of(const std::vector<std::string>& lines, const std::stri
     return std::stoul(at->substr(at->find('L', 6) + 1));
 }
 
-TEST(OwnSource, WhatTheAnswersAreComputedByIsWithinItsFirstFifteenThousandLines) {
+TEST(OwnSource, AnsweringSourceIsWithinTheFirstFifteenThousandLines) {
     const submission::SourceListing& listing = run::own_source();
     const auto lines = lines_of(listing.text());
     const std::size_t end = first_line_of(lines, "The rest of the mathematics");

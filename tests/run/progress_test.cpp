@@ -26,7 +26,7 @@ TEST(ProgressLine, FillsInProportion) {
     EXPECT_EQ(progress_line(-7, "x", 80), progress_line(0, "x", 80));
 }
 
-TEST(SecondsLeft, BeginAsExpectedAndEndWithWhatHasBeenTaken) {
+TEST(SecondsLeft, BeginAsEstimatedAndEndWithTheTimeTaken) {
     EXPECT_EQ(seconds_left(60, 0, 0), 60);
     EXPECT_EQ(seconds_left(60, 90, 1), 0);
     for (const double share : {0.1, 0.5, 0.9}) EXPECT_NEAR(seconds_left(60, 60 * share, share), 60 * (1 - share), 1e-9);

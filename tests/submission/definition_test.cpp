@@ -1,4 +1,4 @@
-#include "submission/definition.h"
+#include "submission/source_listing.h"
 
 #include <gtest/gtest.h>
 
@@ -83,7 +83,7 @@ TEST(Definition, OfTypesAndMembers) {
     EXPECT_EQ(found("size"), "double Disk::size() const try {") << "no function has this name alone";
 }
 
-TEST(Definition, OfWhatIsNotDefinedIsNowhere) {
+TEST(Definition, OfUndefinedNamesIsNotFound) {
     for (const char* name : {"", "volume", "words", "unit", "are", "rea", "shapes", "other_", "third_", "MAKE", "if", "Wrapper::area"})
         EXPECT_EQ(definition_line(cpp_text, name), 0) << name;
     EXPECT_EQ(definition_line("double area(double r);\ndouble s = area(2);\n", "area"), 0);

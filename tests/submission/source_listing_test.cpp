@@ -119,7 +119,7 @@ TEST(SourceListing, TheOrderOfTheFilesDoesNotMatter) {
 }
 
 // The nearest to the questions first, a module whole or not at all.
-TEST(ReadingOrder, WhatAnswersIsWhatTheQuestionsIncludeAndCiteWithinTheLines) {
+TEST(ReadingOrder, AnsweringFilesAreThoseIncludedAndCitedWithinTheLimit) {
     const std::vector<SourceFile> files{
         {"src/questions/q1_areas/chapter.cpp", "#include \"geometry/area.h\"\n#include \"report/document.h\"\n"},
         {"src/geometry/area.h", "\n"},

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <vector>
@@ -33,17 +32,23 @@ bool is_digest(const std::string& text) {
     return text.size() == digest_length && std::all_of(text.begin(), text.end(), is_digit);
 }
 
-/// "ab/cdef…": no folder grows too long.
+/// "ab/cdef…" keeps folders short.
 fs::path spread(const std::string& digest) { return fs::path(digest.substr(0, 2)) / digest.substr(2); }
 
-std::optional<std::string> read_if_there(const fs::path& path) try { return read_file(path); } catch (const InputError&) {
-    return {};
-}
-
-/// The time of the last use; that of the last change is left alone.
-void mark_used(const fs::path& path) {
-    const timespec times[2] = {{0, UTIME_NOW}, {0, UTIME_OMIT}};
+/// The bytes of a file, which counts as used now; nothing where it is missing. One that is not whole is removed.
+template <class IsWhole>
+std::optional<std::string> read_whole(const fs::path& path, const IsWhole& is_whole) try {
+    std::string bytes = read_file(path);
+    if (!is_whole(bytes)) {
+        std::error_code ignored;
+        fs::remove(path, ignored);
+        return {};
+    }
+    const timespec times[2] = {{0, UTIME_NOW}, {0, UTIME_OMIT}};   // the time of the last change is left alone
     ::utimensat(AT_FDCWD, path.c_str(), times, 0);
+    return bytes;
+} catch (const InputError&) {
+    return {};
 }
 
 struct StoredFile {
@@ -94,7 +99,7 @@ ResultCache::ResultCache(fs::path folder, std::uintmax_t limit) : folder_(std::m
 fs::path ResultCache::object(const std::string& digest) const { return folder_ / objects / spread(digest); }
 fs::path ResultCache::entry(const std::string& key) const { return folder_ / entries / spread(key); }
 
-/// All at once and not synced: what a loss of power leaves incomplete is found out by its digest.
+/// Writes atomically but without fsync: the digest reveals what a power loss leaves incomplete.
 void ResultCache::write_new(const fs::path& path, std::string_view bytes) {
     static std::atomic<int> number = 0;
     make_folder(path.parent_path());
@@ -105,33 +110,19 @@ void ResultCache::write_new(const fs::path& path, std::string_view bytes) {
 }
 
 std::optional<std::string> ResultCache::get(const std::string& key) {
-    const fs::path path = entry(key);
-    std::optional<std::string> stored = read_if_there(path);
-    if (!stored) return {};
-    const std::string_view bytes = std::string_view(*stored).substr(std::min(stored->size(), digest_length));
-    if (std::string_view(*stored).substr(0, digest_length) != sha256(bytes)) {
-        std::error_code ignored;
-        fs::remove(path, ignored);
-        return {};
-    }
-    mark_used(path);
-    return std::string(bytes);
+    const auto is_whole = [](std::string_view stored) {
+        return stored.size() >= digest_length && stored.substr(0, digest_length) == sha256(stored.substr(digest_length));
+    };
+    auto stored = read_whole(entry(key), is_whole);
+    if (stored) stored->erase(0, digest_length);
+    return stored;
 }
 
 void ResultCache::put(const std::string& key, std::string_view bytes) { write_new(entry(key), sha256(bytes) + std::string(bytes)); }
 
 std::optional<std::string> ResultCache::bytes_of(const std::string& digest) {
     if (!is_digest(digest)) return {};
-    const fs::path path = object(digest);
-    std::optional<std::string> bytes = read_if_there(path);
-    if (!bytes) return {};
-    if (sha256(*bytes) != digest) {
-        std::error_code ignored;
-        fs::remove(path, ignored);
-        return {};
-    }
-    mark_used(path);
-    return bytes;
+    return read_whole(object(digest), [&](std::string_view bytes) { return sha256(bytes) == digest; });
 }
 
 std::string ResultCache::keep(std::string_view bytes) {
@@ -139,8 +130,6 @@ std::string ResultCache::keep(std::string_view bytes) {
     if (!bytes_of(digest)) write_new(object(digest), bytes);   // not there, or damaged and removed
     return digest;
 }
-
-std::string ResultCache::keep_file(const fs::path& file) { return keep(read_file(file)); }
 
 bool ResultCache::place(const std::string& digest, const fs::path& target) {
     const std::optional<std::string> bytes = bytes_of(digest);

@@ -41,13 +41,12 @@ public:
 
     /// Bytes by their SHA-256, as put() stores them without a key.
     std::optional<std::string> bytes_of(const std::string& digest);
-    /// Stores bytes, or a copy of a file. A link would be quicker, but then whoever edits a picture of one report in place, or makes it
-    /// executable, would change it in the cache and in every other report.
+    /// Stores bytes. A hard link to the file would be faster, but editing a picture of one report in place, or making it
+    /// executable, would then change the cache and every other report.
     /// @return the SHA-256
-    /// @throws OutputError, InputError
+    /// @throws OutputError
     std::string keep(std::string_view bytes);
-    std::string keep_file(const std::filesystem::path& file);
-    /// Puts the file with this SHA-256 at `target`, which must not be there. @return false if the cache has it not, or not whole
+    /// Puts the file with this SHA-256 at `target`, which must not exist. @return false if it is missing or damaged
     /// @throws OutputError
     bool place(const std::string& digest, const std::filesystem::path& target);
 

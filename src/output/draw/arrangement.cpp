@@ -1,7 +1,6 @@
 #include "output/draw/arrangement.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>

@@ -1,8 +1,7 @@
 /// @file
-/// Where the pictures of a figure lie in its sheet.
+/// Arranges the pictures of a figure in its sheet.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "output/draw/figure_request.h"
@@ -11,20 +10,19 @@
 
 namespace meshfolio::output {
 
-/// +x +y +z, then what is seen from behind.
+/// +x +y +z, then the views from behind.
 std::vector<render::View> views_in_reading_order();
 
-/// Of one mesh: from three quarters and, in the order above, from the six directions; none: an empty cell of a matrix.
+/// Pictures of one mesh: the three-quarter view, then perhaps the six views in the order above. None: an empty cell of a matrix.
 using PanelPictures = std::vector<render::Image>;
 
-/// Pictures and words in their places, the pictures panel after panel. Sheets are read alone, so that everything is named in them.
+/// Places pictures, panel after panel, and words. Sheets are read alone, so that everything is labelled in them.
 /// @param em  text size
 render::FigureSheet arranged(const FigureRequest& request, std::vector<PanelPictures> panels, double em);
 
-/// How many lie beside each other.
 int panels_in_a_line(const FigureRequest& request);
 
-/// Small multiples so many that they are looked at together and not one by one: six in a line, and small.
+/// Has the figure so many small multiples that they are drawn small, six in a line?
 bool is_gallery(const FigureRequest& request);
 
 }   // namespace meshfolio::output

@@ -56,7 +56,7 @@ int three_quarter_side(const FigureRequest& request) {
     return std::clamp(line_of_pictures / panels_in_a_line(request), smallest_in_a_line, in_a_strip);
 }
 
-/// A cell of a matrix may be empty, nothing else.
+/// Requires a mesh in every panel, except in the cells of a matrix.
 void require_meshes(const FigureRequest& request) {
     const std::size_t panels = request.panels.size(), columns = request.columns.size(), rows = request.rows.size();
     const auto refuse = [&](const char* why) { throw std::logic_error("figure " + request.id + " " + why); };
@@ -87,7 +87,7 @@ void require_good_names(std::span<const FigureRequest> requests) {
     }
 }
 
-/// A mesh so coarse that its shape is not seen without its triangles, where shapes are compared.
+/// Triangles below which a shape cannot be seen without its edges.
 constexpr Eigen::Index coarse_mesh = 3000;
 bool shows_edges(const FigureRequest& request, const Panel& panel) {
     const bool plain = panel.values.size() == 0 || !request.range;
@@ -125,7 +125,7 @@ bool has_undefined(const FigureRequest& request) {
     return std::any_of(request.panels.begin(), request.panels.end(), [](const Panel& panel) { return panel.values.array().isNaN().any(); });
 }
 
-/// As large as is asked for, the name of the view in a corner.
+/// Draws each view as a file in full size, labelled in a corner.
 void draw_view_files(const FigureJob& job, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
     const Panel& panel = request.panels[index];
@@ -259,8 +259,7 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
         const std::lock_guard lock(telling);
         if (progress) progress(static_cast<double>(++drawn) / static_cast<double>(pieces.size()));
     };
-    tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
-    arena.execute([&] { for_each_task(pieces.size(), draw_piece); });
+    for_each_task(pieces.size(), draw_piece);
 
     report::DrawnFigures all;
     for (FigureJob& job : figures) all.emplace(job.request->id, std::move(job.drawn));

@@ -12,10 +12,9 @@
 namespace meshfolio::output {
 
 struct DrawSettings {
-    int width = 800, height = 800;   // of a view in a file of its own; pictures in sheets are smaller with it where it is below 800
+    int width = 800, height = 800;   // of a view in its own file; below 800, pictures in sheets shrink as well
     bool view_files = false;         // of all figures, not only of those that ask for them
-    bool sheets_only = false;        // otherwise of none
-    int threads = 0;                 // 0: all
+    bool sheets_only = false;        // no view files at all
 };
 
 /// Writes images/… and, for figures that can be turned, models/… below `folder` and returns what the writers need.

@@ -26,7 +26,7 @@ bool can_be_turned(std::span<const Panel> panels) {
                        [](const Panel& panel) { return panel.mesh->face_count() <= most_model_triangles && can_be_a_model(*panel.mesh); });
 }
 
-/// As the pictures: around one panel, or so large that all have room.
+/// Frames one panel, as its pictures do, or all panels.
 Ball frame_of(const FigureRequest& request, std::span<const Panel> panels) {
     if (request.frame_panel >= 0) {
         const TriangleMesh& mesh = *request.panels[static_cast<std::size_t>(request.frame_panel)].mesh;

@@ -11,8 +11,8 @@
 
 namespace meshfolio::output {
 
-/// Limits of what is turned, so that the page stays light: triangles of a mesh, and bytes of GLB of all models together, which are at most
-/// 8 MB of base64 in the page. A figure beyond keeps its pictures.
+/// Limits that keep the page small: triangles of one model, and bytes of all GLB files together (at most 8 MB of base64 in the page). A
+/// figure beyond has pictures only.
 inline constexpr int most_model_triangles = 60'000;
 inline constexpr std::size_t most_model_bytes = 6'000'000;
 

@@ -1,5 +1,5 @@
 /// @file
-/// What is done to a picture once it is drawn: the name of the view, the JPEG for page and paper.
+/// Finishes drawn pictures: the label of the view, the JPEG for page and paper.
 #pragma once
 
 #include <string_view>
@@ -9,15 +9,15 @@
 
 namespace meshfolio::output {
 
-/// Sets the name of the view and its axes into the corner where they hide least of the surface. Pictures below 100 pixels and the view
-/// from three quarters stay as they are.
+/// Labels a picture with its view and axes, in the corner where they hide least. Pictures below 100 pixels and three-quarter views are not
+/// labelled.
 void label_view(render::Image& picture, std::string_view view);
 
-/// What lies in this rectangle; beyond the picture white.
+/// Cuts out a rectangle; outside of the picture it is white.
 render::Image part_of(const render::Image& picture, int left, int top, int width, int height);
 
 /// The JPEGs of a figure, from the sheet as it was drawn or as read back from its PNG: the same bytes.
-/// @return false where one does not lie in the sheet
+/// @return false if a picture is not inside the sheet
 bool cut_pictures(const render::Image& sheet, report::DrawnFigure& figure);
 
 }   // namespace meshfolio::output

@@ -1,5 +1,5 @@
 /// @file
-/// What the pictures of a figure show, and how large they are: no more than what is to be seen, all at one scale.
+/// Frames and sizes of the pictures of a figure: all at one scale, without empty margins.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ struct PictureFrame {
 };
 
 /// From three quarters, a frame a panel, all of one size: each mesh in the middle of its own (Layout::multiples), or all in one. What is
-/// framed takes `side` pixels in width or in height; of the others, what lies within that square is shown.
+/// framed takes `side` pixels in width or in height; other meshes are cut off at that square.
 std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side);
 
 /// The six directions: one frame, and the sizes of the pictures along x, y and z. A flat mesh is slim from the side.
@@ -28,14 +28,14 @@ struct SixFrames {
 };
 SixFrames six_frames(const FigureRequest& request, int side);
 
-/// X as it fits into the three-quarter picture of `mesh`: as it is, or where that would cut it off scaled down about the middle.
+/// Positions that fit into the three-quarter picture of `mesh`: unchanged, or scaled down about the middle if they would be cut off.
 struct FittedPositions {
     Positions X;
     double scale = 1;
 };
 FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X);
 
-/// Of single pictures in full size, where meshes are framed as in the others but pictures are not cut.
+/// The frame of a view file in full size: as in the other pictures, but not cropped.
 render::Frame full_frame(const FigureRequest& request, std::size_t panel, bool three_quarters, int width, int height);
 
 }   // namespace meshfolio::output

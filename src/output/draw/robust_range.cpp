@@ -7,7 +7,6 @@
 #include <initializer_list>
 #include <iterator>
 #include <numeric>
-#include <vector>
 
 #include "base/large_pages.h"
 
@@ -86,6 +85,14 @@ std::vector<double> histogram(std::span<const double> values, double low, double
     return shares;
 }
 
+void enter_clipped(ColorRange& range, const std::vector<double>& values) {
+    const auto share = [&](auto outside) {
+        return values.empty() ? 0 : static_cast<double>(std::ranges::count_if(values, outside)) / static_cast<double>(values.size());
+    };
+    range.clipped_below = share([&](double v) { return v < range.low; });
+    range.clipped_above = share([&](double v) { return v > range.high; });
+}
+
 ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, std::string quantity, std::string unit, double floor,
                         double clip) {
     ColorRange range{std::move(colormap), 0, 0, std::move(quantity), std::move(unit), 0, 0};
@@ -110,11 +117,7 @@ ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, 
         range.high = middle + 0.5 * floor;
     }
     if (!values.empty()) {
-        const auto share = [&](auto outside) {
-            return static_cast<double>(std::ranges::count_if(values, outside)) / static_cast<double>(values.size());
-        };
-        range.clipped_below = share([&](double v) { return v < range.low; });
-        range.clipped_above = share([&](double v) { return v > range.high; });
+        enter_clipped(range, values);
         std::ranges::transform(sample, std::back_inserter(range.sample), [&](std::size_t place) { return values[place]; });
     }
     return range;

@@ -1,5 +1,5 @@
 /// @file
-/// How the values of a figure are spread.
+/// Statistics of the values of a figure.
 #pragma once
 
 #include <span>
@@ -9,12 +9,14 @@
 
 namespace meshfolio::output {
 
-/// Panel after panel.
+/// The finite values, panel after panel.
 std::vector<double> finite_values(const std::vector<Panel>& panels);
 
-/// The share of `values` in each of 96 equal bins over [low, high] (48 or 24 where there are fewer than 32 values a bin, where noise
-/// would be all one saw); what lies outside counts to the whole but to no bin. Empty when there are no values or
-/// low < high does not hold.
+/// Enters the shares of `values` that lie below and above the range; 0 without values.
+void enter_clipped(ColorRange& range, const std::vector<double>& values);
+
+/// The share of `values` in each of 96 equal bins over [low, high]; 48 or 24 bins for fewer than 32 values a bin, which would show noise.
+/// Values outside count in the total but in no bin. Empty without values, or unless low < high.
 std::vector<double> histogram(std::span<const double> values, double low, double high);
 
 }   // namespace meshfolio::output

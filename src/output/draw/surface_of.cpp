@@ -1,9 +1,8 @@
 #include "output/draw/surface_of.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+#include <cstdint>
 #include <glm/vec3.hpp>
 
 #include "base/errors.h"
@@ -66,17 +65,19 @@ render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, rende
     return bar;
 }
 
+std::string hex_of(render::Rgba color) {
+    constexpr char digits[] = "0123456789abcdef";
+    std::string text = "#";
+    for (const std::uint8_t c : {color.r, color.g, color.b}) text += {digits[c >> 4], digits[c & 15]};
+    return text;
+}
+
 report::Legend legend_of(const render::ColorBar& bar) {
     constexpr int colours = 48;
-    const auto hex = [](render::Rgba c) {
-        std::array<char, 8> text{};
-        static_cast<void>(std::snprintf(text.data(), text.size(), "#%02x%02x%02x", c.r, c.g, c.b));
-        return std::string(text.data());
-    };
     report::Legend legend{bar.quantity,      bar.unit, bar.range.low, bar.range.high,       {}, bar.clipped_below,
                           bar.clipped_above, "",       bar.histogram, bar.range.logarithmic};
-    for (int i = 0; i < colours; ++i) legend.colours.push_back(hex(render::color_at(*bar.range.colormap, (i + 0.5) / colours)));
-    if (bar.has_undefined) legend.undefined = hex(bar.undefined_color);
+    for (int i = 0; i < colours; ++i) legend.colours.push_back(hex_of(render::color_at(*bar.range.colormap, (i + 0.5) / colours)));
+    if (bar.has_undefined) legend.undefined = hex_of(bar.undefined_color);
     return legend;
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// Our meshes, values and ranges as the renderer knows them.
+/// Converts our meshes, values and ranges to those of the renderer.
 #pragma once
 
 #include "draw_mesh.h"
@@ -15,19 +15,22 @@ render::Surface surface_of(const TriangleMesh& mesh, const Vector* values = null
 
 render::Bounds bounds_of(const TriangleMesh& mesh);
 
-/// Do positions lie within the pictures along the axes that are framed on `mesh`? Not so if one of them is not finite.
+/// Are all positions inside the axis-aligned pictures that are framed on `mesh`? False if one is not finite.
 bool fit_frame_of(const TriangleMesh& mesh, const Positions& X);
 
 /// @throws UsageError for an unknown colour map, naming the known ones
 render::ValueRange value_range(const ColorRange& range);
 
-/// histogram() over the colours.
+/// histogram() over the range of the colours.
 std::vector<double> histogram_of(const std::vector<double>& values, const render::ValueRange& range);
 
 /// With the histogram of the range's own sample.
 render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, render::Rgba undefined_color);
 
-/// The same for a page.
+/// "#1f9e89"
+std::string hex_of(render::Rgba color);
+
+/// The legend of a page, from a colour bar.
 report::Legend legend_of(const render::ColorBar& bar);
 
 }   // namespace meshfolio::output

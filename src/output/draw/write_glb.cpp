@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Numbers of the format.
+/// Constants of glTF.
 enum Component { byte_type = 5120, unsigned_byte = 5121, unsigned_short = 5123, unsigned_int = 5125, float_type = 5126 };
 enum Target { vertex_data = 34962, index_data = 34963 };
 constexpr int grid_steps = 65535;           // of the largest side of the box
@@ -41,7 +41,7 @@ struct Grid {
 
     explicit Grid(const TriangleMesh& mesh) : box(bounding_box(mesh)), step(box.extent().maxCoeff() / grid_steps) {}
 
-    /// Vertices that no triangle uses may lie outside: they are moved onto the side.
+    /// Clamps vertices outside of the box, which no triangle uses.
     std::uint32_t at(double x, int axis) const {
         return static_cast<std::uint32_t>(std::lrint(std::clamp((x - box.low[axis]) / step, 0.0, double(grid_steps))));
     }
@@ -159,16 +159,9 @@ private:
 
 std::array<double, 3> numbers(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-std::string hexadecimal(render::Rgba color) {
-    constexpr char digits[] = "0123456789abcdef";
-    std::string text = "#";
-    for (const std::uint8_t c : {color.r, color.g, color.b}) text += {digits[c >> 4], digits[c & 15]};
-    return text;
-}
-
 Json extras_of_values(const ColorRange& range, bool has_undefined, render::Rgba undefined) {
     Json colors = Json::array();
-    for (const render::Rgba& stop : value_range(range).colormap->stops) colors.push_back(hexadecimal(stop));
+    for (const render::Rgba& stop : value_range(range).colormap->stops) colors.push_back(hex_of(stop));
     return {{"attribute", "_VALUE"},
             {"quantity", range.quantity},
             {"unit", range.unit},
@@ -177,7 +170,7 @@ Json extras_of_values(const ColorRange& range, bool has_undefined, render::Rgba 
             {"colormap", range.colormap},
             {"colors", std::move(colors)},
             {"defined", has_undefined ? Json("_DEFINED") : Json()},
-            {"undefined_color", hexadecimal(undefined)}};
+            {"undefined_color", hex_of(undefined)}};
 }
 
 /// Matt, two-sided; the colour of a surface without values.

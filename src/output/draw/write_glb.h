@@ -27,11 +27,11 @@ struct Ball {
 /// About the centre of the box of the triangles' corners, reaching the farthest of them.
 Ball ball_around(const TriangleMesh& mesh);
 
-/// Has triangles, all coordinates are finite, and the corners do not all lie in one point.
+/// Does the mesh have triangles, finite coordinates only, and corners that are not all one point?
 bool can_be_a_model(const TriangleMesh& mesh);
 
 /// The same bytes for the same input.
-/// @param values  one a vertex, NaN where undefined; used when `range` is given, and then beyond it clamped in colour only
+/// @param values  one a vertex, NaN where undefined; used only with `range`; values beyond it are clamped in colour only
 /// @throws MeshError unless can_be_a_model, and if `values` has the wrong size
 std::string write_glb(const TriangleMesh& mesh, const Vector& values, const std::optional<ColorRange>& range, const Ball& frame);
 

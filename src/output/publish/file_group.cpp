@@ -1,15 +1,12 @@
 #include "output/publish/file_group.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <set>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/linux_only.h"
 #include "output/publish/folder_system.h"
-#include "output/publish/temporaries.h"
 
 namespace meshfolio::output {
 
@@ -48,7 +45,7 @@ void FileGroup::add(const fs::path& path, std::string_view bytes) {
     }
 }
 
-/// What was there is kept under the temporary name, as long as the file system can exchange names.
+/// Renames a file into place. A replaced file keeps the temporary name if the file system can exchange names.
 void FileGroup::place(Member& member) {
     const fs::path& part = member.part.path();
     int error = rename_with(part, member.target, Taken::kept);

@@ -15,14 +15,14 @@ namespace meshfolio::output {
 
 class FileGroup {
 public:
-    /// A file that is read: none of the group takes its place. To be called before they are added.
+    /// Protects an input file: adding an output of that name fails. Call it before add().
     void keep(const std::filesystem::path& input);
 
     /// Writes `bytes` beside `path`; thread-safe. What is not a regular file (a device, a FIFO) is written at once.
     /// @throws OutputError; UsageError for a file that is kept or in the group already
     void add(const std::filesystem::path& path, std::string_view bytes);
 
-    /// Puts every file in its place. Where that fails for one, those before it are taken back. To be called once.
+    /// Puts every file in its place, or none: earlier ones are taken back if one fails. Call it once.
     /// @throws OutputError
     void publish();
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 
 #include "base/errors.h"
 #include "output/publish/temporaries.h"
+#include "report/escape.h"
 
 namespace meshfolio::output {
 
@@ -39,6 +39,13 @@ fs::path resolved(const fs::path& path, std::error_code& error) {
     // Twice: behind "nowhere/.." the first only shortens and follows no links.
     for (int i = 0; i < 2 && !error; ++i) target = fs::weakly_canonical(target, error);
     return target;
+}
+
+fs::path path_inside(const fs::path& path, const fs::path& folder) {
+    std::error_code error;
+    const fs::path whole = resolved(path, error), outer = error ? fs::path() : resolved(folder, error);
+    const fs::path inside = error ? fs::path() : whole.lexically_relative(outer);
+    return inside.empty() || *inside.begin() == ".." ? fs::path() : inside;
 }
 
 void require_folder(const fs::path& path) {
@@ -78,9 +85,7 @@ void make_folder(const fs::path& path) {
 }
 
 bool is_safe_name(std::string_view name) {
-    const auto safe = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '+' || c == '-';
-    };
+    const auto safe = [](char c) { return report::is_alphanumeric(c) || c == '_' || c == '.' || c == '+' || c == '-'; };
     return !name.empty() && name.size() <= 120 && name.front() != '.' && name.front() != '-' && std::all_of(name.begin(), name.end(), safe);
 }
 

@@ -25,14 +25,17 @@ private:
     int descriptor_;
 };
 
-/// Absolute, links followed as far as the path exists: what a rename will name. @param error  why there is no such path
+/// The absolute path, links followed as far as it exists, which a rename needs. @param error  why there is none
 std::filesystem::path resolved(const std::filesystem::path& path, std::error_code& error);
+
+/// `path` relative to `folder`, links followed; empty if it is not inside.
+std::filesystem::path path_inside(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 /// Where a file of that name will stand, links followed. @throws OutputError where none can be made or replaced: its folder is missing or
 /// closed, or it is a folder itself
 std::filesystem::path place_of_file(const std::filesystem::path& path);
 
-/// What is there and takes bytes as they come: a device, a pipe.
+/// Is there a device, a pipe or the like, which cannot be replaced by a rename?
 bool is_stream(const std::filesystem::path& path);
 
 /// Before the work: can make_folder() make it, and files be put into it? @throws OutputError

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <vector>
 
@@ -35,7 +34,7 @@ fs::path resolved_folder(const fs::path& target) {
     return path;
 }
 
-/// A folder closed to others is not opened to them by what replaces it.
+/// Removes permissions of others that the replaced folder did not grant.
 void keep_private(const fs::path& folder, const fs::path& target) {
     std::error_code error;
     const fs::file_status replaced = fs::status(target, error);
@@ -148,7 +147,7 @@ void place_by_one_rename(const fs::path& folder, const fs::path& target, const F
     remember_publication();
 }
 
-/// For a mount point, which cannot be renamed: file by file, the sums last, so that a mix is at least found out by them.
+/// Replaces a mount point, which cannot be renamed, file by file. The sums come last, so that they reveal a mixture.
 void place_file_by_file(const fs::path& folder, const fs::path& target) {
     const auto permission = permission_to_create();
     std::vector<std::string> files = files_below(folder);
@@ -177,10 +176,6 @@ void create_folder(const fs::path& path) {
 
 }   // namespace
 
-struct Publication::Folder : Temporary {
-    using Temporary::Temporary;
-};
-
 Publication::Publication(const fs::path& target, const FolderKind& kind) : target_(resolved_folder(target)), kind_(kind) {
     require_ours(target_, kind);
     make_folder(target_.parent_path());
@@ -192,7 +187,7 @@ Publication::Publication(const fs::path& target, const FolderKind& kind) : targe
     }
     const fs::path path =
         in_place_ ? target_ / (".meshfolio.tmp-" + process_number()) : fs::path(target_.string() + ".tmp-" + process_number());
-    folder_ = std::make_unique<Folder>(path);
+    folder_ = std::make_unique<Temporary>(path);
     create_folder(path);
     keep_private(path, target_);
     write_file(path / kind.marker, "This folder was made by meshfolio, which replaces it as a whole.\n");

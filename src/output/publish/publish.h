@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <string_view>
 
 namespace meshfolio::output {
 
@@ -19,15 +18,16 @@ struct FolderKind {
     const char* words;
 };
 inline constexpr FolderKind report_folder{marker_file, "a report"}, marks_folder{".meshfolio-marks", "the marks of a class"};
-/// Does a folder have the marker of either? False where that cannot be seen.
+/// Does a folder have the marker of either kind? False if it cannot be read.
 bool is_marked(const std::filesystem::path& folder) noexcept;
 /// Digests of every other file, in the format of sha256sum.
 inline constexpr const char* sums_file = "SHA256SUMS";
 
-/// Where the folder goes that may not take the place of a better one.
+/// `<target>.failed`, for a report that may not replace a better one.
 std::filesystem::path failed_beside(const std::filesystem::path& target);
 
 class OpenFolder;
+class Temporary;
 
 class Publication {
 public:
@@ -50,17 +50,16 @@ public:
     /// @throws OutputError
     std::string publish(const Digests& known = {});
 
-    /// What is made did not end well, and the target holds what did: publish() will put it at `<target>.failed` instead.
+    /// Redirects publish() to `<target>.failed`, for a report with failures while the target holds a good one.
     /// @throws OutputError if that cannot be written or holds something that is not ours
     void step_aside();
-    /// Once all is well again: `<target>.failed` has no use any more.
+    /// Removes `<target>.failed`, which a good report makes obsolete.
     void remove_failed() const;
 
 private:
-    struct Folder;
     std::filesystem::path target_;
     FolderKind kind_;
-    std::unique_ptr<Folder> folder_;
+    std::unique_ptr<Temporary> folder_;
     bool in_place_ = false;              // the target is a mount point
     std::unique_ptr<OpenFolder> lock_;   // of such a target, where two runs would mix their files
 };

@@ -9,12 +9,10 @@
 
 #include <atomic>
 #include <set>
-#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
-#include "base/file_bytes.h"
 #include "base/number_text.h"
 #include "output/publish/publish.h"
 
@@ -100,8 +98,6 @@ bool remove_all_temporaries() noexcept {
 
 std::string process_number() { return std::to_string(::getpid()); }
 
-namespace fs = std::filesystem;
-
 namespace {
 
 /// Only a folder that carries a marker of ours, or never held more than a .gitignore, is ours to remove.
@@ -112,17 +108,19 @@ bool is_our_folder(const fs::directory_entry& entry) {
                        [](const fs::directory_entry& inside) { return inside.path().filename() == ".gitignore"; });
 }
 
-/// Of a process that has ended, or of one that had our number before us.
-bool is_leftover_of(const std::string& name, const std::string& stem) {
-    const long pid = process_in_name(name, stem);
-    return pid > 0 && (is_dead(pid) || pid == ::getpid());
-}
-
-std::vector<fs::directory_entry> entries_of(const fs::path& folder) {
+/// Calls use(entry) for each entry of `folder` that a dead process left under the name `stem` and its number.
+/// @param ours  also for those with the number of this process, which one before it may have had
+template <class Use>
+void for_each_leftover(const fs::path& folder, const std::string& stem, bool ours, const Use& use) noexcept try {
     std::vector<fs::directory_entry> entries;
     std::error_code error;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) entries.push_back(*it);
-    return entries;
+    for (const fs::directory_entry& entry : entries) {
+        const long pid = process_in_name(entry.path().filename().string(), stem);
+        if (pid > 0 && (is_dead(pid) || (ours && pid == ::getpid()))) use(entry);
+    }
+} catch (const std::exception&) {
+    // A leftover that cannot be examined stays; the run itself is not in danger.
 }
 
 }   // namespace
@@ -145,48 +143,39 @@ long process_in_name(const std::string& name, const std::string& stem) {
 }
 
 void sweep_leftovers(const fs::path& target) noexcept try {
-    const std::string name = target.filename().string();
-    for (const fs::directory_entry& entry : entries_of(target.parent_path())) {
-        const std::string found = entry.path().filename().string();
-        const bool unfinished = is_leftover_of(found, name + ".tmp-"), replaced = is_leftover_of(found, name + ".old-");
-        if (!(unfinished || replaced) || !is_our_folder(entry)) continue;
-        std::error_code ignored;
-        if (replaced && !fs::exists(target)) {
+    std::error_code ignored;
+    const auto remove = [&](const fs::directory_entry& entry) {
+        if (is_our_folder(entry)) fs::remove_all(entry.path(), ignored);
+    };
+    const auto restore = [&](const fs::directory_entry& entry) {
+        if (!is_our_folder(entry)) return;
+        if (fs::exists(target))
+            fs::remove_all(entry.path(), ignored);
+        else
             fs::rename(entry.path(), target, ignored);
-        } else {
-            fs::remove_all(entry.path(), ignored);
-        }
-    }
-    for (const fs::directory_entry& entry : entries_of(target)) {   // of runs into a mount point
-        std::error_code ignored;
-        if (is_leftover_of(entry.path().filename().string(), ".meshfolio.tmp-") && is_our_folder(entry))
-            fs::remove_all(entry.path(), ignored);
-    }
+    };
+    for_each_leftover(target.parent_path(), target.filename().string() + ".tmp-", true, remove);
+    for_each_leftover(target.parent_path(), target.filename().string() + ".old-", true, restore);
+    for_each_leftover(target, ".meshfolio.tmp-", true, remove);   // of runs into a mount point
 } catch (const std::exception&) {
-    // A leftover that cannot be examined stays; the run itself is not in danger.
+    // No memory for a name: nothing is swept.
 }
 
-void sweep_file_leftovers(const fs::path& folder) noexcept try {
-    for (const fs::directory_entry& entry : entries_of(folder)) {
+void sweep_file_leftovers(const fs::path& folder) noexcept {
+    // Not those with our own number: another thread may be writing one.
+    for_each_leftover(folder, ".meshfolio.part-", false, [](const fs::directory_entry& entry) {
         std::error_code ignored;
-        // Not those with our own number: another thread may be writing one.
-        const long pid = process_in_name(entry.path().filename().string(), ".meshfolio.part-");
-        if (pid > 0 && is_dead(pid) && entry.is_regular_file() && !entry.is_symlink()) fs::remove(entry.path(), ignored);
-    }
-} catch (const std::exception&) {
-    // As above.
+        if (entry.is_regular_file() && !entry.is_symlink()) fs::remove(entry.path(), ignored);
+    });
 }
 
-void sweep_scratch_leftovers(const fs::path& place, const std::string& stem) noexcept try {
-    for (const fs::directory_entry& entry : entries_of(place)) {
-        const long pid = process_in_name(entry.path().filename().string(), stem);
+void sweep_scratch_leftovers(const fs::path& place, const std::string& stem) noexcept {
+    for_each_leftover(place, stem, false, [](const fs::directory_entry& entry) {
+        std::error_code ignored;
         struct stat status {};
-        if (pid == 0 || !is_dead(pid) || ::lstat(entry.path().c_str(), &status) != 0) continue;
-        std::error_code ignored;
-        if (S_ISDIR(status.st_mode) && status.st_uid == ::geteuid()) fs::remove_all(entry.path(), ignored);
-    }
-} catch (const std::exception&) {
-    // As above.
+        if (::lstat(entry.path().c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == ::geteuid())
+            fs::remove_all(entry.path(), ignored);
+    });
 }
 
 }   // namespace meshfolio::output

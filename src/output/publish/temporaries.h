@@ -27,20 +27,19 @@ private:
     std::filesystem::path path_;
 };
 
-/// Held around whatever makes a name appear or puts one in the place of another: after remove_all_temporaries() it is never given again.
-/// A thread that has it may take it again.
+/// A recursive lock, held while a file is created or renamed. After remove_all_temporaries() it is never granted again.
 std::unique_lock<std::recursive_mutex> permission_to_create();
-/// To be called with the permission once something is published.
+/// Call it with the lock once something is published.
 void remember_publication();
 
-/// Writes the file that `part` stands for. @param synced  it has reached the disk when this returns @throws OutputError
+/// Writes the file at `part`. @param synced  returns only when the bytes are on the disk @throws OutputError
 void write_part(const Temporary& part, std::string_view bytes, bool synced, std::filesystem::perms permissions = new_file_permissions);
 
-/// Takes the permission for good and removes what is registered, also while other threads still write there.
+/// Takes the lock for good and removes all registered paths, even while other threads write there.
 /// @return whether something was published before
 bool remove_all_temporaries() noexcept;
 
-/// Ends the names of what is temporary: the number of this process.
+/// The number of this process, which ends the names of temporary files.
 std::string process_number();
 
 /// True when no process has this number (any more), or one that was killed and only waits to be collected.
@@ -49,7 +48,7 @@ bool is_dead(long pid);
 /// The process number at the end of `name` when it reads `<stem><digits>`; else 0.
 long process_in_name(const std::string& name, const std::string& stem);
 
-/// Sees to what interrupted runs left beside `target`: `<target>.tmp-<pid>` folders of dead runs are removed; `<target>.old-<pid>`
+/// Cleans up what interrupted runs left beside `target`: `<target>.tmp-<pid>` folders of dead runs are removed; `<target>.old-<pid>`
 /// becomes `target` again when that is missing, and is removed otherwise. Folders without our marker and anything else are left alone,
 /// and nothing that cannot be removed is an error.
 void sweep_leftovers(const std::filesystem::path& target) noexcept;

@@ -14,15 +14,15 @@
 
 namespace meshfolio::report {
 
-/// The check with the least room: a failed one where there is any, else the one that came nearest to its limit.
+/// The worst check: a failed one if there is any, else the one nearest to its limit.
 struct WorstCheck {
     std::string id, words;   // words: its name and what was measured
     bool failed = false;
-    double used = 0;   // of what is allowed: 1 is the limit, beyond it fails; ∞ where nothing is allowed
+    double used = 0;   // share of the allowance: above 1 fails; ∞ if nothing is allowed
 };
 
-/// The share of what a check allows that its number takes up. A limit that is a whole number other than 0 is what a theorem or a count says
-/// and no allowance: kept to, nothing is taken up, and beyond it the tolerance counts.
+/// The share of a check's allowance that the measured number uses. A limit that is a whole number other than 0 comes from a theorem or a
+/// count and is no allowance: the share is 0 up to it, and counts against the tolerance beyond it.
 double used_share(const Check& check);
 std::optional<WorstCheck> worst_check(const std::vector<Section>& sections);
 
@@ -39,7 +39,7 @@ struct BatchRow {
     };
     std::optional<Picture> picture = {};
     std::string sha256 = {};
-    /// From the sections of the report that tell of them; empty cells where none does.
+    /// From sections of the report; empty if it has no such section.
     Cell vertices = {}, edges = {}, triangles = {}, components = {}, boundary_loops = {}, euler_characteristic = {}, genus = {};
     Cell manifold = {}, orientation = {};                                      // words
     Cell lambda_critical = {};                                                 // [length²]
@@ -50,7 +50,24 @@ struct BatchRow {
     std::vector<Section> sections = {};   // checks alone
 };
 
-/// What a report on one mesh says of it. @param timings  also how long it took
+/// A cell of a row: its key in batch.json, its column in batch.csv, and the column of a report's tables that it comes from; empty: from the
+/// section's input.
+struct BatchFact {
+    Cell BatchRow::*cell;
+    const char *key, *name, *source;
+};
+inline constexpr BatchFact batch_facts[] = {
+    {&BatchRow::vertices, "vertices", "vertices", ""},
+    {&BatchRow::edges, "edges", "edges", "preflight_connectivity-edges"},
+    {&BatchRow::triangles, "triangles", "triangles", ""},
+    {&BatchRow::components, "components", "components", "preflight_connectivity-components"},
+    {&BatchRow::boundary_loops, "boundary_loops", "boundary loops", "preflight_connectivity-boundary-loops"},
+    {&BatchRow::euler_characteristic, "euler_characteristic", "Euler characteristic", "preflight_connectivity-chi"},
+    {&BatchRow::genus, "genus", "genus", "preflight_connectivity-genus"},
+    {&BatchRow::manifold, "manifold", "manifold", "preflight_connectivity-manifold"},
+    {&BatchRow::orientation, "orientation", "orientation", "preflight_connectivity-orientation"}};
+
+/// The row of a mesh, from its report. @param timings  include the time it took
 BatchRow batch_row(std::string name, std::string file, const Document& document, bool timings);
 
 struct Batch {
@@ -58,14 +75,13 @@ struct Batch {
     bool timings = true;
 };
 
-/// How many rows are in a state.
 std::size_t count_of(const Batch& batch, BatchRow::State state);
 
 Table batch_table(const Batch& batch);   // for write_csv()
 std::string write_batch_json(const Batch& batch, const std::string& version);
-/// A suite a mesh, a case a check.
+/// One suite per mesh, one case per check.
 std::string write_batch_junit(const Batch& batch);
-/// @throws UsageError for a template that asks for what there is not
+/// @throws UsageError for a template with an unknown tag
 std::string write_batch_page(const Batch& batch, const std::string& version, const Templates& templates);
 
 /// What batch.html prints, for the list of tags.

@@ -4,7 +4,6 @@
 
 #include "base/number_text.h"
 #include "report/batch/batch.h"
-#include "report/escape.h"
 
 namespace meshfolio::report {
 
@@ -24,8 +23,6 @@ std::string defect_words(const BatchRow& row) {
     return words;
 }
 
-Cell text_cell(const std::string& text) { return text.empty() ? Cell() : Cell(text); }
-
 OrderedJson json_of_cell(const Cell& cell) {
     constexpr double exact_below = 9007199254740992.0;   // 2⁵³
     if (const auto* number = std::get_if<double>(&cell)) {
@@ -43,17 +40,8 @@ OrderedJson json_of_row(const BatchRow& row) {
     if (row.report.empty()) return json;
     json["report"] = row.report;
     json["sha256"] = row.sha256;
-    for (const auto& [key, cell] : {std::pair{"vertices", &BatchRow::vertices},
-                                    {"edges", &BatchRow::edges},
-                                    {"triangles", &BatchRow::triangles},
-                                    {"components", &BatchRow::components},
-                                    {"boundary_loops", &BatchRow::boundary_loops},
-                                    {"euler_characteristic", &BatchRow::euler_characteristic},
-                                    {"genus", &BatchRow::genus},
-                                    {"manifold", &BatchRow::manifold},
-                                    {"orientation", &BatchRow::orientation},
-                                    {"lambda_crit", &BatchRow::lambda_critical}})
-        json[key] = json_of_cell(row.*cell);
+    for (const BatchFact& fact : batch_facts) json[fact.key] = json_of_cell(row.*fact.cell);
+    json["lambda_crit"] = json_of_cell(row.lambda_critical);
     json["defects"] = OrderedJson();
     if (row.defects) {
         json["defects"] = OrderedJson::array();
@@ -72,54 +60,27 @@ OrderedJson json_of_row(const BatchRow& row) {
 }   // namespace
 
 Table batch_table(const Batch& batch) {
-    Table table{.id = "batch",
-                .columns = {{"mesh"},
-                            {"file"},
-                            {"status"},
-                            {"vertices"},
-                            {"edges"},
-                            {"triangles"},
-                            {"components"},
-                            {"boundary loops"},
-                            {"Euler characteristic"},
-                            {"genus"},
-                            {"manifold"},
-                            {"orientation"},
-                            {"defects"},
-                            {"λ_crit", "length²"},
-                            {"checks passed"},
-                            {"checks failed"},
-                            {"checks undecided"},
-                            {"worst check"},
-                            {"worst check", "share of its limit"},
-                            {"report"},
-                            {"error"}}};
-    if (batch.timings) table.columns.push_back({"time", "s"});
+    Table table{.id = "batch", .columns = {{"mesh"}, {"file"}, {"status"}}};
+    const auto add = [&](const char* name, const char* unit = "") { table.columns.push_back({name, unit}); };
+    for (const BatchFact& fact : batch_facts) add(fact.name);
+    add("defects");
+    add("λ_crit", "length²");
+    for (const char* name : {"checks passed", "checks failed", "checks undecided", "worst check"}) add(name);
+    add("worst check", "share of its limit");
+    add("report");
+    add("error");
+    if (batch.timings) add("time", "s");
     for (const BatchRow& row : batch.rows) {
-        const auto count = [&](std::size_t n) { return row.report.empty() ? Cell() : Cell(double(n)); };
-        std::vector<Cell> cells{row.name,
-                                row.file,
-                                name_of(row.state),
-                                row.vertices,
-                                row.edges,
-                                row.triangles,
-                                row.components,
-                                row.boundary_loops,
-                                row.euler_characteristic,
-                                row.genus,
-                                row.manifold,
-                                row.orientation,
-                                row.defects ? Cell(defect_words(row)) : Cell(),
-                                row.lambda_critical,
-                                count(row.score.passed),
-                                count(row.score.failed),
-                                count(row.score.undecided),
-                                row.worst ? Cell(row.worst->id) : Cell(),
-                                row.worst ? Cell(row.worst->used) : Cell(),
-                                text_cell(row.report),
-                                text_cell(row.error)};
+        std::vector<Cell>& cells = table.rows.emplace_back(std::vector<Cell>{row.name, row.file, name_of(row.state)});
+        for (const BatchFact& fact : batch_facts) cells.push_back(row.*fact.cell);
+        cells.push_back(row.defects ? Cell(defect_words(row)) : Cell());
+        cells.push_back(row.lambda_critical);
+        for (const std::size_t count : {row.score.passed, row.score.failed, row.score.undecided})
+            cells.push_back(row.report.empty() ? Cell() : Cell(double(count)));
+        cells.push_back(row.worst ? Cell(row.worst->id) : Cell());
+        cells.push_back(row.worst ? Cell(row.worst->used) : Cell());
+        for (const std::string& text : {row.report, row.error}) cells.push_back(text.empty() ? Cell() : Cell(text));
         if (batch.timings) cells.push_back(row.seconds);
-        table.rows.push_back(std::move(cells));
     }
     return table;
 }

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A number for people, and for the script that sorts; "–" where there is none.
+/// A number as text and as sort key; "–" if there is none.
 json number_view(const Cell& cell) {
     const auto* number = std::get_if<double>(&cell);
     const bool whole = number != nullptr && std::trunc(*number) == *number && std::abs(*number) < 1e9;

@@ -25,23 +25,13 @@ const Table* table_of(const Document& document, const std::string& id) {
     return nullptr;
 }
 
-/// The cell of the first row in the column with this id; empty where there is none.
+/// The cell of the first row in the column with this id, which begins with the id of its table; empty if there is no such column.
 Cell first_cell(const Document& document, const std::string& column) {
-    for (const Section& section : document.sections) {
-        for (const Block& block : section.blocks) {
-            const auto* table = std::get_if<Table>(&block);
-            if (table == nullptr || table->rows.empty() || !column.starts_with(table->id)) continue;
-            const std::vector<std::string> ids = column_ids(*table);
-            const auto id = std::ranges::find(ids, column);
-            if (id != ids.end()) return table->rows.front().at(static_cast<std::size_t>(id - ids.begin()));
-        }
-    }
-    return {};
-}
-
-const Section* answered(const Document& document, const std::string& id) {
-    const auto section = std::ranges::find(document.sections, id, &Section::id);
-    return section != document.sections.end() && section->status == Status::ok ? &*section : nullptr;
+    const Table* table = table_of(document, column.substr(0, column.find('-')));
+    if (table == nullptr || table->rows.empty()) return {};
+    const std::vector<std::string> ids = column_ids(*table);
+    const auto id = std::ranges::find(ids, column);
+    return id != ids.end() ? table->rows.front().at(static_cast<std::size_t>(id - ids.begin())) : Cell();
 }
 
 /// Kinds and counts, in the table's order.
@@ -65,17 +55,12 @@ void take_counts(BatchRow& row, const Document& document) {
         row.triangles = double(input.triangles);
         break;
     }
-    for (const auto& [cell, column] : {std::pair{&BatchRow::edges, "preflight_connectivity-edges"},
-                                       {&BatchRow::components, "preflight_connectivity-components"},
-                                       {&BatchRow::boundary_loops, "preflight_connectivity-boundary-loops"},
-                                       {&BatchRow::euler_characteristic, "preflight_connectivity-chi"},
-                                       {&BatchRow::genus, "preflight_connectivity-genus"},
-                                       {&BatchRow::manifold, "preflight_connectivity-manifold"},
-                                       {&BatchRow::orientation, "preflight_connectivity-orientation"},
-                                       {&BatchRow::lambda_critical, "q5_limits-lambda-crit"}})
-        row.*cell = first_cell(document, column);
-    if (answered(document, "preflight") == nullptr) return;
-    const Table* defects = table_of(document, "preflight_defects");   // there is none where nothing was found
+    for (const BatchFact& fact : batch_facts)
+        if (*fact.source != '\0') row.*fact.cell = first_cell(document, fact.source);
+    row.lambda_critical = first_cell(document, "q5_limits-lambda-crit");
+    const auto preflight = std::ranges::find(document.sections, "preflight", &Section::id);
+    if (preflight == document.sections.end() || preflight->status != Status::ok) return;
+    const Table* defects = table_of(document, "preflight_defects");   // no table if no defect was found
     row.defects = defects != nullptr ? defects_in(*defects) : std::vector<std::pair<std::string, double>>();
 }
 

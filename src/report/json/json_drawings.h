@@ -134,7 +134,7 @@ void describe(Fields& fields, part_of<DrawnPicture> auto& picture) {
     fields("top", picture.top, {"", 0});
     fields("width", picture.width, {"", 1});
     fields("height", picture.height, {"", 1});
-    fields.file_if_any("file", picture.file);
+    fields.optional("file", picture.file, {}, file_note());
 }
 
 template <class Fields>
@@ -160,7 +160,7 @@ void describe(Fields& fields, part_of<Legend> auto& legend) {
 template <class Fields>
 void describe(Fields& fields, part_of<DrawnModel> auto& model) {
     fields.optional("label", model.label, {});
-    fields.file("file", model.file);
+    fields("file", model.file, file_note());
     fields.optional("quantity", model.quantity, {}, "of the values at the vertices, with its unit");
 }
 

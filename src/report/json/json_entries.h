@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "report/document.h"
@@ -25,7 +24,13 @@ struct Note {
         : meaning(words), least(smallest), most(largest) {}
     const char* meaning;
     int least, most;
+    bool is_file = false;   // a path inside the report's folder, or several
 };
+inline Note file_note() {
+    Note note;
+    note.is_file = true;
+    return note;
+}
 
 /// A figure with what is known of its pictures.
 struct FigureEntry {

@@ -2,18 +2,24 @@
 
 #include <algorithm>
 
+#include "report/escape.h"
+
 namespace meshfolio::report {
 
 namespace {
 
 constexpr std::size_t longest_id = 200;
 
-bool is_id_character(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.' || c == '+';
-}
+bool is_id_character(char c) { return is_alphanumeric(c) || c == '_' || c == '-' || c == '.' || c == '+'; }
 
 [[noreturn]] void refuse_type(const Json& json, const JsonPlace& place, const std::string& wanted) {
     throw JsonProblem(place, "is " + type_in_words(json) + ", not " + wanted);
+}
+
+template <class Value>
+void take(const Json& json, Value& value, const JsonPlace& place, bool is_right, const char* wanted) {
+    if (!is_right) refuse_type(json, place, wanted);
+    value = json.get<Value>();
 }
 
 }   // namespace
@@ -133,8 +139,7 @@ void FieldReader::read(const Json& json, decltype(Parameter::value)& value, cons
 }
 
 void FieldReader::read(const Json& json, bool& value, const JsonPlace& place, Odd&) {
-    if (!json.is_boolean()) refuse_type(json, place, "true or false");
-    value = json.get<bool>();
+    take(json, value, place, json.is_boolean(), "true or false");
 }
 
 void FieldReader::read(const Json& json, int& value, const JsonPlace& place, Odd&) {
@@ -146,21 +151,16 @@ void FieldReader::read(const Json& json, int& value, const JsonPlace& place, Odd
 }
 
 void FieldReader::read(const Json& json, std::uint64_t& value, const JsonPlace& place, Odd&) {
-    if (!json.is_number_unsigned()) refuse_type(json, place, "an integer from 0");
-    value = json.get<std::uint64_t>();
+    take(json, value, place, json.is_number_unsigned(), "an integer from 0");
 }
 
 void FieldReader::read(const Json& json, std::string& value, const JsonPlace& place, Odd&) {
-    if (!json.is_string()) refuse_type(json, place, "a text");
-    value = json.get<std::string>();
+    take(json, value, place, json.is_string(), "a text");
 }
 
 void FieldReader::read(const Json& json, std::map<std::string, std::string>& value, const JsonPlace& place, Odd&) {
     if (!json.is_object()) refuse_type(json, place, "an object of texts");
-    for (const auto& [key, words] : json.items()) {
-        if (!words.is_string()) refuse_type(words, {&place, key}, "a text");
-        value[key] = words.get<std::string>();
-    }
+    for (const auto& [key, words] : json.items()) take(words, value[key], {&place, key}, words.is_string(), "a text");
 }
 
 void FieldReader::read(const Json& json, Run& value, const JsonPlace& place, Odd&) {

@@ -3,9 +3,7 @@
 /// limits; keys that are not known are passed over, as a later version may have added them.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,14 +12,13 @@
 #include <string_view>
 #include <vector>
 
-#include "base/errors.h"
 #include "base/in_quotes.h"
 #include "report/json/json_fields.h"
 #include "report/json/json_writer.h"
 
 namespace meshfolio::report {
 
-/// Where in the JSON a value stands; built as it is read, without a word until it is asked for.
+/// The path of a value in the JSON, formatted only on demand.
 struct JsonPlace {
     const JsonPlace* parent = nullptr;
     std::string_view key = {};   // empty: an element of a list
@@ -61,6 +58,11 @@ public:
         if constexpr (std::is_same_v<Value, int>) require_between(value, note, place);
         if constexpr (std::is_same_v<Value, std::string>) {
             if (std::string_view(key) == "id") require_good_id(value, place);
+            if (note.is_file) require_inner_path(value, place);
+        }
+        if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+            for (const std::string& path : value)
+                if (note.is_file) require_inner_path(path, place);
         }
     }
     template <class Value>
@@ -88,21 +90,9 @@ public:
         if (required(key) != derived_json(derive()))
             throw JsonProblem({&place_, key}, "does not agree with what it is derived from", "leave it as it was");
     }
-    void file(const char* key, std::string& path) {
-        (*this)(key, path);
-        require_inner_path(path, {&place_, key});
-    }
-    void file_if_any(const char* key, std::string& path) {
-        path.clear();
-        if (object_.contains(key)) file(key, path);
-    }
-    void files(const char* key, std::vector<std::string>& paths) {
-        (*this)(key, paths);
-        for (const std::string& path : paths) require_inner_path(path, {&place_, key});
-    }
     void file_or_null(const char* key, std::string& path, bool& there, const Note& = {}) {
         there = !required(key).is_null();
-        if (there) file(key, path);
+        if (there) (*this)(key, path, file_note());
     }
     template <class Item, class Describe>
     void each(const char* key, std::vector<Item>& items, Describe describe_one) {
@@ -179,6 +169,10 @@ private:
     template <class Value>
     static void require_sound(const Value&, const JsonPlace&) {}
 };
+
+/// Brings results.json of an earlier version to the present one, from version to version. What is not as it should be is left to the
+/// reader. @throws JsonProblem for what is no results.json, or of a version that cannot be brought up
+void upgrade_json(Json& results);
 
 /// @throws JsonProblem
 template <class Value>

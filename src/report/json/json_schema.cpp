@@ -46,6 +46,7 @@ public:
     void optional(const char* key, const Value& value, const std::type_identity_t<Value>&, const Note& note = {}) {
         Json schema = schema_of(value, place(key));
         if (std::string_view(key) == "id") schema = {{"description", "unique in the document"}, {"type", "string"}, {"minLength", 1}};
+        if (note.is_file) schema = std::is_same_v<Value, std::string> ? inner_file : list_of(inner_file);
         if (note.least > std::numeric_limits<int>::min()) schema["minimum"] = note.least;
         if (note.most < std::numeric_limits<int>::max()) schema["maximum"] = note.most;
         add(key, std::move(schema), note, holds_numbers<Value>);
@@ -69,15 +70,6 @@ public:
             add(key, {{"const", value}}, note, false);
         else
             add(key, schema_of(value, place(key)), note, false);
-        require(key);
-    }
-    void file(const char* key, const std::string&) {
-        add(key, inner_file, {}, false);
-        require(key);
-    }
-    void file_if_any(const char* key, const std::string&) { add(key, inner_file, {}, false); }
-    void files(const char* key, const std::vector<std::string>&) {
-        add(key, list_of(inner_file), {}, false);
         require(key);
     }
     void file_or_null(const char* key, const std::string&, bool, const Note& note = {}) {

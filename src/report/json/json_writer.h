@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 /// outside of a cell is not listed: null says it already.
 inline constexpr const char* not_finite = "_not_finite";
 
-/// A value that follows from others; null where there is none.
+/// A derived value as JSON; null if there is none.
 template <class Value>
 Json derived_json(const Value& value) {
     return value;
@@ -57,11 +57,6 @@ public:
     void derived(const char* key, Derive derive, const Note& = {}) {
         object_[key] = derived_json(derive());
     }
-    void file(const char* key, const std::string& path) { object_[key] = path; }
-    void file_if_any(const char* key, const std::string& path) {
-        if (!path.empty()) file(key, path);
-    }
-    void files(const char* key, const std::vector<std::string>& paths) { object_[key] = paths; }
     void file_or_null(const char* key, const std::string& path, bool there, const Note& = {}) {
         object_[key] = there ? Json(path) : Json();
     }

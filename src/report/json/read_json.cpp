@@ -7,7 +7,6 @@
 #include "report/json/json_fields.h"
 #include "report/json/json_line.h"
 #include "report/json/json_reader.h"
-#include "report/json/upgrade_json.h"
 #include "report/numbering.h"
 
 namespace meshfolio::report {
@@ -15,6 +14,21 @@ namespace meshfolio::report {
 namespace {
 
 constexpr int deepest_json = 64;   // ours is at most a third as deep
+
+const std::string& id_of(const FigureEntry& part) { return part.figure.id; }
+const std::string& id_of(const NumberedEntry& part) { return part.entry.id; }
+const std::string& id_of(const auto& part) { return part.id; }
+
+/// Calls visit(key, list) for each list whose parts the blocks of a section refer to.
+template <class Visit>
+void for_each_list(auto& section, const Visit& visit) {
+    visit("tables", section.tables);
+    visit("plots", section.plots);
+    visit("maps", section.maps);
+    visit("diagrams", section.diagrams);
+    visit("figures", section.figures);
+    visit("entries", section.entries);
+}
 
 /// Refuses an id that something else has already.
 class Ids {
@@ -25,12 +39,10 @@ public:
 
     void add(const SectionEntry& section, const JsonPlace& place) {
         add(section.section.id, place);
-        add_all(section.tables, {&place, "tables"}, [](const Table& table) { return table.id; });
-        add_all(section.plots, {&place, "plots"}, [](const Plot& plot) { return plot.id; });
-        add_all(section.maps, {&place, "maps"}, [](const Map& map) { return map.id; });
-        add_all(section.diagrams, {&place, "diagrams"}, [](const Diagram& diagram) { return diagram.id; });
-        add_all(section.figures, {&place, "figures"}, [](const FigureEntry& entry) { return entry.figure.id; });
-        add_all(section.entries, {&place, "entries"}, [](const NumberedEntry& entry) { return entry.entry.id; });
+        for_each_list(section, [&](const char* key, const auto& list) {
+            const JsonPlace all{&place, key};
+            for (std::size_t i = 0; i < list.size(); ++i) add(id_of(list[i]), {&all, {}, i});
+        });
         const JsonPlace blocks{&place, "blocks"};
         for (std::size_t i = 0; i < section.blocks.size(); ++i) {
             const BlockEntry& block = section.blocks[i];
@@ -40,11 +52,6 @@ public:
 
 private:
     std::set<std::string> ids_;
-
-    template <class Item, class IdOf>
-    void add_all(const std::vector<Item>& items, const JsonPlace& place, IdOf id_of) {
-        for (std::size_t i = 0; i < items.size(); ++i) add(id_of(items[i]), {&place, {}, i});
-    }
 };
 
 /// Puts the blocks of a section in their order; each list is used up from its beginning.
@@ -54,14 +61,12 @@ public:
 
     std::vector<Block> blocks() {
         std::vector<Block> blocks;
-        const JsonPlace list{&place_, "blocks"};
-        for (std::size_t i = 0; i < entry_.blocks.size(); ++i) blocks.push_back(block_of(entry_.blocks[i], {&list, {}, i}));
-        require_used("tables", tables_, entry_.tables.size());
-        require_used("plots", plots_, entry_.plots.size());
-        require_used("maps", maps_, entry_.maps.size());
-        require_used("diagrams", diagrams_, entry_.diagrams.size());
-        require_used("figures", figures_, entry_.figures.size());
-        require_used("entries", entries_, entry_.entries.size());
+        const JsonPlace all{&place_, "blocks"};
+        for (std::size_t i = 0; i < entry_.blocks.size(); ++i) blocks.push_back(block_of(entry_.blocks[i], {&all, {}, i}));
+        for_each_list(entry_, [&](const char* key, const auto& list) {
+            if (used_[&list] != list.size())
+                throw JsonProblem({&place_, key}, "holds what no block refers to", "take a whole results.json");
+        });
         return blocks;
     }
 
@@ -69,63 +74,41 @@ private:
     SectionEntry& entry_;
     DrawnFigures& drawn_;
     const JsonPlace& place_;
-    std::size_t tables_ = 0, plots_ = 0, maps_ = 0, diagrams_ = 0, figures_ = 0, entries_ = 0;
+    std::map<const void*, std::size_t> used_;   // how many of each list
 
     Block block_of(BlockEntry& block, const JsonPlace& place) {
-        switch (block.kind) {
-            case BlockEntry::Kind::heading:
-                return Heading{std::move(block.title)};
-            case BlockEntry::Kind::paragraph:
-                return Paragraph{std::move(block.text)};
-            case BlockEntry::Kind::list:
-                return BulletList{std::move(block.items)};
-            case BlockEntry::Kind::formula:
-                return Formula{std::move(block.name), std::move(block.id)};
-            case BlockEntry::Kind::table:
-                return next(entry_.tables, tables_, block.id, place);
-            case BlockEntry::Kind::plot:
-                return next(entry_.plots, plots_, block.id, place);
-            case BlockEntry::Kind::map:
-                return next(entry_.maps, maps_, block.id, place);
-            case BlockEntry::Kind::diagram:
-                return next(entry_.diagrams, diagrams_, block.id, place);
-            case BlockEntry::Kind::figure:
-                return next_figure(block.id, place);
-            default:
-                return entries_of(block, place);
+        using Kind = BlockEntry::Kind;
+        if (block.kind == Kind::heading) return Heading{std::move(block.title)};
+        if (block.kind == Kind::paragraph) return Paragraph{std::move(block.text)};
+        if (block.kind == Kind::list) return BulletList{std::move(block.items)};
+        if (block.kind == Kind::formula) return Formula{std::move(block.name), std::move(block.id)};
+        if (block.kind == Kind::table) return next(entry_.tables, block.id, place);
+        if (block.kind == Kind::plot) return next(entry_.plots, block.id, place);
+        if (block.kind == Kind::map) return next(entry_.maps, block.id, place);
+        if (block.kind == Kind::diagram) return next(entry_.diagrams, block.id, place);
+        if (block.kind == Kind::figure) {
+            FigureEntry entry = next(entry_.figures, block.id, place);
+            if (entry.is_drawn) drawn_[block.id] = std::move(entry.drawn);
+            return std::move(entry.figure);
         }
+        EntryList list{std::move(block.title), {}};
+        for (const std::string& id : block.ids) {
+            NumberedEntry entry = next(entry_.entries, id, place);
+            require_next(entry.kind == list.kind, id, place);
+            list.entries.push_back(std::move(entry.entry));
+        }
+        return list;
     }
 
     static void require_next(bool is_next, const std::string& id, const JsonPlace& place) {
         if (!is_next) throw JsonProblem(place, "refers to '" + id + "', which is not the next of its list", "take a whole results.json");
     }
 
-    template <class Item>
-    static Item next(std::vector<Item>& items, std::size_t& used, const std::string& id, const JsonPlace& place) {
-        require_next(used < items.size() && items[used].id == id, id, place);
-        return std::move(items[used++]);
-    }
-
-    Figure next_figure(const std::string& id, const JsonPlace& place) {
-        require_next(figures_ < entry_.figures.size() && entry_.figures[figures_].figure.id == id, id, place);
-        FigureEntry& entry = entry_.figures[figures_++];
-        if (entry.is_drawn) drawn_[id] = std::move(entry.drawn);
-        return std::move(entry.figure);
-    }
-
-    EntryList entries_of(BlockEntry& block, const JsonPlace& place) {
-        EntryList list{std::move(block.title), {}};
-        for (const std::string& id : block.ids) {
-            const bool is_next =
-                entries_ < entry_.entries.size() && entry_.entries[entries_].entry.id == id && entry_.entries[entries_].kind == list.kind;
-            require_next(is_next, id, place);
-            list.entries.push_back(std::move(entry_.entries[entries_++].entry));
-        }
-        return list;
-    }
-
-    void require_used(const char* list, std::size_t used, std::size_t size) const {
-        if (used != size) throw JsonProblem({&place_, list}, "holds what no block refers to", "take a whole results.json");
+    template <class Part>
+    Part next(std::vector<Part>& parts, const std::string& id, const JsonPlace& place) {
+        std::size_t& used = used_[&parts];
+        require_next(used < parts.size() && id_of(parts[used]) == id, id, place);
+        return std::move(parts[used++]);
     }
 };
 

@@ -15,8 +15,8 @@ struct ReadReport {
     bool timings = true;    // it was written with them
 };
 
-/// The inverse of write_json(), also of earlier versions (upgrade_json.h), strict: a key that is missing, a value of another type or out of
-/// its limits, an id used twice or referred to in vain is refused. Keys that are not known are passed over.
+/// The inverse of write_json(), also for earlier versions (upgrade_json.cpp). It is strict: it refuses missing keys, wrong types, values
+/// out of range, duplicate ids and dangling references. It ignores unknown keys.
 /// @param file  what messages call it
 /// @throws InputError naming the line and the place ("questions[0].tables[2].rows[1]")
 ReadReport read_json(std::string_view text, const std::string& file);

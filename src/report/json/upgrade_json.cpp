@@ -1,5 +1,4 @@
-#include "report/json/upgrade_json.h"
-
+// results.json of earlier versions, brought to the present one before it is read.
 #include "base/in_quotes.h"
 #include "report/json/json_reader.h"
 

@@ -32,26 +32,11 @@ public:
     void operator()(const Paragraph& paragraph) { add(BlockEntry::Kind::paragraph).text = paragraph.text; }
     void operator()(const BulletList& list) { add(BlockEntry::Kind::list).items = list.items; }
     void operator()(const Formula& formula) { add(BlockEntry::Kind::formula, formula.id).name = formula.name; }
-    void operator()(const Table& table) {
-        add(BlockEntry::Kind::table, table.id);
-        entry_.tables.push_back(table);
-    }
-    void operator()(const Plot& plot) {
-        add(BlockEntry::Kind::plot, plot.id);
-        entry_.plots.push_back(plot);
-    }
-    void operator()(const Map& map) {
-        add(BlockEntry::Kind::map, map.id);
-        entry_.maps.push_back(map);
-    }
-    void operator()(const Diagram& diagram) {
-        add(BlockEntry::Kind::diagram, diagram.id);
-        entry_.diagrams.push_back(diagram);
-    }
-    void operator()(const Figure& figure) {
-        add(BlockEntry::Kind::figure, figure.id);
-        entry_.figures.push_back(entry_of(figure, drawn_));
-    }
+    void operator()(const Table& table) { enter(BlockEntry::Kind::table, entry_.tables, table.id, table); }
+    void operator()(const Plot& plot) { enter(BlockEntry::Kind::plot, entry_.plots, plot.id, plot); }
+    void operator()(const Map& map) { enter(BlockEntry::Kind::map, entry_.maps, map.id, map); }
+    void operator()(const Diagram& diagram) { enter(BlockEntry::Kind::diagram, entry_.diagrams, diagram.id, diagram); }
+    void operator()(const Figure& figure) { enter(BlockEntry::Kind::figure, entry_.figures, figure.id, entry_of(figure, drawn_)); }
     void operator()(const EntryList& list) {
         BlockEntry& block = add(BlockEntry::Kind::entries);
         block.title = list.kind;
@@ -70,6 +55,11 @@ private:
         block.kind = kind;
         block.id = id;
         return block;
+    }
+    template <class Part>
+    void enter(BlockEntry::Kind kind, std::vector<Part>& list, const std::string& id, Part part) {
+        add(kind, id);
+        list.push_back(std::move(part));
     }
 };
 

@@ -1,4 +1,4 @@
-#include "report/page/labs.h"
+#include "report/writers.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view tag_begin = "<script type=\"application/x-meshfolio-lab\" data-questions=\"", tag_middle = "\">",
                            tag_end = "</script>";
 
-/// The text between two others from `at` on, which moves behind it; nothing where there is none.
+/// The text between `before` and `after`, searched from `at`, which moves behind it; empty if not found.
 std::string_view between(std::string_view page, std::string_view before, std::string_view after, std::size_t& at) {
     const std::size_t from = page.find(before, at);
     const std::size_t to = from == page.npos ? from : page.find(after, from + before.size());
@@ -25,9 +25,7 @@ std::string_view between(std::string_view page, std::string_view before, std::st
 }
 
 bool is_of(std::string_view text, std::string_view more) {
-    return std::all_of(text.begin(), text.end(), [&](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || more.find(c) != more.npos;
-    });
+    return std::ranges::all_of(text, [&](char c) { return is_alphanumeric(c) || more.find(c) != more.npos; });
 }
 
 }   // namespace

@@ -1,5 +1,5 @@
 /// @file
-/// Mathematics within a sentence: "λ_crit = 2/μ_max" into letters, indices and exponents.
+/// Splits mathematics in a sentence, "λ_crit = 2/μ_max", into letters, indices and exponents.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct MathPart {
 /// `_` and `^` take the word, the number or the {group} that follows.
 std::vector<MathPart> math_parts(const std::string& math);
 
-/// Prose with the symbols in it found: in "growth at 1.01 λ_crit on fandisk_ns" λ_crit becomes a math run. Only a Greek letter with
+/// Finds symbols in prose: in "growth at 1.01 λ_crit on fandisk_ns" λ_crit becomes a math run. Only a Greek letter with
 /// an index is a symbol; names of files and meshes have underscores too.
 Text prose(const std::string& words);
 

@@ -1,10 +1,8 @@
 #include "report/page/page_design.h"
 
 #include <libdeflate.h>
-#include <initializer_list>
 #include <memory>
 #include <new>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/sha256.h"
@@ -33,14 +31,14 @@ std::string joined_styles(const Templates& templates, const std::vector<std::str
     return raw_element(text);
 }
 
-/// A block each: what one file declares is not seen by the others.
+/// Wraps each script into a block, so that its declarations stay local.
 std::string joined_scripts(const Templates& templates, const std::vector<std::string>& names) {
     std::string text = "\"use strict\";\n";
     for (const std::string& name : names) text += "{\n" + raw_text(templates, name) + "}\n";
     return raw_element(text);
 }
 
-/// What the policy allows is exactly these texts.
+/// A content security policy that allows exactly these texts.
 std::string policy_for(const std::string& style, const std::vector<std::string>& scripts) {
     const auto source = [](const std::string& text) { return " 'sha256-" + base64(sha256_bytes(text)) + "'"; };
     std::string allowed;

@@ -1,5 +1,5 @@
 /// @file
-/// What a design of the page has besides its markup: style sheets, scripts, and the policy that allows just these.
+/// Style sheets and scripts of a page design, and the content security policy that allows only these.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,8 +12,8 @@
 namespace meshfolio::report {
 
 struct DesignParts {
-    bool models = false;            // some figure can be turned: styles and script for that come along
-    std::string_view viewer = {};   // the program they are turned by, carried as data; empty: they are only linked to
+    bool models = false;            // some figure can be turned: adds the styles and the script
+    std::string_view viewer = {};   // the program that turns them, as data; empty: models are only linked
     std::vector<Lab> labs = {};     // meshes of the laboratory, for the same program
 };
 
@@ -22,7 +22,7 @@ struct DesignParts {
 /// @throws UsageError for a text that would end its element
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts = {});
 
-/// Bytes that lie in a page as data: zlib, then base64. The browser takes both off by itself (atob, DecompressionStream).
+/// Packs bytes for a page: zlib, then base64. The browser unpacks them itself (atob, DecompressionStream).
 std::string packed(std::string_view bytes);
 
 }   // namespace meshfolio::report

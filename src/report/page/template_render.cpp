@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
+#include "report/json/json_line.h"
 
 namespace meshfolio::report {
 
@@ -21,11 +22,6 @@ using Component = mustache::component<std::string>;
 
 constexpr std::size_t longest_name = 200;   // of a tag in a message
 
-long line_of(const std::string& text, std::size_t position) {
-    const std::size_t end = std::min(position, text.size());
-    return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-}
-
 /// The tree of a template; `error` says "… at <position>" when there is none.
 Component parsed(const std::string& text, std::string& error) {
     mustache::context<std::string> nothing;
@@ -35,7 +31,7 @@ Component parsed(const std::string& text, std::string& error) {
     return root;
 }
 
-/// Asked before the parser, which copies the text of every section and follows them by recursion.
+/// Limits nesting before parsing: the parser copies the text of every section and recurses.
 std::optional<SyntaxProblem> nesting_problem(const std::string& text) {
     int depth = 0;
     for (std::size_t at = text.find("{{"), end = 0; at != std::string::npos; at = text.find("{{", end)) {
@@ -46,11 +42,11 @@ std::optional<SyntaxProblem> nesting_problem(const std::string& text) {
         const std::size_t first = text.find_first_not_of(" \t\r\n", at + 2);
         end += close.size();
         if (is_triple) continue;
-        if (text[first] == '=') return SyntaxProblem{"the delimiters of tags cannot be changed", line_of(text, at)};
+        if (text[first] == '=') return SyntaxProblem{"the delimiters of tags cannot be changed", line_of_byte(text, at)};
         if (text[first] == '/') --depth;
         if ((text[first] == '#' || text[first] == '^') && ++depth > template_limits::deepest_sections) {
             return SyntaxProblem{"more than " + std::to_string(template_limits::deepest_sections) + " sections within one another",
-                                 line_of(text, at)};
+                                 line_of_byte(text, at)};
         }
     }
     return {};
@@ -66,7 +62,7 @@ std::string as_partial(std::string text) {
 
 using Escape = std::function<std::string(const std::string&)>;
 
-/// What is printed, line by line: a line that is blank but for sections that begin or end on it is left out.
+/// Collects the output line by line and drops lines that hold nothing but section tags.
 class Lines {
 public:
     void add(const std::string& text) { line_ += text; }
@@ -143,7 +139,7 @@ private:
         State state = State::unreached;
     };
 
-    /// Lines of tags in the order of their positions: each text is gone through once, however many there are.
+    /// Sets the lines of tags sorted by position, scanning each text once.
     void find_lines(std::vector<Tag>& tags) const {
         const Tag* before = nullptr;
         for (Tag& tag : tags) {
@@ -184,7 +180,7 @@ private:
         return nullptr;
     }
 
-    /// Sections of lists within sections of lists soon take longer than anyone waits for.
+    /// Limits steps and output: nested lists could run practically forever.
     void take_step() {
         const bool too_long = ++steps_ > template_limits::most_steps;
         if (!too_long && lines_.size() <= template_limits::largest_print) return;
@@ -264,7 +260,7 @@ std::optional<SyntaxProblem> syntax_problem(const std::string& text) {
     parsed(text, error);
     if (error.empty()) return {};
     const std::size_t at = error.rfind(" at ");
-    return SyntaxProblem{error.substr(0, at), line_of(text, std::stoul(error.substr(at + 4)))};
+    return SyntaxProblem{error.substr(0, at), line_of_byte(text, std::stoul(error.substr(at + 4)))};
 }
 
 TagUse use_of_tags(const Templates& templates, const std::string& name, const json& model) {

@@ -1,5 +1,5 @@
 /// @file
-/// Mustache templates against a JSON view model. Tags the model does not know are errors here, where Mustache would print nothing.
+/// Renders Mustache templates with a JSON view model. Unknown tags are errors; Mustache itself would print nothing.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ struct SyntaxProblem {
     long line = 0;
 };
 
-/// What a template may ask for; each limit is named in the message about one that asks for more.
+/// Limits of templates. The message about an excess names the limit.
 namespace template_limits {
 inline constexpr std::size_t largest_file = std::size_t{4} << 20;      // bytes
 inline constexpr int deepest_sections = 32;                            // within one another, in one file
@@ -27,10 +27,10 @@ inline constexpr long long most_steps = 30'000'000;                    // texts 
 inline constexpr std::size_t largest_print = std::size_t{256} << 20;   // bytes
 }   // namespace template_limits
 
-/// What is wrong with the syntax of a template, if anything.
+/// The first syntax error of a template, if any.
 std::optional<SyntaxProblem> syntax_problem(const std::string& text);
 
-/// A tag where it stands in a template.
+/// A tag and its place in a template.
 struct Tag {
     std::string file;
     long line = 0;

@@ -1,10 +1,9 @@
-#include "report/page/template_tags.h"
+#include "report/writers.h"
 
 #include <algorithm>
 
 #include "report/batch/batch.h"
 #include "report/bibliography.h"
-#include "report/numbering.h"
 #include "report/page/page_design.h"
 #include "report/page/view_model.h"
 #include "report/page/view_value.h"

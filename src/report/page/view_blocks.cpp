@@ -5,7 +5,6 @@
 #include "report/escape.h"
 #include "report/page/math_markup.h"
 #include "report/page/page_design.h"
-#include "report/page/view_figure.h"
 #include "report/page/view_value.h"
 
 namespace meshfolio::report {
@@ -14,6 +13,7 @@ namespace {
 
 using nlohmann::json;
 
+constexpr const char* runs_meaning = "a text, piece by piece";
 constexpr const char* number_meaning = "of a heading \"4.2\", of an equation \"(4.1)\"";
 
 json math_view(const std::string& math) {
@@ -148,7 +148,7 @@ void enter_separators(json& list) {
         enter(list[i], {{"separator", "a semicolon and a blank, but after the last", i + 1 < list.size() ? "; " : ""}});
 }
 
-json runs_view(const Text& text, const Numbering& numbering) {
+json text_view(const Text& text, const Numbering& numbering) {
     json runs = json::array();
     for (const Run& run : text) {
         if (run.kind == Run::Kind::plain) {
@@ -157,10 +157,8 @@ json runs_view(const Text& text, const Numbering& numbering) {
             runs.push_back(run_view(run, run.kind == Run::Kind::reference ? numbering.resolve(run.content) : Reference{}));
         }
     }
-    return runs;
+    return view_of({{"runs", runs_meaning, std::move(runs)}});
 }
-
-json text_view(const Text& text, const Numbering& numbering) { return view_of({{"runs", runs_meaning, runs_view(text, numbering)}}); }
 
 json prose_view(const std::string& words) {
     return view_of({{"runs", runs_meaning, list_of(prose(words), [](const Run& run) { return run_view(run, {}); })}});

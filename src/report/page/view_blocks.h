@@ -11,7 +11,7 @@
 
 namespace meshfolio::report {
 
-/// What the views of all blocks are made with.
+/// The data that all views of blocks need.
 struct ViewContext {
     const DrawnFigures& figures;
     const Numbering& numbering;
@@ -19,18 +19,21 @@ struct ViewContext {
     const ViewOptions& options;
 };
 
-inline constexpr const char* runs_meaning = "a text, piece by piece";
-/// Runs of a text, references resolved.
-nlohmann::json runs_view(const Text& text, const Numbering& numbering);
-/// A text: its `runs`.
+/// A text: its `runs`, references resolved.
 nlohmann::json text_view(const Text& text, const Numbering& numbering);
-/// A caption, a name, a heading: a text, symbols found.
+/// A caption, a name or a heading as text, with its symbols marked.
 nlohmann::json prose_view(const std::string& words);
 
-/// What a table, plot, map or figure is called and says of itself.
+/// Label and caption of a table, plot, map or figure.
 nlohmann::json captioned_view(const std::string& id, const std::string& caption, const ViewContext& context);
 
-/// Gives each of a list the `separator` behind it.
+/// Enters what a page needs to show the pictures of a figure: how they are laid out, on screens and on paper alike.
+void enter_pictures(nlohmann::json& view, const Figure& figure, const DrawnFigure& drawn, const ViewContext& context);
+
+/// The picture of the first page.
+nlohmann::json cover_view(const Figure& cover, const ViewContext& context);
+
+/// Enters a `separator` into each item of a list.
 void enter_separators(nlohmann::json& list);
 
 nlohmann::json table_view(const Table& table, const ViewContext& context);

@@ -1,11 +1,11 @@
-#include "report/page/view_figure.h"
+#include "report/page/view_blocks.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "report/escape.h"
 #include "report/page/view_value.h"
-#include "report/svg/svg_legend.h"
+#include "report/writers.h"
 
 namespace meshfolio::report {
 
@@ -28,7 +28,7 @@ struct PictureOf {
     const DrawnFigure& drawn;
     const ViewContext& context;
 
-    /// The words that only a picture of the panel needs: its direction, its panel.
+    /// Alternative text: that of the figure for the first picture, else panel and direction.
     std::string alt(std::size_t p, std::size_t i) const {
         const DrawnPicture& picture = drawn.panels[p].pictures[i];
         if (p == 0 && i == 0) return safe_text(figure.alt);
@@ -55,8 +55,7 @@ struct PictureOf {
     }
 };
 
-/// A panel as a cell of a line or of a matrix: its picture from three quarters and its label; `across`: of so many cells, empty for one
-/// reason.
+/// A panel as a cell of a line or of a matrix: its three-quarter picture and its label. @param across  cells that it spans
 json cell_view(const PictureOf& of, std::size_t p, std::size_t across) {
     const DrawnPanel& panel = of.drawn.panels[p];
     return view_of({{"has_picture", "it shows a mesh; an empty cell's label says why there is none", !panel.pictures.empty()},
@@ -66,7 +65,7 @@ json cell_view(const PictureOf& of, std::size_t p, std::size_t across) {
                     {"across", "columns of a matrix that it takes", std::to_string(across)}});
 }
 
-/// How many cells up to `last`, from an empty one on, are empty for the same reason.
+/// The number of consecutive cells before `last` that are empty for the same reason.
 std::size_t empty_alike(const std::vector<DrawnPanel>& panels, std::size_t p, std::size_t last) {
     std::size_t next = p + 1;
     if (panels[p].pictures.empty())
@@ -74,7 +73,7 @@ std::size_t empty_alike(const std::vector<DrawnPanel>& panels, std::size_t p, st
     return next - p;
 }
 
-/// Tenths of the width that pictures so wide and so high together may take, so as not to be higher than a share of that width.
+/// Tenths of the text width for pictures of this size, so that their height stays below `highest` times that width.
 int tenths(double width, double height, double highest) {
     if (!(height > 0) || !(width > 0)) return 10;
     return std::clamp(static_cast<int>(std::floor(10 * highest * width / height)), 2, 10);

@@ -8,7 +8,6 @@
 #include "report/brief_number.h"
 #include "report/escape.h"
 #include "report/page/view_blocks.h"
-#include "report/page/view_figure.h"
 #include "report/page/view_value.h"
 #include "report/page/volumes.h"
 

@@ -24,13 +24,13 @@ struct ViewOptions {
     bool single_views = true;          // links to the pictures a sheet is made of
     bool models = false;               // inside, for a page that can turn them; false: only linked to
     std::string lab_questions = {};    // ids, a space behind each: those with a laboratory in the page
-    bool passed_checks = true;         // in the lists of checks; false: only the others,
-    std::size_t most_checks = -1;      // and of a section at most so many
+    bool passed_checks = true;         // in the lists of checks; false: only the others
+    std::size_t most_checks = -1;      // at most that many a section
     std::size_t table_rows = 200;      // longer tables show their first and last rows,
     std::size_t fewest_left_out = 1;   // unless fewer than these would be left out
 };
 
-/// Of a picture of a figure for paper: which of its panel.
+/// File of a picture for the printed page.
 std::string print_file(const std::string& figure, std::size_t panel, std::size_t picture);
 
 /// @throws std::logic_error naming an id that a text refers to and nothing has, or the name of an unknown formula

@@ -66,17 +66,10 @@ Notation notation_of(const Table& table, std::size_t column) {
 }
 
 double rounded(double x, const Column& column) {
-    switch (column.rounding) {
-        case Column::Rounding::down:
-            return rounded_down(x, column.digits);
-        case Column::Rounding::up:
-            return rounded_up(x, column.digits);
-        case Column::Rounding::tenths:
-            return std::round(10 * x) / 10;
-        case Column::Rounding::nearest:
-            break;
-    }
-    return x;
+    using Rounding = Column::Rounding;
+    if (column.rounding == Rounding::down) return rounded_down(x, column.digits);
+    if (column.rounding == Rounding::up) return rounded_up(x, column.digits);
+    return column.rounding == Rounding::tenths ? std::round(10 * x) / 10 : x;
 }
 
 std::string number_text(double x, Notation notation, int digits) {

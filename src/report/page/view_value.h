@@ -1,5 +1,5 @@
 /// @file
-/// Objects of the view model, entered value by value with what each stands for: `meshfolio templates --tags` prints just that.
+/// Objects of the view model, each value with its meaning, which `meshfolio templates --tags` prints.
 #pragma once
 
 #include <initializer_list>
@@ -26,7 +26,7 @@ nlohmann::json list_of(const Items& items, View view) {
     return list;
 }
 
-/// While one lives, views of this thread keep what their values stand for: by tag, under `key`.
+/// While an object lives, views of this thread also store the meaning of each tag under `key`.
 struct KeptMeanings {
     static constexpr const char* key = "#meanings";
     KeptMeanings();

@@ -1,5 +1,5 @@
 /// @file
-/// What of a document stands in which of its two volumes.
+/// Which parts of a document each of its two volumes contains.
 #pragma once
 
 #include <set>
@@ -13,22 +13,21 @@
 
 namespace meshfolio::report {
 
-/// The blocks of the section that the volume has, one after the other.
+/// The consecutive blocks of a section that belong to the volume.
 std::span<const Block> blocks_in(const Section& section, Volume volume);
 
-/// Whether the volume has a section for it: the report has the questions, the appendix the others and what questions leave to it.
+/// Does the volume show this section? The report has the questions, the appendix the others and the further blocks of questions.
 bool has_section(const Section& section, Volume volume);
 
-/// The appendix's section of a question, which stands in the report: "q4-further".
+/// The id of a question's section in the appendix: "q4-further".
 std::string further_id(const Section& section);
 
 /// Ids of the figures shown, the cover included.
 std::set<std::string> figures_in(const Document& document, Volume volume);
 
-/// Tells the numbering what the other volume has. @param page  file of that volume; empty: no link leads there
+/// Marks in the numbering what the other volume contains. @param page  file of that volume; empty: no link leads there
 void mark_elsewhere(const Document& document, Volume volume, const std::string& page, Numbering& numbering);
 
-/// The works that a volume refers to.
 std::set<std::string> works_cited_in(const Document& document, Volume volume, const std::vector<CitedWork>& works);
 
 }   // namespace meshfolio::report

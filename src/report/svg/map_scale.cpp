@@ -79,7 +79,7 @@ int MapScale::band(double value) const {
 
 std::string MapScale::color(int band) const {
     double t = double(band) / (bands - 1);
-    if (diverging_) {   // without the grey in the middle: the first band on either side of it is told from the other
+    if (diverging_) {   // leaves out the grey in the middle, so that the two sides differ
         constexpr int half = bands / 2;
         constexpr double side = 5.0 / 12;   // of the colours
         t = band < half ? side * band / (half - 1) : 1 - side * (bands - 1 - band) / (half - 1);

@@ -1,5 +1,5 @@
 /// @file
-/// From the values of a map to its colours: a few bands of equal width, so that their edges read as contour lines.
+/// Maps values to colours: a few bands of equal width, whose edges look like contour lines.
 #pragma once
 
 #include <string>
@@ -12,16 +12,16 @@ class MapScale {
 public:
     static constexpr int bands = 16;
 
-    /// What the map asks for, else the range of its finite values, symmetric about the middle where it diverges.
+    /// Takes the range of the map, else that of its finite values, symmetric about the middle for a diverging map.
     explicit MapScale(const Map& map);
 
     double low() const { return low_; }
     double high() const { return high_; }
-    /// Band 0 to bands − 1 of a finite value; what lies beyond the ends is in the first or the last.
+    /// Band 0 to bands − 1 of a finite value; values beyond the ends get the first or the last band.
     int band(double value) const;
     /// "#1f9e89"
     std::string color(int band) const;
-    /// Are values beyond the ends? An infinite one is not, it is undefined.
+    /// Do finite values exceed the ends?
     bool clips_below() const { return clips_below_; }
     bool clips_above() const { return clips_above_; }
 
@@ -31,8 +31,8 @@ private:
     bool clips_below_ = false, clips_above_ = false;
 };
 
-/// The edges between cells of these centres, one more than there are: half-way between neighbours, on a logarithmic axis in the logarithm.
-/// Empty where the centres do not ascend or the axis cannot show them.
+/// The edges between cells of these centres, one more than there are: half-way between neighbours (of their logarithms on a logarithmic
+/// axis). Empty if the centres do not ascend or the axis cannot show them.
 std::vector<double> cell_edges(const std::vector<double>& centres, bool logarithmic);
 
 }   // namespace meshfolio::report

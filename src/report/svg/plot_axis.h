@@ -17,7 +17,7 @@ public:
     /// Covers the finite `values` (on a logarithmic axis the positive ones) with a margin; a single value and no value give a range too.
     /// @param with_zero  a zero among the values of a logarithmic axis has a tick of its own at the low end, apart from the others
     Axis(const std::vector<double>& values, bool logarithmic, bool with_zero = false);
-    /// From `low` to `high` without a margin. Where the axis cannot show both, or they are not in this order, as without any values.
+    /// From `low` to `high` without a margin; the default range if the axis cannot show both, or unless low < high.
     static Axis exactly(double low, double high, bool logarithmic);
 
     /// Whether the axis can show this value at all.

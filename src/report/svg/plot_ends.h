@@ -9,11 +9,11 @@
 
 namespace meshfolio::report {
 
-/// Where the middles of boxes of these heights come to lie, as near to `wanted` as they can without one covering another. From `low` to
-/// `high`, downwards from `low` where they do not fit.
+/// Places boxes of these heights without overlap, their middles as near to `wanted` as possible, between `low` and `high`. Boxes that do
+/// not fit are stacked from `low`.
 std::vector<double> spread_apart(const std::vector<double>& wanted, const std::vector<double>& heights, double low, double high);
 
-/// What stands at the end of one curve.
+/// The name at the end of one curve.
 struct EndName {
     Point end;   // of the curve
     std::vector<std::string> lines;
@@ -22,7 +22,7 @@ struct EndName {
     double height() const;
 };
 constexpr double end_sample_width = 20, end_gap = 7;   // of the sample, and before and behind it
-/// The names one below another from x on, with thin lines to those that had to move.
+/// Draws the names below each other at x, with thin lines to those that were moved.
 std::string drawn_names(const std::vector<EndName>& names, double x, double low, double high);
 
 }   // namespace meshfolio::report

@@ -1,5 +1,5 @@
 /// @file
-/// Where the labels of a plot go so that they neither cover each other nor the data. Units are pixels, y down.
+/// Places labels of a plot so that they cover neither each other nor the data. Units are pixels, y down.
 #pragma once
 
 #include <string>

@@ -1,10 +1,7 @@
 // Diagrams as inline SVG, in the manner of the plots: accents differ by width and shade, not by colour alone.
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
-#include "report/escape.h"
 #include "report/svg/svg_elements.h"
 #include "report/writers.h"
 
@@ -29,26 +26,8 @@ struct Bounds {
 
 /// −1, 0 or 1: where a label stands from its point, x to the right and y downwards.
 Point direction_of(Diagram::Side side) {
-    switch (side) {
-        case Diagram::Side::centre:
-            return {0, 0};
-        case Diagram::Side::above:
-            return {0, -1};
-        case Diagram::Side::below:
-            return {0, 1};
-        case Diagram::Side::left:
-            return {-1, 0};
-        case Diagram::Side::right:
-            return {1, 0};
-        case Diagram::Side::above_left:
-            return {-1, -1};
-        case Diagram::Side::above_right:
-            return {1, -1};
-        case Diagram::Side::below_left:
-            return {-1, 1};
-        default:
-            return {1, 1};
-    }
+    constexpr Point in_order[] = {{0, 0}, {0, -1}, {0, 1}, {-1, 0}, {1, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+    return in_order[static_cast<std::size_t>(side)];
 }
 
 class DiagramPanel {
@@ -114,20 +93,13 @@ private:
 
     static std::string attributes_of(Diagram::Style style) {
         const std::string stroke = "\" fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke=", accent = accent_color;
-        switch (style) {
-            case Diagram::Style::thin:
-                return stroke + "\"var(--plot-line, #6b7280)\" stroke-width=\"1\"";
-            case Diagram::Style::dashed:
-                return stroke + "\"var(--plot-line, #6b7280)\" stroke-width=\"1.3\" stroke-dasharray=\"5 4\"";
-            case Diagram::Style::area:
-                return "\" fill=\"currentColor\" fill-opacity=\"0.1\"";
-            case Diagram::Style::accent:
-                return stroke + "\"" + accent + "\" stroke-width=\"2.6\"";
-            case Diagram::Style::accent_area:
-                return "\" fill=\"" + accent + "\" fill-opacity=\"0.28\"";
-            default:
-                return stroke + "\"currentColor\" stroke-width=\"1.5\"";
-        }
+        const std::string in_order[] = {stroke + "\"currentColor\" stroke-width=\"1.5\"",
+                                        stroke + "\"var(--plot-line, #6b7280)\" stroke-width=\"1\"",
+                                        stroke + "\"var(--plot-line, #6b7280)\" stroke-width=\"1.3\" stroke-dasharray=\"5 4\"",
+                                        "\" fill=\"currentColor\" fill-opacity=\"0.1\"",
+                                        stroke + "\"" + accent + "\" stroke-width=\"2.6\"",
+                                        "\" fill=\"" + accent + "\" fill-opacity=\"0.28\""};
+        return in_order[static_cast<std::size_t>(style)];
     }
 
     std::string drawn(const Diagram::Path& path) const {
@@ -201,7 +173,7 @@ std::string svg_of(const Diagram& diagram) {
     for (const Diagram::Panel& panel : diagram.panels) {
         panels.emplace_back(panel).fit(width, highest_panel);
         height = std::max(height, panels.back().height());
-        if (!panel.title.empty()) title_rows = std::max(title_rows, double(wrapped(safe_text(panel.title), width).size()));
+        if (!panel.title.empty()) title_rows = std::max(title_rows, title_lines(panel.title, width));
     }
     const double top = 4 + title_rows * line_height + (title_rows > 0 ? 4 : 0), bottom = top + std::max(height, line_height);
     std::string subject, body;
@@ -209,16 +181,11 @@ std::string svg_of(const Diagram& diagram) {
         const double left = double(i) * (width + panel_gap);
         const std::string& title = diagram.panels[i].title;
         subject += (subject.empty() || title.empty() ? "" : ", ") + title;
-        double y = 4;
-        for (const std::string& line : title.empty() ? std::vector<std::string>{} : wrapped(safe_text(title), width)) {
-            y += line_height;
-            body += text_element({left + 0.5 * width, y - 4.5}, "middle", line, " font-weight=\"600\"");
-        }
+        Point above{left + 0.5 * width, line_height - 0.5};
+        if (!title.empty()) body += title_element(above, "middle", title, width);
         body += panels[i].svg({left, top, left + width, bottom});
     }
     return svg_head(diagram.id, subject.empty() ? "Diagram" : subject, diagram.alt, drawing_width, bottom + 4) + body + "</svg>\n";
 }
-
-std::string svg_file_of(const Diagram& diagram) { return svg_on_white(svg_of(diagram)); }
 
 }   // namespace meshfolio::report

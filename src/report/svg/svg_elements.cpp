@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "report/escape.h"
 #include "report/page/math_markup.h"
+#include "report/writers.h"
 
 namespace meshfolio::report {
 
@@ -51,16 +52,16 @@ std::string text_element(Point at, const std::string& anchor, const std::string&
     return text_element(at, anchor, prose(text), more);
 }
 
-std::string title_element(Point& at, const std::string& anchor, const std::string& words) {
+std::string title_element(Point& at, const std::string& anchor, const std::string& words, double width) {
     std::string svg;
-    for (const std::string& line : wrapped(safe_text(words), drawing_width - 8)) {
+    for (const std::string& line : wrapped(safe_text(words), width)) {
         svg += text_element(at, anchor, line, " font-weight=\"600\"");
         at.y += line_height;
     }
     return svg;
 }
 
-double title_lines(const std::string& words) { return static_cast<double>(wrapped(safe_text(words), drawing_width - 8).size()); }
+double title_lines(const std::string& words, double width) { return static_cast<double>(wrapped(safe_text(words), width).size()); }
 
 std::string line_element(Point a, Point b, const std::string& attributes) {
     return "<line x1=\"" + px(a.x) + "\" y1=\"" + px(a.y) + "\" x2=\"" + px(b.x) + "\" y2=\"" + px(b.y) + "\" " + attributes + "/>\n";
@@ -87,22 +88,33 @@ std::string point_shape(Point p, int pattern, const std::string& color) {
     const auto at = [&](double dx, double dy) { return px(p.x + dx) + " " + px(p.y + dy); };
     const std::string filled = "\" fill=\"" + color + "\"/>\n",
                       drawn = "\" fill=\"none\" stroke=\"" + color + "\" stroke-width=\"1.8\"/>\n";
-    switch (pattern) {
-        case 1:
-            return "<path d=\"M" + at(-3.3, -3.3) + "H" + px(p.x + 3.3) + "V" + px(p.y + 3.3) + "H" + px(p.x - 3.3) + "Z" + filled;
-        case 2:
-            return "<path d=\"M" + at(0, -4.4) + "L" + at(4.2, 3.2) + "L" + at(-4.2, 3.2) + "Z" + filled;
-        case 3:
-            return "<path d=\"M" + at(0, -4.6) + "L" + at(4.6, 0) + "L" + at(0, 4.6) + "L" + at(-4.6, 0) + "Z" + filled;
-        case 4:
-            return "<path d=\"M" + at(-3.4, -3.4) + "L" + at(3.4, 3.4) + "M" + at(-3.4, 3.4) + "L" + at(3.4, -3.4) + drawn;
-        case 5:
-            return "<path d=\"M" + at(-4.2, 0) + "L" + at(4.2, 0) + "M" + at(0, -4.2) + "L" + at(0, 4.2) + drawn;
-        case 6:
-            return "<path d=\"M" + at(0, 4.4) + "L" + at(4.2, -3.2) + "L" + at(-4.2, -3.2) + "Z" + filled;
-        default:
-            return "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"3.6" + filled;
+    if (pattern == 1)
+        return "<path d=\"M" + at(-3.3, -3.3) + "H" + px(p.x + 3.3) + "V" + px(p.y + 3.3) + "H" + px(p.x - 3.3) + "Z" + filled;
+    if (pattern == 2) return "<path d=\"M" + at(0, -4.4) + "L" + at(4.2, 3.2) + "L" + at(-4.2, 3.2) + "Z" + filled;
+    if (pattern == 3) return "<path d=\"M" + at(0, -4.6) + "L" + at(4.6, 0) + "L" + at(0, 4.6) + "L" + at(-4.6, 0) + "Z" + filled;
+    if (pattern == 4) return "<path d=\"M" + at(-3.4, -3.4) + "L" + at(3.4, 3.4) + "M" + at(-3.4, 3.4) + "L" + at(3.4, -3.4) + drawn;
+    if (pattern == 5) return "<path d=\"M" + at(-4.2, 0) + "L" + at(4.2, 0) + "M" + at(0, -4.2) + "L" + at(0, 4.2) + drawn;
+    if (pattern == 6) return "<path d=\"M" + at(0, 4.4) + "L" + at(4.2, -3.2) + "L" + at(-4.2, -3.2) + "Z" + filled;
+    return "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"3.6" + filled;
+}
+
+void NameRows::add(const std::string& name, const std::function<std::string(Point)>& sample) {
+    if (name.empty() || std::ranges::find(known_, name) != known_.end()) return;
+    known_.push_back(name);
+    const std::vector<std::string> lines = wrapped(safe_text(name), drawing_width - 60);
+    double widest = 0;
+    for (const std::string& line : lines) widest = std::max(widest, text_width(line));
+    if (x_ > 4 && x_ + 36 + widest > drawing_width) {
+        x_ = 4;
+        y_ += line_height + 2;
     }
+    svg_ += sample({x_, y_ - 4.5});
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        if (k > 0) y_ += line_height;
+        svg_ += text_element({x_ + 34, y_}, "start", lines[k]);
+    }
+    x_ += 34 + widest + 20;
+    bottom_ = y_ + 8;
 }
 
 std::string ticks_below(const Axis& axis, const Box& frame) {

@@ -2,7 +2,9 @@
 /// The SVG elements plots and maps are made of.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "report/document.h"
 #include "report/svg/plot_axis.h"
@@ -20,10 +22,10 @@ std::string px(double x);
 std::string text_element(Point at, const std::string& anchor, const std::string& text, const std::string& more = "");
 std::string text_element(Point at, const std::string& anchor, const Text& text, const std::string& more = "");
 
-/// A title from `at` on, in lines no wider than the picture; `at` moves below them.
-std::string title_element(Point& at, const std::string& anchor, const std::string& words);
-/// How many lines that is.
-double title_lines(const std::string& words);
+inline constexpr double title_width = drawing_width - 8;
+/// A title from `at` on, in lines of at most that width; `at` moves below them.
+std::string title_element(Point& at, const std::string& anchor, const std::string& words, double width = title_width);
+double title_lines(const std::string& words, double width = title_width);
 
 std::string line_element(Point a, Point b, const std::string& attributes);
 std::string rectangle_element(const Box& box, const std::string& attributes);
@@ -37,23 +39,34 @@ struct Look {
     bool has_line, has_points;
 };
 
-/// The look of the series at `place` in its plot.
 Look look_of(const Series& series, std::size_t place);
 
 /// Disc, square, triangle, diamond, cross, plus or triangle on its tip, for pattern 0 to 6.
 std::string point_shape(Point p, int pattern, const std::string& color);
+
+/// Names in rows above a drawing, each once and behind a sample.
+class NameRows {
+public:
+    static constexpr double sample_width = 28;
+    /// @param sample  draws it, SVG from a point on
+    void add(const std::string& name, const std::function<std::string(Point)>& sample);
+    const std::string& svg() const { return svg_; }
+    double bottom() const { return bottom_; }   // 0 without names
+
+private:
+    std::vector<std::string> known_;
+    std::string svg_;
+    double x_ = 4, y_ = 14, bottom_ = 0;
+};
 
 /// Ticks and labels under a frame; labels that would touch the one before are left out.
 std::string ticks_below(const Axis& axis, const Box& frame);
 /// Ticks and labels beside a frame, at its left or its right.
 std::string ticks_beside(const Axis& axis, const Box& frame, bool at_right = false);
 constexpr double tick_length = 5;
-/// Of the labels beside a frame.
 double widest_label(const Axis& axis);
 
 /// The opening of a picture: its size, what it is and what is to be seen, for those who do not see it.
 std::string svg_head(const std::string& id, const std::string& subject, const std::string& alt, double width, double height);
-/// A picture as a file of its own, on white: without a page around it there is no colour to take over.
-std::string svg_on_white(std::string svg);
 
 }   // namespace meshfolio::report

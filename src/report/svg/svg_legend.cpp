@@ -1,4 +1,4 @@
-#include "report/svg/svg_legend.h"
+#include "report/writers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,7 @@ namespace meshfolio::report {
 
 namespace {
 
+constexpr double legend_width = 336;   // [pixels]
 constexpr double first_colour = 24, last_colour = legend_width - 24, colours_height = 12, histogram_height = 24, tip_length = 9;
 
 std::string legend_title(const Legend& legend) { return legend.quantity + (legend.unit.empty() ? "" : " [" + legend.unit + "]"); }
@@ -89,13 +90,9 @@ std::string legend_notes(const Legend& legend, double baseline) {
 
 std::string svg_of(const Legend& legend) {
     if (legend.colours.empty() || !std::isfinite(legend.low) || !std::isfinite(legend.high)) return "";
-    std::string body;
-    double y = 13;
-    for (const std::string& line : wrapped(safe_text(legend_title(legend)), 1.15 * legend_width)) {
-        body += text_element({legend_width / 2, y}, "middle", line, " font-weight=\"600\"");
-        y += line_height;
-    }
-    y -= 8;
+    Point below{legend_width / 2, 13};
+    std::string body = title_element(below, "middle", legend_title(legend), 1.15 * legend_width);
+    double y = below.y - 8;
     const std::string histogram = legend_histogram(legend.histogram, y + histogram_height);
     if (!histogram.empty()) y += histogram_height + 1;
     body += histogram + legend_colours(legend, y);

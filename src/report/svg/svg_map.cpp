@@ -31,7 +31,7 @@ public:
           y_(axis_of(y_edges_, map.log_y)),
           values_(Axis::exactly(scale_.low(), scale_.high(), map.log_values)) {
         place_legend();
-        Point above{4, legend_bottom_ + line_height - 3};
+        Point above{4, legend_.bottom() + line_height - 3};
         // Over the colour bar, and the other over its axis; one below the other where they would meet.
         const std::string colour = "colour: " + map.value_label;
         Point over_bar{drawing_width - 4, above.y};
@@ -39,7 +39,7 @@ public:
         titles_ = one_line ? title_element(over_bar, "end", colour) : title_element(above, "start", colour);
         titles_ += title_element(above, "start", map.y_label);
         const bool titled = std::ranges::any_of(map.panels, [](const Map::Panel& panel) { return !panel.title.empty(); });
-        top_ = above.y + 4 + (titled ? 7 : 0);   // titles of panels are told from those of the axes
+        top_ = above.y + 4 + (titled ? 7 : 0);   // separates titles of panels from those of the axes
         bottom_ = top_ + panel_height;
         const double bar = bar_width + std::ceil(widest_label(values_)) + tick_length + 10;
         first_left_ = std::ceil(widest_label(y_)) + tick_length + 10;
@@ -49,7 +49,7 @@ public:
     }
 
     std::string svg() const {
-        std::string body = hatching() + legend_ + titles_;
+        std::string body = hatching() + legend_.svg() + titles_;
         for (std::size_t p = 0; p < map_.panels.size(); ++p) body += panel(p);
         return svg_head(map_.id, map_.value_label + " over " + map_.x_label + " and " + map_.y_label, map_.alt, drawing_width, height()) +
                body + (map_.panels.empty() ? "" : ticks_beside(y_, frame_of(0))) + x_titles() + color_bar() + "</svg>\n";
@@ -191,34 +191,22 @@ private:
                (panel.title.empty() ? "" : text_element({middle.x, top_ - 7}, "middle", panel.title, " font-weight=\"600\""));
     }
 
-    /// Names of the lines and of the hatching, in rows above the panels; a name that several panels have is there once.
+    /// Names of the lines and of the hatching, above the panels.
     void place_legend() {
-        double x = 4, y = 14;
-        const auto add = [&](const std::string& name, const auto& sample) {
-            if (x > 4 && x + 36 + text_width(name) > drawing_width) {
-                x = 4;
-                y += line_height + 2;
-            }
-            legend_ += sample(Point{x, y - 4.5}) + text_element({x + 34, y}, "start", safe_text(name));
-            x += 34 + text_width(name) + 20;
-            legend_bottom_ = y + 8;
-        };
-        std::vector<std::string> named;
         for (const Map::Panel& panel : map_.panels) {
             for (std::size_t i = 0; i < panel.lines.size(); ++i) {
-                const Series& series = panel.lines[i];
-                if (series.name.empty() || std::find(named.begin(), named.end(), series.name) != named.end()) continue;
-                named.push_back(series.name);
-                const Look look = look_of(series, i);
-                add(series.name, [&](Point left) {
-                    const std::string path = "M" + px(left.x) + " " + px(left.y) + "H" + px(left.x + 28);
+                const Look look = look_of(panel.lines[i], i);
+                legend_.add(panel.lines[i].name, [&](Point left) {
+                    const std::string path = "M" + px(left.x) + " " + px(left.y) + "H" + px(left.x + NameRows::sample_width);
                     return (look.has_line ? cased(path, look.dashes) : "") +
-                           (look.has_points ? cased_point({left.x + 14, left.y}, look) : "");
+                           (look.has_points ? cased_point({left.x + 0.5 * NameRows::sample_width, left.y}, look) : "");
                 });
             }
         }
-        if (map_.undefined.empty() || !any_undefined()) return;
-        add(map_.undefined, [&](Point left) { return rectangle_element({left.x, left.y - 6, left.x + 28, left.y + 6}, hatched()); });
+        if (!any_undefined()) return;
+        legend_.add(map_.undefined, [&](Point left) {
+            return rectangle_element({left.x, left.y - 6, left.x + NameRows::sample_width, left.y + 6}, hatched());
+        });
     }
 
     std::string x_titles() const {
@@ -228,7 +216,7 @@ private:
 
     double height() const { return bottom_ + 24 + line_height * title_lines(map_.x_label) + 4; }
 
-    /// Pointed where values lie beyond its end.
+    /// The colour bar, with a tip at each end that values exceed.
     std::string color_bar() const {
         const Box bar{last_right_ + gap, top_, last_right_ + gap + bar_width, bottom_};
         const double middle = 0.5 * (bar.left + bar.right), band_height = panel_height / MapScale::bands;
@@ -251,14 +239,13 @@ private:
     MapScale scale_;
     std::vector<double> x_edges_, y_edges_;
     Axis x_, y_, values_;
-    std::string legend_, titles_;
-    double legend_bottom_ = 0, top_ = 0, bottom_ = 0, first_left_ = 0, last_right_ = 0, panel_width_ = 0;
+    NameRows legend_;
+    std::string titles_;
+    double top_ = 0, bottom_ = 0, first_left_ = 0, last_right_ = 0, panel_width_ = 0;
 };
 
 }   // namespace
 
 std::string svg_of(const Map& map) { return MapDrawing(map).svg(); }
-
-std::string svg_file_of(const Map& map) { return svg_on_white(svg_of(map)); }
 
 }   // namespace meshfolio::report

@@ -23,7 +23,7 @@ public:
     }
 
     std::string svg() {
-        std::string body = legend_ + axis_titles();
+        std::string body = legend_.svg() + axis_titles();
         for (std::size_t p = 0; p < panels_.size(); ++p) {
             body += titles_[p] + panels_[p].svg(p % columns_ == 0, p == 0);
             if (is_named(p)) body += panels_[p].end_names(name_width_);
@@ -75,29 +75,12 @@ private:
 
     double names_width() const { return name_width_ > 0 ? name_width_ + end_sample_width + 2 * end_gap : right_margin; }
 
-    /// Names of the series without an end at which they could stand, with a sample of each, in rows above the plot.
+    /// Names of the series without an end at which they could stand, above the plot.
     void place_legend() {
-        double x = 4, y = 14;
-        std::vector<std::string> known;
         for (const PlotPanel& panel : panels_) {
             for (const PlotCurve& curve : panel.curves()) {
-                const std::string& name = curve.series->name;
-                if (name.empty() || panel.has_end(curve) || std::find(known.begin(), known.end(), name) != known.end()) continue;
-                known.push_back(name);
-                const auto lines = wrapped(safe_text(name), drawing_width - 60);
-                double widest = 0;
-                for (const std::string& line : lines) widest = std::max(widest, text_width(line));
-                if (x > 4 && x + 36 + widest > drawing_width) {
-                    x = 4;
-                    y += line_height + 2;
-                }
-                legend_ += curve_sample(curve.look, {x, y - 4.5}, 28);
-                for (std::size_t k = 0; k < lines.size(); ++k) {
-                    if (k > 0) y += line_height;
-                    legend_ += text_element({x + 34, y}, "start", lines[k]);
-                }
-                x += 34 + widest + 20;
-                legend_bottom_ = y + 8;
+                if (panel.has_end(curve)) continue;
+                legend_.add(curve.series->name, [&](Point left) { return curve_sample(curve.look, left, NameRows::sample_width); });
             }
         }
     }
@@ -109,36 +92,27 @@ private:
         const double width = (drawing_width - numbers - name_columns * names - (columns - 1) * between_panels) / columns;
         const double step = width + between_panels + (curves_recur_ ? 0 : names);
         double height = plot_height;
-        std::size_t title_rows = 0;
+        double title_rows = 0;
         for (const PlotPanel& panel : panels_) {
             height = std::max(height, panel.height_of_names(name_width_) - 10);
-            if (!panel.name().empty()) title_rows = std::max(title_rows, wrapped(safe_text(panel.name()), width).size());
+            if (!panel.name().empty()) title_rows = std::max(title_rows, title_lines(panel.name(), width));
         }
-        const double titles = static_cast<double>(title_rows) * line_height;
-        double top = legend_bottom_ + line_height * title_lines(plot_.y_label) + 10;
+        const double titles = title_rows * line_height;
+        double top = legend_.bottom() + line_height * title_lines(plot_.y_label) + 10;
         for (std::size_t p = 0; p < panels_.size(); ++p) {
             if (p > 0 && p % columns_ == 0) top += titles + height + numbers_height + between_rows;
             const double left = numbers + static_cast<double>(p % columns_) * step;
             panels_[p].set_frame({left, top + titles, left + width, top + titles + height});
-            titles_.push_back(panels_[p].name().empty() ? "" : title_of(panels_[p].name(), left, top, width));
+            Point above{left + 0.5 * width, top + line_height - 7};
+            titles_.push_back(panels_[p].name().empty() ? "" : title_element(above, "middle", panels_[p].name(), width));
         }
         left_ = numbers;
         right_ = numbers + (columns - 1) * step + width;
         bottom_ = top + titles + height;
     }
 
-    static std::string title_of(const std::string& name, double left, double top, double width) {
-        std::string svg;
-        double y = top;
-        for (const std::string& line : wrapped(safe_text(name), width)) {
-            y += line_height;
-            svg += text_element({left + 0.5 * width, y - 7}, "middle", line, " font-weight=\"600\"");
-        }
-        return svg;
-    }
-
     std::string axis_titles() const {
-        Point above{4, legend_bottom_ + line_height - 3};
+        Point above{4, legend_.bottom() + line_height - 3};
         Point below{0.5 * (left_ + right_), bottom_ + numbers_height + line_height - 4};
         return title_element(above, "start", plot_.y_label) + title_element(below, "middle", plot_.x_label);
     }
@@ -151,14 +125,12 @@ private:
     std::vector<std::string> titles_;
     std::size_t columns_ = 1;
     bool curves_recur_ = true;
-    double name_width_ = 0, legend_bottom_ = 0, left_ = 0, right_ = 0, bottom_ = 0;
-    std::string legend_;
+    double name_width_ = 0, left_ = 0, right_ = 0, bottom_ = 0;
+    NameRows legend_;
 };
 
 }   // namespace
 
 std::string svg_of(const Plot& plot) { return PlotDrawing(plot).svg(); }
-
-std::string svg_file_of(const Plot& plot) { return svg_on_white(svg_of(plot)); }
 
 }   // namespace meshfolio::report

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <optional>
 #include <utility>
 
 #include "base/available_memory.h"

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "output/publish/folder_system.h"
@@ -14,12 +13,12 @@
 
 namespace meshfolio::run {
 
-/// The marker of such a folder; that of a report would let a report replace it as a whole.
+/// The marker of such a folder. It differs from that of a report, which a report would replace as a whole.
 inline constexpr const char* batch_marker = ".meshfolio-batch";
 
 class BatchFolder {
 public:
-    /// Creates the folder where there is none, and keeps other runs out of it as long as this lives.
+    /// Creates the folder if it is missing, and locks it against other runs while this object lives.
     /// @throws OutputError if it holds what is neither of a batch nor a report, another run is writing there, or it cannot be written
     explicit BatchFolder(std::filesystem::path path);
     const std::filesystem::path& path() const { return path_; }
@@ -29,7 +28,7 @@ private:
     std::optional<output::OpenFolder> lock_;
 };
 
-/// index.html, batch.json, batch.csv and junit.xml, which tell what is known by now, or was a few seconds ago. Thread-safe.
+/// Writes index.html, batch.json, batch.csv and junit.xml, at most a few seconds behind. Thread-safe.
 class BatchIndex {
 public:
     /// @param templates  must outlive this
@@ -38,9 +37,9 @@ public:
 
     /// Replaces each file, all at once. @throws OutputError
     void write();
-    /// Another row. The files follow once they have not been written for a while: each holds all rows. @throws OutputError
+    /// Replaces a row. Rewrites the files only if the last write was some seconds ago, as each holds all rows. @throws OutputError
     void set(std::size_t place, report::BatchRow row);
-    /// To be read when nobody sets rows any more.
+    /// Read it only after the last set().
     const report::Batch& batch() const { return batch_; }
 
 private:

@@ -1,5 +1,5 @@
 /// @file
-/// What a batch takes from a report that is there.
+/// What a batch takes from an existing report.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace meshfolio::run {
 
-/// The settings of the report on one mesh of so many vertices (or half its triangles, where these are more).
+/// The settings of the report on one mesh. @param vertices  of the mesh, or half its triangles if that is more
 ReportSettings settings_on(const BatchMesh& mesh, double vertices, ReportSettings settings);
 
 /// Its row, with the picture of its first page.
@@ -23,7 +23,7 @@ ReportSettings settings_on(const BatchMesh& mesh, double vertices, ReportSetting
 report::BatchRow row_of_report(const BatchMesh& mesh, const std::filesystem::path& out, const std::string& folder);
 
 /// The same of a report that need not be made again: it is of the mesh with this content, these settings, this program, and none of its
-/// sections failed. Nothing where there is none such.
+/// sections failed. Nothing if there is no such report.
 /// @param settings  of the batch
 std::optional<report::BatchRow> finished_row(const BatchMesh& mesh, const std::string& sha256, const ReportSettings& settings);
 

@@ -1,5 +1,5 @@
 /// @file
-/// Tasks that wait for other programs, so many at a time as there is memory for.
+/// Runs tasks that wait for other programs, as many at a time as fit into memory.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace meshfolio::run {
 
-/// As many as there are processors and tasks, and as the available memory holds of the largest; at least one.
+/// The number of parallel jobs: limited by processors, tasks, and memory for the largest tasks; at least one.
 /// @param memories   of each task [bytes]
 /// @param available  [bytes]; 0: not known
 int jobs_for(std::vector<double> memories, double available, int processors);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <set>
-#include <utility>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
@@ -12,6 +11,7 @@
 #include "mesh/io/mesh_files.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
+#include "report/escape.h"
 #include "run/arguments.h"
 #include "run/batch/batch_folder.h"
 
@@ -97,9 +97,7 @@ private:
 };
 
 void require_outside(const std::string& file, const fs::path& out) {
-    std::error_code error;
-    const fs::path inside = output::resolved(file, error).lexically_relative(output::resolved(out, error));
-    if (inside.empty() || *inside.begin() == "..") return;
+    if (output::path_inside(file, out).empty()) return;
     throw UsageError(in_quotes(file) + " lies in " + in_quotes(out.string()) + ", where the reports go",
                      "move it, or choose another folder with --out");
 }
@@ -107,17 +105,10 @@ void require_outside(const std::string& file, const fs::path& out) {
 std::string safe_stem(const std::string& file) {
     constexpr std::size_t longest = 60;
     std::string name = mesh_name(file).substr(0, longest);
-    for (char& c : name) {
-        const bool is_safe = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' || c == '-';
-        if (!is_safe) c = '_';
-    }
+    for (char& c : name)
+        if (!report::is_alphanumeric(c) && c != '+' && c != '-') c = '_';
     if (name.empty()) return "mesh";
     if (name.front() == '-') name.front() = '_';
-    return name;
-}
-
-std::string in_lower_case(std::string name) {
-    for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return name;
 }
 
@@ -129,7 +120,7 @@ std::vector<std::string> folder_names(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
         const std::string stem = safe_stem(file);
         std::string name = stem;
-        for (int number = 2; !taken.insert(in_lower_case(name)).second; ++number) name = stem + "-" + std::to_string(number);
+        for (int number = 2; !taken.insert(lower_case(name)).second; ++number) name = stem + "-" + std::to_string(number);
         names.push_back(name);
     }
     return names;

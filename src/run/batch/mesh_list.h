@@ -1,5 +1,5 @@
 /// @file
-/// Which meshes `batch` is about: files, folders, patterns and lists, each mesh once, in an order that the disk has no part in.
+/// The meshes of `batch` from files, folders, patterns and lists: each once, in an order independent of the file system.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ struct BatchMesh {
 /// @param named  files; folders, which stand for all meshes in them that belong to no output of ours; patterns such as "*.obj", likewise;
 ///               "@list.txt"
 /// @param lists  files with one of these a line, relative to their own folder; empty lines and those that begin with # aside
-/// @param out    no mesh may lie in it
+/// @param out    must contain no mesh
 /// @throws InputError for what is not there, naming the line of a list; UsageError for a mesh inside `out` or for none at all
 std::vector<BatchMesh> batch_meshes(const std::vector<std::string>& named, const std::vector<std::string>& lists,
                                     const std::filesystem::path& out);

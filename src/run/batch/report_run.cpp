@@ -14,16 +14,9 @@ std::vector<std::string> report_words(const BatchFlags& flags, const BatchMesh& 
     const ReportFlags& report = flags.report;
     std::vector<std::string> words{"report", mesh.file.starts_with('-') ? "./" + mesh.file : mesh.file,
                                    "--out=" + (std::filesystem::path(report.out) / mesh.name).string()};
-    // In one word: a value may begin with a minus.
-    for (const auto& [name, value] : {std::pair{"--only", &report.only},
-                                      {"--config", &report.config},
-                                      {"--author", &report.author},
-                                      {"--size", &report.size},
-                                      {"--time", &report.time},
-                                      {"--templates", &report.templates},
-                                      {"--pdf", &report.pdf},
-                                      {"--pdf-browser", &report.pdf_browser}}) {
-        if (!value->empty()) words.push_back(std::string(name) + "=" + *value);
+    for (const auto& [name, value] : word_flags) {
+        const bool is_own = value == &ReportFlags::out || value == &ReportFlags::threads;         // of each report
+        if (!is_own && !(report.*value).empty()) words.push_back(name + ("=" + report.*value));   // one word: it may begin with a minus
     }
     for (const auto& [name, is_given] : {std::pair{"--quick", report.quick},
                                          {"--views-files", report.view_files},

@@ -18,10 +18,10 @@ std::vector<std::string> report_words(const BatchFlags& flags, const BatchMesh& 
 /// Runs this program with these words, here. It ends when this process does.
 report::ChildEnd run_this_program(const std::vector<std::string>& words);
 
-/// Vertices of the mesh in the answer of `report --plan --json`; nothing where there is none in it.
+/// Vertices of the mesh in the output of `report --plan --json`, if it names one.
 std::optional<double> planned_vertices(const std::string& output);
 
-/// What went wrong, in one line.
+/// The reason of the failure, in one line.
 std::string failure_of(const report::ChildEnd& end);
 
 }   // namespace meshfolio::run

@@ -4,14 +4,12 @@
 #include <bit>
 #include <nlohmann/json.hpp>
 
-#include "geometry/spectrum/laplace_spectrum.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "geometry/spectrum/stability.h"
 #include "mesh/decimation.h"
 #include "mesh/mesh_topology.h"
 #include "mesh/orientation.h"
 #include "mesh/triangle_measures.h"
-#include "run/lab/lab_readings.h"
 
 namespace meshfolio::run {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/operators/cotangent_laplacian.h"
+#include "geometry/spectrum/laplace_spectrum.h"
 #include "geometry/spectrum/quantised_modes.h"
 #include "run/lab/lab_presets.h"
 
@@ -25,7 +26,7 @@ struct LabReading {
 
 struct LabLimits {
     int vertices = 620, decimated_to = 420;    // larger meshes are decimated; 0: none is
-    int all_modes = 2000, fewer_modes = 300;   // up to so many vertices all modes; beyond, so many
+    int all_modes = 2000, fewer_modes = 300;   // all modes up to this many vertices, else the lowest 300
 };
 
 struct LabMesh {
@@ -49,6 +50,12 @@ struct LabMesh {
     double critical() const { return 2 / largest_eigenvalue; }
     bool has_all_modes() const { return eigenvalues.size() >= (laplacian.M.array() > 0).count(); }   // a vertex without area has none
 };
+
+/// What the program itself computes at these settings, to stand beside what the page does; none where a run has blown up.
+std::vector<LabReading> readings_at(const LabMesh& lab, const Spectrum& spectrum, const std::vector<LabSetting>& settings);
+
+/// Question 7 on this mesh, at each of its levels of noise.
+std::vector<BestDenoising> denoising_on(const LabMesh& lab, const QuestionSettings& settings);
 
 /// @param questions  whose panels open on this mesh, with the user's settings; "lab": one that belongs to none
 LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std::map<std::string, QuestionSettings>& questions,

@@ -28,7 +28,7 @@ struct LabPreset {
     bool shows_drift = false;   // lines to where the vertices belong
 };
 
-/// Where question 7 finds the least of each of its measures with that noise.
+/// The minima of question 7 for each of its measures, at one level of noise.
 struct BestDenoising {
     double sigma = 0;   // [box diagonals]
     std::uint64_t seed = 1;
@@ -37,7 +37,7 @@ struct BestDenoising {
     LabSetting at(const SearchState& state) const { return {"denoising", state.value, state.step, sigma, seed}; }
 };
 
-/// What the settings of a mesh are in the units of.
+/// The units of the settings of a mesh.
 struct LabScale {
     double critical = 0;    // λ_crit [length²]
     int modes = 0;          // that the page has
@@ -47,10 +47,10 @@ struct LabScale {
 /// Settings at which the report of that question has numbers: those of its tables.
 std::vector<LabSetting> reported(const std::string& question, const QuestionSettings& settings, const LabScale& scale,
                                  const std::vector<BestDenoising>& denoised);
-/// One of them, as near to the middle as a first look should be.
+/// The setting that the panel opens with.
 LabSetting start_of(const std::string& question, const QuestionSettings& settings, const LabScale& scale,
                     const std::vector<BestDenoising>& denoised);
-/// Of the questions that have this mesh, those that it can be set to.
+/// The presets of the questions that have this mesh, as far as its modes allow.
 std::vector<LabPreset> presets_for(const std::map<std::string, QuestionSettings>& questions, const LabScale& scale,
                                    const std::vector<BestDenoising>& denoised);
 

@@ -1,4 +1,4 @@
-#include "run/lab/lab_readings.h"
+#include "run/lab/lab_mesh.h"
 
 #include <cmath>
 

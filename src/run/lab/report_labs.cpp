@@ -6,12 +6,13 @@
 #include <set>
 #include <utility>
 
+#include "base/joined.h"
 #include "base/parallel_tasks.h"
 #include "questions/core/section_tools.h"
 #include "report/words.h"
 #include "run/console.h"
 #include "run/lab/lab_mesh.h"
-#include "run/program_identity.h"
+#include "run/provenance.h"
 
 namespace meshfolio::run {
 
@@ -35,13 +36,9 @@ struct LabJob {
 };
 using Wanted = std::map<std::shared_ptr<const LibraryMesh>, LabJob>;
 
-std::string names_of(const LabJob& job) {
-    std::string names;
-    for (const std::string& id : job.answered) names += (names.empty() ? "" : " ") + id;
-    return names;
-}
+std::string names_of(const LabJob& job) { return joined({job.answered.begin(), job.answered.end()}, " "); }
 
-/// Of everything that shapes the data; empty where the program does not know itself.
+/// The cache key, of everything that shapes the data; empty if the program has no identity.
 std::string key_of(const std::string& names, const LibraryMesh& mesh, const LabJob& job, const ReportSettings& settings) {
     if (program_identity().empty() || mesh.input.sha256.empty()) return "";
     output::KeyMaker key;
@@ -55,7 +52,7 @@ std::string key_of(const std::string& names, const LibraryMesh& mesh, const LabJ
 
 using MeshPointer = std::shared_ptr<const LibraryMesh>;
 
-/// Null where there is none, which the section has said.
+/// Null if the mesh is missing, which its section reports.
 MeshPointer mesh_for(std::string_view id, std::string_view role, const MeshLibrary& meshes, const ReportSettings& settings) try {
     report::Section unused;
     return meshes_for(meshes, question_settings(settings, std::string(id)), {role}, unused).front();

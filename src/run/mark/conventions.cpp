@@ -69,17 +69,8 @@ const std::vector<ValueConvention>& value_conventions(MarkedThing what) {
                                                        descending, doubled_negated, halved_negated, negated_descending};
     static const std::vector<ValueConvention> number{as_it_is, doubled, halved, negated, inverse, doubled_negated, halved_negated};
     static const std::vector<ValueConvention> positions{as_it_is};
-    switch (what) {
-        case MarkedThing::eigenvalues:
-            return spectrum;
-        case MarkedThing::number:
-            return number;
-        case MarkedThing::reconstruction:
-        case MarkedThing::smoothed:
-            return positions;
-        default:
-            return curvature;
-    }
+    if (is_of_mesh(what)) return positions;
+    return what == MarkedThing::eigenvalues ? spectrum : what == MarkedThing::number ? number : curvature;
 }
 
 Agreement agreement_of(const GivenValues& given, const RightValues& right, double tolerance) {

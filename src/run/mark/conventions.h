@@ -1,10 +1,9 @@
 /// @file
-/// Right but for a convention: what is known of the ways in which an answer can be a right one of something else.
+/// Conventions by which an answer can be right for another question: another sign, factor, area or operator.
 #pragma once
 
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "run/mark/rubric.h"
@@ -18,21 +17,21 @@ using ConventionKeys = std::vector<std::string>;
 /// Every key that a rubric may accept.
 const std::vector<std::string>& convention_keys();
 
-/// What maps the right values to those with the convention, without knowing what they are of.
+/// Maps right values to those with the convention, without the mesh.
 struct ValueConvention {
     ConventionKeys keys;
     std::function<Vector(const Vector& right)> apply;
 };
-/// Scales and signs that are known of this thing; the first leaves all as it is.
+/// Known factors and signs for this quantity; the first is the identity.
 const std::vector<ValueConvention>& value_conventions(MarkedThing what);
 
-/// What a student gives.
+/// Values of a student.
 struct GivenValues {
     Vector values;
-    Vector rounding = {};   // as many: how far the digits written leave each open; none: not at all
+    Vector rounding = {};   // largest rounding error of each value, from its digits; empty: none
 };
 
-/// Values to hold others against; NaN where nothing is asked.
+/// The right values; NaN where none is required.
 struct RightValues {
     Vector values;
     double scale = 0;                 // a difference of `tolerance` of it never counts [as values]

@@ -6,13 +6,13 @@
 
 #include "base/joined.h"
 #include "base/number_text.h"
-#include "output/draw/robust_range.h"
 #include "output/draw/surface_of.h"
 #include "png/png.h"
 #include "questions/operators/study.h"
 #include "report/escape.h"
 #include "report/page/page_design.h"
 #include "report/page/template_render.h"
+#include "report/page/view_value.h"
 #include "report/words.h"
 #include "sheet/contact_sheet.h"
 
@@ -55,8 +55,7 @@ std::string in_words(const std::vector<ConventionKeys>& conventions) {
 
 /// "that of vertex 17".
 std::string place_of(const ItemMark& mark) {
-    const bool is_position = mark.item->what == MarkedThing::reconstruction || mark.item->what == MarkedThing::smoothed;
-    if (is_position)
+    if (is_of_mesh(mark.item->what))
         return words.line("place.coordinate", "vertex"_a = mark.agreement.where / 3,
                           "axis"_a = std::string(1, "xyz"[mark.agreement.where % 3]));
     if (mark.item->what == MarkedThing::eigenvalues) return words.line("place.eigenvalue", "index"_a = mark.agreement.where + 1);
@@ -65,32 +64,19 @@ std::string place_of(const ItemMark& mark) {
 }
 
 const char* verdict_word(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::right:
-            return "right";
-        case Verdict::accepted:
-            return "accepted";
-        case Verdict::recognised:
-            return "recognised";
-        case Verdict::wrong:
-            return "wrong";
-        case Verdict::missing:
-            return "missing";
-        case Verdict::unusable:
-            return "unusable";
-    }
-    return "";
+    constexpr const char* in_order[] = {"right", "accepted", "recognised", "wrong", "missing", "unusable"};
+    return in_order[static_cast<std::size_t>(verdict)];
 }
 
 bool keeps_all(const ItemMark& mark) { return mark.verdict == Verdict::right || mark.verdict == Verdict::accepted; }
 
 std::string points_text(double points) { return plain_text(points, 6); }
 
-/// The difference on the mesh, from six sides, as JPEG; empty where there is none to be drawn.
+/// The difference on the mesh, from six sides, as JPEG; empty if there is nothing to draw.
 std::string picture_of(const ItemMark& mark) {
     if (mark.difference.size() == 0 || !mark.difference.array().isFinite().any()) return "";
     const std::shared_ptr<const TriangleMesh> mesh(mark.reference->mesh->prepared, &mark.reference->mesh->mesh());
-    const bool is_distance = mark.item->what == MarkedThing::reconstruction || mark.item->what == MarkedThing::smoothed;
+    const bool is_distance = is_of_mesh(mark.item->what);
     const output::ColorRange range =
         output::robust_range({{"", "", mesh, mark.difference}}, is_distance ? "viridis" : "diverging",
                              words.line(is_distance ? "picture.distance" : "picture.difference"), "", mark.reference->right.scale * 1e-12);
@@ -104,6 +90,22 @@ std::string picture_of(const ItemMark& mark) {
     sheet.color_bar = output::color_bar_of(range, !mark.difference.array().isFinite().all(), draw.undefined_color);
     constexpr int quality = 85;
     return render::encode_jpeg(render::compose(sheet), quality);
+}
+
+/// Why an answer has its verdict.
+std::string explanation_of(const ItemMark& mark) {
+    const std::string worst = readable(mark.agreement.worst, 2), tolerance = plain_text(mark.item->tolerance, 3);
+    if (mark.verdict == Verdict::right)
+        return mark.agreement.worst > 0 ? words.line("said.right", "worst"_a = worst, "tolerance"_a = tolerance) : words.line("said.exact");
+    if (mark.verdict == Verdict::accepted) return words.line("said.accepted", "conventions"_a = in_words(mark.conventions));
+    if (mark.verdict == Verdict::recognised)
+        return words.line("said.recognised", "conventions"_a = in_words(mark.conventions),
+                          "share"_a = readable_percent(mark.item->recognised, 2));
+    if (mark.verdict == Verdict::wrong)
+        return words.line("said.wrong", "share"_a = readable_percent(mark.agreement.share), "tolerance"_a = tolerance,
+                          "place"_a = place_of(mark), "given"_a = readable(mark.given, 6), "expected"_a = readable(mark.expected, 6));
+    return mark.item->what == MarkedThing::number ? words.line("said.no_number", "file"_a = answers_file, "id"_a = mark.item->id)
+                                                  : words.line("said.missing", "pattern"_a = mark.item->file);
 }
 
 json item_view(const ItemMark& mark) {
@@ -124,7 +126,7 @@ json item_view(const ItemMark& mark) {
             {"picture", report::base64(picture)}};
 }
 
-/// What a spreadsheet would take for a formula is a text.
+/// Prefixes text that a spreadsheet would take for a formula.
 std::string harmless_cell(const std::string& text) {
     const std::string plain = report::safe_text(text);
     return !plain.empty() && std::string_view("=+-@").find(plain.front()) != std::string_view::npos ? "'" + plain : plain;
@@ -133,39 +135,13 @@ std::string harmless_cell(const std::string& text) {
 }   // namespace
 
 std::string said_of(const ItemMark& mark) {
-    const std::string worst = readable(mark.agreement.worst, 2), tolerance = plain_text(mark.item->tolerance, 3);
-    std::string said;
-    switch (mark.verdict) {
-        case Verdict::right:
-            said = mark.agreement.worst > 0 ? words.line("said.right", "worst"_a = worst, "tolerance"_a = tolerance)
-                                            : words.line("said.exact");
-            break;
-        case Verdict::accepted:
-            said = words.line("said.accepted", "conventions"_a = in_words(mark.conventions));
-            break;
-        case Verdict::recognised:
-            said = words.line("said.recognised", "conventions"_a = in_words(mark.conventions),
-                              "share"_a = readable_percent(mark.item->recognised, 2));
-            break;
-        case Verdict::wrong:
-            said = words.line("said.wrong", "share"_a = readable_percent(mark.agreement.share), "tolerance"_a = tolerance,
-                              "place"_a = place_of(mark), "given"_a = readable(mark.given, 6), "expected"_a = readable(mark.expected, 6));
-            break;
-        case Verdict::missing:
-            said = mark.item->what == MarkedThing::number ? words.line("said.no_number", "file"_a = answers_file, "id"_a = mark.item->id)
-                                                          : words.line("said.missing", "pattern"_a = mark.item->file);
-            break;
-        case Verdict::unusable:
-            return words.line("said.unusable", "problem"_a = mark.problem);
-    }
-    if (mark.reference->not_unique && mark.verdict != Verdict::right) said += " " + words.line("said.not_unique");
-    return said;
+    if (mark.verdict == Verdict::unusable) return words.line("said.unusable", "problem"_a = mark.problem);
+    const std::string said = explanation_of(mark);
+    return mark.reference->not_unique && mark.verdict != Verdict::right ? said + " " + words.line("said.not_unique") : said;
 }
 
 std::string student_page(const StudentMarks& marks, const Rubric& rubric, const report::Templates& templates) {
-    json items = json::array(), remarks = json::array();
-    for (const ItemMark& mark : marks.items) items.push_back(item_view(mark));
-    for (const std::string& remark : marks.remarks) remarks.push_back({{"text", report::safe_text(remark)}});
+    const auto remark_view = [](const std::string& remark) -> json { return {{"text", report::safe_text(remark)}}; };
     json model{{"title", report::safe_text(rubric.title)},
                {"student", marks.id},
                {"source", report::safe_text(marks.source)},
@@ -173,9 +149,9 @@ std::string student_page(const StudentMarks& marks, const Rubric& rubric, const 
                {"points", points_text(rubric.points())},
                {"refused", report::safe_text(marks.refused)},
                {"is_refused", !marks.refused.empty()},
-               {"has_remarks", !remarks.empty()},
-               {"remarks", remarks},
-               {"items", items}};
+               {"has_remarks", !marks.remarks.empty()},
+               {"remarks", report::list_of(marks.remarks, remark_view)},
+               {"items", report::list_of(marks.items, item_view)}};
     report::add_design(model, templates, "mark");
     return report::render(templates, "mark.html", model, report::xml_escape);
 }
@@ -183,8 +159,6 @@ std::string student_page(const StudentMarks& marks, const Rubric& rubric, const 
 std::string student_json(const StudentMarks& marks, const Rubric& rubric) {
     nlohmann::ordered_json tests = nlohmann::ordered_json::array();
     for (const ItemMark& mark : marks.items) {
-        nlohmann::ordered_json conventions = nlohmann::ordered_json::array();
-        for (const ConventionKeys& keys : mark.conventions) conventions.push_back(keys);
         tests.push_back({{"number", mark.item->id},
                          {"name", report::safe_text(mark.item->title)},
                          {"score", mark.score},
@@ -192,7 +166,7 @@ std::string student_json(const StudentMarks& marks, const Rubric& rubric) {
                          {"status", keeps_all(mark) ? "passed" : "failed"},
                          {"output", report::safe_text(said_of(mark))},
                          {"output_format", "text"},
-                         {"extra_data", {{"verdict", verdict_word(mark.verdict)}, {"conventions", conventions}}}});
+                         {"extra_data", {{"verdict", verdict_word(mark.verdict)}, {"conventions", mark.conventions}}}});
     }
     std::vector<std::string> remarks;
     std::ranges::transform(marks.remarks, std::back_inserter(remarks), report::safe_text);

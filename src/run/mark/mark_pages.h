@@ -10,7 +10,7 @@
 
 namespace meshfolio::run {
 
-/// What is said of one answer, plain, from templates/words/mark.md.
+/// The explanation of one mark as plain text, from templates/words/mark.md.
 std::string said_of(const ItemMark& mark);
 
 /// With the differences on the mesh, drawn from six sides: one file.

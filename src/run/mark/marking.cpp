@@ -15,14 +15,7 @@ namespace meshfolio::run {
 
 namespace {
 
-bool is_of_mesh(MarkedThing what) { return what == MarkedThing::reconstruction || what == MarkedThing::smoothed; }
-
-std::string in_lower_case(std::string text) {
-    std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
-}
-
-/// The first in order that fits, by its path or its bare name; if there is none, the first in another case.
+/// The first file whose path or bare name matches; if none does, the first that matches ignoring case.
 const std::pair<const std::string, std::string>* file_like(const submission::HandedIn& files, const std::string& pattern) {
     const auto fits = [](const std::string& as_asked_for, const std::string& path) {
         const std::string name = path.substr(path.rfind('/') + 1);
@@ -31,16 +24,16 @@ const std::pair<const std::string, std::string>* file_like(const submission::Han
     for (const auto& file : files)
         if (fits(pattern, file.first)) return &file;
     for (const auto& file : files)
-        if (fits(in_lower_case(pattern), in_lower_case(file.first))) return &file;
+        if (fits(lower_case(pattern), lower_case(file.first))) return &file;
     return nullptr;
 }
 
-/// What is held against the right values: as many.
+/// Values to compare with the right ones: as many.
 struct Given : GivenValues {
     bool faces_reversed = false;
 };
 
-/// Nothing that a mesh of so many vertices asks for needs more; what is larger was made to take long.
+/// Refuses files far larger than any answer for this mesh, which would only take time.
 void require_fitting_size(const std::string& bytes, const std::string& file, Eigen::Index vertices) {
     constexpr std::size_t always = std::size_t{1} << 16, a_vertex = std::size_t{1} << 11;   // bytes
     const std::size_t most = always + a_vertex * static_cast<std::size_t>(vertices);

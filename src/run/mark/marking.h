@@ -1,5 +1,5 @@
 /// @file
-/// One student's files held against the right answers.
+/// Compares one student's files with the right answers.
 #pragma once
 
 #include <string>
@@ -35,7 +35,7 @@ struct StudentMarks {
     double score() const;
 };
 
-/// Nothing that a student hands in throws: what cannot be used is said of the item it belongs to.
+/// Bad files of a student never throw: the mark of their item reports the problem.
 /// @throws Error where the rubric's own settings have no answer
 StudentMarks marks_of(const submission::HandedIn& files, const Rubric& rubric, References& references);
 

@@ -3,7 +3,6 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "base/errors.h"
 #include "geometry/curvature/curvature.h"
@@ -11,8 +10,6 @@
 #include "geometry/spectrum/spectral_mistakes.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "mesh/triangle_measures.h"
-#include "run/mark/smoothing_variants.h"
-#include "run/mark/wrong_laplacians.h"
 
 namespace meshfolio::run {
 
@@ -129,7 +126,7 @@ Reference reconstruction_of(const PreparedMesh& prepared, const AnswerSettings& 
     const LaplaceBeltrami L = laplace_operator(prepared.mesh, s.laplacian, s.area);
     const Spectrum spectrum = smallest_eigenpairs(L, s.k + 1);
     const auto found = static_cast<int>(spectrum.eigenvalues.size());
-    reference.right.values = flat(reconstruct(spectrum, L.M, prepared.mesh.X, std::min(s.k, found)));
+    reference.right = {flat(reconstruct(spectrum, L.M, prepared.mesh.X, std::min(s.k, found))), diagonal_of(prepared), true};
     if (found > s.k) {
         const double last = spectrum.eigenvalues[s.k - 1], next = spectrum.eigenvalues[s.k];
         reference.not_unique = next - last <= equal_eigenvalues * next;
@@ -138,58 +135,26 @@ Reference reconstruction_of(const PreparedMesh& prepared, const AnswerSettings& 
     return reference;
 }
 
-Reference computed(const RubricItem& item, const AnswerSettings& s, const PreparedMesh& prepared) {
+RightValues right_values(const RubricItem& item, const AnswerSettings& s, const PreparedMesh& prepared) {
     const TriangleMesh& mesh = prepared.mesh;
     const double diagonal = diagonal_of(prepared);
-    Reference reference;
-    switch (item.what) {
-        case MarkedThing::H:
-            reference.right = {mean_curvature_by(prepared, s.laplacian, laplace_operator(mesh, s.laplacian, s.area)), 1e-6 / diagonal};
-            break;
-        case MarkedThing::H_uniform:
-            reference.right = {uniform_mean_curvature(mesh, prepared.topology), 1e-9 * diagonal};
-            break;
-        case MarkedThing::K:
-            reference.right = {gaussian_curvature(mesh, prepared.topology, vertex_areas(mesh, s.area)), 1e-6 / (diagonal * diagonal)};
-            break;
-        case MarkedThing::eigenvalues:
-            reference.right = {smallest_eigenpairs(laplace_operator(mesh, s.laplacian, s.area), s.k).eigenvalues, 0};
-            break;
-        case MarkedThing::reconstruction:
-            reference = reconstruction_of(prepared, s);
-            break;
-        case MarkedThing::smoothed:
-            reference.right.values = flat(smooth(mesh, smoothing_of(prepared, s)).X);
-            break;
-        case MarkedThing::number:
-            break;
-    }
-    if (item.what == MarkedThing::reconstruction || item.what == MarkedThing::smoothed) {
-        reference.right.scale = diagonal;
-        reference.right.relative_to_scale = true;
-    }
-    return reference;
+    if (item.what == MarkedThing::H)
+        return {mean_curvature_by(prepared, s.laplacian, laplace_operator(mesh, s.laplacian, s.area)), 1e-6 / diagonal};
+    if (item.what == MarkedThing::H_uniform) return {uniform_mean_curvature(mesh, prepared.topology), 1e-9 * diagonal};
+    if (item.what == MarkedThing::K)
+        return {gaussian_curvature(mesh, prepared.topology, vertex_areas(mesh, s.area)), 1e-6 / (diagonal * diagonal)};
+    if (item.what == MarkedThing::eigenvalues) return {smallest_eigenpairs(laplace_operator(mesh, s.laplacian, s.area), s.k).eigenvalues};
+    return {flat(smooth(mesh, smoothing_of(prepared, s)).X), diagonal, true};
 }
 
 std::vector<Variant> computed_variants(const RubricItem& item, const AnswerSettings& s, const Reference& reference) {
     const PreparedMesh& prepared = *reference.mesh->prepared;
-    switch (item.what) {
-        case MarkedThing::H:
-            return curvature_variants(prepared, s);
-        case MarkedThing::H_uniform:
-            return uniform_variants(prepared, reference.right.values);
-        case MarkedThing::K:
-            return gaussian_variants(prepared, s.area);
-        case MarkedThing::eigenvalues:
-            return spectrum_variants(prepared, s);
-        case MarkedThing::reconstruction:
-            return reconstruction_variants(prepared, s);
-        case MarkedThing::smoothed:
-            return smoothing_variants(prepared, s);
-        case MarkedThing::number:
-            break;
-    }
-    return {};
+    if (item.what == MarkedThing::H) return curvature_variants(prepared, s);
+    if (item.what == MarkedThing::H_uniform) return uniform_variants(prepared, reference.right.values);
+    if (item.what == MarkedThing::K) return gaussian_variants(prepared, s.area);
+    if (item.what == MarkedThing::eigenvalues) return spectrum_variants(prepared, s);
+    if (item.what == MarkedThing::reconstruction) return reconstruction_variants(prepared, s);
+    return smoothing_variants(prepared, s);
 }
 
 }   // namespace
@@ -222,8 +187,12 @@ const Reference& References::of(const RubricItem& item, const AnswerSettings& se
     if (item.what == MarkedThing::number) {
         reference.right.values = Vector::Constant(1, item.value);
     } else {
-        reference = computed(item, settings, *meshes_.at(item.id)->prepared);
-        reference.mesh = meshes_.at(item.id);
+        const auto& mesh = meshes_.at(item.id);
+        if (item.what == MarkedThing::reconstruction)
+            reference = reconstruction_of(*mesh->prepared, settings);
+        else
+            reference.right = right_values(item, settings, *mesh->prepared);
+        reference.mesh = mesh;
     }
     return references_[key] = std::move(reference);
 }

@@ -135,12 +135,11 @@ private:
 
     void require(const toml::table& table, const TableReader& reader, MarkedThing what) {
         Keys must{"id", "what", "points"};
-        const bool is_mesh = what == MarkedThing::reconstruction || what == MarkedThing::smoothed;
         if (what == MarkedThing::number) {
             must.emplace_back("value");
         } else {
             must.insert(must.end(), {"mesh", "file"});
-            if (!is_mesh) must.emplace_back("column");
+            if (!is_of_mesh(what)) must.emplace_back("column");
         }
         for (const std::string& key : must) {
             if (reader.node(key) == nullptr) problems_.add(table, "[[item]] has no " + key, "data/rubric.toml shows one");

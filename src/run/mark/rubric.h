@@ -1,5 +1,5 @@
 /// @file
-/// What a class is marked by (data/rubric.toml documents every key), and what a student says of the own files (answers.toml).
+/// The rubric of a class (data/rubric.toml documents every key), and the settings that students name (answers.toml).
 #pragma once
 
 #include <filesystem>
@@ -16,6 +16,9 @@
 namespace meshfolio::run {
 
 enum class MarkedThing { H, H_uniform, K, eigenvalues, reconstruction, smoothed, number };
+
+/// Are these the positions of a mesh's vertices?
+inline bool is_of_mesh(MarkedThing what) { return what == MarkedThing::reconstruction || what == MarkedThing::smoothed; }
 
 /// How the right answer is computed. Two answers of the same settings are the same.
 struct AnswerSettings {
@@ -35,7 +38,7 @@ struct RubricItem {
     std::string title;   // for people
     MarkedThing what = MarkedThing::H;
     std::string mesh;                   // beside the rubric or bundled
-    std::string file;                   // of the student, * and ? stand for others
+    std::string file;                   // of the student; * and ? are wildcards
     std::vector<std::string> columns;   // of a CSV file; the first that it has
     AnswerSettings settings;
     std::vector<std::string> free;     // keys of settings that the student may choose

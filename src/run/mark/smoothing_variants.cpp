@@ -1,4 +1,4 @@
-#include "run/mark/smoothing_variants.h"
+#include "run/mark/references.h"
 
 #include <functional>
 #include <memory>
@@ -8,7 +8,6 @@
 #include "geometry/linear/sparse_factor.h"
 #include "geometry/operators/vertices_with_mass.h"
 #include "mesh/triangle_measures.h"
-#include "run/mark/wrong_laplacians.h"
 
 namespace meshfolio::run {
 

@@ -1,4 +1,4 @@
-#include "run/mark/wrong_laplacians.h"
+#include "run/mark/references.h"
 
 namespace meshfolio::run {
 

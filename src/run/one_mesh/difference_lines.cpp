@@ -60,9 +60,13 @@ std::vector<DifferenceLine> lines_of_surfaces(const TriangleMesh& a, const Trian
 
 }   // namespace
 
+bool have_same_triangles(const TriangleMesh& a, const TriangleMesh& b) {
+    return a.vertex_count() == b.vertex_count() && a.face_count() == b.face_count() && a.F == b.F;
+}
+
 Difference difference_of(const TriangleMesh& a, const TriangleMesh& b, bool as_surfaces) {
     Difference difference;
-    difference.same_triangles = a.vertex_count() == b.vertex_count() && a.face_count() == b.face_count() && a.F == b.F;
+    difference.same_triangles = have_same_triangles(a, b);
     if (!difference.same_triangles || as_surfaces) difference.distances = surface_distances(a, b);
     difference.lines = difference.distances ? lines_of_surfaces(a, b, *difference.distances) : lines_of_same_triangles(a, b);
     return difference;

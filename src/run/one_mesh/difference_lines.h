@@ -1,5 +1,5 @@
 /// @file
-/// What `compare` says of two meshes.
+/// The results of `compare`.
 #pragma once
 
 #include <optional>
@@ -24,6 +24,9 @@ struct Difference {
     std::optional<SurfaceDistances> distances;   // where they are compared as surfaces
 };
 
+/// The same vertices, by number, in the same triangles?
+bool have_same_triangles(const TriangleMesh& a, const TriangleMesh& b);
+
 /// b measured against a: vertex by vertex and face by face where they have the same triangles, as two surfaces where not.
 /// @param as_surfaces  in any case
 /// @throws MeshError if a surface has no triangle
@@ -32,7 +35,10 @@ Difference difference_of(const TriangleMesh& a, const TriangleMesh& b, bool as_s
 /// The object that `compare --json` prints: the lines, and of surfaces the shares of both areas at distances in equal bins.
 std::string difference_json(const Difference& difference);
 
-/// How far each vertex is from the other surface, to be drawn. @param diagonal  of the box of one of them
+/// The page of `compare --html`: numbers, pictures and distances of two meshes in one file.
+std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances);
+
+/// The distance of each vertex to the other surface, as a field to draw. @param diagonal  of the box of one of them
 Field distance_field(const DistancesTo& distances, double diagonal);
 
 inline constexpr int distance_bins = 40;   // from 0 to the Hausdorff distance

@@ -1,4 +1,4 @@
-#include "run/one_mesh/difference_page.h"
+#include "run/one_mesh/difference_lines.h"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -9,6 +9,7 @@
 #include "report/escape.h"
 #include "report/page/page_design.h"
 #include "report/page/template_render.h"
+#include "report/page/view_value.h"
 #include "report/words.h"
 #include "run/one_mesh/mesh_pictures.h"
 
@@ -62,13 +63,11 @@ nlohmann::json line_view(const DifferenceLine& line) {
 }   // namespace
 
 std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances) {
-    nlohmann::json lines = nlohmann::json::array();
-    for (const DifferenceLine& line : difference.lines) lines.push_back(line_view(line));
     nlohmann::json model{
         {"a", name_of(a)},
         {"b", name_of(b)},
         {"by_vertices", !difference.distances.has_value()},
-        {"lines", lines},
+        {"lines", report::list_of(difference.lines, line_view)},
         {"picture", report::base64(pictures(a, b, distances))},
         {"has_histogram", distances.hausdorff() > 0 && distances.a_to_b.areas.sum() > 0 && distances.b_to_a.areas.sum() > 0},
         {"histogram", report::svg_of(histogram(distances))}};

@@ -19,7 +19,7 @@ struct Field {
 
 std::vector<std::string> operator_choices();   // the operators' names
 std::vector<std::string> field_names();        // none, h-uniform, h-cotan and the other operators, gauss, area, x, y, z, id
-/// What must be known of the mesh before a field can be computed.
+/// The checks of a mesh that a field needs.
 Checks checks_for(const std::string& name);
 /// @throws UsageError for an unknown name
 Field field_of(const PreparedMesh& mesh, const std::string& name);

@@ -1,5 +1,5 @@
 /// @file
-/// What `inspect` says of a mesh: counts, defects, Gauss–Bonnet, the largest stable step and its proof.
+/// The results of `inspect`: counts, defects, Gauss–Bonnet, the largest stable step and its proof.
 #pragma once
 
 #include <functional>
@@ -25,7 +25,7 @@ struct Inspection {
 };
 
 /// @param kind      whose largest stable step
-/// @param progress  told what begins; may throw to stop
+/// @param progress  called with the name of each step; may throw to stop
 /// @throws MeshError for a mesh without any area
 Inspection inspect_mesh(PreparedMesh prepared, OperatorKind kind, const std::function<void(std::string_view)>& progress);
 

@@ -34,12 +34,7 @@ output::ColorRange color_range(const PictureRequest& request, const std::vector<
         output::robust_range(panels, colormap_for(request, field.is_signed), field.quantity, field.unit, field.floor);
     if (!request.range) return range;
     std::tie(range.low, range.high) = *request.range;
-    const std::vector<double> values = output::finite_values(panels);
-    const auto share = [&](auto outside) {
-        return values.empty() ? 0 : static_cast<double>(std::ranges::count_if(values, outside)) / static_cast<double>(values.size());
-    };
-    range.clipped_below = share([&](double v) { return v < range.low; });
-    range.clipped_above = share([&](double v) { return v > range.high; });
+    output::enter_clipped(range, output::finite_values(panels));
     return range;
 }
 

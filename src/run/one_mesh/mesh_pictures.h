@@ -1,5 +1,5 @@
 /// @file
-/// The pictures of one mesh with values, and the sheet of them: what `render` draws.
+/// The pictures that `render` draws: views of a mesh with values, and their sheet.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct MeshPictures {
 /// Some of +x, -x, +y, -y, +z, -z and hero, by commas; empty: the six. @throws UsageError
 std::vector<render::View> views_named(const std::string& names);
 
-/// Ends of the colours, which a colour bar can print. @param told  what messages call them @throws UsageError
+/// Checks the range of the colours: a colour bar must be able to print it. @param told  its name in messages @throws UsageError
 std::pair<double, double> value_limits(double low, double high, const std::string& told);
 
 /// @throws UsageError for an unknown colour map

@@ -1,5 +1,5 @@
 /// @file
-/// What is known of every vertex: the columns of `curvature`, and such columns as a table.
+/// Values per vertex: the columns of `curvature`, and the CSV of such columns.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace meshfolio::run {
 /// and h_<operator> of any other operator.
 std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets);
 
-/// What the file of the mesh says of its vertices, and these, which take the place of others of their names.
+/// The attributes of the mesh's file together with these columns, which replace columns of the same name.
 Attributes beside_attributes(const PreparedMesh& prepared, std::vector<VertexColumn> columns);
 
 /// CSV of `vertex,x,y,z,boundary` and the columns, a row a vertex.

@@ -1,4 +1,4 @@
-#include "run/settings/experiment_reader.h"
+#include "run/settings/settings_reader.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,6 +8,7 @@
 #include "base/in_quotes.h"
 #include "base/nearest_word.h"
 #include "questions/core/mesh_library.h"
+#include "run/one_mesh/fields.h"
 #include "run/settings/setting_list.h"
 
 namespace meshfolio::run {
@@ -55,12 +56,6 @@ Words bundled_meshes() {
     Words files;
     for (const MeshRole& role : mesh_role_list()) files.emplace_back(role.bundled);
     return files;
-}
-
-Words operator_list_names() {
-    Words names;
-    for (const OperatorEntry& entry : operator_list()) names.emplace_back(entry.name);
-    return names;
 }
 
 class ExperimentReader {
@@ -144,7 +139,7 @@ private:
         for (const auto& [name, mesh] : originals_) meshes.push_back(name);
         choose(reader, "mesh", meshes, experiment.meshes, [&](const std::string& name) { return originals_.at(name); });
         choose(reader, "scheme", smoothing_method_names(), experiment.methods, smoothing_method_named);
-        choose(reader, "operator", operator_list_names(), experiment.operators, operator_named);
+        choose(reader, "operator", operator_choices(), experiment.operators, operator_named);
         choose(reader, "area", {"barycentric", "voronoi", "mixed"}, experiment.areas, area_form_named);
         choose(reader, "colour", experiment_colour_names(), experiment.colours, experiment_colour_named);
         if (const auto unit = one_of(reader, "unit", {"raw", "tau", "h2"})) experiment.lambda_unit = step_unit_named(*unit);

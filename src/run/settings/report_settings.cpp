@@ -6,12 +6,12 @@
 #include <type_traits>
 
 #include "base/in_quotes.h"
+#include "base/joined.h"
 #include "base/nearest_word.h"
 #include "base/number_text.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
 #include "questions/core/stand_ins.h"
-#include "report/writers.h"
 #include "run/arguments.h"
 #include "run/settings/setting_list.h"
 #include "run/settings/settings_reader.h"
@@ -53,7 +53,7 @@ void take(std::vector<std::filesystem::path>& folders, const Setting&, const std
     if (!given.empty()) folders.assign(given.begin(), given.end());
 }
 
-/// "Q1" and "1" are q1, "1-3" and "q1-q3" are three of them; anything else stays what it is, to be told as given.
+/// "Q1" and "1" are q1, "1-3" and "q1-q3" are three of them; anything else stays unchanged, for the error message.
 std::vector<std::string> ids_meant(const std::string& word) {
     const auto number_of = [](std::string_view text) {
         if (text.starts_with('q') || text.starts_with('Q')) text.remove_prefix(1);
@@ -104,22 +104,11 @@ void take_texts(ReportSettings& settings, const char* Setting::*name_of, TextOf 
 }
 
 void take_flags(ReportSettings& settings, const ReportFlags& flags, Problems& problems) {
-    const std::map<std::string, std::string> texts{{"--size", flags.size},
-                                                   {"--threads", flags.threads},
-                                                   {"--pdf", flags.pdf},
-                                                   {"--time", flags.time},
-                                                   {"--out", flags.out},
-                                                   {"--only", flags.only},
-                                                   {"--author", flags.author},
-                                                   {"--pdf-browser", flags.pdf_browser},
-                                                   {"--templates", flags.templates}};
-    take_texts(
-        settings, &Setting::flag,
-        [&](const std::string& name) {
-            const auto text = texts.find(name);
-            return text != texts.end() ? text->second : "";
-        },
-        problems);
+    const auto word_of = [&](const std::string& name) {
+        const auto flag = std::ranges::find(word_flags, name, [](const auto& one) { return one.first; });
+        return flag != std::end(word_flags) ? flags.*flag->second : "";
+    };
+    take_texts(settings, &Setting::flag, word_of, problems);
     if (!flags.data.empty()) settings.data.assign(flags.data.begin(), flags.data.end());
     settings.quick = flags.quick;
     settings.view_files = settings.view_files || flags.view_files;
@@ -185,15 +174,12 @@ std::set<std::filesystem::path> inputs_of(const ReportSettings& settings, const 
     return inputs;
 }
 
-/// What is read must not lie in an earlier report, nor be linked to there: that is removed once the new one is in its place.
+/// Refuses inputs inside an earlier report, also through links: publishing the new report removes it.
 void require_inputs_outside(const ReportSettings& settings, const std::string& config, Problems& problems) {
     std::error_code error;
-    const std::filesystem::path out = output::resolved(settings.out, error);
-    if (!std::filesystem::exists(out / output::marker_file, error)) return;
+    if (!std::filesystem::exists(settings.out / output::marker_file, error)) return;
     for (const std::filesystem::path& input : inputs_of(settings, config)) {
-        if (input.empty() || !std::filesystem::exists(input, error)) continue;
-        const std::filesystem::path inside = std::filesystem::canonical(input, error).lexically_relative(out);
-        if (inside.empty() || *inside.begin() == "..") continue;
+        if (input.empty() || !std::filesystem::exists(input, error) || output::path_inside(input, settings.out).empty()) continue;
         problems.add(0,
                      in_quotes(input.string()) + " lies in " + in_quotes(settings.out.string()) + ", which the report replaces as a whole",
                      "move it, or choose another folder with --out");
@@ -232,7 +218,7 @@ Words words_of(const std::vector<Value>& values) {
     return words;
 }
 
-/// Nothing of a report depends on where its inputs lie.
+/// Names without folders: a report must not depend on where its inputs are.
 template <class Value>
 Words words_without_folders(const Value& value) {
     return words_of(value);
@@ -317,8 +303,7 @@ std::map<std::string, std::string> described(const ReportSettings& settings) {
     std::map<std::string, std::string> values;
     const auto enter_as = [&values](const std::string& prefix) {
         return [&values, prefix](const Setting& setting, const auto& value) {
-            std::string text;
-            for (const std::string& word : words_without_folders(value)) text += (text.empty() ? "" : ", ") + word;
+            const std::string text = joined(words_without_folders(value), ", ");
             if (*setting.name != '\0' && !text.empty()) values[prefix + setting.name] = text;
         };
     };

@@ -17,7 +17,6 @@
 
 #include "base/errors.h"
 #include "questions/core/settings.h"
-#include "report/writers.h"
 
 namespace meshfolio::run {
 
@@ -41,6 +40,14 @@ struct ReportFlags {
          plan = false, json = false;
 };
 
+/// Those of them that are one word each, by their names.
+inline constexpr std::pair<const char*, std::string ReportFlags::*> word_flags[] = {
+    {"--only", &ReportFlags::only},       {"--config", &ReportFlags::config},
+    {"--author", &ReportFlags::author},   {"--size", &ReportFlags::size},
+    {"--time", &ReportFlags::time},       {"--templates", &ReportFlags::templates},
+    {"--pdf", &ReportFlags::pdf},         {"--pdf-browser", &ReportFlags::pdf_browser},
+    {"--threads", &ReportFlags::threads}, {"--out", &ReportFlags::out}};
+
 struct ViewSize {
     int width = 0, height = 0;   // of one view [pixels]
 };
@@ -63,7 +70,7 @@ struct QuestionTable {
 /// How much of a section is done: run/plan decides.
 struct Effort {
     bool small = false;      // the settings of --quick
-    int most_vertices = 0;   // copies of at most so many take the place of larger meshes; 0: none does
+    int most_vertices = 0;   // larger meshes are decimated to this; 0: no limit
     bool left_out = false;
     double cpu_seconds = 0;   // estimated
 };

@@ -1,6 +1,6 @@
 /// @file
-/// Every setting once: where it is given, its limits, what depends on it. What reads, names or hashes settings goes through these lists. A
-/// member that stands in none of them does not compile: the bindings name all.
+/// Every setting once: where it is given, its limits, and what depends on it. All code that reads, names or hashes settings uses these
+/// lists. Forgetting a member is a compile error, as the structured bindings name all.
 #pragma once
 
 #include <concepts>

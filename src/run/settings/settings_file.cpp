@@ -11,7 +11,6 @@
 #include "output/publish/folder_system.h"
 #include "report/page/template_render.h"
 #include "report/writers.h"
-#include "run/settings/experiment_reader.h"
 #include "run/settings/setting_list.h"
 #include "run/settings/settings_reader.h"
 
@@ -36,7 +35,6 @@ std::vector<std::string> keys_of(std::string_view table) {
     return keys;
 }
 
-/// Reads one settings file.
 class Reader {
 public:
     Reader(const toml::table& root, ReportSettings& settings, Problems& problems) : root_(root), settings_(settings), problems_(problems) {}

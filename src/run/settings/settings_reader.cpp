@@ -12,22 +12,12 @@ namespace meshfolio::run {
 namespace {
 
 std::string type_name(const toml::node& node) {
-    switch (node.type()) {
-        case toml::node_type::table:
-            return "a table";
-        case toml::node_type::array:
-            return node.is_array_of_tables() ? "a list of tables" : "a list";
-        case toml::node_type::string:
-            return "a text";
-        case toml::node_type::integer:
-            return "an integer";
-        case toml::node_type::floating_point:
-            return "a number with a fraction";
-        case toml::node_type::boolean:
-            return "a truth value";
-        default:
-            return "a date or time";
-    }
+    if (node.is_table()) return "a table";
+    if (node.is_array()) return node.is_array_of_tables() ? "a list of tables" : "a list";
+    if (node.is_string()) return "a text";
+    if (node.is_integer()) return "an integer";
+    if (node.is_floating_point()) return "a number with a fraction";
+    return node.is_boolean() ? "a truth value" : "a date or time";
 }
 
 std::string between(const std::string& low, const std::string& high) { return "from " + low + " to " + high; }
@@ -53,7 +43,7 @@ void Problems::raise() const {
 
 namespace {
 
-/// Goes over what is no key: comments and texts. Where the parser would stop, it does not matter what is found behind.
+/// Skips comments and strings of TOML. After a syntax error its result does not matter, as the parser stops there.
 class TomlSkipper {
 public:
     explicit TomlSkipper(std::string_view text) : text_(text) {}
@@ -129,12 +119,9 @@ void for_each_table(const toml::node& node, const std::string& name, Problems& p
 TableReader::TableReader(const toml::table& table, std::string name, const std::vector<std::string>& known, Problems& problems,
                          const std::vector<std::string>& tables)
     : table_(table), name_(std::move(name)), problems_(problems) {
-    const auto has = [](const std::vector<std::string>& words, const std::string& word) {
-        return std::find(words.begin(), words.end(), word) != words.end();
-    };
     for (const auto& [key, value] : table) {
         const std::string word(key.str());
-        if (has(known, word) || has(tables, word)) continue;
+        if (contains(known, word) || contains(tables, word)) continue;
         const bool is_table = value.is_table() || value.is_array_of_tables();
         const std::string place = name_.empty() ? "" : " in " + name_;
         const std::vector<std::string>& like = is_table && !tables.empty() ? tables : known;

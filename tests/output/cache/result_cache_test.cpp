@@ -38,7 +38,7 @@ void spoil(const fs::path& path, const std::string& bytes) {
 
 }   // namespace
 
-TEST(KeyMaker, WordsDoNotRunIntoEachOther) {
+TEST(KeyMaker, DifferentListsOfWordsHaveDifferentKeys) {
     EXPECT_NE(KeyMaker().add("ab").add("c").key(), KeyMaker().add("a").add("bc").key());
     EXPECT_NE(KeyMaker().add("").key(), KeyMaker().key());
     EXPECT_EQ(KeyMaker().add("a").key(), KeyMaker().add("a").key());
@@ -59,8 +59,7 @@ TEST(ResultCache, GivesBackWhatWasPut) {
 TEST(ResultCache, FilesAreKeptByTheirContent) {
     const TemporaryFolder folder;
     ResultCache cache(folder.path() / "cache", roomy);
-    write_file(folder.path() / "a", "picture");
-    EXPECT_EQ(cache.keep_file(folder.path() / "a"), sha256("picture"));
+    EXPECT_EQ(cache.keep("picture"), sha256("picture"));
     EXPECT_EQ(cache.keep("picture"), sha256("picture"));
     EXPECT_EQ(cache.size().files, 1u);
     ASSERT_TRUE(cache.place(sha256("picture"), folder.path() / "b"));
@@ -75,7 +74,7 @@ TEST(ResultCache, WhatIsDoneToAPlacedFileLeavesTheOthersAlone) {
     const fs::path first = folder.path() / "first.png", second = folder.path() / "second.png", third = folder.path() / "third.png";
     write_file(first, "picture");
     ResultCache cache(folder.path() / "cache", roomy);
-    const std::string digest = cache.keep_file(first);
+    const std::string digest = cache.keep(read_file(first));
     ASSERT_TRUE(cache.place(digest, second));
     std::ofstream(second, std::ios::in | std::ios::out) << "P";   // in place, as an editor may
     fs::permissions(second, fs::perms::owner_exec, fs::perm_options::add);
@@ -106,13 +105,10 @@ TEST(ResultCache, DamageCountsAsAbsence) {
 TEST(ResultCache, KeepingRepairsWhatIsDamaged) {
     const TemporaryFolder folder;
     ResultCache cache(folder.path() / "cache", roomy);
-    write_file(folder.path() / "a", "picture");
     const std::string digest = cache.keep("picture");
-    for (const bool as_file : {true, false}) {
-        for (const fs::path& file : paths_below(folder.path() / "cache")) spoil(file, "damaged");
-        EXPECT_EQ(as_file ? cache.keep_file(folder.path() / "a") : cache.keep("picture"), digest);
-        EXPECT_EQ(cache.bytes_of(digest), "picture");
-    }
+    for (const fs::path& file : paths_below(folder.path() / "cache")) spoil(file, "damaged");
+    EXPECT_EQ(cache.keep("picture"), digest);
+    EXPECT_EQ(cache.bytes_of(digest), "picture");
 }
 
 TEST(ResultCache, NamesThatAreNoDigestsLeadNowhere) {

@@ -1,6 +1,7 @@
 #include "output/draw/draw_figures.h"
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <map>
@@ -41,12 +42,11 @@ std::vector<FigureRequest> requests() {
     return {single, strip};
 }
 
-DrawSettings small_pictures(int threads = 0) {
+DrawSettings small_pictures() {
     DrawSettings settings;
     settings.width = 120;
     settings.height = 120;
     settings.view_files = true;
-    settings.threads = threads;
     return settings;
 }
 
@@ -179,8 +179,10 @@ TEST(DrawFigures, PicturesOfAFigureDoNotOverlap) {
 
 TEST(DrawFigures, SameBytesForAnyNumberOfThreads) {
     const TemporaryFolder one, two;
-    const auto first = draw_figures(requests(), one.path(), small_pictures(1));
-    const auto second = draw_figures(requests(), two.path(), small_pictures(2));
+    const auto drawn_by = [](int threads, const fs::path& folder) {
+        return tbb::task_arena(threads).execute([&] { return draw_figures(requests(), folder, small_pictures()); });
+    };
+    const auto first = drawn_by(1, one.path()), second = drawn_by(2, two.path());
     EXPECT_EQ(bytes_below(one.path()), bytes_below(two.path()));
     EXPECT_EQ(first, second);
 }

@@ -64,7 +64,7 @@ TEST(RobustRange, OneOutlierDoesNotMoveIt) {
 }
 
 // Only some of the values are put in order: they are those that a whole sort would put there, also where nearly all crowd together.
-TEST(RobustRange, ManyValuesAreTakenWhereASortPutsThem) {
+TEST(RobustRange, PercentilesOfManyValuesEqualThoseOfAFullSort) {
     for (const double power : {1.0, 9.0, 301.0}) {
         Panel p = ramp(200'003);
         p.values = (p.values.array() * 0.7).sin().sign() * (p.values.array() * 0.7).sin().abs().pow(power);
@@ -132,7 +132,7 @@ TEST(Histogram, HasFewerBinsForFewValues) {
         EXPECT_EQ(histogram(finite_values({ramp(n)}), 0, n).size(), bins) << n;
 }
 
-TEST(Histogram, OfNothingOrOverNothingIsEmptyAndOfHugeNumbersIsFinite) {
+TEST(Histogram, IsEmptyWithoutValuesOrRangeAndFiniteForHugeNumbers) {
     EXPECT_TRUE(histogram({}, 0, 1).empty());
     EXPECT_TRUE(histogram(std::vector<double>{1}, 1, 1).empty());
     EXPECT_TRUE(histogram(std::vector<double>{1}, undefined, 1).empty());
@@ -142,7 +142,7 @@ TEST(Histogram, OfNothingOrOverNothingIsEmptyAndOfHugeNumbersIsFinite) {
 }
 
 // The sample is small however many values there are, does not depend on their order, and shows their spread to 1 % of the highest bin.
-TEST(Histogram, OfTheSampleIsThatOfAllValues) {
+TEST(Histogram, OfTheSampleEqualsThatOfAllValues) {
     Panel p = ramp(100'003);
     p.values = (p.values.array() / 20'000).sin().cube();
     Panel reversed = p;

@@ -45,7 +45,7 @@ TEST(FileGroup, NoFileIsWrittenTwice) {
     EXPECT_EQ(read_file(folder.path() / "a"), "one");
 }
 
-TEST(FileGroup, WhatIsKeptIsNotReplacedHoweverItIsSpelt) {
+TEST(FileGroup, ProtectedInputsAreNotReplacedUnderAnyName) {
     const TemporaryFolder folder;
     const fs::path input = folder.path() / "mesh.obj";
     replace_file(input, "input");
@@ -142,7 +142,7 @@ TEST(ReplaceFile, NamesTheFileThatCannotBeWritten) {
 }
 
 // Its target may come later, or never; what was asked for is a file of this name.
-TEST(ReplaceFile, TakesThePlaceOfALinkThatLeadsNowhere) {
+TEST(ReplaceFile, ReplacesADanglingLink) {
     const TemporaryFolder folder;
     fs::create_symlink("nowhere", folder.path() / "x");
     replace_file(folder.path() / "x", "new");

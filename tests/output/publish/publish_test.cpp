@@ -78,7 +78,7 @@ TEST(Publication, ReplacesTheEarlierReportAsAWhole) {
     EXPECT_EQ(entries_in(folder.path()), 1);
 }
 
-TEST(Publication, WhatStepsAsideLeavesTheOldOneAndGoesWithTheNextGoodOne) {
+TEST(Publication, AFailedReportStandsBesideTheGoodOneUntilTheNextGoodOne) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "out", failed = folder.path() / "out.failed";
     EXPECT_EQ(failed_beside(target), failed);
@@ -189,13 +189,13 @@ TEST(Publication, ALinkStandsForItsFolder) {
     EXPECT_EQ(read_file(folder.path() / "real" / "index.html"), "new");
 }
 
-TEST(Publication, TrailingSlashAndDotsName_TheSameFolder) {
+TEST(Publication, TrailingSlashAndDotsNameTheSameFolder) {
     const TemporaryFolder folder;
     publish(folder.path() / "x" / ".." / "out" / "", {{"index.html", "here"}});
     EXPECT_EQ(read_file(folder.path() / "out" / "index.html"), "here");
 }
 
-TEST(Publication, TwoAtOnceLeaveOneOfThemWhole) {
+TEST(Publication, OfTwoConcurrentRunsOneIsPublishedWhole) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "out";
     std::vector<pid_t> children;
@@ -245,7 +245,7 @@ TEST(Leftovers, OfDeadRunsAreSweptOthersStay) {
     EXPECT_TRUE(fs::exists(folder.path() / "out.tmp-999999999"));
 }
 
-TEST(Leftovers, AKilledProcessThatNobodyWaitedForIsDead) {
+TEST(Leftovers, AZombieProcessIsDead) {
     const pid_t child = ::fork();
     if (child == 0) ::_exit(0);
     siginfo_t state{};
@@ -256,7 +256,7 @@ TEST(Leftovers, AKilledProcessThatNobodyWaitedForIsDead) {
     EXPECT_FALSE(is_dead(1));
 }
 
-TEST(Leftovers, WhatWasMovedAsideComesBackWhenItsSuccessorNeverCame) {
+TEST(Leftovers, AReplacedFolderIsRestoredIfItsSuccessorIsMissing) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "out";
     publish(target, {{"index.html", "old"}});

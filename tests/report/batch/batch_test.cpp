@@ -59,7 +59,7 @@ TEST(Batch, ARowTakesWhatTheReportSays) {
     EXPECT_EQ(row.defects->front(), std::pair(std::string("needles"), 3.0));
 }
 
-TEST(Batch, NoDefectIsNotTheSameAsNoneLookedFor) {
+TEST(Batch, NoDefectsDifferFromNotExamined) {
     Document document = report_on_a_mesh({}, false);
     EXPECT_EQ(batch_row("a", "a", document, true).defects->size(), 0u);
     document.sections.back().status = Status::skipped;

@@ -1,4 +1,4 @@
-#include "report/page/labs.h"
+#include "report/writers.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(Labs, OnlyTheReportForTheScreenHasThemAndOnlyWithAViewer) {
     }
 }
 
-TEST(Labs, WhatIsNoSuchDataIsLeftOut) {
+TEST(Labs, MalformedDataIsSkipped) {
     const std::string tag = "<script type=\"application/x-meshfolio-lab\" data-questions=\"";
     EXPECT_EQ(labs_in(tag + "q1\">AA==</script>").size(), 1u);
     for (const char* rest : {"", "q1", "q1\">", "q1\">AA==", "q1\"><b></script>", "q1&quot;\">AA==</script>", "q1\"></script>"})

@@ -64,7 +64,7 @@ TEST(TemplateRender, ATemplateThatIncludesItselfIsRefused) {
     EXPECT_NE(usage_error_of([] { rendered("{{>report.md}}", json::object()); }).find("includes itself"), std::string::npos);
 }
 
-TEST(TemplateRender, WhatIncludesNoTemplateIsNamedWithTheNearest) {
+TEST(TemplateRender, UnknownIncludesAreNamedWithTheNearest) {
     const std::string error = usage_error_of([] { rendered("{{>/etc/passwd}}", json::object()); });
     EXPECT_TRUE(error.starts_with("report.md: {{>/etc/passwd}} includes what is no template; did you mean '")) << error;
 }

@@ -1,5 +1,5 @@
 // What is documented is there, what is there is documented.
-#include "report/page/template_tags.h"
+#include "report/writers.h"
 
 #include <gtest/gtest.h>
 

@@ -156,7 +156,7 @@ TEST(WriteHtml, AnUndecidedCheckHasItsWordAndItsReasonAndIsNoFailure) {
     EXPECT_EQ(count_of(page, "<tr class=\"not-passed\">"), 2u);
 }
 
-TEST(WriteHtml, WhereNothingFailedButSomethingIsUndecidedNothingIsStyledAsFailureNorAllClaimed) {
+TEST(WriteHtml, UndecidedChecksAloneShowNeitherFailureNorAllPassed) {
     Document document = sample_document();
     document.sections.resize(1);
     std::erase_if(document.sections[0].checks, [](const Check& check) { return check.failed(); });
@@ -233,7 +233,7 @@ TEST(WriteHtml, AMatrixHasHeadsAndItsEmptyCellsSayWhy) {
     EXPECT_EQ(count_of(page, "<p class=\"head row\">"), 2u);
 }
 
-TEST(WriteHtml, CellsBesideEachOtherThatAreEmptyForOneReasonAreOne) {
+TEST(WriteHtml, NeighbouringEmptyCellsOfOneReasonAreJoined) {
     DrawnFigures figures = sample_layouts();
     DrawnFigure& matrix = figures["q1_before_after"];
     matrix.in_a_line = 3;

@@ -5,7 +5,6 @@
 #include "report/sample_document.h"
 #include "report/svg/map_scale.h"
 #include "report/svg/plot_axis.h"
-#include "report/svg/svg_legend.h"
 #include "report/test_tools.h"
 #include "report/writers.h"
 
@@ -166,7 +165,7 @@ TEST(SvgMap, IsWellFormedWithHostileNames) {
     for (const Block& block : hostile_names.sections[0].blocks) {
         const auto* map = std::get_if<Map>(&block);
         if (!map) continue;
-        for (const std::string& svg : {svg_of(*map), svg_file_of(*map)})
+        for (const std::string& svg : {svg_of(*map), svg_on_white(svg_of(*map))})
             EXPECT_TRUE(succeeds("xmllint --noout '" + folder.write("map.svg", svg).string() + "'"));
     }
 }
@@ -217,7 +216,7 @@ TEST(SvgMap, TheMiddleIsALineBetweenItsSides) {
     EXPECT_EQ(count_of(svg_of(map), line), 0u);
 }
 
-TEST(MapScale, BothSidesOfTheMiddleAreTold) {
+TEST(MapScale, TheTwoSidesOfTheMiddleDiffer) {
     Map map = map_of({1, 2}, {1}, {-1, 1});
     map.colours = Map::Colours::diverging;
     const MapScale scale(map);
@@ -260,7 +259,7 @@ TEST(SvgMap, SaysWhatIsToBeSeen) {
     EXPECT_NE(svg.find("<desc id=\"m-desc\">what is seen</desc>"), std::string::npos);
     EXPECT_NE(svg.find("error [length] over λ [length²] and iteration"), std::string::npos);
     EXPECT_EQ(svg.find(" style=\""), std::string::npos);
-    EXPECT_NE(svg_file_of(map_of({1}, {1}, {1})).find("<?xml"), std::string::npos);
+    EXPECT_NE(svg_on_white(svg_of(map_of({1}, {1}, {1}))).find("<?xml"), std::string::npos);
 }
 
 }   // namespace

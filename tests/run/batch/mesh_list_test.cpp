@@ -73,7 +73,7 @@ TEST_F(MeshLists, WhatIsNotThereIsRefusedWithItsLine) {
     EXPECT_THROW(named({}), UsageError);
 }
 
-TEST_F(MeshLists, NoMeshMayLieWhereTheReportsGo) {
+TEST_F(MeshLists, MeshesInTheOutputFolderAreRefused) {
     EXPECT_THROW(batch_meshes({(folder / "sub/c.off").string()}, {}, folder / "sub"), UsageError);
     EXPECT_THROW(batch_meshes({(folder / "sub/c.off").string()}, {}, folder / "sub" / ".." / "sub"), UsageError);
 }

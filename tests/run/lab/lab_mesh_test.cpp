@@ -62,7 +62,7 @@ TEST(LabMesh, EveryPresetAndEveryPanelHasTheProgramsNumbers) {
 }
 
 // The report's own table of results, made by its own study.
-TEST(LabMesh, ItsGainsAreThoseOfQuestion7) {
+TEST(LabMesh, GainsEqualThoseOfQuestion7) {
     QuestionSettings settings;
     settings.noise = {0.01};
     const LabMesh lab = lab_mesh(make_sample("cube"), "cube", {{"q7", settings}});
@@ -115,7 +115,7 @@ TEST(LabPresets, APanelOpensWithTheUsersOwnSettings) {
     EXPECT_EQ(start_of("q7", own, scale, {weak, strong}), (LabSetting{"denoising", 0.1, 4, 0.003, 5}));
 }
 
-TEST(LabPresets, AMeshOfFewModesIsOfferedNoMore) {
+TEST(LabPresets, FewModesLimitThePresets) {
     TriangleMesh tetrahedron;
     tetrahedron.X.resize(4, 3);
     tetrahedron.X << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;

@@ -45,7 +45,7 @@ bool names(const std::vector<ConventionKeys>& found, const ConventionKeys& keys)
 
 /// The files of a student whose values are these.
 submission::HandedIn files_with(const Vector& values, const Reference& reference, MarkedThing what) {
-    if (what == MarkedThing::reconstruction || what == MarkedThing::smoothed) {
+    if (is_of_mesh(what)) {
         const Positions X = Eigen::Map<const Positions>(values.data(), values.size() / 3, 3);
         return {{"a.ply", encode_mesh(moved_to(reference.mesh->mesh(), X), "a.ply")}};
     }
@@ -54,39 +54,47 @@ submission::HandedIn files_with(const Vector& values, const Reference& reference
     return {{"a.csv", csv}};
 }
 
+/// A rubric of one item with its right answer, and what students get by it.
+struct OneItem {
+    explicit OneItem(const std::string& keys, const std::string& mesh = "lily.obj") : rubric(rubric_of(keys, mesh)), references(rubric) {}
+    const Rubric rubric;
+    References references;
+    const RubricItem& item = rubric.items.front();
+    const Reference& reference = references.of(item, item.settings);
+    const Vector& right = reference.right.values;
+
+    StudentMarks marks(const Vector& values) { return marks_of(files_with(values, reference, item.what), rubric, references); }
+    ItemMark mark(const submission::HandedIn& files) { return marks_of(files, rubric, references).items.front(); }
+    ItemMark mark(const Vector& values) { return marks(values).items.front(); }
+};
+
 }   // namespace
 
-TEST(Marking, WhatIsRightHasAllPoints) {
+TEST(Marking, RightAnswersHaveAllPoints) {
     for (const std::string& thing : marked_things) {
-        const Rubric rubric = rubric_of(thing);
-        References references(rubric);
-        const RubricItem& item = rubric.items.front();
-        const Reference& reference = references.of(item, item.settings);
+        OneItem one(thing);
         for (const double noise : {0.0, 1e-7}) {
-            const StudentMarks marks = marks_of(files_with((1 + noise) * reference.right.values, reference, item.what), rubric, references);
-            EXPECT_EQ(marks.items.front().verdict, Verdict::right) << thing << ": " << said_of(marks.items.front());
-            EXPECT_EQ(marks.score(), 8) << thing;
+            const ItemMark mark = one.mark((1 + noise) * one.right);
+            EXPECT_EQ(mark.verdict, Verdict::right) << thing << ": " << said_of(mark);
+            EXPECT_EQ(mark.score, 8) << thing;
         }
     }
 }
 
 TEST(Marking, EveryConventionIsNamed) {
     for (const std::string& thing : marked_things) {
-        const Rubric rubric = rubric_of(thing);
-        References references(rubric);
-        const RubricItem& item = rubric.items.front();
-        const Reference& reference = references.of(item, item.settings);
+        OneItem one(thing);
+        const RubricItem& item = one.item;
         const auto expect_named = [&](const Vector& values, const ConventionKeys& keys) {
-            if (agreement_of({values}, reference.right, item.tolerance).worst <= 2 * item.tolerance) return;   // no mistake on this mesh
-            const StudentMarks marks = marks_of(files_with(values, reference, item.what), rubric, references);
-            const ItemMark& mark = marks.items.front();
+            if (agreement_of({values}, one.reference.right, item.tolerance).worst <= 2 * item.tolerance) return;   // none on this mesh
+            const ItemMark mark = one.mark(values);
             EXPECT_EQ(mark.verdict, Verdict::recognised) << thing << ": " << keys.front();
             EXPECT_TRUE(names(mark.conventions, keys)) << thing << ": " << keys.front() << ": " << said_of(mark);
             EXPECT_EQ(mark.score, 4);
         };
         for (const ValueConvention& convention : value_conventions(item.what))
-            if (convention.keys.size() == 1) expect_named(convention.apply(reference.right.values), convention.keys);
-        const std::vector<Variant>& variants = references.variants_of(item, item.settings);
+            if (convention.keys.size() == 1) expect_named(convention.apply(one.right), convention.keys);
+        const std::vector<Variant>& variants = one.references.variants_of(item, item.settings);
         EXPECT_FALSE(variants.empty()) << thing;
         for (const Variant& variant : variants)
             if (variant.values.allFinite() || item.what != MarkedThing::smoothed) expect_named(variant.values, {variant.key});
@@ -95,10 +103,9 @@ TEST(Marking, EveryConventionIsNamed) {
 
 TEST(Marking, TheListedMistakesAreKnownWhereTheyCanBeMade) {
     const auto known = [](const std::string& thing, const std::string& key) {
-        const Rubric rubric = rubric_of(thing);
-        References references(rubric);
-        const RubricItem& item = rubric.items.front();
-        return std::ranges::any_of(references.variants_of(item, item.settings), [&](const Variant& variant) { return variant.key == key; });
+        OneItem one(thing);
+        const std::vector<Variant>& variants = one.references.variants_of(one.item, one.item.settings);
+        return std::ranges::find(variants, key, &Variant::key) != variants.end();
     };
     for (const std::string& thing : marked_things) {
         const bool is_smoothed = thing.find("smoothed") != std::string::npos, is_uniform = thing.find("\"uniform\"") != std::string::npos;
@@ -112,33 +119,24 @@ TEST(Marking, TheListedMistakesAreKnownWhereTheyCanBeMade) {
 }
 
 TEST(Marking, ASignThatMakesAnImplicitStepIndefiniteIsNamed) {
-    const Rubric rubric = rubric_of("what = \"smoothed\"\nscheme = \"implicit\"\nlambda = 5\niterations = 3");
-    References references(rubric);
-    const RubricItem& item = rubric.items.front();
-    const Reference& reference = references.of(item, item.settings);
-    const TriangleMesh& mesh = reference.mesh->mesh();
+    OneItem one("what = \"smoothed\"\nscheme = \"implicit\"\nlambda = 5\niterations = 3");
+    const TriangleMesh& mesh = one.reference.mesh->mesh();
     const LaplaceBeltrami L = laplace_operator(mesh, OperatorKind::cotan);
     const double lambda = 5 * largest_stable_step(largest_eigenvalue(L));
     const Eigen::MatrixXd system = Eigen::MatrixXd(L.M.asDiagonal()) + lambda * Eigen::MatrixXd(L.C);   // dense, with pivots
     const Eigen::PartialPivLU<Eigen::MatrixXd> factor(system);
     Eigen::MatrixXd X = mesh.X;
     for (int i = 0; i < 3; ++i) X = factor.solve((L.M.asDiagonal() * X).eval()).eval();
-    const Positions rows = X;
-    const Vector values = Eigen::Map<const Vector>(rows.data(), rows.size());
-    EXPECT_TRUE(
-        names(marks_of(files_with(values, reference, item.what), rubric, references).items.front().conventions, {"lambda_negated"}));
+    EXPECT_TRUE(names(one.mark(flat(X)).conventions, {"lambda_negated"}));
 }
 
-TEST(Marking, DigitsThatAreLeftOutCostNothing) {
-    const Rubric rubric = rubric_of("what = \"H_uniform\"\naccept = \"negated\"");
-    References references(rubric);
-    const RubricItem& item = rubric.items.front();
-    const Vector& right = references.of(item, item.settings).right.values;
+TEST(Marking, RoundedDigitsCostNothing) {
+    OneItem one("what = \"H_uniform\"\naccept = \"negated\"");
     const auto mark_with = [&](double factor, int decimals) {
         std::ostringstream csv;
         csv << "v\n" << std::fixed << std::setprecision(decimals);
-        for (const double value : right) csv << factor * value << "\n";
-        return marks_of({{"a.csv", csv.str()}}, rubric, references).items.front();
+        for (const double value : one.right) csv << factor * value << "\n";
+        return one.mark({{"a.csv", csv.str()}});
     };
     for (const int decimals : {6, 9, 17}) {
         EXPECT_EQ(mark_with(1, decimals).verdict, Verdict::right) << decimals << ": " << said_of(mark_with(1, decimals));
@@ -150,100 +148,77 @@ TEST(Marking, DigitsThatAreLeftOutCostNothing) {
 }
 
 TEST(Marking, FilesAreFoundInAnyCaseAndAreNoLargerThanAnAnswer) {
-    const Rubric rubric = rubric_of("what = \"H\"\nfile = \"q1_*.csv\"");
-    References references(rubric);
-    const RubricItem& item = rubric.items.front();
-    const std::string table =
-        files_with(references.of(item, item.settings).right.values, references.of(item, item.settings), item.what).at("a.csv");
-    const auto mark_of = [&](const submission::HandedIn& files) { return marks_of(files, rubric, references).items.front(); };
-    EXPECT_EQ(mark_of({{"Q1_LILY.CSV", table}}).verdict, Verdict::right);
-    EXPECT_EQ(mark_of({{"Q1_OLD.CSV", "H\n"}, {"q1_lily.csv", table}}).verdict, Verdict::right) << "as it is asked for comes first";
-    EXPECT_EQ(mark_of({{"q1_lily.csv", table + std::string(std::size_t{1} << 23, '\n')}}).verdict, Verdict::unusable);
+    OneItem one("what = \"H\"\nfile = \"q1_*.csv\"");
+    const std::string table = files_with(one.right, one.reference, one.item.what).at("a.csv");
+    EXPECT_EQ(one.mark({{"Q1_LILY.CSV", table}}).verdict, Verdict::right);
+    EXPECT_EQ(one.mark({{"Q1_OLD.CSV", "H\n"}, {"q1_lily.csv", table}}).verdict, Verdict::right) << "as it is asked for comes first";
+    EXPECT_EQ(one.mark({{"q1_lily.csv", table + std::string(std::size_t{1} << 23, '\n')}}).verdict, Verdict::unusable);
 }
 
 TEST(Marking, AnotherChoiceOfEqualModesIsRight) {
     for (const int k : {2, 3}) {   // of three with the eigenvalue in places 1 to 3: nearly the coordinates
-        const Rubric rubric = rubric_of("what = \"reconstruction\"\nk = " + std::to_string(k) + "\n", "cube.obj");
-        References references(rubric);
-        const RubricItem& item = rubric.items.front();
-        const Reference& reference = references.of(item, item.settings);
-        ASSERT_TRUE(reference.equal.has_value());
-        const EqualModes& equal = *reference.equal;
+        OneItem one("what = \"reconstruction\"\nk = " + std::to_string(k) + "\n", "cube.obj");
+        ASSERT_TRUE(one.reference.equal.has_value());
+        const EqualModes& equal = *one.reference.equal;
         ASSERT_EQ(equal.modes.cols(), 3);
         const Eigen::Matrix3d some = (Eigen::Matrix3d() << 1, 2, 3, -1, 1, 4, 2, 0, 1).finished(),
                               turn = some.householderQr().householderQ();
         const DenseMatrix modes = equal.modes * turn;
         const auto verdict_of = [&](Eigen::Index taken) {
             const DenseMatrix chosen = modes.leftCols(taken);
-            const Positions X = equal.below + chosen * (chosen.transpose() * equal.M.asDiagonal() * equal.X);
-            const Vector values = Eigen::Map<const Vector>(X.data(), X.size());
-            return marks_of(files_with(values, reference, item.what), rubric, references).items.front().verdict;
+            return one.mark(flat(equal.below + chosen * (chosen.transpose() * equal.M.asDiagonal() * equal.X))).verdict;
         };
         for (const int taken : {0, 1, 2, 3}) EXPECT_EQ(verdict_of(taken) == Verdict::right, taken == equal.taken) << k << ": " << taken;
     }
 }
 
 TEST(Marking, RowsMayComeInAnyOrderWhereTheyNameTheirVertex) {
-    const Rubric rubric = rubric_of("what = \"K\"");
-    References references(rubric);
-    const RubricItem& item = rubric.items.front();
-    const Vector& right = references.of(item, item.settings).right.values;
+    OneItem one("what = \"K\"");
     const auto verdict_with = [&](int first, bool twice) {
         std::string csv = "vertex,v\n";
-        for (Eigen::Index i = right.size() - 1; i >= 0; --i)
-            csv += std::to_string(twice ? i / 2 : i + first) + "," + exact_text(right[i]) + "\n";
-        return marks_of({{"a.csv", csv}}, rubric, references).items.front().verdict;
+        for (Eigen::Index i = one.right.size() - 1; i >= 0; --i)
+            csv += std::to_string(twice ? i / 2 : i + first) + "," + exact_text(one.right[i]) + "\n";
+        return one.mark({{"a.csv", csv}}).verdict;
     };
     EXPECT_EQ(verdict_with(0, false), Verdict::right);
     EXPECT_EQ(verdict_with(1, false), Verdict::right);
     EXPECT_EQ(verdict_with(0, true), Verdict::wrong);
 }
 
-TEST(Marking, WhatIsWrongIsNotExcused) {
+TEST(Marking, WrongAnswersAreNotRecognised) {
     for (const std::string& thing : marked_things) {
-        const Rubric rubric = rubric_of(thing);
-        References references(rubric);
-        const RubricItem& item = rubric.items.front();
-        const Reference& reference = references.of(item, item.settings);
-        Vector values = reference.right.values;
+        OneItem one(thing);
+        Vector values = one.right;
         for (Eigen::Index i = 0; i < values.size(); ++i) values[i] *= 1 + 0.1 * (i % 7);
-        const StudentMarks marks = marks_of(files_with(values, reference, item.what), rubric, references);
-        EXPECT_EQ(marks.items.front().verdict, Verdict::wrong) << thing << ": " << said_of(marks.items.front());
-        EXPECT_EQ(marks.score(), 0) << thing;
+        const ItemMark mark = one.mark(values);
+        EXPECT_EQ(mark.verdict, Verdict::wrong) << thing << ": " << said_of(mark);
+        EXPECT_EQ(mark.score, 0) << thing;
     }
 }
 
 TEST(Marking, TrianglesTurnedRoundAreNamed) {
-    const Rubric rubric = rubric_of("what = \"reconstruction\"\nk = 6");
-    References references(rubric);
-    const RubricItem& item = rubric.items.front();
-    const Reference& reference = references.of(item, item.settings);
-    if (reference.mesh->prepared->preflight.flipped_faces > 0) GTEST_SKIP() << "the file itself is turned";
-    TriangleMesh turned = reference.mesh->mesh();
-    turned.X = Eigen::Map<const Positions>(reference.right.values.data(), turned.X.rows(), 3);
+    OneItem one("what = \"reconstruction\"\nk = 6");
+    if (one.reference.mesh->prepared->preflight.flipped_faces > 0) GTEST_SKIP() << "the file itself is turned";
+    TriangleMesh turned = one.reference.mesh->mesh();
+    turned.X = Eigen::Map<const Positions>(one.right.data(), turned.X.rows(), 3);
     turned.F.col(1).swap(turned.F.col(2));
-    const StudentMarks marks = marks_of({{"a.ply", encode_mesh(turned, "a.ply")}}, rubric, references);
-    EXPECT_TRUE(names(marks.items.front().conventions, {"reversed_faces"})) << said_of(marks.items.front());
+    const ItemMark mark = one.mark({{"a.ply", encode_mesh(turned, "a.ply")}});
+    EXPECT_TRUE(names(mark.conventions, {"reversed_faces"})) << said_of(mark);
 }
 
-TEST(Marking, WhatCannotBeUsedIsSaidOfItsItem) {
-    const Rubric rubric = rubric_of("what = \"H\"");
-    References references(rubric);
-    const auto verdict = [&](const submission::HandedIn& files) { return marks_of(files, rubric, references).items.front().verdict; };
+TEST(Marking, UnusableFilesAreReportedWithTheirItem) {
+    OneItem one("what = \"H\""), of_mesh("what = \"smoothed\"");
+    const auto verdict = [&](const submission::HandedIn& files) { return one.mark(files).verdict; };
     EXPECT_EQ(verdict({}), Verdict::missing);
     EXPECT_EQ(verdict({{"a.csv", ""}}), Verdict::unusable);
     EXPECT_EQ(verdict({{"a.csv", "w\n1\n"}}), Verdict::unusable);
     EXPECT_EQ(verdict({{"a.csv", "v\n1\n"}}), Verdict::unusable) << "too few rows";
-    const Rubric of_mesh = rubric_of("what = \"smoothed\"");
-    References others(of_mesh);
-    EXPECT_EQ(marks_of({{"a.ply", "ply\nformat ascii 1.0\nelement vertex 999999999\n"}}, of_mesh, others).items.front().verdict,
-              Verdict::unusable);
+    EXPECT_EQ(of_mesh.mark({{"a.ply", "ply\nformat ascii 1.0\nelement vertex 999999999\n"}}).verdict, Verdict::unusable);
 }
 
 TEST(Marking, NumbersStandInTheAnswers) {
-    const Rubric rubric = rubric_of("what = \"number\"\naccept = \"negated\"");
-    References references(rubric);
-    const auto mark_for = [&](const std::string& answers) { return marks_of({{answers_file, answers}}, rubric, references).items.front(); };
+    OneItem one("what = \"number\"\naccept = \"negated\"");
+    const auto mark_for = [&](const std::string& answers) { return one.mark({{answers_file, answers}}); };
     EXPECT_EQ(mark_for("a = 3").score, 8);
     EXPECT_EQ(mark_for("[a]\nvalue = -3.0").verdict, Verdict::accepted);
     EXPECT_EQ(mark_for("a = 6").conventions, std::vector<ConventionKeys>{{"doubled"}});
@@ -264,14 +239,10 @@ TEST(Marking, EveryConventionHasItsSentence) {
     }
 }
 
-TEST(Marking, PagesAndTablesSayIt) {
-    const Rubric rubric = rubric_of("what = \"K\"");
-    References references(rubric);
-    const RubricItem& item = rubric.items.front();
-    const Reference& reference = references.of(item, item.settings);
-    StudentMarks wrong = marks_of(files_with(3 * reference.right.values, reference, item.what), rubric, references);
-    StudentMarks right = marks_of(files_with(reference.right.values, reference, item.what), rubric, references);
-    StudentMarks refused;
+TEST(Marking, PagesAndTablesShowTheMarks) {
+    OneItem one("what = \"K\"");
+    const Rubric& rubric = one.rubric;
+    StudentMarks wrong = one.marks(3 * one.right), right = one.marks(one.right), refused;
     wrong.id = "eve", right.id = "ada", refused.id = "bob";
     right.source = "=ada<b>", refused.refused = "is a link";
     const report::Templates templates;

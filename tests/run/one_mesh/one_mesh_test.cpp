@@ -22,7 +22,7 @@ PreparedMesh prepared_tetrahedron() { return prepare_mesh({meshfolio::testing::t
 
 }   // namespace
 
-TEST(OneMesh, DiffersFromItselfInNothing) {
+TEST(OneMesh, ComparedWithItselfEveryDifferenceIsZero) {
     const TriangleMesh mesh = meshfolio::testing::tetrahedron();
     const Difference difference = difference_of(mesh, mesh);
     EXPECT_TRUE(difference.same_triangles);
@@ -51,7 +51,7 @@ TEST(OneMesh, DiffersFromAnotherAsItDidWhereTheirTrianglesAreTheSame) {
     EXPECT_LT(surfaces.at("rms").get<double>(), json.at("rms").get<double>());
 }
 
-TEST(OneMesh, DiffersFromASurfaceWithOtherTriangles) {
+TEST(OneMesh, MeshesWithOtherTrianglesAreComparedAsSurfaces) {
     const TriangleMesh a = meshfolio::testing::tetrahedron();
     TriangleMesh open = a;
     open.F.conservativeResize(3, 3);
@@ -67,7 +67,7 @@ TEST(OneMesh, DiffersFromASurfaceWithOtherTriangles) {
 }
 
 // The half-sized copy beside the mesh is as small as it is, and has the colours of the common range.
-TEST(OneMesh, OfAPairIsDrawnAtOneScaleInOneRange) {
+TEST(OneMesh, APairIsDrawnAtOneScaleAndInOneColourRange) {
     const PreparedMesh whole = prepared_tetrahedron(), half = prepare_mesh({moved_to(whole.mesh, 0.5 * whole.mesh.X), "half.obj", {}, {}});
     const Field of_whole = field_of(whole, "x"), of_half = field_of(half, "x");
     PictureRequest request{.views = views_named("+z,hero")};
@@ -101,7 +101,7 @@ TEST(OneMesh, HasAColumnForEachCurvatureAskedFor) {
     EXPECT_TRUE(names(OperatorKind::idt_original_mass, false).contains("h_idt_original_mass"));
 }
 
-TEST(OneMesh, IsInspectedAndItsProgressMayEndThat) {
+TEST(OneMesh, InspectionEndsWhenProgressThrows) {
     std::vector<std::string> told;
     const Inspection inspection =
         inspect_mesh(prepared_tetrahedron(), OperatorKind::cotan, [&](std::string_view what) { told.emplace_back(what); });

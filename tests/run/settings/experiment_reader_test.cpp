@@ -1,4 +1,4 @@
-#include "run/settings/experiment_reader.h"
+#include "run/settings/settings_reader.h"
 
 #include <gtest/gtest.h>
 
