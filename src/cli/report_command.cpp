@@ -159,14 +159,15 @@ ExitCode run_report(const ReportFlags& flags) {
         kept.tell_efforts(document.provenance.settings);
         submission::cite(document, own_source());
         document.timings.push_back({"all questions", seconds_since(whole)});
-        const Clock::time_point drawing = Clock::now();
+        const Clock::time_point drawing_began = Clock::now();
         const fs::path& folder = publication.folder();
         auto [figures, appendix] =
             drawn(requests_of(results, cover, document), draw_settings(settings), folder, display, [&](report::DrawnFigures& of_appendix) {
                 add_stored_figures(results, cover, of_appendix);
                 return paper.begin(report::Volume::appendix, document, of_appendix, store.get(), folder);
             });
-        document.timings.push_back({"drawing", seconds_since(drawing)});
+        const report::DrawnFigures& figures = drawing.figures;
+        document.timings.push_back({"drawing", seconds_since(drawing_began)});
         document.timings.push_back({"up to writing", seconds_since(whole)});
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
         report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.page.design};
@@ -178,7 +179,7 @@ ExitCode run_report(const ReportFlags& flags) {
                 write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder);
             },
             [&] { write_file(folder / "src.txt", own_source().text()); });
-        notes = {paper_copy.get(), appendix.get()};
+        notes = {paper_copy.get(), drawing.appendix.get()};
         const auto digests = stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr);
         published = publish_report(publication, document, digests, settings, flags.junit);
         display.milestone("report written in " + plain_text(seconds_since(whole), 3) + " s");
