@@ -106,13 +106,6 @@ report::Text rule(const Studies& studies) {
                                                "error"_a = error));
 }
 
-void add_discussion(report::Section& section, const Studies& studies) {
-    add_words(section, words, "discussion");
-    add_paragraphs(section, {about_laws(studies)});
-    for (const ModeStudy& study : studies) add_paragraphs(section, {about_gap(study), about_costs(study)});
-    add_paragraphs(section, {rule(studies)});
-}
-
 void add_timings(report::Section& section, const ModeStudy& study) {
     for (const TriedWay& run : study.tried)
         section.timings.push_back({words.line("timing", "scheme"_a = scheme_name(run.way.scheme), "steps"_a = run.way.steps,
@@ -163,7 +156,10 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         add_timings(section, study);
     }
     add(section, crossing_table(studies));
-    add_discussion(section, studies);
+    add_words(section, words, "discussion");
+    add_paragraphs(section, {about_laws(studies)});
+    for (const ModeStudy& study : studies) add_paragraphs(section, {about_gap(study), about_costs(study)});
+    add_paragraphs(section, {rule(studies)});
     for (const ModeStudy& study : studies) add_checks(section, study);
 
     section.parameters = {{"operator", words.line("parameter.operator")},

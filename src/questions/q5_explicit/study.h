@@ -54,7 +54,7 @@ inline const std::vector<double> own_steps{0.05, 0.5, 0.95, 1.05, 2.0};
 /// Of every step.
 int iterations_of(const QuestionSettings& settings);
 
-/// With the steps of the settings, else with its own.
+/// Uses the steps of the settings, else own_steps.
 ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings);
 
 /// Does a step of λ leave the sign of every mode (λμ_max ≤ 1, half the limit)?
