@@ -116,7 +116,7 @@ struct StepRow {
     const SmoothingMaps& maps;
     std::size_t step;
 
-    /// Where it lies within the plane.
+    /// The predicted iteration, if it lies within the plane.
     report::Cell predicted(const GrowingModes* modes) const {
         const double iteration = modes ? modes->blow_up(maps.lambdas[step]) : undefined;
         return cell_of(iteration, iteration <= maps.iterations.back());

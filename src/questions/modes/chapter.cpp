@@ -72,7 +72,7 @@ report::Text about_costs(const ModeStudy& study) {
     return t;
 }
 
-/// Where one way of smoothing becomes the cheaper one, over all meshes.
+/// The energies where one way of smoothing becomes cheaper, over all meshes.
 struct Border {
     std::string where;   // "between 5 % and 12 % of the energy", "at 5 % of the energy"; empty where there is no border on any mesh
     int never = 0, everywhere = 0;   // meshes on which it is nowhere, and at every energy looked at, the cheaper one

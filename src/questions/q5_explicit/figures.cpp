@@ -44,7 +44,7 @@ std::string on_sharp_edges(const Studies& studies) {
     return sharp ? " " + words.line("figure.sharp") : "";
 }
 
-/// Likewise where a few vertices set the limit.
+/// What a caption says where a few vertices set the limit.
 std::string on_rings(const Studies& studies) {
     const Names ringed = names_where(studies, [](auto& study) { return study.recommended && !limiting_spot(study).empty(); });
     return ringed.empty() ? "" : " " + words.line("figure.ring", "meshes"_a = listed(ringed));

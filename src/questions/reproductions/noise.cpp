@@ -24,7 +24,7 @@ output::Panel panel_at(const Reproduction& r, const NoisyExperiment& done, const
     return panel_of(moved_to(mesh.mesh(), X), std::move(name), std::move(label), colours_of(mesh, r.experiment.colours.front(), X));
 }
 
-/// Of each level of noise the noisy mesh, and each run at the experiment's iterations.
+/// Shows for each noise level the noisy mesh and each run at the experiment's iterations.
 void add_denoising_figure(const Reproduction& r, const NoisyExperiment& done, std::size_t m) {
     const Experiment& e = r.experiment;
     output::FigureRequest figure = figure_on(r, done.meshes[m], "original");
@@ -112,7 +112,7 @@ struct Reached {
     int iteration;
 };
 
-/// Of a curve the end, else the iterations of the experiment as far as the run went.
+/// Takes the end of an error curve, else the iterations of the experiment that the run reached.
 std::vector<Reached> reached_by(const NoisyExperiment& done, const Experiment& e) {
     std::vector<Reached> rows;
     for (const NoisyRun& run : done.runs) {

@@ -138,7 +138,7 @@ void tell_runs(report::Text& text, const Runs& runs, std::string_view what) {
                          "blown"_a = blown.size(), "ends"_a = blown.empty() ? "" : ends_text(blown)));
 }
 
-/// Of runs beyond the limit that ended whole with less energy: how far the top mode, for which λμ_max = 2λ/λ_crit, grew in them.
+/// Tells how far the top mode (λμ_max = 2λ/λ_crit) grew in runs beyond the limit that ended with less energy.
 void tell_hidden_growth(report::Text& text, const Runs& beyond) {
     Runs hidden;
     for (const ExperimentRun* run : beyond)
