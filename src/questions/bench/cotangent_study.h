@@ -6,7 +6,7 @@
 
 namespace meshfolio {
 
-/// One way of building the operator, on one mesh.
+/// One variant of the operator on one mesh.
 struct OperatorVariant {
     std::string name;             // "clamped"
     int negative_inside = 0;      // edges with a negative weight, not on the boundary
@@ -17,7 +17,7 @@ struct OperatorVariant {
     double boundary = 0;          // largest ½‖Lx‖ on the boundary, where it is no curvature [1 / mean edge]
 };
 
-/// Both estimates on one mesh, barycentric areas.
+/// Uniform and cotangent H on one mesh, with barycentric areas.
 struct CotangentComparison {
     CurvatureSubject subject;
     Vector uniform, cotangent, difference;         // scaled uniform H, cotangent H, cotangent − uniform [1/length]

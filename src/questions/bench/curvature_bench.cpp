@@ -43,7 +43,7 @@ EstimateError error_of(const Vector& estimate, const Vector& truth, const Vector
     return error;
 }
 
-/// Of the tenth of the vertices where `error` is largest, the share in the tenth where `indicator` is. Both without NaN.
+/// The share of the 10 % largest errors that are among the 10 % largest indicators. No NaN in either.
 double share_found(const Vector& error, const Vector& indicator) {
     const auto n = error.size();
     const std::size_t tenth = std::max<std::size_t>(1, n / 10);

@@ -25,7 +25,7 @@ struct Order {
     double exponent = 0;   // NaN with fewer than two positive errors, or where the finest is rounding
     double margin = 0;     // half the 95 % confidence interval of the slope; NaN with fewer than three
 
-    /// Also where it is exact. Below order ½ it takes four halvings of the edges to halve the error twice.
+    /// True also where it is exact. Below order ½ halving the edges four times halves the error less than twice.
     bool converges() const { return !(exponent < 0.5); }
 };
 /// "1.98 ± 0.01", or "exact" where there is none for the error being rounding.
@@ -35,7 +35,7 @@ std::string words_of(const Order& order);
 struct ErrorHistory {
     std::vector<double> mean_edges, errors;   // coarse to fine
 
-    /// Of the meshes that the order is of.
+    /// The first error of the meshes that give the order.
     double first() const { return errors[errors.size() > 3 ? errors.size() - 3 : 0]; }
     double last() const { return errors.back(); }
     Order order() const;
@@ -69,7 +69,7 @@ struct BenchLevel {
     const EstimateError& error(std::string_view key) const { return errors.at(key); }
 };
 BenchLevel measured(const BenchMesh& mesh);
-/// On random points of the ellipsoid with half axes 1.5, 1 and 0.7, where others measured too.
+/// Measures on random points of the ellipsoid with half axes 1.5, 1 and 0.7, as others have done.
 BenchLevel reference_level(int points, std::uint64_t seed);
 
 /// One surface in one kind of mesh, coarse to fine.
@@ -96,10 +96,10 @@ const BenchRun& run_on(const BenchRuns& runs, std::string_view surface, MeshKind
 
 /// Relative error of barycentric H at a flat regular pentagon: the L∞ error on the icosphere stalls there, at twelve vertices.
 double pentagon_excess();
-/// That the finest icosphere stalls there.
+/// Checks that the error on the finest icosphere is that of the pentagons.
 report::Check pentagon_check(const BenchRuns& runs);
 
-/// Of questions 1 and 3: sphere, ellipsoid and torus, regular and jittered, up to 10 000 vertices.
+/// Runs for questions 1 and 3: sphere, ellipsoid and torus, regular and jittered, up to 10 000 vertices.
 inline constexpr std::array question_kinds{MeshKind::regular, MeshKind::jittered};
 std::vector<KnownSurface> question_surfaces();
 /// L2 errors of two estimators, given with the messages that name their curves: a panel a surface, jittered meshes dashed.
@@ -108,7 +108,7 @@ report::Plot convergence_plot(std::string id, const report::Words& words, const 
 std::vector<int> refinement_levels(bool quick);   // coarse to fine: four, or three for a quick look
 BenchRuns question_runs(const QuestionSettings& settings, const Progress& progress);
 
-/// Of the ground-truth panel: all surfaces, four refinements of up to 17 000 vertices, or three for a quick look.
+/// Runs for the ground-truth panel: all surfaces, four refinements up to 17 000 vertices, quick: three.
 inline constexpr std::array panel_kinds{MeshKind::regular, MeshKind::random, MeshKind::noisy, MeshKind::anisotropic};
 BenchRuns panel_runs(std::uint64_t seed, bool quick, const Progress& progress);
 

@@ -44,7 +44,7 @@ double rank_correlation(const Vector& a, const Vector& b);
 
 /// Values of a mesh in percent of ± `range`, as a panel that fits into one frame with meshes of any size: in the unit ball.
 output::Panel relative_panel(const CurvatureSubject& subject, std::string name, std::string label, const Vector& values, double range);
-/// Of figures of such panels: ±100 %, diverging. What each clips its label says: beyond_words().
+/// The diverging range ±100 % of figures of such panels. Each label says what is clipped: beyond_words().
 output::ColorRange relative_range(std::string quantity);
 /// The share of the finite values beyond ± `range`; for labels ", 4.1 % beyond", or nothing where none is.
 double share_beyond(const Vector& values, double range);

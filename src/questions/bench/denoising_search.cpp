@@ -21,7 +21,7 @@ std::vector<double> geometric(double low, double high, int count) {
 
 bool is_bound_by_stability(DenoisingMethod method) { return method == DenoisingMethod::explicit_flow || method == DenoisingMethod::taubin; }
 
-/// One run, every state looked at.
+/// Runs one parameter and measures every state.
 void run_with(const SearchInput& input, double value, const SearchPlan& plan,
               const std::function<bool(const SearchState&, const Positions&)>& after_state, ImplicitSolver& solver, SearchResult& result) {
     DenoisingOptions options;

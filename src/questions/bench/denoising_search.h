@@ -33,7 +33,7 @@ SearchPlan search_plan(DenoisingMethod method, const SearchBudget& budget, doubl
 /// "λ = 0.16 h̄²", "λ = 0.9 λ_crit", "pass band 0.1", "σ_r = 0.35".
 std::string parameter_words(DenoisingMethod method, double value);
 
-/// One state met on the way; step 0 is the noisy mesh itself, whose parameter means nothing.
+/// One state of a run; step 0 is the noisy mesh, whose parameter has no meaning.
 struct SearchState {
     double value = 0;   // in the plan's unit
     int step = 0;

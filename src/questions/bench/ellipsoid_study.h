@@ -23,7 +23,7 @@ struct OracleErrors {
     int points = 0;
 };
 
-/// On five ellipsoids, a sphere among them.
+/// Measures the errors on five ellipsoids, one of them a sphere.
 std::vector<OracleErrors> all_oracle_errors(const QuestionSettings& settings);
 
 /// The point (a, 0, 0), that is (u, v) = (0, π/2).

@@ -38,7 +38,7 @@ double angle_of_fan(const TriangleMesh& mesh, const Edge& edge, const std::vecto
     return worst;
 }
 
-/// Of every edge with two faces or more, in order; triangles without a normal have none.
+/// The angle at every edge with two faces or more, in order; triangles without a normal give none.
 std::vector<EdgeAngle> edge_angles(const TriangleMesh& mesh, const MeshTopology& topology) {
     const Positions N = face_normals(mesh);
     const auto has_area = [&](int f) { return !N.row(f).isZero(0); };

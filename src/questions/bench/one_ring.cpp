@@ -25,7 +25,7 @@ DiagramPoint between(DiagramPoint p, DiagramPoint q) { return {(p[0] + q[0]) / 2
 double squared_length(DiagramPoint p) { return p[0] * p[0] + p[1] * p[1]; }
 double dot_product(DiagramPoint p, DiagramPoint q) { return p[0] * q[0] + p[1] * q[1]; }
 
-/// Of the triangle 0, p, q.
+/// The circumcentre of the triangle 0, p, q.
 DiagramPoint circumcentre(DiagramPoint p, DiagramPoint q) {
     const double d = 2 * (p[0] * q[1] - p[1] * q[0]), pp = squared_length(p), qq = squared_length(q);
     return {(q[1] * pp - p[1] * qq) / d, (p[0] * qq - q[0] * pp) / d};
@@ -61,7 +61,7 @@ double unevenness(const FlatRing& ring) {
     return std::hypot(x, y) / edges;
 }
 
-/// Of the rings with so many obtuse triangles that with the largest `measure`.
+/// Finds the ring with the largest `measure` among those with this many obtuse triangles.
 SampleRing ring_in_a_plane(int obtuse_triangles, double (*measure)(const FlatRing&)) {
     SampleRing sample{grid_mesh(12, 12, 11, 11), {}};
     for (auto x : sample.mesh.X.rowwise()) x = Eigen::RowVector3d(x[0] - 0.5 * x[1], std::sqrt(0.75) * x[1], 0);   // equal sides

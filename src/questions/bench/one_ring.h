@@ -45,11 +45,11 @@ struct SampleRing {
     MeshTopology topology;
     int vertex = 0;
 };
-/// On an icosahedron whose vertices were moved along the sphere, that with the largest tangential share of Δx.
+/// The ring with the largest tangential share of Δx on an icosahedron with vertices moved along the sphere.
 SampleRing ring_on_a_sphere();
-/// In a flat mesh of equilateral triangles whose vertices were moved within it: of the rings with one obtuse triangle, the most obtuse.
+/// The most obtuse ring with one obtuse triangle, in a flat equilateral mesh with vertices moved within it.
 SampleRing obtuse_ring_in_a_plane();
-/// In the same mesh: of the rings without obtuse triangle that whose mean is farthest from its vertex, in edges.
+/// The ring of the same mesh without obtuse triangle whose mean is farthest from its vertex, in edges.
 SampleRing uneven_ring_in_a_plane();
 
 }   // namespace meshfolio

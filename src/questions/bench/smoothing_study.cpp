@@ -17,7 +17,7 @@ double mode_amplitude(const SmoothingSubject& subject, const Positions& X) {
     return ((X.rowwise() - subject.mesh().X.row(0)).transpose() * weights).norm();
 }
 
-/// Of the boxes of the input.
+/// The width of X in boxes of the input.
 double boxes_wide(const SmoothingSubject& subject, const Positions& X) {
     return bounding_box(moved_to(subject.mesh(), X)).diagonal() / subject.diagonal;
 }
@@ -36,7 +36,7 @@ public:
           all_closed_((volume_.array() > 0).all()),
           spread_(spreads(mesh_.X)) {}
 
-    /// Of the component that has lost most; NaN once positions are no numbers.
+    /// The size left of the component that lost most; NaN once positions are not finite.
     double kept(const Positions& X) const {
         const Vector volume = volumes(X), spread = all_closed_ ? spread_ : spreads(X);
         double least = infinity;
@@ -63,7 +63,7 @@ private:
         return component;
     }
 
-    /// Each seen from a corner of its own; they mean something where it is closed.
+    /// Measures each component from a corner of its own; meaningful for closed ones.
     Vector volumes(const Positions& X) const {
         Vector six_volumes = Vector::Zero(topology_.component_count);
         std::vector<int> seen_from(topology_.component_count, -1);

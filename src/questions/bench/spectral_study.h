@@ -33,7 +33,7 @@ struct SpectralStudy : OnMesh {
 /// The k of the settings, else those of the assignment, 5, 15 and large, with steps in between; of n modes.
 std::vector<int> mode_counts(const QuestionSettings& settings, int n);
 
-/// From one eigensolve, for the k of the settings or else those of the assignment, 5, 15 and large, with steps in between.
+/// Solves once for the k of the settings, else 5, 15 and large as in the assignment, with steps between.
 SpectralStudy spectral_study(SharedMesh source, const QuestionSettings& settings);
 
 /// Smallest k whose error is at most `share` of the box diagonal; 0 when no k that was computed reaches it.

@@ -25,7 +25,7 @@ MistakeErrors mistakes_at(const SpectralStudy& study, const Spectrum& edge_norma
     return row;
 }
 
-/// None where negative or missing weights leave the operator without a spectrum.
+/// Returns no modes where negative or missing weights leave the operator without a spectrum.
 Spectrum modes_if_any(const LaplaceBeltrami& laplacian, int k) try {
     return smallest_eigenpairs(laplacian, k);
 } catch (const SolverError&) {

@@ -19,10 +19,10 @@ std::vector<MistakeErrors> mistake_study(const SpectralStudy& study, bool quick)
 
 // ---- thin parts -----------------------------------------------------------------------------------------------------------
 
-/// Of the box diagonal: an error that is seen in a picture of the whole mesh.
+/// An error of this share of the box diagonal is visible in a picture of the whole mesh.
 inline constexpr double seen_error = 0.01;
 
-/// Of one reconstruction: rms over the area of the vertices concerned. [length]
+/// Errors of one reconstruction on thin and thick parts: rms over the area of their vertices. [length]
 struct LimbErrors {
     int k = 0;
     double thin = 0, thick = 0;   // the thinnest and the thickest quarter of the area

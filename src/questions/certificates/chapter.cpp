@@ -122,12 +122,6 @@ report::Text about_faults(const std::vector<FaultTrial>& trials, const Specimen&
     return t;
 }
 
-void add_discussion(report::Section& section, const std::vector<Certified>& meshes, const std::vector<FaultTrial>& trials,
-                    const Specimen& specimen) {
-    add_words(section, words, "discussion");
-    add_paragraphs(section, {about_spectra(meshes), about_faults(trials, specimen)});
-}
-
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
@@ -142,7 +136,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, {"method", "results"});
     add(section, spectrum_table(meshes), operator_table(meshes), fault_table(trials));
     add_checks(section, meshes, trials);
-    add_discussion(section, meshes, trials, specimen);
+    add_words(section, words, "discussion");
+    add_paragraphs(section, {about_spectra(meshes), about_faults(trials, specimen)});
 
     section.parameters["modes"] = meshes.front().modes;
     section.extent = words.line("extent", "meshes"_a = listed(names_of(meshes)), "faults"_a = trials.size());

@@ -30,7 +30,7 @@ struct Specimen {
 
 /// The 12 smallest modes of a closed mesh with its claims, all sound. Its 12th and 13th eigenvalue must differ.
 Specimen sound_specimen(const TriangleMesh& mesh);
-/// Of the bundled ellipsoid.
+/// Takes its data from the bundled ellipsoid.
 Specimen bundled_specimen();
 
 /// Every check of law_checks.h and the two claims.

@@ -120,7 +120,7 @@ struct JudgedClaim {
     Measurement measurement;
     Decision decision;
 
-    /// Of one that is decided.
+    /// The deciding value of a decided claim.
     double deciding_value() const { return measurement.cases[decision.deciding].value; }
 };
 

@@ -23,7 +23,7 @@ bool has_negative_weights(const SparseMatrix& C) {
     return false;
 }
 
-/// Of the message that says of a mesh that it lacks this.
+/// The key of the message that says that a mesh lacks this property.
 std::string key_of_lacking(Property property) {
     static constexpr std::array keys{
         "flat", "not_flat", "closed", "flat_with_edges", "negative_weights", "unequal_areas", "clean_form_known", "above_1500_vertices"};

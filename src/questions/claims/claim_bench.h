@@ -56,7 +56,7 @@ public:
     /// the assignment's file in a data folder.
     bool is_itself(std::string_view name);
     bool has(std::string_view name, Property property);
-    /// By the rule in claim.h.
+    /// Chooses the meshes by the rule in claim.h.
     Measurable measurable(const About& about);
     /// The positions without noise, which are known of the bundled noisy meshes only.
     std::optional<Positions> clean_form(std::string_view noisy);
@@ -76,7 +76,7 @@ public:
     /// rms error against the mesh itself after t = 0, 1, … iterations. [length]
     const std::vector<double>& denoised(std::string_view name, const NoisyKey& key);
 
-    /// With 150 modes, fewer on smaller meshes.
+    /// Computes 150 modes, fewer on smaller meshes.
     const SpectralStudy& spectrum(std::string_view name);
 
     /// Estimates of curvature on a surface with a closed form, between two levels of 3 to 5.

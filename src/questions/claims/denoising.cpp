@@ -174,7 +174,7 @@ Measurement low_noise_keeps_features(ClaimBench& bench, const MeshNames&) {
 
 constexpr int box_iterations = 10;   // S1 took 200 of steps it does not name; ten of larger ones reach as far
 
-/// From 0.01 to 100 squared mean edges, with noise of `percent` % of the box in each axis.
+/// Tries steps from 0.01 to 100 squared mean edges, with noise of `percent` % of the box in each axis.
 Sweep step_sweep(ClaimBench& bench, std::string_view name, double percent) {
     const LibraryMesh& source = *bench.mesh(name).mesh;
     const double edge = source.preflight().mean_edge;

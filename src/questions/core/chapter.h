@@ -23,7 +23,7 @@ struct Answer {
     std::vector<output::MeshOutput> meshes = {};
 };
 
-/// Told as a question works; may throw to stop it.
+/// Is called while a question works; may throw to stop it.
 using Progress = std::function<void(std::string_view step)>;
 
 /// A question of the coursework, or a section that supports the answers. Its folder below src/questions defines one, named `chapter`.

@@ -97,7 +97,7 @@ std::string bytes_of(const fs::path& path, const std::string& label) try { retur
     throw renamed(error, path.string(), label);
 }
 
-/// Of a file where there is one, else of a bundled mesh; `from_file` holds what was read.
+/// Reads the file if there is one, else the bundled mesh; `from_file` keeps what was read.
 std::string_view bytes_of(const std::optional<fs::path>& path, std::string_view bundled_file, const std::string& label,
                           std::string& from_file) {
     if (path) return from_file = bytes_of(*path, label);
@@ -149,7 +149,7 @@ struct MeshLibrary::Shelf {
         return tbb::this_task_arena::isolate([&] { return copy(vertices, mesh); });
     }
 
-    /// One of tens of thousands is made from the one of ten times as many, so that a large mesh is decimated once.
+    /// Makes a small copy from the copy ten times as large, so that a large mesh is decimated once.
     SharedMesh copy(int vertices, const SharedMesh& mesh) {
         const TriangleMesh& whole = mesh->mesh();
         if (whole.vertex_count() <= vertices) return mesh;
@@ -160,7 +160,7 @@ struct MeshLibrary::Shelf {
         small.is_copy = true;
         small.prepared =
             std::make_shared<const PreparedMesh>(prepare_mesh({decimated(source->mesh(), vertices), mesh->prepared->file, {}, {}}));
-        // Told with two digits, for which some of the vertices are enough.
+        // The error is printed with two digits, so a sample of the vertices is enough.
         const ClosestPoint surface(small.mesh());
         const int stride = 1 + whole.vertex_count() / most_measured, measured = (whole.vertex_count() - 1) / stride + 1;
         double sum = 0;
@@ -169,7 +169,7 @@ struct MeshLibrary::Shelf {
         return made = std::make_shared<const LibraryMesh>(std::move(small));
     }
 
-    /// Of the bytes, each file hashed once.
+    /// Hashes the bytes of each file once.
     std::string digest(const Found& where) {
         const std::lock_guard lock(digest_mutex);
         const std::string key = where.path ? "file " + where.path->string() : "bundled " + std::string(where.bundled_file);

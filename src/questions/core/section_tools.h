@@ -57,7 +57,7 @@ inline void add_words(report::Section& section, const report::Words& words, std:
 }
 /// Appends each text as a paragraph; skips empty ones.
 void add_paragraphs(report::Section& section, const std::vector<report::Text>& texts);
-/// Of a table, plot, figure or file about one mesh: "q5_cube_sweep".
+/// Makes the id of a table, plot, figure or file about one mesh: "q5_cube_sweep".
 std::string id_of(const std::string& question, const std::string& mesh, const std::string& what);
 
 // ---- its meshes -----------------------------------------------------------------------------------------------------------

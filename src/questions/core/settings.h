@@ -25,7 +25,7 @@ struct QuestionSettings {
     bool quick = false;              // small settings for a first look
     bool laboratory = false;         // the whole grid where the report itself takes a part that fits its budget
     std::string colormap = "pale";   // for unsigned quantities
-    /// Of earlier reports: those of the settings file, else the brief bundled ones (quick: the first); and all bundled ones.
+    /// Experiments of the settings file, else the brief bundled ones (quick: the first); and all bundled ones.
     std::vector<Experiment> experiments, bundled_experiments;
     bool own_experiments = false;   // they come from the settings file
 };

@@ -15,7 +15,7 @@ struct StandIn {
     std::string_view name;   // "bunny"
     std::string_view file;   // looked for in the data folders: "bunny.off"
     std::string_view role;   // of the mesh in its place
-    /// Of the original: known by them, and what is given in its units can be brought to another mesh.
+    /// Measures of the original: they identify it and scale its parameters to another mesh.
     double critical = 0;    // λ_crit, ½-cotangent operator with barycentric areas [length²]
     double mean_edge = 0;   // [length]
     int vertices = 0, triangles = 0;
@@ -35,7 +35,7 @@ struct ReportMesh {
     report::Input input() const;
 };
 
-/// By a name of the list, or else a role of the library. The user's own mesh takes every place.
+/// Finds a mesh by a name of the list, else by a role. The user's own mesh replaces all.
 ReportMesh report_mesh(const MeshLibrary& library, std::string_view name);
 
 }   // namespace meshfolio

@@ -5,6 +5,32 @@ namespace meshfolio::maps {
 
 namespace {
 
+/// How many runs there are on either side of the explicit limit, how many of them blew up, and how many implicit ones did.
+struct BlowUps {
+    int within = 0, beyond = 0, within_lost = 0, beyond_lost = 0, implicit_lost = 0;
+    double off = 0;   // largest distance of a measured iteration from the best prediction at hand
+
+    int faults() const { return within_lost + implicit_lost; }
+    bool sharp() const { return faults() == 0 && beyond > 0 && beyond_lost == beyond; }
+};
+BlowUps blow_ups_of(const Studies& studies) {
+    BlowUps found;
+    for (const SmoothingMaps& maps : studies) {
+        for (std::size_t step = 0; step < maps.lambdas.size(); ++step) {
+            const int measured = maps.explicit_map.blow_up[step], lost = measured > 0 ? 1 : 0;
+            const bool stable = maps.lambdas[step] <= maps.subject.critical;
+            (stable ? found.within : found.beyond) += 1;
+            (stable ? found.within_lost : found.beyond_lost) += lost;
+            found.implicit_lost += maps.implicit_map.blow_up[step] > 0 ? 1 : 0;
+            const double predicted = maps.known_modes().blow_up(maps.lambdas[step]);
+            if (lost > 0 && predicted > 0) found.off = std::max(found.off, std::abs(measured - std::ceil(predicted)));
+        }
+    }
+    return found;
+}
+
+std::string none_or(int count) { return count == 0 ? words.line("none") : std::to_string(count); }
+
 std::string cell_words(const SmoothingMaps& maps, std::size_t i) {
     return words.line("cell", "step"_a = readable(maps.relative(maps.step_of(i))), "iterations"_a = maps.iterations[maps.row_of(i)]);
 }
@@ -53,7 +79,7 @@ report::Text about_equal_time(const SmoothingMaps& maps) {
         "explicit"_a = explicit_.few == explicit_.many ? "" : words.line("equal_time.explicit", "difference"_a = percent(explicit_)));
 }
 
-/// Where a best cell is, and what limits its worth: a run that was about to end, or a plane that ends there.
+/// Names the best cell, and says if its run was about to end or the plane ends there.
 std::string best_place(const SmoothingMaps& maps, const SchemeMap& map, std::size_t i) {
     const std::size_t step = maps.step_of(i), row = maps.row_of(i);
     Names caveats;
@@ -100,24 +126,6 @@ report::Text about_health(const SmoothingMaps& maps) {
                          words.say(maps.closed ? "kept.volume" : "kept.area",
                                    "least"_a = least < 1e-6 ? words.line("nothing") : readable_percent(least, 2))});
 }
-
-BlowUps blow_ups_of(const Studies& studies) {
-    BlowUps found;
-    for (const SmoothingMaps& maps : studies) {
-        for (std::size_t step = 0; step < maps.lambdas.size(); ++step) {
-            const int measured = maps.explicit_map.blow_up[step], lost = measured > 0 ? 1 : 0;
-            const bool stable = maps.lambdas[step] <= maps.subject.critical;
-            (stable ? found.within : found.beyond) += 1;
-            (stable ? found.within_lost : found.beyond_lost) += lost;
-            found.implicit_lost += maps.implicit_map.blow_up[step] > 0 ? 1 : 0;
-            const double predicted = maps.known_modes().blow_up(maps.lambdas[step]);
-            if (lost > 0 && predicted > 0) found.off = std::max(found.off, std::abs(measured - std::ceil(predicted)));
-        }
-    }
-    return found;
-}
-
-std::string none_or(int count) { return count == 0 ? words.line("none") : std::to_string(count); }
 
 void add_pictures(Answer& answer, const SmoothingMaps& maps) {
     output::FigureRequest request{.id = id_of("maps", maps.name(), "places"),

@@ -32,11 +32,11 @@ struct GrowingModes {
     double rounding = 0;   // of coordinates: no run has less of a mode than this [length]
     double distance = 0;   // [length]
 
-    /// The iteration at which the first of the modes alone gets there, not rounded up; rounding counts as a height. NaN: none grows.
+    /// The iteration (not rounded up) where the first single mode reaches `distance`; rounding counts as height. NaN: none grows.
     double blow_up(double lambda) const;
-    /// The same from the modes that stand out of rounding only, which no symmetry or cancellation keeps from growing.
+    /// The same for modes above rounding only; symmetry or cancellation cannot stop their growth.
     double latest(double lambda) const;
-    /// The first of `last` iterations at which all of them together can get there; 0: none.
+    /// The first of `last` iterations where all modes together can reach `distance`; 0: none.
     int earliest(double lambda, int last) const;
 };
 
@@ -86,7 +86,7 @@ struct EqualTime {
     std::size_t many = 0, few = 0;   // cells
     double difference = 0;           // of the rms motion, many over few, less 1
 };
-/// Of all such pairs whose iteration counts differ tenfold the one that differs most, where neither had blown up; `few` = `many`: none.
+/// Finds the pair with tenfold iteration counts that differs most, neither blown up; `few` = `many`: none.
 EqualTime largest_difference_at_equal_time(const SmoothingMaps& maps, const SchemeMap& map);
 
 /// 1, 2, 3, 5, 8, … with `per_decade` counts a factor of ten, the last one included.
@@ -102,15 +102,6 @@ std::string words_of(const std::vector<MapPlace>& places);
 report::Table blow_up_table(const Studies& studies);
 report::Table place_table(const Studies& studies);
 report::Table region_table(const Studies& studies);
-
-/// How many runs there are on either side of the explicit limit, how many of them blew up, and how many implicit ones did.
-struct BlowUps {
-    int within = 0, beyond = 0, within_lost = 0, beyond_lost = 0, implicit_lost = 0;
-    double off = 0;   // largest distance of a measured iteration from the best prediction at hand
-
-    int faults() const { return within_lost + implicit_lost; }
-    bool sharp() const { return faults() == 0 && beyond > 0 && beyond_lost == beyond; }
-};
 
 void add_discussion(report::Section& section, const Studies& studies);
 

@@ -21,7 +21,7 @@ PlaneGrid grid_of(const QuestionSettings& settings) {
     return {5, 6, 10, 6, 100};
 }
 
-/// So that the limit falls on the edge between two cells.
+/// Spaces the steps so that the limit lies between two cells.
 std::vector<double> relative_steps(const PlaneGrid& grid) {
     std::vector<double> steps;
     for (int i = -grid.steps_below; i < grid.steps_beyond; ++i) steps.push_back(std::pow(10, (i + 0.5) / grid.steps_per_decade));
@@ -68,7 +68,7 @@ private:
     double size_;
 };
 
-/// One run, measured at the iterations of the plane as they pass.
+/// Makes one run and measures it at the iterations of the plane.
 void run_step(const SmoothingMaps& maps, const Ruler& ruler, std::size_t step, SchemeMap& map, ImplicitSolver& solver) {
     SmoothingOptions options{.scheme = map.scheme, .lambda = maps.lambdas[step], .iterations = maps.iterations.back()};
     std::size_t row = 0;

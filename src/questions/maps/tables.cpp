@@ -85,7 +85,7 @@ report::Map plane_of(const SmoothingMaps& maps, const std::string& id, const std
     return map;
 }
 
-/// Of the positive finite values; empty where there are none.
+/// The range of the positive finite values; empty where there are none.
 std::optional<report::Map::Range> finite_range(const PlaneValues& values) {
     report::Map::Range range{infinity, 0};
     for (const double x : values) {
@@ -116,14 +116,14 @@ struct StepRow {
     const SmoothingMaps& maps;
     std::size_t step;
 
-    /// Where it lies within the plane.
+    /// The predicted iteration, if it lies within the plane.
     report::Cell predicted(const GrowingModes* modes) const {
         const double iteration = modes ? modes->blow_up(maps.lambdas[step]) : undefined;
         return cell_of(iteration, iteration <= maps.iterations.back());
     }
 };
 
-/// Some of the steps beyond the limit, evenly through them.
+/// Picks some of the steps beyond the limit, evenly spaced.
 std::vector<StepRow> steps_beyond(const Studies& studies, std::size_t most) {
     std::vector<StepRow> rows;
     for (const SmoothingMaps& maps : studies) {
@@ -144,7 +144,7 @@ struct SchemeRow {
     double error() const { return best ? map.error[*best] : undefined; }
     double lambda() const { return best ? maps.lambdas[maps.step_of(*best)] : undefined; }
     double iterations() const { return best ? maps.iterations[maps.row_of(*best)] : undefined; }
-    /// Of the cells of the plane for which something holds. [%]
+    /// The share of the plane's cells for which `holds` is true. [%]
     double share(const PlaneValues& values, bool (*holds)(double)) const {
         return 100 * double(std::ranges::count_if(values, holds)) / double(map.moved.size());
     }

@@ -29,7 +29,7 @@ LibraryMeshes meshes_of(const MeshLibrary& library, const QuestionSettings& sett
     return meshes_for(library, settings, {"cube", "armadillo"}, section);
 }
 
-/// On the library's meshes, and beside the bundled roles on an ellipsoid of our own: smooth, closed and small enough to be taken whole.
+/// Tries the meshes of the library; with the bundled ones also an ellipsoid, smooth, closed and small.
 DenoisingLaboratory laboratory_of(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress,
                                   report::Section& section) {
     const LibraryMeshes meshes = meshes_of(library, settings, section);

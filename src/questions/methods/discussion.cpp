@@ -84,7 +84,7 @@ Those those_with(const NoiseTrial& trial, double gain) {
     return {listed(titles), titles.size()};
 }
 
-/// From where and up to where, on one mesh.
+/// Says from which noise and up to which noise methods help, on one mesh.
 report::Text about_limits(const DenoisingTrials& mesh) {
     const auto levels = mesh.of_kind(NoiseKind::gaussian);
     const NoiseTrial &low = *levels.front(), &high = *levels.back();
@@ -168,13 +168,13 @@ report::Text about_box_level(const DenoisingLaboratory& laboratory) {
     return t;
 }
 
-/// Nothing is 0 %, whatever is left of it in rounding.
+/// The share of the volume that is kept; a rounding error counts as 0 %.
 std::string share_kept(const SearchResult& result) {
     const double kept = result.difference.volume_ratio;
     return readable_percent(std::abs(kept) < 1e-9 ? 0 : kept);
 }
 
-/// Of each closed mesh, which method keeps least of the volume and which most.
+/// Names the methods that keep the least and the most volume of each closed mesh.
 report::Text about_volumes(const DenoisingLaboratory& laboratory) {
     report::Text t;
     for (const DenoisingTrials& mesh : laboratory.meshes) {

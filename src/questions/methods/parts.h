@@ -30,7 +30,7 @@ struct DenoisingSubject {
 /// @param most_vertices  beyond it, the patch around the sharpest edge is taken
 DenoisingSubject denoising_subject(std::string name, const TriangleMesh& mesh, int most_vertices);
 
-/// One noisy mesh, and what each method of denoising_list() made of it, in their order.
+/// One noisy mesh and the result of each method, in the order of denoising_list().
 struct NoiseTrial {
     NoiseKind kind = NoiseKind::gaussian;
     double edges = 0;        // σ of with_noise() [mean edges of the clean mesh]
@@ -93,7 +93,7 @@ struct ClassResult {
     int best() const;                       // method with the largest gain; −1 where no noise changed the shape
     int best_by_angle() const;              // −1 where no noise turned a face
 };
-/// In order of their first mesh.
+/// Computes the results of each class, in the order of their first mesh.
 std::vector<ClassResult> class_results(const DenoisingLaboratory& laboratory);
 
 /// Tables tell angles in degrees.

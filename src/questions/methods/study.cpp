@@ -38,7 +38,7 @@ std::vector<NoiseTrial> levels_of(const DenoisingSubject& subject, const Questio
     return trials;
 }
 
-/// Where it cannot be computed, Gershgorin's bound, which is never too small.
+/// Falls back on Gershgorin's bound, which is never too small.
 double largest_eigenvalue_of(const TriangleMesh& mesh) {
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     try {
@@ -65,14 +65,14 @@ int index_of_largest(const std::vector<double>& values) {
     return best;
 }
 
-/// Over all trials on the meshes of the class where the noise turned faces, or over all.
+/// Averages the gains of each method over these trials.
 std::vector<double> mean_gains(const std::vector<const NoiseTrial*>& trials, Gain gain) {
     std::vector<double> means;
     for (std::size_t method = 0; method < denoising_list().size(); ++method) {
         double sum = 0;
         int count = 0;
         for (const NoiseTrial* trial : trials) {
-            // Where no method has a gain there is nothing to average; where this one alone has none, it cannot be compared.
+            // Skips trials where no method has a gain. If only this method has none, its mean is NaN.
             const double value = (trial->results[method].*gain)();
             if (std::isnan(value) && std::isnan((trial->results.front().*gain)())) continue;
             sum += std::log(value);

@@ -72,7 +72,7 @@ report::Text about_costs(const ModeStudy& study) {
     return t;
 }
 
-/// Where one way of smoothing becomes the cheaper one, over all meshes.
+/// The energies where one way of smoothing becomes cheaper, over all meshes.
 struct Border {
     std::string where;   // "between 5 % and 12 % of the energy", "at 5 % of the energy"; empty where there is no border on any mesh
     int never = 0, everywhere = 0;   // meshes on which it is nowhere, and at every energy looked at, the cheaper one
@@ -104,13 +104,6 @@ report::Text rule(const Studies& studies) {
     return words.say("rule.borders", "one"_a = by_one,
                      "accurate"_a = words.line(exact.on_some() ? "border.accurate.on_some" : "border.accurate", "where"_a = exact.where,
                                                "error"_a = error));
-}
-
-void add_discussion(report::Section& section, const Studies& studies) {
-    add_words(section, words, "discussion");
-    add_paragraphs(section, {about_laws(studies)});
-    for (const ModeStudy& study : studies) add_paragraphs(section, {about_gap(study), about_costs(study)});
-    add_paragraphs(section, {rule(studies)});
 }
 
 void add_timings(report::Section& section, const ModeStudy& study) {
@@ -163,7 +156,10 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         add_timings(section, study);
     }
     add(section, crossing_table(studies));
-    add_discussion(section, studies);
+    add_words(section, words, "discussion");
+    add_paragraphs(section, {about_laws(studies)});
+    for (const ModeStudy& study : studies) add_paragraphs(section, {about_gap(study), about_costs(study)});
+    add_paragraphs(section, {rule(studies)});
     for (const ModeStudy& study : studies) add_checks(section, study);
 
     section.parameters = {{"operator", words.line("parameter.operator")},

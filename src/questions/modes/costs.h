@@ -11,7 +11,7 @@
 
 namespace meshfolio::modes {
 
-/// One way to a target.
+/// One way to reach a target: scheme, step and number of steps.
 struct SmoothingWay {
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;
     double lambda = 0;       // [length²]
@@ -57,7 +57,7 @@ private:
     double critical_, energy_, rows_, nonzeros_;
 };
 
-/// One target and the ways to it.
+/// One target energy and the ways to reach it.
 struct SmoothingTarget {
     double energy = 0;   // share of the input's
     SmoothingWay explicit_way;
@@ -77,7 +77,7 @@ bool is_cheaper(const SmoothingWay& way, const SmoothingWay& explicit_way);
 
 /// The first of the targets, whose energies descend, from which on the implicit way `which` is cheaper to the end; empty: none.
 std::optional<std::size_t> cheaper_from(const std::vector<SmoothingTarget>& targets, std::size_t which);
-/// Where that begins, between that target and the one before it.
+/// Finds the target where that begins, between that one and the one before it.
 std::optional<SmoothingTarget> crossing_of(const CostModel& model, const std::vector<SmoothingTarget>& targets, std::size_t which);
 
 }   // namespace meshfolio::modes

@@ -9,7 +9,7 @@ namespace meshfolio::modes {
 
 inline constexpr report::Words words("modes");
 
-/// Some steps of one scheme on coordinates that have each mode in them with coefficient 1.
+/// Damping by some steps of one scheme, on coordinates that contain each mode with coefficient 1.
 struct ModeDamping {
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;
     double lambda = 0;   // [length²]
@@ -59,11 +59,11 @@ struct ModeStudy {
     const std::string& name() const { return subject.name(); }
     /// Is the gap far enough above the rounding of coordinates to be compared with its prediction?
     bool seen(const SchemeGap& gap) const { return gap.measured > 1e8 * rounding; }
-    /// At no energy looked at, and at every one, is this implicit way cheaper than the explicit one.
+    /// Is this implicit way cheaper than the explicit one at no energy, or at every energy?
     bool cheaper_nowhere(std::size_t which) const { return !crossings[which]; }
     bool cheaper_everywhere(std::size_t which) const { return crossings[which] && crossings[which]->energy >= curve.front().energy; }
 };
-/// Of the spectral measure, for each coordinate.
+/// The Lanczos steps of the spectral measure, for each coordinate.
 int lanczos_steps(const QuestionSettings& settings);
 
 /// Gaps at the steps and iterations of the settings, else at three shares of the limit and two counts.

@@ -24,7 +24,7 @@ report::Series law_line(const ModeStudy& study, const ModeDamping& damping) {
     return line;
 }
 
-/// Some of the modes, evenly through them, the last included.
+/// Picks some of the modes, evenly spaced, with the last.
 report::Series measured_points(const ModeStudy& study, const ModeDamping& damping) {
     report::Series points{.name = words.line("factors.measured"), .style = Style::points, .panel = relative_step(study, damping.lambda)};
     const Eigen::Index n = study.eigenvalues.size(), shown = std::min(n, most_shown);

@@ -42,7 +42,7 @@ report::Table known_table(const KnownTrials& trials) {
         .column("eigenvalues off by", {.unit = "%", .best = Best::smallest}, [](auto& t) { return cell_of(100 * t.eigenvalue_error); });
 }
 
-/// One small picture an operator, all in the colours that suit the default.
+/// Draws one small picture per operator, in the colour range of the default operator.
 void add_figure_of(Answer& answer, const LaboratoryMesh& lab) {
     const CurvatureSubject& s = lab.subject;
     output::FigureRequest request{

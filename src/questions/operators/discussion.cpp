@@ -15,7 +15,7 @@ report::Text about_precision(const KnownTrials& known) {
     return words.say("precision", "kept"_a = known.size() - lost.size(), "all"_a = known.size(), "lost"_a = listed(lost));
 }
 
-/// On the mesh with most of them.
+/// Reports the mesh with the most negative weights.
 report::Text about_negative_weights(const Labs& labs, const Names& clean) {
     const auto share_of = [](const LaboratoryMesh& lab) {
         const OperatorScores& cotan = lab.trial(OperatorKind::cotan).scores;

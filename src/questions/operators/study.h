@@ -40,7 +40,7 @@ struct LaboratoryMesh {
 };
 LaboratoryMesh laboratory_mesh(SharedMesh source, const QuestionSettings& settings);
 
-/// One operator where the truth is known.
+/// The errors of one operator where the exact values are known.
 struct KnownTrial {
     LaboratoryOperator made_by;
     double plane = 0;                  // largest |H| × mean edge inside an irregular flat square, where all curvature is 0

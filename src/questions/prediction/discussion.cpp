@@ -31,7 +31,7 @@ std::string best_iterations(const PredictionStudy& study) {
                       "expected"_a = listed(expected), "measured"_a = listed(measured));
 }
 
-/// With the clean mesh's operator.
+/// Compares expected and measured error with the operator of the clean mesh.
 report::Text about_foreseen_error(const Studies& studies) {
     double off = 0, off_by_area = 0, errors = 0, regret = 0;
     for (const auto& [study, level] : levels_of(studies)) {

@@ -23,7 +23,7 @@ PredictedCurve formula(const DenoisingPrediction& prediction, double sigma, int 
 
 // ---- rules ---------------------------------------------------------------------------------------------------------------
 
-/// One rule over the seeds it can be tried on. `choose(seed)` is its iteration.
+/// Evaluates one rule over the seeds it can be tried on; `choose(seed)` gives its iteration.
 template <class Choose>
 RuleOutcome rule_outcome(std::string_view name, const std::vector<SeedResult>& results, int seeds, Choose choose) {
     RuleOutcome outcome{std::string(name), {}, {}};
@@ -157,7 +157,7 @@ PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& sett
     const DenoisingFlow flow(clean, study.lambda);
     const LaplaceBeltrami laplacian = laplace_beltrami(clean);
     study.clean_facts = facts_of(laplacian, laplacian.M.sum());
-    // With Gershgorin's bound of the eigenvalues.
+    // Bounds the eigenvalues by Gershgorin's theorem.
     const Vector rows = flow.whole.A.cwiseAbs() * Vector::Ones(flow.whole.size());
     study.condition = 1 + study.lambda * rows.cwiseQuotient(flow.whole.M).maxCoeff();
     PredictionOptions options{study.lambda, extent.iterations, extent.modes_up_to};

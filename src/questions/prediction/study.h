@@ -31,9 +31,9 @@ struct FlowSolvers {
     ImplicitSolver clean, own;
 };
 
-/// From Y, T + 1 positions; fewer where triangles collapse until no operator can be built or factored.
+/// Runs T steps from Y and returns T + 1 positions; fewer where triangles collapse and no operator can be factored.
 Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Positions& Y, int iterations, FlowSolvers& solvers);
-/// One that ended early stays where it ended.
+/// Extends a run that ended early by its last positions.
 Trajectory kept_at_its_end(Trajectory run, int iterations);
 
 /// Squared errors of one run against the clean mesh after t = 0, 1, … T steps.
@@ -44,7 +44,7 @@ struct RunErrors {
 };
 RunErrors errors_of_run(const DenoisingFlow& flow, const Trajectory& run);
 
-/// Over the seeds, after t = 0, 1, … T steps.
+/// The errors over all seeds after t = 0, 1, … T steps.
 struct MeasuredCurve {
     Vector square, square_error;   // mean squared error and its standard error [length²]
     Vector mass, mass_error;       // the same, weighted by area
@@ -147,7 +147,7 @@ StandardDistance standard_distance(const PredictionStudy& study, const NoiseLeve
 /// Largest relative deviation of the expected from the measured area-weighted error, clean operator, over all iterations.
 double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level);
 
-/// Where the formula is farthest from what was measured: the mean squared error in shares of that of the noise, 3σ².
+/// Explains where the formula is farthest from the measurement: mean squared errors over that of the noise, 3σ².
 struct ErrorAccount {
     int iteration = 0;
     double formula = 0;     // with the clean mesh's operator

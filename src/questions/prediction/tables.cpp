@@ -43,7 +43,7 @@ auto cell_from(const Entry* (OperatorStudy::*find)(std::string_view) const, std:
     };
 }
 
-/// Of a prediction: its best iteration, and how far it is off at most.
+/// Shows the best iteration of a prediction and its largest deviation.
 auto best_of(std::string_view name) {
     return cell_from(&OperatorStudy::prediction, name,
                      [](const Row& r, const PredictedCurve& p) -> report::Cell { return best_words(p.best(), r.steps()); });
@@ -55,7 +55,7 @@ auto deviation_of(std::string_view name) {
     });
 }
 
-/// Of a rule: what it chose, and what that cost, where the minimum is known.
+/// Shows what a rule chose, and what that cost where the minimum is known.
 auto chosen_by(std::string_view name) {
     return cell_from(&OperatorStudy::rule, name, [](const Row&, const RuleOutcome& rule) -> report::Cell { return rule.mean_chosen(); });
 }

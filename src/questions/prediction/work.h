@@ -44,7 +44,7 @@ struct SeedResult {
     Vector held_fixed;        // zᵀSᵗz with the operator of the noisy mesh as if it were given
 };
 
-/// Of one noise level: results by operator and seed, and σ̂ by seed.
+/// The results of one noise level by operator and seed, and the estimated σ̂ by seed.
 struct LevelResults {
     std::array<std::vector<SeedResult>, 3> of;
     std::vector<NoiseLevel> estimates;
@@ -53,7 +53,7 @@ struct LevelResults {
 
 /// How many seeds the rules are tried on; none with the clean mesh's operator.
 int rule_seeds(const Extent& extent, FlowOperator kind);
-/// One a level; `iterations` are the most of each. Seeds are run side by side.
+/// Computes one result per level; `iterations` limits each. Seeds run in parallel.
 std::vector<LevelResults> results_of_levels(const Work& work, const std::vector<int>& iterations);
 
 /// @param clean_area  of the mesh before the noise

@@ -23,7 +23,7 @@ struct Occurrence {
     double count = 0;   // in all
 };
 
-/// Of every defect in the list.
+/// Counts every defect of the list on all meshes.
 std::vector<Occurrence> occurrences_in(const std::vector<Inspected>& meshes) {
     std::vector<Occurrence> all;
     for (const Defect& defect : defect_list()) {

@@ -29,7 +29,7 @@ struct FoundDefect {
     const Defect* defect;
     int count;   // at least 1
 };
-/// Those that occur, in the order of the list.
+/// Returns the defects that occur, in the order of the list.
 std::vector<FoundDefect> defects_of(const MeshFacts& facts);
 
 /// {"q3", "q4"} and "Q3, Q4".

@@ -6,7 +6,7 @@ namespace meshfolio::q1_uniform {
 
 namespace {
 
-/// With fewer vertices there is no picture to speak of.
+/// Meshes with fewer vertices are too small to describe their picture.
 constexpr int fewest_to_read = 20;
 
 /// The worst error at the finest level over the three surfaces.
@@ -20,7 +20,7 @@ double worst(const BenchRuns& runs, std::string_view estimator) {
     return std::max(worst(runs, MeshKind::regular, estimator), worst(runs, MeshKind::jittered, estimator));
 }
 
-/// On how many of the runs most of the error of uniform H is the part of Δx along the surface.
+/// Counts the runs where most of the error of uniform H is the part of Δx along the surface.
 int drifting_runs(const BenchRuns& runs) {
     return static_cast<int>(std::ranges::count_if(
         runs, [](const BenchRun& run) { return run.finest().error(normal_H).l2 < 0.5 * run.finest().error(uniform_H).l2; }));
@@ -69,7 +69,7 @@ report::Text about_H_picture(const Meshes& meshes, const std::vector<FlatMesh>& 
 
 // ---- the drift along the surface
 
-/// Of the curved meshes, the flat parts that are largest.
+/// Describes the largest flat parts of the curved meshes.
 void go_on_about_flat_parts(report::Text& t, const Meshes& meshes) {
     const MeshCurvature* flattest = nullptr;
     FlatParts most;
@@ -146,7 +146,7 @@ report::Text about_K_picture(const Meshes& meshes, const std::vector<FlatMesh>& 
 
 // ---- what the errors say
 
-/// Of the regular meshes that with the worst vertex, where that is far worse than the rest and refinement hardly helps it.
+/// Names the regular mesh whose worst vertex is far worse than the rest and hardly improves with refinement.
 void go_on_about_worst_vertex(report::Text& t, const BenchRuns& runs) {
     const auto error = [](const BenchLevel& level) { return level.error(deficit_K).linf; };
     const BenchRun* worst = nullptr;

@@ -81,7 +81,7 @@ Diagram::Panel deficit_panel() {
     for (int t = 0; t < ring.triangles(); ++t) {
         const DiagramPoint &p = first[t], &q = first[t + 1];
         panel.paths.push_back(report::angle_arc({0, 0}, p, q, 0.25 * shortest, Style::thin));
-        // On the line that halves the angle, before the side that ends it.
+        // The label stands on the bisector of the angle, inside the triangle.
         const double halving = 2 * length(p) * length(q) * std::cos(ring.angles[t] / 2) / (length(p) + length(q));
         const DiagramPoint at = report::inside_angle({0, 0}, p, q, 0.65 * halving);
         panel.labels.push_back({.x = at[0], .y = at[1], .words = text(math("θ_" + std::to_string(t + 1))), .side = Side::centre});
@@ -118,7 +118,7 @@ const Shown shown[]{
      [](const MeshCurvature& c) -> Vector { return c.subject.diagonal * c.subject.diagonal * c.K; }},
 };
 
-/// In percent of the mesh's own range, which its label tells.
+/// Colours the mesh in percent of its own range, which its label states.
 output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
     const std::string& name = c.name();
     output::Panel panel;

@@ -50,7 +50,7 @@ struct TangentialPart {
 };
 TangentialPart tangential_part(const MeshCurvature& c);
 
-/// Where a curved mesh is flat: |K| and |cotangent H| are within `flat_within` of their colour ranges. Colours of ½‖Δx‖ are drift there.
+/// A vertex is flat where |K| and |cotangent H| are below this share of their colour ranges; ½‖Δx‖ is drift there.
 inline constexpr double flat_within = 0.1;
 struct FlatParts {
     int vertices = 0;
@@ -84,7 +84,7 @@ struct IrregularVertices {
     bool stand_out() const { return !vertices.empty() && off > 5 * off_elsewhere; }
     bool area_is_why() const { return off_with_voronoi < 0.2 * off; }
 };
-/// Where K has one sign, and at most a twentieth of the vertices are irregular; else none.
+/// Finds irregular vertices where K has one sign and at most a twentieth of the vertices are irregular; else none.
 IrregularVertices irregular_vertices(const MeshCurvature& c);
 
 struct AngleSum {
@@ -123,7 +123,7 @@ using AngleSums = std::vector<AngleSum>;
 /// How far Σ deficit / 2π is from χ at most, where that applies.
 double euler_gap(const AngleSums& sums);
 
-/// On the finest meshes together, the vertices whose area is ≤ 0.
+/// Counts the vertices with area ≤ 0 on all finest meshes.
 int without_K(const BenchRuns& runs, AreaForm form);
 
 /// Δx and its parts, the angle deficit, and the three areas, each of a real ring.
@@ -131,10 +131,10 @@ report::Diagram ring_diagram();
 
 /// H and K, one figure each of all meshes.
 void add_figures(Answer& answer, const Meshes& meshes);
-/// Where on the curved meshes Δx lies along the surface.
+/// Shows where Δx lies along the surface, on the curved meshes.
 void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::string& colormap);
 
-/// Of the curved meshes that whose ‖Δx‖² lies along the surface most, if there is one.
+/// The curved mesh with the largest part of ‖Δx‖² along the surface, if there is one.
 struct Drifting {
     const MeshCurvature* mesh;
     TangentialPart part;

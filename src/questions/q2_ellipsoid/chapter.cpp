@@ -72,16 +72,6 @@ report::Text lead_of(const Tip& tip) {
                      "largest_along"_a = direction_text(k.maximum_direction));
 }
 
-void add_discussion(report::Section& section, const Tip& tip, const Oracles& oracles, const PoleSteps& pole, const DiscreteTips& discrete) {
-    add_paragraphs(section, {about_tip(tip), about_readings(tip), about_sign(tip),
-                             paragraph_of({about_oracles(oracles), about_poles(tip.ellipsoid, pole), about_meshes(discrete)})});
-}
-
-/// Of the other ellipsoid, and what is easily taken for the tip.
-void add_remarks(report::Section& section, const Tip& other, const Tip& tip) {
-    add_paragraphs(section, {about_tip(other), about_mistakes(tip)});
-}
-
 void check_tip(report::Section& section, const Tip& tip) {
     const auto [a, b, c] = tip.ellipsoid;
     const auto name = [&](const char* key) { return words.line(key, "axes"_a = axes_text(tip.ellipsoid)); };
@@ -93,7 +83,7 @@ void check_tip(report::Section& section, const Tip& tip) {
                             check_at_most(name("check.tip.parameters"), 0, tip.worst_parameters, 1e-12)});
 }
 
-/// On a sphere κ_n is 1/r in every direction.
+/// Checks that κ_n is 1/r in every direction on a sphere.
 void check_sphere(report::Section& section, double r) {
     const Tip tip = tip_of({r, r, r});
     append_checks(section, {check_near(words.line("check.sphere.smaller"), 1 / r, tip.principal.minimum, 1e-12),
@@ -156,7 +146,8 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     add(section, angle_diagram(tip));
     add_words(section, words, {"method.tip", "results"});
     add(section, tip_table(tips), tip_plot(tips[0], "q2_tip_b_above_c"));
-    add_discussion(section, tip, oracles, pole, discrete);
+    add_paragraphs(section, {about_tip(tip), about_readings(tip), about_sign(tip),
+                             paragraph_of({about_oracles(oracles), about_poles(tip.ellipsoid, pole), about_meshes(discrete)})});
     add_checks(section, tips, oracles, pole, discrete);
 
     begin_appendix(section);
@@ -164,7 +155,7 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     add(section, forms_table(flat_ellipsoid));
     add_ellipsoid_figure(answer, flat_ellipsoid, settings.quick, settings.colormap);
     add(section, tip_plot(tips[1], "q2_tip_b_below_c"));
-    add_remarks(section, tips[1], tip);
+    add_paragraphs(section, {about_tip(tips[1]), about_mistakes(tip)});
     add(section, oracle_table(oracles), pole_table(flat_ellipsoid, pole), discrete_table(tip, discrete));
 
     const int points = oracles.front().points;

@@ -15,7 +15,7 @@ double uniform_error(const BenchRun& run) { return run.finest().error("H.uniform
 
 bool wins(const BenchRun& run) { return cotangent_error(run) < uniform_error(run); }
 
-/// On how many surfaces cotangent H converges, and its worst error, on one kind of triangulation.
+/// Counts the surfaces where cotangent H converges on one kind of triangulation, and keeps its worst error.
 struct Tally {
     int surfaces = 0, converging = 0;
     double worst = 0;
@@ -47,7 +47,7 @@ report::Text flat_picture(const CotangentComparison& c) {
     return t;
 }
 
-/// Where one vertex with a thin triangle is far beyond all the others.
+/// Names the vertex with a thin triangle whose value is far beyond all others.
 void go_on_about_outlier(report::Text& t, const CotangentComparison& c) {
     Eigen::Index vertex = 0;
     const double largest = c.cotangent.array().isFinite().select(c.cotangent.array().abs(), 0).maxCoeff(&vertex) * c.subject.mean_edge;
@@ -89,7 +89,7 @@ std::string times_smaller(double factor) {
                        : words.line("times.larger", "factor"_a = readable(1 / factor, 2));
 }
 
-/// Over the surfaces of one kind, where the gain over uniform weights is smallest.
+/// Finds the surface of one kind where the gain over uniform weights is smallest.
 report::Text smallest_gain(const BenchRuns& runs, MeshKind kind, const char* key) {
     const BenchRun* least = nullptr;
     const auto gain = [](const BenchRun& run) { return uniform_error(run) / cotangent_error(run); };
@@ -154,7 +154,7 @@ report::Text about_clamping(const PlaneTest& plane, const BenchRuns& runs) {
     return t;
 }
 
-/// On the irregular triangles of the ellipsoid that no regular mesh underlies.
+/// The error on the ellipsoid with random points, a mesh that comes from no regular one.
 double on_random_points(const BenchRuns& panel, const std::string& estimator) {
     return run_on(panel, "ellipsoid", MeshKind::random).finest().error(estimator).l2;
 }

@@ -9,13 +9,13 @@ namespace meshfolio::q3_cotangent {
 
 inline constexpr report::Words words("q3");
 
-/// One kind of area in the pictures and in what is said of them: that of the mass matrix of all later questions.
+/// The area form in all figures and their text; later questions use it in the mass matrix.
 inline constexpr AreaForm areas_used = AreaForm::barycentric;
 
 using Comparisons = std::vector<CotangentComparison>;
 
 // How far cotangent H is from that of a degree-3 jet: an indicator of its error where no closed form is known.
-/// On a mesh without closed form; over the vertices inside where both estimates exist.
+/// The difference of two estimates on a mesh without closed form, over inner vertices where both exist.
 struct Disagreement {
     Vector size;                // n values |H_cotan − H_jet|, NaN elsewhere [1/length]
     double rms = 0;             // over the rms of H_cotan; NaN where that is rounding
@@ -30,10 +30,10 @@ struct IndicatorTrial {
     std::string mesh;   // "jittered torus"
     ErrorIndicator indicator;
 };
-/// On the finest regular and jittered known surfaces, and on random points of an ellipsoid.
+/// Tests the indicator on the finest regular and jittered known surfaces, and on random points of an ellipsoid.
 std::vector<IndicatorTrial> indicator_trials(const BenchRuns& runs, const QuestionSettings& settings);
 
-/// Where the colours of a mesh end: cotangent H sets them.
+/// The end of the colour range of a mesh, set by its cotangent H.
 double cotangent_range(const CotangentComparison& comparison);
 void add_comparison_figure(Answer& answer, const Comparisons& meshes);
 void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string& colormap);

@@ -142,7 +142,7 @@ void add_record(Answer& answer, const std::vector<Subject>& subjects) {
     section.extent = words.line(part ? "extent.certified" : "extent", "meshes"_a = listed(done));
 }
 
-/// Each figure and table behind the paragraph that reads it.
+/// Puts each figure and table after the paragraph that explains it.
 void add_results(Answer& answer, const Subject& subject) {
     report::Section& section = answer.section;
     const SpectralStudy& study = subject.study;

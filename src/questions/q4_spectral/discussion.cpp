@@ -61,7 +61,7 @@ report::Text where_the_error_sits(const Subject& subject) {
 
 // ---- the rate
 
-/// As many times the modes for half the error.
+/// How many times as many modes halve the error.
 std::string times_to_halve(const PowerLaw& law) { return readable(std::pow(2, 1 / law.power), 2); }
 
 report::Text rate(const SpectralStudy& study) {
@@ -77,7 +77,7 @@ report::Text rate(const SpectralStudy& study) {
                                    : report::Text()});
 }
 
-/// That single vertices may lose where the whole gains.
+/// Says that single vertices may get worse while the mesh gets better.
 report::Text single_vertices(const SpectralStudy& study) {
     const std::vector<Reconstruction>& all = study.reconstructions;
     const report::Text whole = words.say("never_worse", "mesh"_a = study.name());
@@ -113,7 +113,7 @@ report::Text targets(const SpectralStudy& study) {
                          beyond.empty() ? report::Text() : words.say("targets.beyond", "share"_a = beyond, "modes"_a = study.modes())});
 }
 
-/// By Weyl's law wavelengths shrink like 1/√k.
+/// Compares the wavelengths with Weyl's law: they shrink like 1/√k.
 report::Text wavelengths(const SpectralStudy& study) {
     const int end = study.modes(), quarter = end / 4;
     const auto law = fall_of_the_error(study);

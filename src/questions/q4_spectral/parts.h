@@ -8,7 +8,7 @@ namespace meshfolio::q4_spectral {
 
 inline constexpr report::Words words("q4");
 
-/// Of the box diagonal: what is less is rounding and counts as 0.
+/// Errors below this share of the box diagonal are rounding and count as 0.
 inline constexpr double rounding = 1e-9;
 /// Likewise: errors whose smallest k is told.
 inline constexpr std::array target_shares{0.1, 0.01, 0.001};
@@ -35,7 +35,7 @@ double share_seen(const SpectralStudy& study, const Reconstruction& r);
 bool is_exact(const SpectralStudy& study, int k);
 
 inline std::string id_of(const SpectralStudy& study, const std::string& what) { return meshfolio::id_of("q4", study.name(), what); }
-/// Of a length, times this: in % of the box diagonal.
+/// Converts a length to % of the box diagonal by multiplication.
 inline double percent_of(const SpectralStudy& study) { return 100 / study.diagonal; }
 /// "1.23 %" of the box diagonal.
 inline std::string percent_of_box(const SpectralStudy& study, double length, int digits = 2) {
@@ -44,7 +44,7 @@ inline std::string percent_of_box(const SpectralStudy& study, double length, int
 
 /// The original and the reconstructions that are told.
 void add_reconstruction_figure(Answer& answer, const SpectralStudy& study);
-/// Those between; nothing where there are none.
+/// Shows the reconstructions that the first figure leaves out, if there are any.
 void add_further_figure(Answer& answer, const SpectralStudy& study);
 /// The modes that are drawn, with their nodal lines, from one view.
 void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study);

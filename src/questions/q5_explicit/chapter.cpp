@@ -5,6 +5,136 @@ namespace meshfolio::q5_explicit {
 
 namespace {
 
+/// The top mode starts a thousandth of an edge high: factors below 10⁻⁸ are rounding and count as 0.
+double above_rounding(double factor) { return factor < 1e-8 ? 0 : factor; }
+
+/// What is left of an energy or a size; below 10⁻¹² it is rounding and counts as 0. Where the mesh blew up nothing is told.
+report::Cell left_of(const SmoothingRun& run, double share) { return cell_of(std::abs(share) < 1e-12 ? 0 : share, !run.result.blew_up); }
+
+/// A row of the table of steps.
+struct Trial {
+    const ExplicitStudy& study;
+    const SmoothingRun& run;
+    const Amplification& growth;
+    std::string outcome;
+};
+
+std::string outcome_of(const ExplicitStudy& study, std::size_t i) {
+    const SmoothingRun& run = study.runs[i];
+    if (run.result.blew_up) return words.line("outcome.blew_up", "iteration"_a = run.result.blow_up_iteration);
+    if (!study.stable(i)) return words.line("outcome.growing");
+    if (!study.recommended || study.recommended->run != i) return words.line("outcome.stable");
+    return words.line("outcome.recommended");
+}
+
+std::vector<Trial> trials_of(std::span<const ExplicitStudy> studies) {
+    std::vector<Trial> trials;
+    for (const ExplicitStudy& study : studies)
+        for (std::size_t i = 0; i < study.runs.size(); ++i)
+            trials.push_back({study, study.runs[i], study.amplification[i], outcome_of(study, i)});
+    return trials;
+}
+
+/// The energy over the iterations. Beyond twenty the curve has made its point and would flatten all others.
+report::Series energy_series(const ExplicitStudy& study, const SmoothingRun& run) {
+    report::Series series{.name = words.line("energy.series", "limits"_a = in_limits(study.subject, run.lambda))};
+    for (std::size_t t = 0; t < run.energy.size() && run.energy[t] < 20; ++t) add_point(series, double(t), run.energy[t]);
+    return series;
+}
+
+/// Five at most, evenly through their order, with the smallest step and the largest.
+std::vector<const SmoothingRun*> shown_runs(const ExplicitStudy& study) {
+    const std::size_t count = study.runs.size(), most = 5;
+    std::vector<const SmoothingRun*> shown;
+    for (std::size_t i = 0; i < std::min(count, most); ++i) shown.push_back(&study.runs[count <= most ? i : i * (count - 1) / (most - 1)]);
+    return shown;
+}
+
+/// What a step multiplies a mode by, explicit and implicit.
+report::Plot damping_plot() {
+    constexpr double end = 2.4;
+    report::Series explicit_factor{.name = "1 − λμ"}, implicit_factor{.name = "1/(1 + λμ)"};
+    for (int i = 0; i <= 48; ++i) {
+        const double x = end * i / 48;
+        add_point(explicit_factor, x, 1 - x);
+        add_point(implicit_factor, x, 1 / (1 + x));
+    }
+    return {.id = "q5_damping",
+            .caption = words.line("damping"),
+            .x_label = "λμ",
+            .y_label = words.line("damping.axis"),
+            .series = {std::move(explicit_factor), std::move(implicit_factor)},
+            .vertical_lines = {{1, "½ λ_crit"}, {2, "λ_crit"}}};
+}
+
+/// The limit of each mesh, and the step to take.
+report::Table limit_table(const Studies& studies) {
+    const auto of_best = [](auto value_of) {
+        return [=](const ExplicitStudy& s) { return s.recommended ? cell_of(value_of(s, *s.recommended)) : report::Cell(); };
+    };
+    return table("q5_limits", words.line("limits"), studies)
+        .column("mesh", &ExplicitStudy::name)
+        .column("λ_crit", {.unit = "length²"}, [](auto& s) { return s.subject.critical; })
+        .column("λ_crit/h̄²", &ExplicitStudy::critical_in_edges)
+        .column("top mode on", {.unit = "vertices", .digits = 2}, [](auto& s) { return s.subject.top.support; })
+        .column("our λ", {.unit = "length²"}, of_best([](auto&, auto& best) { return best.stopped.lambda; }))
+        .column("iterations", {.digits = 6}, of_best([](auto&, auto& best) { return best.stopped.iterations; }))
+        .column("λt", {.unit = "h̄²", .digits = 2}, of_best([](auto& s, auto& best) { return s.in_edges(best.time()); }))
+        .column("face angle before", {.unit = "°", .digits = 2}, of_best([](auto&, auto& best) { return best.roughness_before; }))
+        .column("after", {.unit = "°", .digits = 2}, of_best([](auto&, auto& best) { return best.roughness_after; }))
+        .column("size", {.unit = "% of input"}, of_best([](auto&, auto& best) { return 100 * best.stopped.size.back(); }));
+}
+
+/// Every step tried on every mesh.
+report::Table steps_table(const Studies& studies) {
+    return table("q5_steps", words.line("steps", "iterations"_a = studies.front().runs.front().iterations), trials_of(studies))
+        .column("mesh", [](auto& t) { return t.study.name(); })
+        .column("λ/λ_crit", [](auto& t) { return t.run.lambda / t.study.subject.critical; })
+        .column("energy", {.unit = "of input"}, [](auto& t) { return left_of(t.run, t.run.energy.back()); })
+        .column("size", {.unit = "% of input"}, [](auto& t) { return left_of(t.run, 100 * t.run.size.back()); })
+        .column("faces turned over", {.digits = 6}, [](auto& t) { return cell_of(t.run.moved.inverted_faces, !t.run.result.blew_up); })
+        .column("outcome", &Trial::outcome);
+}
+
+report::Table bounds_table(const Studies& studies) {
+    return table("q5_bounds", words.line("bounds"), studies)
+        .column("mesh", &ExplicitStudy::name)
+        .column("μ_max", {.unit = "1/length²", .digits = 4}, [](auto& s) { return s.subject.top.value; })
+        .column("safe λ (Gershgorin)", {.unit = "length²", .digits = 4, .rounding = Rounding::down},
+                [](auto& s) { return s.subject.safe(); })
+        .column("vertex", {.digits = 8}, [](auto& s) { return s.subject.top.vertex; })
+        .column("vertices as large", [](auto& s) { return s.peaks.size(); })
+        .column("uniform μ_max", {.digits = 4}, [](auto& s) { return s.uniform.top; })
+        .column("uniform λ_crit", {.digits = 4}, [](auto& s) { return s.uniform.critical; });
+}
+
+report::Table sweep_table(const ExplicitStudy& study) {
+    const SmoothingSubject& s = study.subject;
+    return table(id_of("q5", study.name(), "sweep_table"), words.line("sweep", "mesh"_a = study.name()), trials_of({&study, 1}))
+        .column("λ", {.unit = "length²"}, [](auto& t) { return t.run.lambda; })
+        .column("λ/λ_crit", [&](auto& t) { return t.run.lambda / s.critical; })
+        .column("λ/h̄²", [&](auto& t) { return t.run.lambda / (s.mean_edge * s.mean_edge); })
+        .column("top mode ×, predicted", [](auto& t) { return above_rounding(t.growth.predicted); })
+        .column("measured", [](auto& t) { return above_rounding(t.growth.measured); })
+        .column("iterations", {.digits = 6}, [](auto& t) { return t.run.result.iterations; })
+        .column("rms moved", {.unit = "% of box"},
+                [&](auto& t) { return cell_of(100 * t.run.moved.rms / s.diagonal, !t.run.result.blew_up); })
+        .column("smallest angle", {.unit = "°"}, [](auto& t) { return cell_of(t.run.smallest_angle * 180 / pi, !t.run.result.blew_up); });
+}
+
+report::Plot energy_plot(const ExplicitStudy& study) {
+    report::Plot plot{
+        .id = id_of("q5", study.name(), "energy"), .x_label = "iteration", .y_label = words.line("energy.axis"), .log_y = true};
+    Names cut;
+    for (const SmoothingRun* run : shown_runs(study)) {
+        plot.series.push_back(energy_series(study, *run));
+        if (plot.series.back().y.size() < run->energy.size()) cut.push_back(in_limits(study.subject, run->lambda));
+    }
+    plot.caption = words.line("energy", "mesh"_a = study.name());
+    if (!cut.empty()) plot.caption += " " + words.line("energy.cut", "cut"_a = listed(cut));
+    return plot;
+}
+
 /// What triangles without area would do to the limit, on the meshes that have some.
 void add_faces_without_area(report::Section& section, const Studies& studies) {
     for (const ExplicitStudy& study : studies) {

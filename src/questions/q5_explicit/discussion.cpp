@@ -163,12 +163,12 @@ report::Text turned_early(const ExplicitStudy& study) {
                      "faces"_a = study.subject.mesh().face_count(), "mesh"_a = study.name());
 }
 
-/// Where the top mode is largest at the vertex that breaks away first.
+/// Does the mesh break first at a vertex where the top mode is largest?
 bool broken_at_top(const ExplicitStudy& study) {
     return std::ranges::find(study.peaks, study.runs.back().result.blow_up_vertex) != study.peaks.end();
 }
 
-/// Where the largest step tried ends, and whether it breaks at the vertex that sets the limit.
+/// Says where the largest step ends, and whether it breaks at the vertex that sets the limit.
 report::Text where_it_breaks(const StudyPointers& beyond) {
     std::vector<int> iterations;
     Names blown, at_top, turned;
@@ -194,7 +194,7 @@ report::Text where_it_breaks(const StudyPointers& beyond) {
     return paragraph_of({torn, said_of(at_top, words, "beyond.at_top"), said_of(turned, words, "beyond.turned")});
 }
 
-/// Where the pictures show the growth: all over the surface, or at one place.
+/// Says where the pictures show the growth: all over the surface, or at one place.
 report::Text where_it_shows(const StudyPointers& beyond) {
     Names whole;
     report::Text spots;
@@ -225,7 +225,7 @@ StudyPointers tried_beyond(const Studies& studies) {
     return beyond;
 }
 
-/// With the blow-up where all meshes show it at one step.
+/// Summarises the blow-up if all meshes show it at one step.
 report::Text beyond_in_short(const Studies& studies) {
     int last = 0;
     std::string limits;

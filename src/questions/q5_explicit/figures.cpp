@@ -44,7 +44,7 @@ std::string on_sharp_edges(const Studies& studies) {
     return sharp ? " " + words.line("figure.sharp") : "";
 }
 
-/// Likewise where a few vertices set the limit.
+/// What a caption says where a few vertices set the limit.
 std::string on_rings(const Studies& studies) {
     const Names ringed = names_where(studies, [](auto& study) { return study.recommended && !limiting_spot(study).empty(); });
     return ringed.empty() ? "" : " " + words.line("figure.ring", "meshes"_a = listed(ringed));
@@ -55,7 +55,7 @@ report::Facts facts_of(const ExplicitStudy& study) {
     return {"mesh"_a = study.name(), "iterations"_a = run.result.iterations, "limits"_a = in_limits(study.subject, run.lambda)};
 }
 
-/// One mesh: input and result in one figure.
+/// Draws input and result of one mesh in one figure.
 void add_pair(Answer& answer, const Studies& studies, const std::string& id) {
     const ExplicitStudy& study = studies.front();
     const SmoothingRun& run = study.recommended->stopped;
@@ -74,7 +74,7 @@ void add_pair(Answer& answer, const Studies& studies, const std::string& id) {
     add_figure(answer, std::move(figure), words.line("recommended.caption", facts));
 }
 
-/// At the size and place in which all inputs have the same box diagonal.
+/// Scales the mesh so that all inputs have the same box diagonal.
 output::Panel resized_panel(const ExplicitStudy& study, const Positions& X, const std::string& what, std::string label) {
     return panel_of(in_unit_box(study.subject.mesh(), X), id_of("q5", study.name(), what), std::move(label),
                     curvature_colours(study.subject, X));

@@ -13,23 +13,13 @@ using Studies = std::vector<ExplicitStudy>;
 /// The one in which the growth just beyond the limit shows most: its frames and energies are in the report, the others' in the appendix.
 const ExplicitStudy& telling(const Studies& studies);
 
-/// Where the top mode is largest, on meshes where a few vertices set the limit; else none.
+/// Returns the vertices where the top mode is largest if a few set the limit; else none.
 std::vector<int> limiting_spot(const ExplicitStudy& study);
 /// The inputs, and what the recommended steps make of them from six directions; nothing where none is recommended.
 void add_recommended_figure(Answer& answer, const Studies& studies);
 std::string recommended_figure(const Studies& studies);
 /// Frames of a stable step, of one just beyond the limit, and of one far beyond, in the colours of that figure.
 void add_frames_figure(Answer& answer, const ExplicitStudy& study, const Studies& studies);
-
-/// What a step multiplies a mode by, explicit and implicit.
-report::Plot damping_plot();
-/// The limit of each mesh, and the step to take.
-report::Table limit_table(const Studies& studies);
-/// Every step tried on every mesh.
-report::Table steps_table(const Studies& studies);
-report::Plot energy_plot(const ExplicitStudy& study);
-report::Table bounds_table(const Studies& studies);
-report::Table sweep_table(const ExplicitStudy& study);
 
 /// A good step, and what a larger one does, in one sentence.
 report::Text answer_in_short(const Studies& studies);

@@ -45,22 +45,22 @@ struct ExplicitStudy {
     /// An area, as λ and λt are, in squared mean edges.
     double in_edges(double area) const { return area / (subject.mean_edge * subject.mean_edge); }
     bool stable(std::size_t run) const { return runs[run].lambda <= subject.critical; }
-    /// As many as there are: there is none.
+    /// The first run beyond the limit; the number of runs if there is none.
     std::size_t first_beyond() const;
 };
 
-/// In units of the limit: two that never overshoot, one that overshoots but is stable, one just beyond, one far beyond.
+/// Default steps over the limit: two without overshoot, one with overshoot but stable, one just beyond, one far beyond.
 inline const std::vector<double> own_steps{0.05, 0.5, 0.95, 1.05, 2.0};
-/// Of every step.
+/// The iterations of every run.
 int iterations_of(const QuestionSettings& settings);
 
-/// With the steps of the settings, else with its own.
+/// Uses the steps of the settings, else own_steps.
 ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings);
 
 /// Does a step of λ leave the sign of every mode (λμ_max ≤ 1, half the limit)?
 bool keeps_signs(const SmoothingSubject& subject, double lambda);
 
-/// Of the triangles of `mesh`, how many face away from where they did when its vertices are at X.
+/// Counts the triangles of `mesh` whose normals reverse when its vertices move to X.
 int faces_turned(const TriangleMesh& mesh, const Positions& X);
 
 /// Does triangle t, of these unit normals, face away from the others at its vertices?

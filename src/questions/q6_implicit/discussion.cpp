@@ -36,7 +36,7 @@ report::Text price_of_recommended(const Studies& studies) {
     return ratios.empty() ? report::Text() : words.say("answer.good." + price_key(ratios), "ratios"_a = span_of(ratios));
 }
 
-/// From which amount and with which step on implicit steps pay, and what is left of the size there; on which meshes they do at none tried.
+/// Says from which amount and step on implicit steps pay and what size is left; names meshes where they never pay.
 report::Text pays_from(const Studies& studies) {
     Names paying, never;
     std::vector<double> kept;
@@ -94,7 +94,7 @@ report::Text roundness(const Studies& studies) {
 
 std::string matrix_of(const ImplicitStudy& study) { return id_of("q6", study.name(), "matrix"); }
 
-/// Where the two schemes differ most within the explicit limit, and from which t on by little.
+/// The largest difference of the two schemes within the explicit limit, and the t from which it is small.
 struct Gaps {
     static constexpr double little = 0.05;   // of the distance moved
     double worst = 0;
@@ -134,7 +134,7 @@ double excess_of(const SmoothingSubject& subject, const Positions& X, const std:
     return few && squares.elsewhere > 0 ? std::sqrt(squares.there / squares.elsewhere) : NAN;
 }
 
-/// Where the recommended result has moved most: at the boundary, at sharp edges, or nowhere in particular.
+/// Says where the recommended result moved most: at the boundary, at sharp edges, or nowhere in particular.
 report::Text where_it_goes(const ImplicitStudy& study, const SmoothingCell& good) {
     const MeshTopology& topology = study.subject.topology();
     const TriangleMesh& mesh = study.subject.mesh();
@@ -152,7 +152,7 @@ report::Text where_it_goes(const ImplicitStudy& study, const SmoothingCell& good
     return words.say(boundary ? "reading.boundary" : "reading.edges", "times"_a = readable(most, 2));
 }
 
-/// Of the sharp convex edges' vertices, those that are concave on X: an explicit step has pulled them inside the faces.
+/// The share of the sharp convex vertices that are concave on X: an explicit step has pulled them inside.
 double share_pulled_inside(const ImplicitStudy& study, const Positions& X) {
     const TriangleMesh& mesh = study.subject.mesh();
     if (mesh_character(mesh, study.subject.topology()).kind() != MeshClass::sharp_edged) return 0;
@@ -211,7 +211,7 @@ double speckles_of(const ImplicitStudy& study, const SmoothingCell& good) {
     return sizes[sizes.size() - sizes.size() / 100 - 1] / sizes[sizes.size() / 2];
 }
 
-/// Where steps beyond the explicit limit have left speckles.
+/// Says if steps beyond the explicit limit have left speckles.
 report::Text speckles(const ImplicitStudy& study, const SmoothingCell& good) {
     constexpr double bell = 3.8;   // of normally distributed values
     if (!(good.lambda > study.subject.critical) || !(speckles_of(study, good) > 1.2 * bell)) return {};
@@ -232,7 +232,7 @@ report::Text recommended(const ImplicitStudy& study) {
                          where_it_goes(study, *good), turned, speckles(study, *good)});
 }
 
-/// From where on implicit steps pay.
+/// Says from where on implicit steps pay.
 report::Text pays(const ImplicitStudy& study) {
     const std::optional<BreakEven> even = study.break_even();
     if (!even) return {};
@@ -246,7 +246,7 @@ report::Text too_much(const ImplicitStudy& study) {
     return words.say("reading.much", "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2));
 }
 
-/// Where the explicit runs end at the smallest step that blew up: "6 (cube and plane)".
+/// Lists the iterations where explicit runs end at the smallest step that blew up: "6 (cube and plane)".
 report::Text explicit_ends(const Studies& studies) {
     std::map<std::string, std::map<int, Names>> ended;   // by step and iteration
     for (const ImplicitStudy& study : studies)

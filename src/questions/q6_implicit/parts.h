@@ -13,9 +13,9 @@ using Studies = std::vector<ImplicitStudy>;
 /// "λ = 5 λ_crit, t = 10".
 std::string title_of(const ImplicitStudy& study, const SmoothingCell& cell);
 
-/// Of mean curvature on all inputs: every figure has these colours.
+/// The colour range of mean curvature on all inputs, used in every figure.
 output::ColorRange colours_of(const Studies& studies);
-/// Over λ × t, in the frame of the input: the input, explicit above implicit results, explicit until it blows up.
+/// Shows the input and the results over λ × t, explicit above implicit, in the frame of the input.
 void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorRange& colours, bool has_legend);
 /// What is recommended of each mesh, from the six directions.
 void add_views(Answer& answer, const Studies& studies, const output::ColorRange& colours);

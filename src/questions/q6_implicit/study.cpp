@@ -48,7 +48,7 @@ SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) 
     return cell;
 }
 
-/// Where one λt is there in several numbers of steps: the distance to the result of the fewest.
+/// Compares results of equal λt with the one of the fewest steps.
 void compare_equal_times(ImplicitStudy& study) {
     for (SmoothingCell& many : study.grid) {
         const double moved = vertex_rms(study.subject.mesh().X, many.implicit_X);
@@ -88,7 +88,7 @@ void measure_damping(ImplicitStudy& study) {
     }
 }
 
-/// Of each λ as many steps as keep the size; among the results within 1 % of the least energy the one with the fewest steps.
+/// Takes for each λ the most steps that keep the size; of results within 1 % of the least energy the fewest steps.
 std::optional<SmoothingCell> recommended_cell(const ImplicitStudy& study, ImplicitSolver& solver) {
     std::vector<int> steps;
     std::vector<double> energy;
@@ -128,7 +128,7 @@ Smoothed explicit_run(const ImplicitStudy& study, int steps, const std::function
     return smooth(study.subject.mesh(), options);
 }
 
-/// As far as the least energy of a result that leaves something to look at.
+/// Runs until the least energy of any result that is still visible.
 std::vector<double> explicit_energies(const ImplicitStudy& study) {
     double least = study.good() ? study.good()->implicit_energy : 1;
     for (const SmoothingCell& cell : study.grid)

@@ -42,7 +42,7 @@ struct SmoothingCost {
     bool reached() const { return explicit_steps > 0; }
 };
 
-/// From so many iterations on, at all that are priced, the implicit steps of a λ cost no more than explicit ones to the same energy.
+/// The iterations from which on implicit steps of a λ cost no more than explicit ones to the same energy.
 struct BreakEven {
     double lambda = 0;
     int iterations = 0;
@@ -77,7 +77,7 @@ struct ImplicitStudy {
     const SmoothingCell& cell(std::size_t lambda, std::size_t t) const { return grid[lambda * iterations.size() + t]; }
     /// Index of the largest λ that is within the explicit limit.
     std::optional<std::size_t> within_limit() const;
-    /// At that λ, as long as something is left to smooth.
+    /// The gaps at that λ, as long as something is left to smooth.
     std::vector<SchemeGap> gaps() const;
     /// Index of the smallest λ whose explicit run blew up.
     std::optional<std::size_t> first_blown() const;
@@ -85,24 +85,24 @@ struct ImplicitStudy {
     const SmoothingCell* good() const { return recommended ? &*recommended : nullptr; }
     /// Explicit steps of half of λ_crit to this share of the energy of the input; 0: none, or more than were tried.
     int explicit_steps_to(double energy) const;
-    /// Of those steps, over t implicit ones of the l-th λ and their factorisation [operations]; NaN where one is not known.
+    /// The operations of the explicit steps over those of t implicit steps of the l-th λ; NaN where one is unknown.
     double price(std::size_t l, int t) const;
-    /// Of the l-th λ, and of the λ that breaks even at the least λt. None: explicit steps are cheaper at all that is priced.
+    /// The break-even of the l-th λ, and of the λ with the least λt. None: explicit steps are always cheaper.
     std::optional<BreakEven> break_even(std::size_t l) const;
     std::optional<BreakEven> break_even() const;
-    /// Of the cells that leave less the one nearest to half of the size: what too much looks like. Null: none, or only points.
+    /// The over-smoothed cell nearest to half of the size. Null: there is none, or only points are left.
     const SmoothingCell* too_much() const;
 };
 
 /// Explicit steps that prices are counted with, at most.
 inline constexpr int most_priced_steps = 1000;
 
-/// In units of the explicit limit: within it, a little beyond, far beyond.
+/// Default steps in units of the explicit limit: within it, a little beyond, far beyond.
 inline const std::vector<double> own_steps{0.5, 5.0, 50.0};
-/// Of every step; ascending.
+/// The iteration counts of every step, ascending.
 std::vector<int> iterations_of(const QuestionSettings& settings);
 
-/// With the steps of the settings, else with its own.
+/// Uses the steps of the settings, else own_steps.
 ImplicitStudy implicit_study(SharedMesh source, const QuestionSettings& settings);
 
 }   // namespace meshfolio::q6_implicit

@@ -5,7 +5,7 @@ namespace meshfolio::q7_denoising {
 
 namespace {
 
-/// Where the surface is nearer, but the volume lost: no success.
+/// Names cases where the surface is nearer but the volume is lost, which is no success.
 report::Text shrunk(const Grids& grids) {
     Names told;
     for (const Case& c : cases_of(grids))
@@ -84,7 +84,7 @@ const Case* most_below(const std::vector<Case>& cases, const Measure& measure) {
     return most;
 }
 
-/// From which noise on smoothing halves the distance, and what it gains below.
+/// Says from which noise on smoothing halves the distance, and what it gains below.
 report::Text split_told(const Grids& grids, const NoiseSplit& split) {
     const std::vector<Case> cases = cases_of(grids);
     const Case* most = most_below(cases, measures[0]);

@@ -4,14 +4,14 @@ namespace meshfolio::q7_denoising {
 
 namespace {
 
-/// That the noise in mean edges does not tell the cases that are halved from the others; that it does stands in the answer.
+/// Says that the noise in mean edges does not separate the cases that are halved; if it does, the answer says so.
 report::Text noise_in_mean_edges(const Grids& grids) {
     const NoiseSplit split = noise_split(grids);
     if (!std::isfinite(split.smallest_halved) || split.largest_other == 0 || split.decides()) return {};
     return words.say("split.mixed", "halved"_a = readable(split.smallest_halved, 2), "other"_a = readable(split.largest_other, 2));
 }
 
-/// Where normals gain most at less than the strongest noise.
+/// Names the meshes whose normals gain most at less than the strongest noise.
 report::Text strongest_by_normals(const Grids& grids) {
     const Measure& normals = measures[2];
     Names told;
@@ -27,7 +27,7 @@ report::Text strongest_by_normals(const Grids& grids) {
     return said_of(told, words, "strong.normals");
 }
 
-/// Where the strongest noise tried gains most, it is not too strong; what is left of it is a lot all the same.
+/// Says that the strongest noise is not too strong where it gains most, and how much error is left.
 report::Text strongest_noise(const Grids& grids) {
     Names meshes;
     double angle = infinity, strongest = infinity;
@@ -123,7 +123,7 @@ report::Text map_read(const Grids& grids) {
                          as_good_at_equal_time(grid, last), harms ? words.say("map.harms", facts) : report::Text()});
 }
 
-/// Of all cases the one where the measures differ most in how much smoothing they ask for.
+/// Finds the case where the measures differ most in how much smoothing they ask for.
 report::Text measures_disagree(const Grids& grids) {
     const auto time = [](const Case& c, const Measure& measure) { return c.part.best_by(measure).value * c.part.best_by(measure).step; };
     const auto spread = [&](const Case& c) {
@@ -181,7 +181,7 @@ report::Text along_surface(const DenoisingGrid& grid) {
                      "across"_a = readable_percent(trial.removed_across(), 2));
 }
 
-/// Where the volume goes: the shape is thin for so much smoothing.
+/// Explains the lost volume: the shape is thin for so much smoothing.
 report::Text thin(const Grids& grids) {
     const DenoisingGrid* thinnest = nullptr;
     double elsewhere = 1;

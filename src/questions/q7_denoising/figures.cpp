@@ -32,7 +32,7 @@ void add_states_of(output::FigureRequest& request, const DenoisingGrid& grid, co
     add_state(trial.over, "over");
 }
 
-/// Of distances in σ, from 0.
+/// Makes a colour range from 0 for distances in σ.
 output::ColorRange range_in_sigma(const std::vector<output::Panel>& panels, const std::string& quantity) {
     output::ColorRange range = output::robust_range(panels, distance_colours, words.line(quantity), "σ", 0.01);
     range.low = range.clipped_below = 0;

@@ -28,7 +28,7 @@ Count count_of(const Grids& grids, const Measure& measure);
 
 /// The cases to look at: of each mesh its own, and of all the one with the least and the one with the largest gain.
 std::vector<Case> pictured_cases(const Grids& grids);
-/// Each of them clean, noisy, nearest to the clean surface, smoothed on. @return  its colours
+/// Shows each case clean, noisy, nearest to the clean surface, and smoothed further. @return  the colours of the figure
 output::ColorRange add_states(Answer& answer, const Grids& grids);
 /// The nearest of these from the six directions, in the same colours.
 void add_views(Answer& answer, const Grids& grids, const output::ColorRange& colours);
@@ -41,7 +41,7 @@ const DenoisingGrid* most_shrunk(const Grids& grids);
 /// The one whose surface gains most, of which the map is looked at, and the one with the least gain.
 const DenoisingGrid& leading(const Grids& grids);
 const DenoisingGrid& hardest(const Grids& grids);
-/// Of one grid the noise with the largest and that with the least gain; the first where none has any.
+/// Find the noise of one grid with the largest and with the least gain; the first where none has any.
 const NoisyTrial& leading_in(const DenoisingGrid& grid);
 const NoisyTrial& hardest_in(const DenoisingGrid& grid);
 

@@ -151,7 +151,7 @@ void compare_areas(DenoisingGrid& grid) {
     grid.kept_by_less = signed_volume(moved_to(clean, smooth(clean, less).X)) / trial.clean_volume;
 }
 
-/// As strong as that of pictured(), but along the normals, or on a tenth of the vertices.
+/// Tries noise as strong as that of pictured(), along the normals only, and on a tenth of the vertices only.
 void try_other_noise(DenoisingGrid& grid, std::uint64_t seed) {
     const NoisyTrial& trial = grid.pictured();
     const TriangleMesh& clean = grid.clean->mesh();

@@ -21,7 +21,7 @@ struct Remains {
     double volume = NAN;   // over that of the clean mesh; NaN: open
 };
 
-/// Where one stops who has the noisy mesh alone, by Stein's estimate with the σ fitted to it, at the step in the middle of the grid.
+/// Where a user without the clean mesh stops: by Stein's estimate with a fitted σ, at the step in the middle of the grid.
 struct Stopped {
     int step = 0;
     double gain = NAN;   // by surface; NaN: no σ, or nothing to measure
@@ -30,7 +30,7 @@ struct Stopped {
     double share() const { return gain / best; }
 };
 
-/// One noisy mesh, and what the grid made of it. λ is in squared mean edges of the clean mesh, h̄².
+/// One noisy mesh and its results over the grid. λ is in squared mean edges of the clean mesh, h̄².
 struct NoisyTrial {
     double relative = 0, sigma = 0;    // of each coordinate [box diagonals], [length]
     double clean_volume = NAN;         // NaN: open [length³]
@@ -104,10 +104,10 @@ DenoisingTries tries_of(const QuestionSettings& settings, double mean_edge);
 SearchResult search_for_best(const SearchInput& input, const std::vector<double>& lambdas, int iterations,
                              std::vector<SearchState>* states = nullptr);
 
-/// At the noise levels of the settings, else from barely visible to hopeless; steps λ from a thousandth of a squared mean edge to ten.
+/// Runs the noise levels of the settings, else from barely visible to hopeless, with λ from 0.001 h̄² to 10 h̄².
 DenoisingGrid denoising_grid(SharedMesh clean, const QuestionSettings& settings);
 
-/// Of each vertex how far X is from where it was clean along the surface, and how far below it. [length]
+/// Measures how far each vertex of X is from its clean place: along the surface, and below it. [length]
 Vector drifts(const DenoisingGrid& grid, const Positions& X);
 Vector sinkings(const DenoisingGrid& grid, const Positions& X);
 

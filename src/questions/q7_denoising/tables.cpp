@@ -22,7 +22,7 @@ std::vector<Judged> judged_in(const Grids& grids) {
     return rows;
 }
 
-/// From the noisy mesh, t = 0, on, until it has joined the curve without noise for good. [% of the box diagonal]
+/// Starts at the noisy mesh (t = 0) and ends where it stays on the curve without noise. [% of the box diagonal]
 report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) {
     constexpr double joined = 0.1;   // of the distance without noise
     report::Series series{
@@ -42,7 +42,7 @@ report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) 
     return series;
 }
 
-/// By surface; NaN where the noise has nothing of it.
+/// The gain in distance to the surface; NaN where the noise does not move the surface.
 double surface_gain(const NoisyTrial& trial) { return trial.gain(measures[0]); }
 
 }   // namespace

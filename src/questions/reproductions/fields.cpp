@@ -145,7 +145,7 @@ report::Text rebuilt_found(const Reproduction& r, const ReconstructionExperiment
     return words.say("rebuilt.found", "mesh"_a = done.meshes[m].name(), "errors"_a = joined(errors));
 }
 
-/// In the operator's own masses the error cannot grow with k.
+/// Checks that the error in the operator's own masses does not grow with k.
 void add_rebuilt_checks(const Reproduction& r, const ReconstructionExperiment& done) {
     for (std::size_t i = 0; i + 1 < done.rebuilt.size(); ++i) {
         const RebuiltMesh &fewer = done.rebuilt[i], &more = done.rebuilt[i + 1];

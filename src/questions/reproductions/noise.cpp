@@ -9,7 +9,6 @@ namespace meshfolio::reproductions {
 namespace {
 
 double percent_of(const NoisyExperiment& done, const NoisyRun& run) { return 100 / done.meshes[run.mesh].diagonal; }
-double rms_at(const NoisyRun& run, int iteration) { return run.rms[iteration]; }
 int last_iteration(const NoisyRun& run) { return static_cast<int>(run.rms.size()) - 1; }
 bool same_curve(const NoisyRun& a, const NoisyRun& b) {
     return a.mesh == b.mesh && a.method == b.method && a.kind == b.kind && a.area == b.area && a.given == b.given;
@@ -25,7 +24,7 @@ output::Panel panel_at(const Reproduction& r, const NoisyExperiment& done, const
     return panel_of(moved_to(mesh.mesh(), X), std::move(name), std::move(label), colours_of(mesh, r.experiment.colours.front(), X));
 }
 
-/// Of each level of noise the noisy mesh, and each run at the experiment's iterations.
+/// Shows for each noise level the noisy mesh and each run at the experiment's iterations.
 void add_denoising_figure(const Reproduction& r, const NoisyExperiment& done, std::size_t m) {
     const Experiment& e = r.experiment;
     output::FigureRequest figure = figure_on(r, done.meshes[m], "original");
@@ -96,8 +95,7 @@ report::Plot error_plot(const Reproduction& r, const NoisyExperiment& done, cons
         report::Series series{.name = "σ = " + noise_text(e, run.noise)};
         for (std::size_t t = 0; t < run.rms.size(); ++t) add_point(series, double(t), percent_of(done, run) * run.rms[t]);
         plot.series.push_back(std::move(series));
-        plot.markers.push_back(
-            {double(run.best), percent_of(done, run) * rms_at(run, run.best), "smallest, t = " + std::to_string(run.best)});
+        plot.markers.push_back({double(run.best), percent_of(done, run) * run.rms[run.best], "smallest, t = " + std::to_string(run.best)});
     }
     return plot;
 }
@@ -114,7 +112,7 @@ struct Reached {
     int iteration;
 };
 
-/// Of a curve the end, else the iterations of the experiment as far as the run went.
+/// Takes the end of an error curve, else the iterations of the experiment that the run reached.
 std::vector<Reached> reached_by(const NoisyExperiment& done, const Experiment& e) {
     std::vector<Reached> rows;
     for (const NoisyRun& run : done.runs) {
@@ -131,7 +129,7 @@ std::vector<Reached> reached_by(const NoisyExperiment& done, const Experiment& e
 report::Table noise_table(const Reproduction& r, const NoisyExperiment& done) {
     const Experiment& e = r.experiment;
     const report::Column in_box{.unit = "% of box"}, in_degrees{.unit = "°"};
-    const auto rms = [&](const Reached& row, int t) { return percent_of(done, row.run) * rms_at(row.run, t); };
+    const auto rms = [&](const Reached& row, int t) { return percent_of(done, row.run) * row.run.rms[t]; };
     const auto edges = [&](const Reached& row) { return std::sqrt(row.run.sigma.squaredNorm() / 3) / done.meshes[row.run.mesh].mean_edge; };
     auto built = table(r.id_of("errors"), words.line("errors"), reached_by(done, e));
     built.column("mesh", [&](auto& row) { return done.meshes[row.run.mesh].name(); })
@@ -157,7 +155,7 @@ report::Table noise_table(const Reproduction& r, const NoisyExperiment& done) {
 
 report::Text about_run(const Reproduction& r, const NoisyExperiment& done, const NoisyRun& run) {
     const int end = last_iteration(run);
-    const auto percent = [&](int t) { return readable(percent_of(done, run) * rms_at(run, t)); };
+    const auto percent = [&](int t) { return readable(percent_of(done, run) * run.rms[t]); };
     const std::string_view key = run.blew_up ? "run.blew_up" : run.best == 0 ? "run.harmed" : run.best == end ? "run.falling" : "run.least";
     return words.say(key, "run"_a = sentence_case(run_label(r.experiment, run)), "noise"_a = noise_text(r.experiment, run.noise),
                      "blow_up"_a = run.blow_up_iteration, "before"_a = percent(0), "after"_a = percent(end), "iterations"_a = end,

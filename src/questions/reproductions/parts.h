@@ -52,7 +52,7 @@ std::string variant_text(const Experiment& experiment, OperatorKind kind, AreaFo
 std::string chosen_text(double x);
 /// "0.3", "0.3 to 0.9": least and largest. @param values  at least one
 std::string range_text(const std::vector<double>& values);
-/// With its first letter, when it is a Latin one, as at the beginning of a sentence.
+/// Makes the first letter upper case if it is a Latin one.
 std::string sentence_case(std::string words);
 
 /// How the id of what is coloured so ends: "h_cotan".

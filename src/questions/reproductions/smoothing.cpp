@@ -117,28 +117,14 @@ report::Table run_table(const Reproduction& r, const SmoothingExperiment& done) 
 
 using Runs = std::vector<const ExperimentRun*>;
 
-template <class Chosen>
-Runs runs_where(const SmoothingExperiment& done, std::size_t mesh, Chosen chosen) {
-    Runs runs;
-    for (const ExperimentRun& run : done.runs)
-        if (run.mesh == mesh && chosen(run)) runs.push_back(&run);
-    return runs;
-}
-
-template <class Value>
-std::vector<double> values_of(const Runs& runs, Value value) {
-    return each_of(runs, [&](const ExperimentRun* run) { return value(*run); });
-}
-
 bool is_explicit(const ExperimentRun& run) { return run.method.scheme == SmoothingScheme::explicit_euler; }
-double last_energy(const ExperimentRun& run) { return run.run.energy.back(); }
-double share_of(const ExperimentRun& run) { return run.share(); }
-int end_of(const ExperimentRun& run) { return run.run.result.blow_up_iteration; }
+double last_energy(const ExperimentRun* run) { return run->run.energy.back(); }
 
 /// In which iterations they blew up. @param blown  at least one
 std::string ends_text(const Runs& blown) {
-    const auto [first, last] = std::ranges::minmax(blown, {}, [](const ExperimentRun* run) { return end_of(*run); });
-    return span_of(std::to_string(end_of(*first)), std::to_string(end_of(*last)));
+    const auto [first, last] =
+        std::ranges::minmax(each_of(blown, [](const ExperimentRun* run) { return run->run.result.blow_up_iteration; }));
+    return span_of(std::to_string(first), std::to_string(last));
 }
 
 /// What became of some runs: how many, at which shares of the limit, and their energies or the iterations they ended in.
@@ -147,19 +133,19 @@ void tell_runs(report::Text& text, const Runs& runs, std::string_view what) {
     Runs blown, whole;
     for (const ExperimentRun* run : runs) (run->run.result.blew_up ? blown : whole).push_back(run);
     const std::string_view key = blown.empty() ? "runs.whole" : whole.empty() ? "runs.blown" : "runs.both";
-    tell(text, words.say(key, "what"_a = words.line(what), "shares"_a = range_text(values_of(runs, share_of)), "whole"_a = whole.size(),
-                         "energies"_a = whole.empty() ? "" : range_text(values_of(whole, last_energy)), "blown"_a = blown.size(),
-                         "ends"_a = blown.empty() ? "" : ends_text(blown)));
+    tell(text, words.say(key, "what"_a = words.line(what), "shares"_a = range_text(each_of(runs, &ExperimentRun::share)),
+                         "whole"_a = whole.size(), "energies"_a = whole.empty() ? "" : range_text(each_of(whole, last_energy)),
+                         "blown"_a = blown.size(), "ends"_a = blown.empty() ? "" : ends_text(blown)));
 }
 
-/// Of runs beyond the limit that ended whole with less energy: how far the top mode, for which λμ_max = 2λ/λ_crit, grew in them.
+/// Tells how far the top mode (λμ_max = 2λ/λ_crit) grew in runs beyond the limit that ended with less energy.
 void tell_hidden_growth(report::Text& text, const Runs& beyond) {
     Runs hidden;
     for (const ExperimentRun* run : beyond)
-        if (!run->run.result.blew_up && last_energy(*run) < 1) hidden.push_back(run);
+        if (!run->run.result.blew_up && last_energy(run) < 1) hidden.push_back(run);
     if (hidden.empty()) return;
-    const auto growth = [](const ExperimentRun& run) { return std::pow(2 * run.share() - 1, run.run.result.iterations); };
-    tell(text, words.say("runs.hidden_growth", "growth"_a = range_text(values_of(hidden, growth))));
+    const auto growth = [](const ExperimentRun* run) { return std::pow(2 * run->share() - 1, run->run.result.iterations); };
+    tell(text, words.say("runs.hidden_growth", "growth"_a = range_text(each_of(hidden, growth))));
 }
 
 /// The gap between explicit and implicit runs at the same λ, against how far they moved.
@@ -200,7 +186,12 @@ void tell_equal_times(report::Text& text, const Experiment& e, const SmoothingEx
 
 report::Text found_on(const Reproduction& r, const SmoothingExperiment& done, std::size_t m) {
     report::Text text = words.say("found_on", "mesh"_a = done.meshes[m].name());
-    const auto chosen = [&](auto choice) { return runs_where(done, m, choice); };
+    const auto chosen = [&](auto choice) {
+        Runs runs;
+        for (const ExperimentRun& run : done.runs)
+            if (run.mesh == m && choice(run)) runs.push_back(&run);
+        return runs;
+    };
     const auto frozen = [](const ExperimentRun& run) { return is_explicit(run) && !run.method.rebuild; };
     tell_runs(text, chosen([&](auto& run) { return frozen(run) && run.share() <= 1; }), "runs.within_limit");
     const Runs beyond = chosen([&](auto& run) { return frozen(run) && run.share() > 1; });

@@ -26,7 +26,7 @@ struct ExperimentMesh {
 /// The meshes of an experiment: the originals, else their stand-ins; the user's own take their places.
 std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings);
 
-/// By what rule the parameters of an experiment carry over to a mesh.
+/// The rule by which parameters of an experiment carry over to a mesh.
 enum class Carried { as_given, by_limit, by_edge };
 /// A raw λ becomes on a stand-in the same multiple of λ_crit, or with noise of the squared mean edge. The uniform operator, other units and
 /// originals of unknown measure keep λ as given.
@@ -109,7 +109,7 @@ struct SmoothingExperiment {
     std::vector<ExperimentRun> runs;   // mesh by mesh, operator, area, method, λ
     std::vector<UsableStep> usable;    // one a mesh, when the experiment searches
 };
-/// Of the kind smoothing: every combination of mesh, operator, area form, method and λ
+/// Runs every combination of mesh, operator, area form, method and λ, for the kind smoothing.
 SmoothingExperiment smoothing_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings);
 
 /// One noisy mesh smoothed with its own operator.
@@ -138,7 +138,7 @@ struct NoisyExperiment {
     std::vector<ExperimentMesh> meshes;
     std::vector<NoisyRun> runs;   // mesh by mesh, operator, area, method, λ, noise
 };
-/// Of the kinds denoising and error_curve.
+/// Runs experiments of the kinds denoising and error_curve.
 NoisyExperiment noisy_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings);
 
 }   // namespace meshfolio::reproductions

@@ -13,7 +13,7 @@ report::Check width_check(std::string name, const StabilityCertificate& proved) 
     return undecided(std::move(check), words.line("check.width.undecided", "entries"_a = proved.factor_nonzeros));
 }
 
-/// Where that is neither proved nor refuted, the check decides nothing.
+/// Is undecided where semidefiniteness is neither proved nor refuted.
 report::Check semidefinite_check(std::string name, const StabilityCertificate& proved) {
     const Definiteness& d = proved.bottom;
     report::Check check = check_at_least(std::move(name), 0, (d.indefinite() ? d.mu_high : d.mu_low) / proved.mu_high, 1e-10);

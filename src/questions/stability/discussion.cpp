@@ -4,7 +4,7 @@ namespace meshfolio::stability {
 
 namespace {
 
-/// Of the limits of all operators on all meshes.
+/// Counts the proved limits of all operators on all meshes.
 struct Proofs {
     double widest = 0, rounding = 0, below = 0;
     int refuted = 0, limits = 0, semidefinite = 0;

@@ -6,7 +6,7 @@ namespace meshfolio::stability {
 
 namespace {
 
-/// Where the renderer's three-quarter view looks from, near enough to see a patch from above.
+/// The direction of the renderer's three-quarter view, precise enough to see a patch from above.
 const Vector3 towards_viewer = Vector3(0.53, 0.37, 0.76).normalized();
 
 /// The positions turned about a vertex so that its normal faces the viewer.
@@ -17,7 +17,7 @@ Positions turned(const TriangleMesh& mesh, int vertex) {
     return (mesh.X.rowwise() - mesh.X.row(vertex)) * turn.transpose();
 }
 
-/// One colour range for all, from `low` to 1.
+/// Adds a figure with one colour range from `low` to 1 for all panels.
 void add_multiples(Answer& answer, output::FigureRequest request, const std::string& caption, const std::string& colormap,
                    const std::string& quantity, double low) {
     request.range = output::robust_range(request.panels, colormap, quantity, "", 1);
@@ -116,7 +116,7 @@ void add_limiting_vertex_figures(Answer& answer, const Studies& studies, const s
             " " + words.line("close_ups.caption.mesh", "mesh"_a = study.name(), "angle"_a = readable(v.smallest_angle * 180 / pi, 2));
     }
     add_multiples(answer, std::move(whole), words.line("top_modes.caption"), colormap, "|φ| / max |φ|", 0);
-    // With its sign the mode is drawn on white where it is 0: edges stay visible.
+    // A signed range is white at 0, so edges stay visible.
     add_multiples(answer, std::move(near), caption, "diverging", "φ / max |φ|", -1);
 }
 

@@ -48,7 +48,7 @@ std::string error_of(const GroundTruth& truth, std::string_view surface, MeshKin
     return readable_percent(truth.errors(surface, kind, estimator).last(), 2);
 }
 
-/// On which surfaces H from the cotangent formula converges on random points, one kind of area after the other.
+/// Names the surfaces where cotangent H converges on random points, for each area form.
 std::string convergence_on_random_points(const GroundTruth& truth) {
     Names where;
     for (const AreaForm form : area_forms) {

@@ -31,7 +31,7 @@ report::Table error_table(const GroundTruth& truth, MeshKind kind);
 report::Table order_table(const GroundTruth& truth, MeshKind kind);
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity);
 
-/// One row an estimate on every mesh, with everything that was measured: for files.
+/// Lists every estimate on every mesh with all measured values, for files.
 report::Table ground_truth_table(const GroundTruth& truth);
 
 }   // namespace meshfolio::truth

@@ -4,7 +4,7 @@ namespace meshfolio::truth {
 
 namespace {
 
-/// Those of H, then those of K.
+/// The estimators of H, then those of K.
 std::vector<const Estimator*> rows() {
     std::vector<const Estimator*> rows = panel_estimators(Quantity::H);
     std::ranges::copy(panel_estimators(Quantity::K), std::back_inserter(rows));

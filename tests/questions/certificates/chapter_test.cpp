@@ -15,12 +15,6 @@ Answer answer_on(const TriangleMesh& mesh, const std::string& name) {
 
 }   // namespace
 
-TEST(CertificatesSection, BundledMeshesPassTheirChecks) {
-    const Answer answer = chapter_of_id("certificates").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
-    expect_well_formed(answer);
-    expect_checks_pass(answer.section);
-}
-
 TEST(CertificatesSection, HoldsOnOpenPlainAndDividedMeshes) {
     for (const auto& [name, mesh] : {std::pair{"cert_grid", grid_mesh(9, 7, 2, 1)}, std::pair{"cert_box", cube_mesh(1)},
                                      std::pair{"cert_torus", torus_mesh(30, 12, 1, 0.4)}}) {

@@ -320,7 +320,7 @@ TEST(ClaimAbout, AMeshWithoutThePropertyIsLeftOut) {
     EXPECT_EQ(why(patch, "about_k", Property::unequal_areas), "");
     EXPECT_EQ(why(patch, "about_l", Property::above_1500_vertices), "about_l has no more than 1500 vertices");
     EXPECT_EQ(why(icosphere(4), "about_m", Property::above_1500_vertices), "");
-    EXPECT_EQ(why(patch, "plane_noisy", Property::clean_form_known), "the surface under the noise of plane_noisy is not known")
+    EXPECT_EQ(why(patch, "plane_noisy", Property::clean_known), "the surface under the noise of plane_noisy is not known")
         << "whatever one's own file is called";
     EXPECT_EQ(decision_of("claims_s3_clamp_stable", library_of(sphere, "about_n")).verdict, Verdict::undecidable)
         << "clamping what is not there says nothing";

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -67,13 +69,14 @@ inline const output::FigureRequest& figure_named(const Answer& answer, const std
     throw std::logic_error("no figure " + id);
 }
 
-/// A question's own checks on every mesh beside the project that is not too large; skipped where there are none.
+inline constexpr auto any_size = std::numeric_limits<std::uintmax_t>::max();
+/// Checks a chapter on every mesh beside the project up to this size of file; skipped where there are none.
 inline void check_real_meshes(Answer (*answer_of)(const MeshLibrary&, const QuestionSettings&, const Progress&),
-                              const QuestionSettings& settings = quick_settings()) {
+                              const QuestionSettings& settings = quick_settings(), std::uintmax_t most_bytes = 300'000) {
     const auto files = shared_meshes();
     if (files.empty()) GTEST_SKIP() << "no meshes beside the project";
     for (const auto& file : files) {
-        if (std::filesystem::file_size(file) > 300'000) continue;
+        if (std::filesystem::file_size(file) > most_bytes) continue;
         SCOPED_TRACE(file);
         const Answer answer = answer_of(MeshLibrary({}, {file}), settings, no_progress);
         expect_well_formed(answer);

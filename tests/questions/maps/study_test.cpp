@@ -209,6 +209,4 @@ TEST(SmoothingMapsSection, StandsMeshesThatAreHardlyAny) {
     }
 }
 
-TEST(SmoothingMapsSection, RealMeshesPassTheirChecks) { check_real_meshes(chapter_of_id("maps").answer); }
-
 }   // namespace meshfolio::maps

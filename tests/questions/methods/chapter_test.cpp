@@ -156,12 +156,6 @@ TEST(DenoisingLaboratory, ALargeMeshIsStudiedOnAPatch) {
     EXPECT_FALSE(subject.encloses_volume);
 }
 
-TEST(Methods, BundledMeshesPassTheirOwnChecks) {
-    const Answer answer = chapter_of_id("methods").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
-    expect_well_formed(answer);
-    expect_checks_pass(answer.section);
-}
-
 TEST(Methods, TheUsualReportPassesItsChecks) {
     const Answer answer = chapter_of_id("methods").answer(library_of(icosphere(2), "methods_ball"), QuestionSettings(), no_progress);
     expect_well_formed(answer);
@@ -238,7 +232,5 @@ TEST(Methods, OddMeshesAreBorne) {
         expect_checks_pass(answer.section);
     }
 }
-
-TEST(Methods, RealMeshesPassTheChecks) { check_real_meshes(chapter_of_id("methods").answer); }
 
 }   // namespace meshfolio::methods

@@ -193,6 +193,4 @@ TEST(ModesSection, StandsMeshesThatAreHardlyAny) {
     }
 }
 
-TEST(ModesSection, RealMeshesPassTheirChecks) { check_real_meshes(chapter_of_id("modes").answer); }
-
 }   // namespace meshfolio::modes

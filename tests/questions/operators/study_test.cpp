@@ -29,12 +29,6 @@ TriangleMesh bent_sheet() {
 
 }   // namespace
 
-TEST(OperatorLaboratory, BundledMeshesPassTheirOwnChecks) {
-    const Answer answer = chapter_of_id("operators").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
-    expect_well_formed(answer);
-    expect_checks_pass(answer.section);
-}
-
 TEST(OperatorLaboratory, EveryOperatorHasItsRow) {
     std::set<std::string> titles, ids;
     for (const LaboratoryOperator& laboratory_operator : laboratory_operators()) {

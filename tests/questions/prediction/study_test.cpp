@@ -228,6 +228,4 @@ TEST(PredictionSection, TablesShowTheStudy) {
                 {100 * study.levels[0].of(FlowOperator::noisy).rule(by_stein_estimated)->mean_regret()});
 }
 
-TEST(PredictionSection, RealMeshes) { check_real_meshes(chapter_of_id("prediction").answer); }
-
 }   // namespace meshfolio::prediction

@@ -84,8 +84,6 @@ TEST(PreflightSection, AMeshThatCannotBeReadIsToldAndTheRestIsThere) {
     EXPECT_NE(answer.section.warnings.front().find("armadillo"), std::string::npos);
 }
 
-TEST(PreflightSection, EveryRealMesh) { check_real_meshes(chapter_of_id("preflight").answer); }
-
 TEST(PreflightSection, WordsFollowTheShapeAndTheFindings) {
     const std::string ball = prose_of(answer_on(icosphere(2), "pre_even").section);
     EXPECT_NE(ball.find("No triangle is thin"), std::string::npos);

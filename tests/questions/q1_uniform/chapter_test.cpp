@@ -189,15 +189,6 @@ TEST(Q1, OfTwelveVerticesNoPictureIsRead) {
     EXPECT_FALSE(says(answer, "rank correlation"));
 }
 
-TEST(Q1, EveryRealMesh) {
-    const auto files = shared_meshes();
-    if (files.empty()) GTEST_SKIP() << "no meshes beside the project";
-    for (const auto& file : files) {
-        SCOPED_TRACE(file);
-        const Answer answer = chapter_of_id("q1").answer(MeshLibrary({}, {file}), quick_settings(), no_progress);
-        expect_well_formed(answer);
-        expect_checks_pass(answer.section);
-    }
-}
+TEST(Q1, EveryRealMesh) { check_real_meshes(chapter_of_id("q1").answer, quick_settings(), any_size); }
 
 }   // namespace meshfolio::q1_uniform

@@ -23,12 +23,6 @@ bool says(const Answer& answer, const std::string& words) { return prose_of(answ
 
 }   // namespace
 
-TEST(Q3, BundledMeshesPassTheirOwnChecks) {
-    const Answer answer = chapter_of_id("q3").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
-    expect_well_formed(answer);
-    expect_checks_pass(answer.section);
-}
-
 // The good estimate sets the colours; the caption says how much of the bad one lies beyond them.
 TEST(Q3, EachMeshIsShownByBothOperatorsInTheRangeOfTheCotangentOne) {
     const Answer answer = chapter_of_id("q3").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
@@ -163,15 +157,6 @@ TEST(Q3, MeshesWithoutInnerVerticesAreAnswered) {
     EXPECT_TRUE(says(bent, "there is nothing to compare"));
 }
 
-TEST(Q3, EveryRealMesh) {
-    const auto files = shared_meshes();
-    if (files.empty()) GTEST_SKIP() << "no meshes beside the project";
-    for (const auto& file : files) {
-        SCOPED_TRACE(file);
-        const Answer answer = chapter_of_id("q3").answer(MeshLibrary({}, {file}), quick_settings(), no_progress);
-        expect_well_formed(answer);
-        expect_checks_pass(answer.section);
-    }
-}
+TEST(Q3, EveryRealMesh) { check_real_meshes(chapter_of_id("q3").answer, quick_settings(), any_size); }
 
 }   // namespace meshfolio::q3_cotangent

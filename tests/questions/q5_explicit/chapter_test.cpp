@@ -185,6 +185,4 @@ TEST(Q5, TheTextFollowsTheData) {
     EXPECT_NE(prose(cube_mesh(6)), prose(grid_mesh(8, 8, 1, 1)));
 }
 
-TEST(Q5, EveryRealMesh) { check_real_meshes(chapter_of_id("q5").answer); }
-
 }   // namespace meshfolio::q5_explicit

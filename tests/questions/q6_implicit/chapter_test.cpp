@@ -11,12 +11,6 @@
 namespace meshfolio::q6_implicit {
 using namespace testing_tools;
 
-TEST(Q6, BundledMeshesPassTheirOwnChecks) {
-    const Answer answer = chapter_of_id("q6").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
-    expect_well_formed(answer);
-    expect_checks_pass(answer.section);
-}
-
 TEST(Q6, AbsurdStepsStayStable) {
     QuestionSettings settings = quick_settings();
     settings.lambda = {1e9};
@@ -186,7 +180,5 @@ TEST(Q6, TheTextFollowsTheData) {
     };
     EXPECT_NE(prose(cube_mesh(6)), prose(grid_mesh(8, 8, 1, 1)));
 }
-
-TEST(Q6, EveryRealMesh) { check_real_meshes(chapter_of_id("q6").answer); }
 
 }   // namespace meshfolio::q6_implicit

@@ -12,12 +12,6 @@
 namespace meshfolio::q7_denoising {
 using namespace testing_tools;
 
-TEST(Q7, BundledMeshesPassTheirOwnChecks) {
-    const Answer answer = chapter_of_id("q7").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
-    expect_well_formed(answer);
-    expect_checks_pass(answer.section);
-}
-
 TEST(Q7, TheSeedDecidesTheNoise) {
     QuestionSettings settings = quick_settings();
     const MeshLibrary library = library_of(cube_mesh(6), "box7");
@@ -209,7 +203,5 @@ TEST(Q7, TheTextFollowsTheData) {
     };
     EXPECT_NE(prose(cube_mesh(6)), prose(grid_mesh(8, 8, 1, 1)));
 }
-
-TEST(Q7, EveryRealMesh) { check_real_meshes(chapter_of_id("q7").answer); }
 
 }   // namespace meshfolio::q7_denoising

@@ -1,10 +1,10 @@
-// A mesh that can be read, but not be worked on, beside one that can: no section is lost, none forgets to say so.
+// Laws of every chapter: its own checks pass, and a mesh that cannot be used is said and loses no section.
 #include <gtest/gtest.h>
 
 #include "mesh/io/mesh_files.h"
 #include "mesh/samples/sample_shapes.h"
-#include "questions/core/answer_laws.h"
 #include "questions/core/section_tools.h"
+#include "questions/core/study_laws.h"
 #include "temporary_folder.h"
 
 using namespace meshfolio;
@@ -19,9 +19,25 @@ TriangleMesh without_area() {
     return mesh;
 }
 
+class BundledMeshes : public testing::TestWithParam<const char*> {};
+class RealMeshes : public testing::TestWithParam<const char*> {};
+/// A mesh that can be read but has no area, beside one that can be used.
 class UnusableMesh : public testing::TestWithParam<const char*> {};
 
 }   // namespace
+
+TEST_P(BundledMeshes, PassTheChecksOfTheChapter) {
+    const Answer answer = chapter_of_id(GetParam()).answer(MeshLibrary({}, {}), quick_settings(), no_progress);
+    expect_well_formed(answer);
+    expect_checks_pass(answer.section);
+}
+
+INSTANTIATE_TEST_SUITE_P(EverySection, BundledMeshes, testing::Values("q3", "q6", "q7", "methods", "operators", "certificates"));
+
+TEST_P(RealMeshes, PassTheChecksOfTheChapter) { check_real_meshes(chapter_of_id(GetParam()).answer); }
+
+INSTANTIATE_TEST_SUITE_P(EverySection, RealMeshes,
+                         testing::Values("preflight", "q5", "q6", "q7", "maps", "modes", "prediction", "methods"));
 
 TEST_P(UnusableMesh, IsAFailedCheckBesideTheAnswerOnTheOther) {
     const TemporaryFolder folder;
