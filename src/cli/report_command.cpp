@@ -61,11 +61,10 @@ report::DrawnFigures drawn_figures(const ReportSettings& settings, const std::ve
     for (const QuestionResult& result : results)
         requests.insert(requests.end(), result.answer.figures.begin(), result.answer.figures.end());
     if (cover && cover->request) requests.push_back(*cover->request);
-    output::DrawSettings draw;
-    draw.width = settings.size.width;
-    draw.height = settings.size.height;
-    draw.view_files = settings.view_files;
-    draw.sheets_only = settings.sheets_only;
+    const output::DrawSettings draw{.width = settings.size.width,
+                                    .height = settings.size.height,
+                                    .view_files = settings.view_files,
+                                    .sheets_only = settings.sheets_only};
     display.step("drawing");
     auto figures = output::draw_figures(requests, folder, draw, [&](double fraction) { display.advance(0.7 + 0.25 * fraction); });
     display.milestone(std::to_string(requests.size()) + " figures drawn");
