@@ -75,12 +75,10 @@ FigureRequests requests_of(const std::vector<QuestionResult>& results, const std
 }
 
 output::DrawSettings draw_settings(const ReportSettings& settings) {
-    output::DrawSettings draw;
-    draw.width = settings.size.width;
-    draw.height = settings.size.height;
-    draw.view_files = settings.view_files;
-    draw.sheets_only = settings.sheets_only;
-    return draw;
+    return {.width = settings.size.width,
+            .height = settings.size.height,
+            .view_files = settings.view_files,
+            .sheets_only = settings.sheets_only};
 }
 
 struct Drawn {

@@ -104,20 +104,18 @@ std::string difference(const report::Provenance& one, const report::Provenance& 
 }
 
 report::Provenance provenance_of(std::map<std::string, std::string> settings, std::uint64_t seed) {
-    report::Provenance provenance;
-    provenance.version = build_info::version;
-    provenance.commit = build_info::commit;
-    provenance.compiler = build_info::compiler;
-    provenance.build_type = build_info::build_type;
-    provenance.libraries["Spectra"] = dotted(SPECTRA_MAJOR_VERSION, SPECTRA_MINOR_VERSION, SPECTRA_PATCH_VERSION);
-    provenance.libraries["Eigen"] = dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
-    provenance.libraries["GLM"] = dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH);
-    provenance.libraries["nlohmann-json"] = dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH);
-    provenance.libraries["oneTBB"] = dotted(TBB_VERSION_MAJOR, TBB_VERSION_MINOR, TBB_VERSION_PATCH);
-    provenance.libraries["CLI11"] = CLI11_VERSION;
-    provenance.settings = std::move(settings);
-    provenance.seed = seed;
-    return provenance;
+    return {.version = build_info::version,
+            .commit = build_info::commit,
+            .compiler = build_info::compiler,
+            .build_type = build_info::build_type,
+            .libraries = {{"Spectra", dotted(SPECTRA_MAJOR_VERSION, SPECTRA_MINOR_VERSION, SPECTRA_PATCH_VERSION)},
+                          {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+                          {"GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH)},
+                          {"nlohmann-json", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+                          {"oneTBB", dotted(TBB_VERSION_MAJOR, TBB_VERSION_MINOR, TBB_VERSION_PATCH)},
+                          {"CLI11", CLI11_VERSION}},
+            .settings = std::move(settings),
+            .seed = seed};
 }
 
 }   // namespace meshfolio::run

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "questions/core/chapter.h"
+#include "submission/source_listing.h"
 
 using namespace meshfolio;
 

@@ -44,9 +44,7 @@ std::string write_markdown(const Document& document, const DrawnFigures& figures
 }
 
 std::string write_summary(const Document& document, const Templates& templates) {
-    ViewOptions view;
-    view.other_page = page_file(Volume::appendix);
-    view.timings = view.pictures = view.passed_checks = false;
+    ViewOptions view{.other_page = page_file(Volume::appendix), .timings = false, .pictures = false, .passed_checks = false};
     std::string text;
     for (const std::size_t checks : {20, 4, 1, 0}) {   // of each section
         view.most_checks = checks;

@@ -24,15 +24,14 @@ bool has_models(const Document& document, Volume volume, const DrawnFigures& fig
 }   // namespace
 
 std::string write_html(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options) {
-    ViewOptions view;
-    view.volume = options.volume;
-    view.other_page = page_file(other_of(options.volume));
-    view.timings = options.timings;
-    view.plot_files = options.plot_files;
-    const bool has_labs = options.volume == Volume::report && options.design == "report" && !options.viewer.empty();
-    const std::vector<Lab> labs = has_labs ? options.labs : std::vector<Lab>();
+    const bool can_turn = options.design == "report" && !options.viewer.empty();
+    ViewOptions view{.volume = options.volume,
+                     .other_page = page_file(other_of(options.volume)),
+                     .timings = options.timings,
+                     .plot_files = options.plot_files,
+                     .models = can_turn};
+    const std::vector<Lab> labs = can_turn && options.volume == Volume::report ? options.labs : std::vector<Lab>();
     for (const Lab& lab : labs) view.lab_questions += lab.questions + " ";
-    view.models = !options.viewer.empty() && options.design == "report";
     nlohmann::json model = view_model(document, figures, templates, view);
     add_design(model, templates, options.design, {has_models(document, options.volume, figures), options.viewer, labs});
     return render(templates, options.design + ".html", model, xml_escape);

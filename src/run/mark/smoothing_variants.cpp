@@ -58,12 +58,8 @@ Positions steps_of(const OperatorOf& operator_of, const SmoothingOptions& option
 }   // namespace
 
 SmoothingOptions smoothing_of(const PreparedMesh& prepared, const AnswerSettings& s) {
-    SmoothingOptions options;
-    options.scheme = s.scheme;
-    options.laplacian = s.laplacian;
-    options.area = s.area;
-    options.iterations = s.iterations;
-    options.rebuild = s.rebuild;
+    SmoothingOptions options{
+        .scheme = s.scheme, .laplacian = s.laplacian, .iterations = s.iterations, .rebuild = s.rebuild, .area = s.area};
     // As `meshfolio smooth`: the largest stable step is that with barycentric areas.
     const double critical =
         s.unit == StepUnit::tau ? largest_stable_step(largest_eigenvalue(laplace_operator(prepared.mesh, s.laplacian))) : 0;

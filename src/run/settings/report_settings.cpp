@@ -177,7 +177,7 @@ std::set<std::filesystem::path> inputs_of(const ReportSettings& settings, const 
 /// Refuses inputs inside an earlier report, also through links: publishing the new report removes it.
 void require_inputs_outside(const ReportSettings& settings, const std::string& config, Problems& problems) {
     std::error_code error;
-    if (!std::filesystem::exists(settings.out / output::marker_file, error)) return;
+    if (!std::filesystem::exists(output::resolved(settings.out, error) / output::marker_file, error)) return;
     for (const std::filesystem::path& input : inputs_of(settings, config)) {
         if (input.empty() || !std::filesystem::exists(input, error) || output::path_inside(input, settings.out).empty()) continue;
         problems.add(0,

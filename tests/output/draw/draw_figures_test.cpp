@@ -42,13 +42,7 @@ std::vector<FigureRequest> requests() {
     return {single, strip};
 }
 
-DrawSettings small_pictures() {
-    DrawSettings settings;
-    settings.width = 120;
-    settings.height = 120;
-    settings.view_files = true;
-    return settings;
-}
+const DrawSettings small_pictures{.width = 120, .height = 120, .view_files = true};
 
 std::map<std::string, std::string> bytes_below(const fs::path& folder) {
     std::map<std::string, std::string> files;
@@ -98,7 +92,7 @@ TEST(DrawFigures, RelativeValuesHaveNoHistogram) {
     const TemporaryFolder folder;
     std::vector<FigureRequest> figures = requests();
     figures[1].range->relative = true;
-    const auto drawn = draw_figures(figures, folder.path(), small_pictures());
+    const auto drawn = draw_figures(figures, folder.path(), small_pictures);
     EXPECT_FALSE(drawn.at("q1_ball_h").legend->histogram.empty());
     EXPECT_TRUE(drawn.at("q5_cube").legend->histogram.empty());
     EXPECT_FALSE(drawn.at("q5_cube").legend->colours.empty());
@@ -106,7 +100,7 @@ TEST(DrawFigures, RelativeValuesHaveNoHistogram) {
 
 TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {
     const TemporaryFolder folder;
-    const auto drawn = draw_figures(requests(), folder.path(), small_pictures());
+    const auto drawn = draw_figures(requests(), folder.path(), small_pictures);
     std::set<std::string> named;
     for (const auto& [id, figure] : drawn) {
         named.insert(figure.sheet);
@@ -124,7 +118,7 @@ TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {
 
 TEST(DrawFigures, SingleViewsAreFilesWhereTheyAreAskedForAlone) {
     const TemporaryFolder folder;
-    DrawSettings settings = small_pictures();
+    DrawSettings settings = small_pictures;
     settings.view_files = false;
     auto asked = requests();
     asked[0].view_files = true;
@@ -146,7 +140,7 @@ TEST(DrawFigures, SingleViewsAreFilesWhereTheyAreAskedForAlone) {
 // The page shows nothing that is not in the sheet: a report rendered from its files is the same.
 TEST(DrawFigures, PicturesAreCutOutOfTheSheet) {
     const TemporaryFolder folder;
-    for (auto& [id, figure] : draw_figures(requests(), folder.path(), small_pictures())) {
+    for (auto& [id, figure] : draw_figures(requests(), folder.path(), small_pictures)) {
         const auto sheet = render::decode_png(read_file(folder.path() / figure.sheet));
         ASSERT_TRUE(sheet);
         report::DrawnFigure again = figure;
@@ -165,7 +159,7 @@ TEST(DrawFigures, PicturesAreCutOutOfTheSheet) {
 
 TEST(DrawFigures, PicturesOfAFigureDoNotOverlap) {
     const TemporaryFolder folder;
-    for (const auto& [id, figure] : draw_figures(requests(), folder.path(), small_pictures())) {
+    for (const auto& [id, figure] : draw_figures(requests(), folder.path(), small_pictures)) {
         const std::vector<report::DrawnPicture> all = pictures_of(figure);
         EXPECT_EQ(all.size(), 7 * figure.panels.size());
         for (std::size_t i = 0; i < all.size(); ++i)
@@ -180,7 +174,7 @@ TEST(DrawFigures, PicturesOfAFigureDoNotOverlap) {
 TEST(DrawFigures, SameBytesForAnyNumberOfThreads) {
     const TemporaryFolder one, two;
     const auto drawn_by = [](int threads, const fs::path& folder) {
-        return tbb::task_arena(threads).execute([&] { return draw_figures(requests(), folder, small_pictures()); });
+        return tbb::task_arena(threads).execute([&] { return draw_figures(requests(), folder, small_pictures); });
     };
     const auto first = drawn_by(1, one.path()), second = drawn_by(2, two.path());
     EXPECT_EQ(bytes_below(one.path()), bytes_below(two.path()));
@@ -190,7 +184,7 @@ TEST(DrawFigures, SameBytesForAnyNumberOfThreads) {
 TEST(DrawFigures, ReportsProgress) {
     const TemporaryFolder folder;
     std::vector<double> told;
-    draw_figures(requests(), folder.path(), small_pictures(), [&](double fraction) { told.push_back(fraction); });
+    draw_figures(requests(), folder.path(), small_pictures, [&](double fraction) { told.push_back(fraction); });
     EXPECT_EQ(told.size(), 3u);
     EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
     EXPECT_DOUBLE_EQ(told.back(), 1);
@@ -203,7 +197,7 @@ TEST(DrawFigures, TheFramingPanelSetsTheScaleOfAll) {
         FigureRequest request{
             "q5_a", "",    "",         {panel_of(cube_mesh(1), "q5_small", false), panel_of(cube_mesh(1, 5), "q5_large", false)},
             {},     false, frame_panel};
-        draw_figures(std::vector{request}, folder.path(), small_pictures());
+        draw_figures(std::vector{request}, folder.path(), small_pictures);
         return bytes_below(folder.path());
     };
     const auto on_small = bytes_of(0), on_large = bytes_of(1), on_union = bytes_of(-1);
@@ -215,10 +209,10 @@ TEST(DrawFigures, RefusesNamesThatCollideOrLeaveTheFolder) {
     const TemporaryFolder folder;
     auto twice = requests();
     twice[1].panels[0].name = "q1_ball_h";
-    EXPECT_THROW(draw_figures(twice, folder.path(), small_pictures()), std::logic_error);
+    EXPECT_THROW(draw_figures(twice, folder.path(), small_pictures), std::logic_error);
     auto outside = requests();
     outside[0].panels[0].name = "../x";
-    EXPECT_THROW(draw_figures(outside, folder.path(), small_pictures()), std::logic_error);
+    EXPECT_THROW(draw_figures(outside, folder.path(), small_pictures), std::logic_error);
     EXPECT_TRUE(bytes_below(folder.path()).empty());
 }
 
@@ -240,7 +234,7 @@ FigureRequest balls(const std::vector<double>& radii, bool one_frame) {
 
 std::vector<std::string> files_of(const FigureRequest& request) {
     const TemporaryFolder folder;
-    const auto drawn = draw_figures({&request, 1}, folder.path(), small_pictures());
+    const auto drawn = draw_figures({&request, 1}, folder.path(), small_pictures);
     std::vector<std::string> pictures;
     for (const report::DrawnPicture& picture : pictures_of(drawn.at(request.id)))
         pictures.push_back(read_file(folder.path() / picture.file));
@@ -274,8 +268,8 @@ TEST(DrawFigures, IsolinesAreDrawnWhereTheyAreAskedFor) {
 
 TEST(DrawFigures, ManyPicturesAreSmall) {
     const TemporaryFolder folder;
-    const auto drawn = draw_figures(std::vector{balls(std::vector<double>(3, 1.0), true)}, folder.path(), small_pictures());
-    const auto many = draw_figures(std::vector{balls(std::vector<double>(9, 1.0), true)}, folder.path(), small_pictures());
+    const auto drawn = draw_figures(std::vector{balls(std::vector<double>(3, 1.0), true)}, folder.path(), small_pictures);
+    const auto many = draw_figures(std::vector{balls(std::vector<double>(9, 1.0), true)}, folder.path(), small_pictures);
     EXPECT_LT(many.at("q4_balls").panels[0].pictures[0].width, drawn.at("q4_balls").panels[0].pictures[0].width);
 }
 
@@ -330,7 +324,7 @@ TEST(DrawFigures, AnEmptyCellOfAMatrixHasALabelAndNoPicture) {
     request.columns = {"a", "b"};
     request.rows = {"c", "d"};
     request.panels.insert(request.panels.begin() + 2, Panel{"", "blew up", nullptr, {}, {}});
-    const auto drawn = draw_figures(std::vector{request}, folder.path(), small_pictures()).at("q4_balls");
+    const auto drawn = draw_figures(std::vector{request}, folder.path(), small_pictures).at("q4_balls");
     EXPECT_TRUE(drawn.is_matrix());
     EXPECT_EQ(drawn.in_a_line, 2);
     ASSERT_EQ(drawn.panels.size(), 4u);
@@ -345,15 +339,15 @@ TEST(DrawFigures, RefusesHeadsThatDoNotFitAndCellsWithoutAMesh) {
     const TemporaryFolder folder;
     FigureRequest odd = balls({1, 2, 3}, true);
     odd.columns = {"a", "b"};
-    EXPECT_THROW(draw_figures(std::vector{odd}, folder.path(), small_pictures()), std::logic_error);
+    EXPECT_THROW(draw_figures(std::vector{odd}, folder.path(), small_pictures), std::logic_error);
     FigureRequest empty = balls({1, 2, 3}, true);
     empty.panels[1].mesh = nullptr;
-    EXPECT_THROW(draw_figures(std::vector{empty}, folder.path(), small_pictures()), std::logic_error);
+    EXPECT_THROW(draw_figures(std::vector{empty}, folder.path(), small_pictures), std::logic_error);
     FigureRequest framed = balls({1, 2}, true);
     framed.columns = {"a", "b"};
     framed.panels[0].mesh = nullptr;
     framed.frame_panel = 0;
-    EXPECT_THROW(draw_figures(std::vector{framed}, folder.path(), small_pictures()), std::logic_error);
+    EXPECT_THROW(draw_figures(std::vector{framed}, folder.path(), small_pictures), std::logic_error);
 }
 
 // ---- a mesh before and after --------------------------------------------------------------------------------------------------------
@@ -399,9 +393,9 @@ TEST(DrawFigures, OnlyCoarseMeshesHaveEdgesWhereSuchAreAskedFor) {
 TEST(DrawFigures, CoarseMeshesShowTheirTrianglesWhereShapesAreCompared) {
     const TemporaryFolder folder;
     FigureRequest request = shrunk_ball();
-    const auto drawn = draw_figures(std::vector{request}, folder.path(), small_pictures()).at("q5_pair");
+    const auto drawn = draw_figures(std::vector{request}, folder.path(), small_pictures).at("q5_pair");
     request.edges = true;
-    const auto with = draw_figures(std::vector{request}, folder.path(), small_pictures()).at("q5_pair");
+    const auto with = draw_figures(std::vector{request}, folder.path(), small_pictures).at("q5_pair");
     for (const std::size_t plain : {0u, 1u}) EXPECT_EQ(drawn.panels[plain].pictures[0].jpeg, with.panels[plain].pictures[0].jpeg);
     EXPECT_NE(drawn.panels[2].pictures[0].jpeg, with.panels[2].pictures[0].jpeg) << "colours are not drawn over unless it is asked for";
 }
