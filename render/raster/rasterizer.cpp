@@ -13,7 +13,6 @@
 
 #include "raster/rasterizer.h"
 #include "raster/vectors-inl.h"
-#include "raster/wide_triangle.h"
 #include "rounding.h"
 
 HWY_BEFORE_NAMESPACE();

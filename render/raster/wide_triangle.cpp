@@ -4,8 +4,8 @@
 #define HWY_TARGET_INCLUDE "raster/wide_triangle.cpp"
 #include <hwy/foreach_target.h>
 
+#include "raster/rasterizer.h"
 #include "raster/vectors-inl.h"
-#include "raster/wide_triangle.h"
 
 #ifndef RENDER_BLOCK_DEPTH
 #define RENDER_BLOCK_DEPTH

@@ -128,6 +128,15 @@ bool are_in_use(const std::array<int, 6>& vertices, std::span<const glm::ivec3> 
     return found.all_known && std::ranges::count(found.times, 0) == 0;
 }
 
+bool points_backwards(const glm::dvec3& v) {
+    for (int k = 0; k < 3; ++k)
+        if (v[k] != 0) return v[k] < 0;
+    return false;
+}
+
+/// Adding 0 turns −0 into 0.
+glm::dvec3 forwards(const glm::dvec3& v) { return (points_backwards(v) ? -v : v) + 0.0; }
+
 }   // namespace
 
 Bounds bounds_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
@@ -180,6 +189,20 @@ Frame frame_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3
     const double scale = fill * std::min(width / extent.x, height / extent.y);
     const glm::dvec3 offset = middle.x * view.right() + middle.y * view.up;
     return {along_axes.centre + offset / along_axes.pixels_per_unit, scale * along_axes.pixels_per_unit};
+}
+
+int Axes::handedness() const { return glm::dot(glm::cross(across, up), depth) > 0 ? 1 : -1; }
+
+std::vector<Projection> projections_of(std::span<const View> views) {
+    std::vector<Projection> projections;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const glm::dvec3 right = views[i].right(), up = views[i].up, from = views[i].from;
+        const Axes axes{forwards(right), forwards(up), forwards(from)};
+        auto found = std::find_if(projections.begin(), projections.end(), [&](const Projection& p) { return p.axes == axes; });
+        if (found == projections.end()) found = projections.insert(found, {axes, {}});
+        found->placements.push_back({i, points_backwards(right), points_backwards(up), points_backwards(from)});
+    }
+    return projections;
 }
 
 }   // namespace render

@@ -8,8 +8,8 @@
 
 #include "draw_mesh.h"
 #include "raster/sample_grid.h"
+#include "scene/camera.h"
 #include "scene/large_array.h"
-#include "scene/projection.h"
 
 namespace render {
 

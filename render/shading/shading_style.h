@@ -6,7 +6,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "scene/scene.h"
+#include "raster/fragments.h"
+#include "scene/outline.h"
 
 namespace render {
 
@@ -36,9 +37,6 @@ inline constexpr float closest_isolines = 6;   // pixels; closer ones fade
 /// Ribbons are a little darker than the surface, plain ones more so, to stand out on white.
 inline constexpr float ribbon_light = 0.38F, plain_ribbon_light = 0.25F;
 
-/// How strongly a surface with this unit normal (right, up, towards the viewer) is lit, 0 to 1; neutral in colour.
-float lit(const glm::vec3& normal);
-
 /// The colours of a surface in linear light, opaque.
 struct Palette {
     static constexpr int steps = 1024;
@@ -60,5 +58,8 @@ struct ShadingStyle {
 
     ShadingStyle(const Scene& scene, const DrawOptions& options, const Palette& palette, const Placement& placement);
 };
+
+/// Gives every fragment its colour. @param ribbons  those of the projection; their numbers follow those of the triangles
+void shade(const ProjectedScene& scene, std::span<const Ribbon> ribbons, const ShadingStyle& style, Fragments& fragments);
 
 }   // namespace render
