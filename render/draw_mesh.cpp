@@ -18,7 +18,6 @@
 #include <glm/vec2.hpp>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 

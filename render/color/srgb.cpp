@@ -1,7 +1,6 @@
 #include "color/srgb.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
 namespace render {

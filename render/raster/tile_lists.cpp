@@ -16,8 +16,7 @@
 
 namespace render {
 
-/// Where a triangle belongs: the number of a tile, that of a list that nobody reads (`tiles`), or this: more than one tile, or corners
-/// that the grid does not hold.
+/// In place of a tile's number: the triangle meets several tiles, or the grid does not hold its corners. Number `tiles`: it meets none.
 inline constexpr std::int32_t several_tiles = -1;
 
 /// How many samples, in rows or in columns, lie up to where; and which tiles they belong to.
@@ -84,7 +83,7 @@ HWY_INLINE IntVector tile_codes(const Boxes& box, const ProjectedScene& projecte
     return hn::IfThenElse(box.is_known, hn::IfThenElse(off_grid, several, code), nowhere);
 }
 
-/// Corners lie anywhere in memory: asking for those of triangles further on hides the wait.
+/// Prefetches corners, which lie anywhere in memory.
 HWY_INLINE void prefetch(const glm::ivec3* triangles, std::size_t count, const ProjectedScene& projected) {
     for (std::size_t i = 0; i < count; ++i)
         for (int k = 0; k < 3; ++k) hwy::Prefetch(projected.vertices + static_cast<std::ptrdiff_t>(triangles[i][k]));

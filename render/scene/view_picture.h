@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "draw_mesh.h"
 #include "raster/fragments.h"

@@ -1,6 +1,5 @@
 #include "shading/shading_style.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 

@@ -20,8 +20,7 @@ inline constexpr float ambient = 0.02F, wrap = 0.1F;
 inline constexpr float trusted_area = 32 * 32;
 
 /// Values are lit more, so that what faces the viewer is about as light as the colour bar, and only so much of the lighting shows on them.
-/// Where the light is full a little of it is added, neutral: next to nothing on light colours, but on the dark end of a map it lets form be
-/// seen.
+/// Where the light is full a little of it is added, neutral, so that form is seen at the dark end of a map too.
 inline constexpr float exposure_of_values = 1.15F, light_on_values = 0.76F, sheen_on_values = 0.018F;
 
 /// The back of plain surfaces is a pale ochre. Values look the same on both sides: a colour stands for one value.
