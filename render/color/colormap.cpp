@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "color/cielab.h"
+#include "color/srgb.h"
 
 namespace render {
 

@@ -1,10 +1,11 @@
 /// @file
-/// 8-bit sRGB to linear light and back (IEC 61966-2-1). Averages of colours are taken in linear light.
+/// 8-bit sRGB to linear light and back (IEC 61966-2-1), in which averages of colours are taken, and to CIELAB, in which maps are drawn up.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
 
 #include "scene/image.h"
 
@@ -51,5 +52,11 @@ inline LinearColor linear_of(Rgba color) {
 }
 
 Rgba srgb_of(const LinearColor& color);
+
+/// In CIELAB (CIE 1976, white D65), where equal steps look nearly equal: (L*, a*, b*), lightness 0 to 100, green to red, blue to yellow.
+glm::dvec3 lab_of(Rgba color);
+
+/// The nearest colour of the sRGB cube, channel by channel.
+Rgba rgba_of_lab(const glm::dvec3& lab);
 
 }   // namespace render

@@ -13,7 +13,6 @@
 
 #include "raster/rasterizer.h"
 #include "raster/vectors-inl.h"
-#include "raster/wide_triangle.h"
 #include "rounding.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -227,8 +226,7 @@ HWY_INLINE void draw(const SmallTriangles& t, std::size_t i, std::int32_t id, Sa
     }
 }
 
-/// Triangles and their corners lie anywhere in memory: asking for those of the next batch, and for the numbers of the corners of the
-/// one after that, hides the wait.
+/// Prefetches the corners of the next batch, which lie anywhere in memory, and the triangles of the one after it.
 HWY_INLINE void prefetch(const ProjectedScene& scene, std::span<const std::int32_t> ids, std::size_t begin) {
     const std::span<const glm::ivec3> triangles = scene.scene.surface.triangles;
     if (begin + 3 * std::size_t{block_samples} > ids.size()) return;

@@ -55,4 +55,7 @@ private:
 /// order. Gives the same result on every processor.
 void rasterize(const ProjectedScene& scene, std::span<const std::int32_t> triangles, SampleTile& tile);
 
+/// The same for one triangle of any size, exactly: corners up to `largest_coordinate`; others are left out.
+void rasterize_wide(const Triangle2& triangle, std::int32_t id, SampleTile& tile);
+
 }   // namespace render

@@ -16,8 +16,7 @@
 
 namespace render {
 
-/// Where a triangle belongs: the number of a tile, that of a list that nobody reads (`tiles`), or this: more than one tile, or corners
-/// that the grid does not hold.
+/// In place of a tile's number: the triangle meets several tiles, or the grid does not hold its corners. Number `tiles`: it meets none.
 inline constexpr std::int32_t several_tiles = -1;
 
 /// How many samples, in rows or in columns, lie up to where; and which tiles they belong to.
@@ -84,7 +83,7 @@ HWY_INLINE IntVector tile_codes(const Boxes& box, const ProjectedScene& projecte
     return hn::IfThenElse(box.is_known, hn::IfThenElse(off_grid, several, code), nowhere);
 }
 
-/// Corners lie anywhere in memory: asking for those of triangles further on hides the wait.
+/// Prefetches corners, which lie anywhere in memory.
 HWY_INLINE void prefetch(const glm::ivec3* triangles, std::size_t count, const ProjectedScene& projected) {
     for (std::size_t i = 0; i < count; ++i)
         for (int k = 0; k < 3; ++k) hwy::Prefetch(projected.vertices + static_cast<std::ptrdiff_t>(triangles[i][k]));
@@ -138,34 +137,16 @@ std::pair<std::int64_t, std::int64_t> tiles_between(std::int64_t low, std::int64
     return {std::max<std::int64_t>(0, begin >> lines.tile_shift), std::min(tiles - 1, end >> lines.tile_shift)};
 }
 
-/// A box on the screen, both ends included.
-struct Box {
-    std::int64_t x0, x1, y0, y1;
-};
-
-Box exact_box(const Triangle2& t) {
-    const auto [x0, x1] = std::minmax({t.corner[0].x, t.corner[1].x, t.corner[2].x});
-    const auto [y0, y1] = std::minmax({t.corner[0].y, t.corner[1].y, t.corner[2].y});
-    return {x0, x1, y0, y1};
-}
-
-/// Of corners on the grid.
-Box grid_box(const ProjectedScene& projected, const glm::ivec3& t) {
-    const auto across = static_cast<std::size_t>(projected.component[0]), up = static_cast<std::size_t>(projected.component[1]);
-    const auto &a = projected.vertices[t.x].at, &b = projected.vertices[t.y].at, &c = projected.vertices[t.z].at;
-    const std::int64_t x = std::int64_t{half_pixel} * projected.scene.width, y = std::int64_t{half_pixel} * projected.scene.height;
-    return {x + std::min(a[across], std::min(b[across], c[across])), x + std::max(a[across], std::max(b[across], c[across])),
-            y - std::max(a[up], std::max(b[up], c[up])), y - std::min(a[up], std::min(b[up], c[up]))};
-}
-
 TileRange range_of(const ProjectedScene& projected, std::int32_t id, const SampleLines& lines) {
     const glm::ivec3& t = projected.scene.surface.triangles[static_cast<std::size_t>(id)];
     const std::int32_t lowest = std::min({projected.vertices[t.x].at[0], projected.vertices[t.y].at[0], projected.vertices[t.z].at[0]});
     if (lowest == GridVertex::undefined) return {};
-    const Box box = lowest == GridVertex::far_off ? exact_box(projected.exact_triangle(id)) : grid_box(projected, t);
-    if (std::max(std::max(-box.x0, box.x1), std::max(-box.y0, box.y1)) > largest_coordinate) return {};
-    const auto [x0, x1] = tiles_between(box.x0, box.x1, lines, lines.columns);
-    const auto [y0, y1] = tiles_between(box.y0, box.y1, lines, lines.rows);
+    const std::array<ScreenPoint, 3> corner = projected.exact_triangle(id).corner;
+    const auto [left, right] = std::minmax({corner[0].x, corner[1].x, corner[2].x});
+    const auto [top, bottom] = std::minmax({corner[0].y, corner[1].y, corner[2].y});
+    if (std::max(std::max(-left, right), std::max(-top, bottom)) > largest_coordinate) return {};
+    const auto [x0, x1] = tiles_between(left, right, lines, lines.columns);
+    const auto [y0, y1] = tiles_between(top, bottom, lines, lines.rows);
     return y0 <= y1 ? TileRange{x0, x1, y0, y1} : TileRange{};
 }
 

@@ -1,59 +1,14 @@
 // A tile is cut into regions: one that the triangle misses, or in which it is hidden from both sides, costs one test. A mesh that blew
 // up, whose triangles all cover the whole picture, takes time in proportion to triangles times tiles: 0.1 ms a triangle at 1024 × 1024.
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "raster/wide_triangle.cpp"
-#include <hwy/foreach_target.h>
-
-#include "raster/vectors-inl.h"
-#include "raster/wide_triangle.h"
-
-#ifndef RENDER_BLOCK_DEPTH
-#define RENDER_BLOCK_DEPTH
-
-namespace render {
-
-/// Depths in a block that lies wholly in a triangle: between those of the corners, so float suffices from one sample to the next.
-struct BlockDepth {
-    float corner, across, down, lowest, highest;
-};
-
-}   // namespace render
-#endif
-
-HWY_BEFORE_NAMESPACE();
-namespace render::HWY_NAMESPACE {
-
-void FillBlock(const BlockDepth& depth, std::int32_t id, const SamplePattern& pattern, SampleBlock& seen) {
-    const Ints d;
-    const Floats f;
-    const IntVector ids = hn::Set(d, id);
-    for (std::size_t s = 0; s < block_samples; s += hn::Lanes(d)) {
-        const FloatVector x = hn::ConvertTo(f, hn::LoadU(d, pattern.x.data() + s)),
-                          y = hn::ConvertTo(f, hn::LoadU(d, pattern.y.data() + s));
-        const FloatVector to_sample = hn::Add(hn::Mul(hn::Set(f, depth.across), x), hn::Mul(hn::Set(f, depth.down), y));
-        const FloatVector plane = hn::Add(hn::Set(f, depth.corner), to_sample);
-        const FloatVector z = hn::Min(hn::Max(plane, hn::Set(f, depth.lowest)), hn::Set(f, depth.highest));
-        const FloatVector highest = hn::Load(f, seen.highest.data() + s), lowest = hn::Load(f, seen.lowest.data() + s);
-        const auto above = hn::Gt(z, highest), below = hn::Lt(z, lowest);
-        hn::Store(hn::IfThenElse(above, z, highest), f, seen.highest.data() + s);
-        hn::Store(hn::IfThenElse(below, z, lowest), f, seen.lowest.data() + s);
-        hn::Store(hn::IfThenElse(hn::RebindMask(d, above), ids, hn::Load(d, seen.top.data() + s)), d, seen.top.data() + s);
-        hn::Store(hn::IfThenElse(hn::RebindMask(d, below), ids, hn::Load(d, seen.bottom.data() + s)), d, seen.bottom.data() + s);
-    }
-}
-
-}   // namespace render::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-namespace render {
+#include "raster/rasterizer.h"
 
-HWY_EXPORT(FillBlock);
+namespace render {
 
 namespace {
 
@@ -189,25 +144,40 @@ private:
             draw_samples(bx, by);
     }
 
-    void fill_block(int bx, int by) {
-        const double corner = depth_.at(tile_.x() * subpixels + steps(bx), tile_.y() * subpixels + steps(by));
-        const BlockDepth depth{static_cast<float>(corner), static_cast<float>(depth_.across), static_cast<float>(depth_.down),
-                               static_cast<float>(depth_.lowest), static_cast<float>(depth_.highest)};
-        HWY_DYNAMIC_DISPATCH(FillBlock)(depth, id_, tile_.pattern(), tile_.row(by)[bx]);
-    }
+    using Depths = std::array<float, block_samples>;
 
+    /// Depths lie between those of the corners, so float suffices from one sample to the next.
+    void fill_block(int bx, int by) {
+        const SamplePattern& pattern = tile_.pattern();
+        const auto corner = static_cast<float>(depth_.at(tile_.x() * subpixels + steps(bx), tile_.y() * subpixels + steps(by)));
+        const auto across = static_cast<float>(depth_.across), down = static_cast<float>(depth_.down);
+        const auto lowest = static_cast<float>(depth_.lowest), highest = static_cast<float>(depth_.highest);
+        Depths z;
+        for (std::size_t s = 0; s < block_samples; ++s) {
+            const float plane = corner + (across * static_cast<float>(pattern.x[s]) + down * static_cast<float>(pattern.y[s]));
+            z[s] = std::min(std::max(plane, lowest), highest);
+        }
+        see(z, id_, tile_.row(by)[bx]);
+    }
     void draw_samples(int bx, int by) {
         const SamplePattern& pattern = tile_.pattern();
         const std::int64_t x0 = steps(bx), y0 = steps(by);
         const std::int64_t left = std::int64_t{subpixels} * tile_.x() + x0, top = std::int64_t{subpixels} * tile_.y() + y0;
-        SampleBlock& seen = tile_.row(by)[bx];
+        Depths z;
         for (std::size_t s = 0; s < block_samples; ++s) {
             const std::int64_t x = pattern.x[s], y = pattern.y[s];
-            if (edges_[0].at(x0 + x, y0 + y) < 0 || edges_[1].at(x0 + x, y0 + y) < 0 || edges_[2].at(x0 + x, y0 + y) < 0) continue;
-            const auto z = static_cast<float>(depth_.at(left + x, top + y));
-            if (z > seen.highest[s]) seen.highest[s] = z, seen.top[s] = id_;
-            if (z < seen.lowest[s]) seen.lowest[s] = z, seen.bottom[s] = id_;
+            const auto is_outside = [&](const EdgeFunction<Integer>& edge) { return edge.at(x0 + x, y0 + y) < 0; };
+            const bool outside = std::any_of(edges_.begin(), edges_.end(), is_outside);
+            z[s] = outside ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(depth_.at(left + x, top + y));
         }
+        see(z, id_, tile_.row(by)[bx]);
+    }
+    /// NaN is neither above nor below anything.
+    static void see(const Depths& z, std::int32_t id, SampleBlock& block) {
+        for (std::size_t s = 0; s < block_samples; ++s) block.top[s] = z[s] > block.highest[s] ? id : block.top[s];
+        for (std::size_t s = 0; s < block_samples; ++s) block.bottom[s] = z[s] < block.lowest[s] ? id : block.bottom[s];
+        for (std::size_t s = 0; s < block_samples; ++s) block.highest[s] = z[s] > block.highest[s] ? z[s] : block.highest[s];
+        for (std::size_t s = 0; s < block_samples; ++s) block.lowest[s] = z[s] < block.lowest[s] ? z[s] : block.lowest[s];
     }
 
     std::array<EdgeFunction<Integer>, 3> edges_;
@@ -247,4 +217,3 @@ void rasterize_wide(const Triangle2& t, std::int32_t id, SampleTile& tile) {
 }
 
 }   // namespace render
-#endif

@@ -4,7 +4,6 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -63,89 +62,29 @@ const Bounds nothing{glm::dvec3(infinity), glm::dvec3(-infinity)};
 
 Bounds joined(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
-/// Joins `bounds(begin, end)` of parts of [0, count), in parallel.
-template <class BoundsOfPart>
-Bounds joined_bounds(std::size_t count, const BoundsOfPart& bounds) {
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, count, 16384), nothing,
-        [&](const auto& part, const Bounds& sum) { return joined(sum, bounds(part.begin(), part.end())); }, joined);
+bool points_backwards(const glm::dvec3& v) {
+    for (int k = 0; k < 3; ++k)
+        if (v[k] != 0) return v[k] < 0;
+    return false;
 }
 
-/// A box, and for each of its six sides a vertex that lies on it.
-struct Extremes {
-    Bounds box = nothing;
-    std::array<int, 6> vertex{};
-    bool all_finite = true;
-
-    void add(const Bounds& part, const std::array<int, 6>& at) {
-        for (int k = 0; k < 3; ++k) {
-            if (part.low[k] < box.low[k]) box.low[k] = part.low[k], vertex[index(k)] = at[index(k)];
-            if (part.high[k] > box.high[k]) box.high[k] = part.high[k], vertex[index(k + 3)] = at[index(k + 3)];
-        }
-    }
-};
-
-Extremes extremes_of(std::span<const glm::dvec3> positions) {
-    return tbb::parallel_reduce(
-        tbb::blocked_range<int>(0, static_cast<int>(positions.size()), 16384), Extremes{},
-        [&](const auto& part, Extremes sum) {
-            for (int v = part.begin(); v < part.end(); ++v) {
-                const glm::dvec3& p = positions[index(v)];
-                sum.add({p, p}, {v, v, v, v, v, v});
-                sum.all_finite &= is_finite(p);
-            }
-            return sum;
-        },
-        [](Extremes sum, const Extremes& other) {
-            sum.add(other.box, other.vertex);
-            sum.all_finite &= other.all_finite;
-            return sum;
-        });
-}
-
-/// Whether some triangle has each of these vertices, and none has one that is not among `count`.
-bool are_in_use(const std::array<int, 6>& vertices, std::span<const glm::ivec3> triangles, std::size_t count) {
-    struct Found {
-        std::array<int, 6> times{};
-        bool all_known = true;
-    };
-    const Found found = tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, triangles.size(), 16384), Found{},
-        [&](const auto& part, Found sum) {
-            for (std::size_t i = part.begin(); i < part.end(); ++i)
-                for (int k = 0; k < 3; ++k) {
-                    const int v = triangles[i][k];
-                    sum.all_known &= static_cast<std::size_t>(v) < count;
-                    for (std::size_t j = 0; j < vertices.size(); ++j) sum.times[j] |= v == vertices[j] ? 1 : 0;
-                }
-            return sum;
-        },
-        [](Found sum, const Found& other) {
-            for (std::size_t j = 0; j < sum.times.size(); ++j) sum.times[j] |= other.times[j];
-            sum.all_known &= other.all_known;
-            return sum;
-        });
-    return found.all_known && std::ranges::count(found.times, 0) == 0;
-}
+/// Adding 0 turns −0 into 0.
+glm::dvec3 forwards(const glm::dvec3& v) { return (points_backwards(v) ? -v : v) + 0.0; }
 
 }   // namespace
 
 Bounds bounds_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
-    const auto of_triangles = [&](std::size_t begin, std::size_t end) {
-        Bounds box = nothing;
-        for (std::size_t i = begin; i < end; ++i) {
+    const auto with_triangles = [&](const auto& part, Bounds box) {
+        for (std::size_t i = part.begin(); i < part.end(); ++i) {
             if (!can_be_drawn(triangles[i], positions)) continue;
             for (int k = 0; k < 3; ++k) {
-                const glm::dvec3& p = positions[static_cast<std::size_t>(triangles[i][k])];
+                const glm::dvec3& p = positions[index(triangles[i][k])];
                 box = joined(box, {p, p});
             }
         }
         return box;
     };
-    const Extremes all = extremes_of(positions);
-    // As is usual; then no triangle's corners need be looked at.
-    const bool is_of_all = all.all_finite && are_in_use(all.vertex, triangles, positions.size());
-    const Bounds box = is_of_all ? all.box : joined_bounds(triangles.size(), of_triangles);
+    const Bounds box = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, triangles.size(), 16384), nothing, with_triangles, joined);
     return box.low.x <= box.high.x ? box : Bounds{};
 }
 
@@ -180,6 +119,20 @@ Frame frame_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3
     const double scale = fill * std::min(width / extent.x, height / extent.y);
     const glm::dvec3 offset = middle.x * view.right() + middle.y * view.up;
     return {along_axes.centre + offset / along_axes.pixels_per_unit, scale * along_axes.pixels_per_unit};
+}
+
+int Axes::handedness() const { return glm::dot(glm::cross(across, up), depth) > 0 ? 1 : -1; }
+
+std::vector<Projection> projections_of(std::span<const View> views) {
+    std::vector<Projection> projections;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const glm::dvec3 right = views[i].right(), up = views[i].up, from = views[i].from;
+        const Axes axes{forwards(right), forwards(up), forwards(from)};
+        auto found = std::find_if(projections.begin(), projections.end(), [&](const Projection& p) { return p.axes == axes; });
+        if (found == projections.end()) found = projections.insert(found, {axes, {}});
+        found->placements.push_back({i, points_backwards(right), points_backwards(up), points_backwards(from)});
+    }
+    return projections;
 }
 
 }   // namespace render

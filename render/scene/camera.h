@@ -1,5 +1,5 @@
 /// @file
-/// Orthographic views and the frame they share.
+/// Orthographic views, the frame they share, and the projections they are drawn from.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace render {
 
@@ -52,5 +53,30 @@ Frame frame_of(const Bounds& bounds, int width, int height, double fill);
 /// What this view sees is centred and fills `fill` of the picture, in width or in height.
 Frame frame_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles, const View& view, int width, int height,
                double fill);
+
+/// Axes of a picture plane, unit and orthogonal; the first component of each that is not 0 is positive.
+struct Axes {
+    glm::dvec3 across, up, depth;
+
+    /// +1 when across × up = depth, −1 when it is the other way.
+    int handedness() const;
+    friend bool operator==(const Axes&, const Axes&) = default;
+};
+
+/// How a view looks at its projection.
+struct Placement {
+    std::size_t view;              // index
+    bool mirrored_x, mirrored_y;   // its right is −across, its up −up
+    bool from_below;               // sees the smallest depth
+};
+
+struct Projection {
+    Axes axes;
+    std::vector<Placement> placements;
+};
+
+/// The projections of `views`, in the order of their first views. Opposite orthographic views see the same triangles, one the nearest and
+/// one the farthest, in mirrored pictures: both are drawn from one projection.
+std::vector<Projection> projections_of(std::span<const View> views);
 
 }   // namespace render

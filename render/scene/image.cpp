@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -59,8 +58,7 @@ bool all_opaque(const Rgba* pixels, int count) {
     return common == 255;
 }
 
-/// The old rows that a new one covers, averaged column by column, in stretches: ground and flat faces are of one colour throughout, known
-/// by a look at the bytes alone.
+/// The old rows that a new one covers, averaged column by column. Stretches of one colour are recognised by comparing bytes.
 class AveragedRows {
 public:
     AveragedRows(const Image& image, const Footprint& rows)

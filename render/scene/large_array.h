@@ -2,7 +2,9 @@
 /// Arrays of megabytes, which threads fill side by side.
 #pragma once
 
+#if defined(__linux__) && !defined(MESHFOLIO_PORTABLE)
 #include <sys/mman.h>
+#endif
 
 #include <cstddef>
 #include <memory>

@@ -1,7 +1,6 @@
 // Horizons in opposite directions (Bavoil, Sainz, Dimitrov, Image-space horizon-based ambient occlusion, SIGGRAPH 2008 talks): if they
 // rise by α and β, the sky between them is π − α − β wide. Where the surface is a plane α = −β, so it does not darken itself, and no
-// normals are needed. All pixels look at the same places round them: neighbouring pixels are lanes of a vector, and what they look at
-// lies side by side.
+// normals are needed. All pixels look at the same places round them, so neighbouring pixels are lanes of a vector.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "scene/occlusion.cpp"
 #include <hwy/foreach_target.h>

@@ -8,13 +8,12 @@
 
 #include "draw_mesh.h"
 #include "raster/sample_grid.h"
+#include "scene/camera.h"
 #include "scene/large_array.h"
-#include "scene/projection.h"
 
 namespace render {
 
-/// A vertex in grid steps from the middle of the picture. From here on the surface *is* this rounded one: whether a triangle covers a
-/// sample is decided in integers.
+/// A vertex in grid steps from the middle of the picture. The rounded surface is what is drawn: coverage is decided in integers.
 struct GridVertex {
     std::array<std::int32_t, 3> at;   // `far_off` in all three when one is beyond `largest_near`, `undefined` when one is not finite
     std::uint32_t normal;             // packed; see pack_normal

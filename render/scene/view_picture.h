@@ -3,13 +3,12 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "draw_mesh.h"
 #include "raster/fragments.h"
 #include "raster/resolve.h"
+#include "scene/camera.h"
 #include "scene/occlusion.h"
-#include "scene/projection.h"
 
 namespace render {
 

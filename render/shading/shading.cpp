@@ -15,7 +15,7 @@
 #include "raster/exact_triangle.h"
 #include "raster/vectors-inl.h"
 #include "rounding.h"
-#include "shading/shading.h"
+#include "shading/shading_style.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace render::HWY_NAMESPACE {
@@ -168,7 +168,7 @@ HWY_INLINE void interpolate(const CornerFetcher& fetch, float handedness, const 
     hn::Store(ink, f, fragments.ink.data() + i);
 }
 
-/// The light that falls on the fragments from i on; see `lit`.
+/// The light that falls on the fragments from i on, 0 to 1; neutral in colour.
 HWY_INLINE FloatVector light_on(const ShadingStyle& style, const Fragments& fragments, std::size_t i) {
     const Floats f;
     Vector3 n{hn::Load(f, fragments.normal_x.data() + i), hn::Load(f, fragments.normal_y.data() + i),

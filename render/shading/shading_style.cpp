@@ -1,6 +1,5 @@
 #include "shading/shading_style.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -27,13 +26,6 @@ void set_isolines(const DrawOptions& options, ShadingStyle& style) {
 }
 
 }   // namespace
-
-float lit(const glm::vec3& normal) {
-    float sum = ambient;
-    for (std::size_t l = 0; l < light_strength.size(); ++l)
-        sum += light_strength[l] * std::max(0.0F, (glm::dot(normal, light_directions[l]) + wrap) / (1 + wrap));
-    return std::min(sum, 1.0F);
-}
 
 Palette::Palette(const DrawOptions& options) : plain(linear_rgb(options.surface_color)), undefined(linear_rgb(options.undefined_color)) {
     for (int i = 0; i <= steps; ++i) {

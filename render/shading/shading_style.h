@@ -6,7 +6,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "scene/scene.h"
+#include "raster/fragments.h"
+#include "scene/outline.h"
 
 namespace render {
 
@@ -19,8 +20,7 @@ inline constexpr float ambient = 0.02F, wrap = 0.1F;
 inline constexpr float trusted_area = 32 * 32;
 
 /// Values are lit more, so that what faces the viewer is about as light as the colour bar, and only so much of the lighting shows on them.
-/// Where the light is full a little of it is added, neutral: next to nothing on light colours, but on the dark end of a map it lets form be
-/// seen.
+/// Where the light is full a little of it is added, neutral, so that form is seen at the dark end of a map too.
 inline constexpr float exposure_of_values = 1.15F, light_on_values = 0.76F, sheen_on_values = 0.018F;
 
 /// The back of plain surfaces is a pale ochre. Values look the same on both sides: a colour stands for one value.
@@ -35,9 +35,6 @@ inline constexpr float flattest_isolines = 3e-5F;
 inline constexpr float closest_isolines = 6;   // pixels; closer ones fade
 /// Ribbons are a little darker than the surface, plain ones more so, to stand out on white.
 inline constexpr float ribbon_light = 0.38F, plain_ribbon_light = 0.25F;
-
-/// How strongly a surface with this unit normal (right, up, towards the viewer) is lit, 0 to 1; neutral in colour.
-float lit(const glm::vec3& normal);
 
 /// The colours of a surface in linear light, opaque.
 struct Palette {
@@ -60,5 +57,8 @@ struct ShadingStyle {
 
     ShadingStyle(const Scene& scene, const DrawOptions& options, const Palette& palette, const Placement& placement);
 };
+
+/// Gives every fragment its colour. @param ribbons  those of the projection; their numbers follow those of the triangles
+void shade(const ProjectedScene& scene, std::span<const Ribbon> ribbons, const ShadingStyle& style, Fragments& fragments);
 
 }   // namespace render

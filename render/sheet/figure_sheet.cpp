@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "color/cielab.h"
+#include "color/srgb.h"
 #include "rounding.h"
 #include "sheet/color_bar.h"
 #include "sheet/text.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -185,8 +184,7 @@ struct Coverage {
         return static_cast<float>(bytes[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)]) / 255;
     }
 
-    /// A stem that lies across two columns of pixels would look paler than one that fills a column: at small sizes partial coverage
-    /// is raised, c + a c (1 − c).
+    /// Raises partial coverage of small text, c + a c (1 − c): a stem across two columns of pixels would look paler than one in a column.
     static unsigned char boosted(unsigned char coverage, double size) {
         const double c = coverage / 255.0, a = 0.4 * std::clamp((24 - size) / 12, 0.0, 1.0);
         return static_cast<unsigned char>(std::lround(255 * (c + a * c * (1 - c))));

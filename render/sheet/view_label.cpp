@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <string>
 
-#include "color/cielab.h"
+#include "color/srgb.h"
 #include "scene/camera.h"
 #include "sheet/strokes.h"
 #include "sheet/text.h"
@@ -22,16 +22,16 @@ struct Axis {
     Rgba color;
 };
 
-using Axes = std::array<Axis, 3>;
+using Tripod = std::array<Axis, 3>;
 
 /// The usual colours, dark enough for letters on white, and light enough on black.
-constexpr Axes dark_axes{
+constexpr Tripod dark_axes{
     {{"x", {1, 0, 0}, {190, 45, 40, 255}}, {"y", {0, 1, 0}, {40, 130, 50, 255}}, {"z", {0, 0, 1}, {40, 85, 190, 255}}}};
-constexpr Axes light_axes{
+constexpr Tripod light_axes{
     {{"x", {1, 0, 0}, {255, 128, 120, 255}}, {"y", {0, 1, 0}, {122, 210, 128, 255}}, {"z", {0, 0, 1}, {130, 172, 255, 255}}}};
 
 /// In keeping with the ink of the name.
-const Axes& axes_for(Rgba ink) { return lab_of(ink).x > 50 ? light_axes : dark_axes; }
+const Tripod& axes_for(Rgba ink) { return lab_of(ink).x > 50 ? light_axes : dark_axes; }
 
 /// Parts of the tripod, in em.
 constexpr double letter = 0.82, arm = 1.0, letter_gap = 0.36, side = 3.2, gap = 0.2;
@@ -76,7 +76,7 @@ void draw_end_on(Image& image, glm::dvec2 at, bool towards, double em, const Axi
 }
 
 /// Within a square of `side` em with its middle at `middle`.
-void draw_tripod(Image& image, glm::dvec2 middle, const View& view, const Axes& axes, double em) {
+void draw_tripod(Image& image, glm::dvec2 middle, const View& view, const Tripod& axes, double em) {
     glm::dvec2 sum(0);
     const auto on_screen = [&](const Axis& a) { return glm::dvec2(glm::dot(a.direction, view.right()), -glm::dot(a.direction, view.up)); };
     for (const Axis& a : axes) sum += on_screen(a);   // the diagonal into which the two visible axes open

@@ -3,7 +3,6 @@
 #include <libdeflate.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <memory>
 
 #include "base/errors.h"

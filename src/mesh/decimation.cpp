@@ -8,7 +8,6 @@
 #include <queue>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "base/errors.h"
@@ -19,8 +18,7 @@ namespace meshfolio {
 
 namespace {
 
-/// The weight of staying near the vertices that were merged, beside that of the planes: where the surface is flat it alone decides, and
-/// spaces the vertices evenly.
+/// The weight of staying near merged vertices, beside that of the planes; on flat parts it alone decides, and spaces vertices evenly.
 constexpr double memory = 1e-3;
 /// The weight of the boundary's own planes, through its edges and across the surface.
 constexpr double boundary_weight = 10;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -196,31 +195,13 @@ private:
         warn_of(fans, "non-manifold vertex" + first, "non-manifold vertices" + first);
     }
 
-    /// The box is that of bounding_box(), which goes by the corners of all triangles.
     void look_at_vertices() {
-        struct InUse {
-            int count = 0;
-            Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-
-            void add(const InUse& part) {
-                count += part.count;
-                low = low.cwiseMin(part.low), high = high.cwiseMax(part.high);
-            }
-        };
-        const auto blocks = of_blocks(mesh().vertex_count(), [&](int begin, int end) {
-            InUse block;
-            for (int v = begin; v < end; ++v) {
-                const Vector3 x = mesh().X.row(v);
-                if (topology().vertex_faces.size(v) > 0) block.add({1, x, x});
-            }
-            return block;
-        });
-        InUse all;
-        for (const auto& block : blocks) all.add(block.value);
+        const std::vector<int>& start = topology().vertex_faces.start;
         counts().vertices = mesh().vertex_count();
-        counts().vertices_in_use = all.count;
-        counts().box_low = all.low;
-        counts().box_high = all.high;
+        for (std::size_t v = 0; v + 1 < start.size(); ++v) counts().vertices_in_use += start[v] < start[v + 1] ? 1 : 0;
+        const Box box = bounding_box(mesh());
+        counts().box_low = box.low;
+        counts().box_high = box.high;
     }
 
     /// Of the vertices in use, those with the coordinates of an earlier one.

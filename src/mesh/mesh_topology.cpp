@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <numeric>
 #include <string>
@@ -78,45 +77,24 @@ void look_at_fans(const TriangleMesh& mesh, MeshTopology& topology) {
     topology.oriented_manifold = std::all_of(regular.begin(), regular.end(), [](const auto& block) { return block.value; });
 }
 
-/// Joins the corners of each triangle on all processors, and names the sets in the order of their first triangles. Whatever the order of
-/// joining, the smallest member stands for its set in the end.
+/// Joins the corners of each triangle on all processors, and numbers the sets in the order of their first triangles.
 void label_components(const TriangleMesh& mesh, MeshTopology& topology) {
-    std::vector<int> parent = large_vector<int>(at(mesh.vertex_count()));
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto parent_of = [&](int i) { return std::atomic_ref(parent[at(i)]); };
-    const auto find = [&](int i) {
-        for (int above = parent_of(i).load(std::memory_order_relaxed); above != i;) {
-            const int next = parent_of(above).load(std::memory_order_relaxed);
-            if (next != above) parent_of(i).store(next, std::memory_order_relaxed);   // a shorter way, whoever writes last
-            i = std::exchange(above, next);
-        }
-        return i;
-    };
-    const auto join = [&](int i, int j) {
-        if (parent_of(i).load(std::memory_order_relaxed) == parent_of(j).load(std::memory_order_relaxed)) return;
-        for (int a = find(i), b = find(j); a != b; a = find(a), b = find(b)) {
-            int larger = std::max(a, b);
-            if (parent_of(larger).compare_exchange_strong(larger, std::min(a, b), std::memory_order_relaxed)) return;
-        }
-    };
+    DisjointSets sets(mesh.vertex_count());
     for_each_index(mesh.face_count(), [&](int t) {
-        join(mesh.F(t, 0), mesh.F(t, 1));
-        join(mesh.F(t, 1), mesh.F(t, 2));
+        sets.join(mesh.F(t, 0), mesh.F(t, 1));
+        sets.join(mesh.F(t, 1), mesh.F(t, 2));
     });
     topology.component = large_vector<int>(at(mesh.face_count()));
-    const int first = mesh.face_count() > 0 ? find(mesh.F(0, 0)) : 0;
-    const bool is_one = all_of_range(mesh.vertex_count(), [&](int v) { return find(v) == first || topology.vertex_faces.size(v) == 0; });
-    if (is_one && mesh.face_count() > 0) {
-        topology.component_count = 1;
-        return;
-    }
-    for_each_index(mesh.face_count(), [&](int t) { topology.component[at(t)] = find(mesh.F(t, 0)); });
-    std::vector<int>& label = parent;   // of each smallest member, from now on
-    std::ranges::fill(label, -1);
-    for (int& of_face : topology.component) {
-        int& of_set = label[at(of_face)];
+    if (mesh.face_count() == 0) return;
+    topology.component_count = 1;
+    const int first = sets.find(mesh.F(0, 0));
+    if (all_of_range(mesh.face_count(), [&](int t) { return sets.find(mesh.F(t, 0)) == first; })) return;
+    topology.component_count = 0;
+    std::vector<int> label(at(mesh.vertex_count()), -1);   // of each smallest member
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        int& of_set = label[at(sets.find(mesh.F(t, 0)))];
         if (of_set < 0) of_set = topology.component_count++;
-        of_face = of_set;
+        topology.component[at(t)] = of_set;
     }
 }
 

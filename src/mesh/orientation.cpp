@@ -76,8 +76,7 @@ struct LooseSide {
     int smaller, larger, direction;   // +1 or −1
 };
 
-/// Does a piece run through each of these edges as often one way as the other? Then it is closed there without its neighbours, as
-/// each of two boxes is that share an edge.
+/// Does a piece run through each edge as often one way as the other? Then it is closed there, as two boxes with a common edge are.
 bool cancel(std::vector<LooseSide>& sides) {
     const auto edge_of = [](const LooseSide& s) { return std::pair(s.smaller, s.larger); };
     std::sort(sides.begin(), sides.end(), [&](const LooseSide& s, const LooseSide& u) { return edge_of(s) < edge_of(u); });

@@ -2,8 +2,6 @@
 /// A piece of a mesh that is too large for what is to be tried on it.
 #pragma once
 
-#include <vector>
-
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {

@@ -12,8 +12,7 @@ namespace {
 
 const double sin_of_needle = std::sin(std::numbers::pi / 180);
 
-/// Whether a triangle with the edges u and v is sound, in squares, without a root. Says no where rounding, or the range of a double,
-/// could make a difference.
+/// Whether a triangle with the edges u and v is sound, from squares alone. False where rounding or the range of a double could decide.
 bool clearly_sound(const Vector3& u, const Vector3& v, const Vector3& cross) {
     const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = (v - u).squaredNorm();
     const double longer_two = std::max({uu * vv, vv * ww, ww * uu});

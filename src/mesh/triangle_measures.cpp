@@ -15,8 +15,7 @@ namespace {
 /// Position of corner k of triangle t; k counts on from 2 to 0.
 inline Vector3 corner(const TriangleMesh& mesh, int t, int k) { return mesh.X.row(mesh.F(t, k % 3)); }
 
-/// |v|, by a power of two nearer to 1 where squares would leave the range of a double: the components of a cross product are squares
-/// already. Both ways give the same digits.
+/// |v|, scaled by a power of two where squares would leave the range of a double. Both ways give the same digits.
 inline double length(const Vector3& v) {
     const double squared = v.squaredNorm(), largest = v.cwiseAbs().maxCoeff();
     if (squared > 1e-280 && squared < 1e300) return std::sqrt(squared);

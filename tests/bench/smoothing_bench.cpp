@@ -9,7 +9,6 @@
 #include "geometry/smoothing/diffusion_step.h"
 #include "geometry/smoothing/implicit_solver.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/smoothing/position_rows.h"
 
 namespace {
 

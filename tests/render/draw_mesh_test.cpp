@@ -10,13 +10,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include "color/cielab.h"
 #include "color/srgb.h"
 #include "render/color_difference.h"
 #include "render/picture_box.h"
 #include "render/shapes.h"
+#include "scene/camera.h"
 #include "scene/outline.h"
-#include "scene/projection.h"
 #include "scene/scene.h"
 #include "shading/shading_style.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "color/cielab.h"
 #include "color/colormap.h"
+#include "color/srgb.h"
 #include "render/color_difference.h"
 
 namespace render {

@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include "color/cielab.h"
 #include "color/colormap.h"
+#include "color/srgb.h"
 #include "render/color_difference.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/denoising/face_rings.h"
+#include "geometry/denoising/normal_filters.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {

@@ -1,6 +1,5 @@
 /// @file
-/// What a flow takes from the connected components of a surface, given back by scaling them: their volume (Desbrun et al. 1999) or their
-/// area (Kazhdan, Solomon & Ben-Chen 2012).
+/// Scales connected components back to the volume (Desbrun et al. 1999) or area (Kazhdan, Solomon & Ben-Chen 2012) that a flow took.
 #pragma once
 
 #include "mesh/mesh_topology.h"

@@ -1,7 +1,6 @@
 #include "geometry/denoising/denoising_prediction.h"
 
 #include <cmath>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/number_text.h"

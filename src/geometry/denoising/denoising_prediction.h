@@ -5,8 +5,7 @@
 /// exactly. With all modes, −CΦ = MΦ diag(μ), ΦᵀMΦ = I, h = 1/(1 + λμ), ĉ = ΦᵀMX, G = ΦᵀΦ, B = ΦᵀM²Φ:
 ///   W = M:  Σ_i (1 − h_iᵗ)²|ĉ_i|² + 3σ² Σ_i h_i²ᵗ B_ii
 ///   W = I:  ‖Φ diag(1 − hᵗ) ĉ‖²   + 3σ² Σ_ij h_iᵗ h_jᵗ G_ij B_ij
-/// On larger meshes the bias is that of one run without noise, and the trace the mean of zᵀ Sᵗᵀ W Sᵗ z over vectors z of fair ±1
-/// (Hutchinson 1990).
+/// On larger meshes the bias is that of one run without noise, the trace the mean of zᵀSᵗᵀWSᵗz over fair ±1 z (Hutchinson 1990).
 #pragma once
 
 #include <cstdint>

@@ -22,8 +22,7 @@ struct NoiseLevel {
 /// @throws MeshError if the topology is of another mesh
 NoiseLevel noise_level(const TriangleMesh& mesh, const MeshTopology& topology);
 
-/// The `q` quantile of χ² with k degrees of freedom, and the share of it below x (Wilson & Hilferty 1931; for k ≥ 2 within 0.01 between
-/// the percentiles used here).
+/// A quantile of χ² with k degrees of freedom, and its share below x (Wilson & Hilferty 1931; within 0.01 for k ≥ 2, as used here).
 double chi_square_quantile(double z, double k);   // z: that of the normal distribution, −0.6745 for the lower quartile
 double chi_square_share(double x, double k);
 

@@ -3,9 +3,19 @@
 ///   Zheng et al. 2011, bilateral normal filtering; Zhang et al. 2015, guided normal filtering; Sun et al. 2007, vertex update.
 #pragma once
 
-#include "geometry/denoising/face_rings.h"
+#include "mesh/mesh_topology.h"
 
 namespace meshfolio {
+
+/// The triangles around each triangle.
+struct FaceRings {
+    Incidence by_vertex;   // row t: triangles that share a vertex with t, itself among them, ascending
+    Incidence by_edge;     // row t: triangles that share an edge with t, ascending; not itself
+};
+FaceRings face_rings(const TriangleMesh& mesh);
+
+/// m × 3 centroids. [length]
+Positions face_centroids(const TriangleMesh& mesh);
 
 /// Weights of the bilateral filter that do not change with the normals: of the triangles s that share a vertex with t (t itself among
 /// them), A_s exp(−|c_s − c_t|²/2σ_c²), σ_c the mean distance between centroids of triangles that share an edge. [length²]

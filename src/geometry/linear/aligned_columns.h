@@ -49,5 +49,8 @@ using ConstFourRow = Eigen::Map<const Four, Eigen::Aligned32>;
 inline FourRow row_of(FourColumns& X, Eigen::Index i) { return FourRow(X.row(i)); }
 inline ConstFourRow row_of(const FourColumns& X, Eigen::Index i) { return ConstFourRow(X.row(i)); }
 using EightColumns = AlignedColumns<8>;   // what one step of a block method works on
+using Eight = Eigen::Array<double, EightColumns::width, 1>;
+using EightRow = Eigen::Map<Eight>;
+using ConstEightRow = Eigen::Map<const Eight>;
 
 }   // namespace meshfolio

@@ -1,9 +1,8 @@
-#include "geometry/linear/front_elimination.h"
+#include "geometry/linear/front_tree.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/large_pages.h"
 #include "base/parallel_tasks.h"

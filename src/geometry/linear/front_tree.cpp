@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "geometry/linear/elimination_tree.h"
+#include "geometry/linear/factor_operations.h"
 
 namespace meshfolio {
 

@@ -7,7 +7,7 @@
 #include "base/errors.h"
 #include "geometry/distributed/ranks.h"
 #include "geometry/linear/ldlt_analysis.h"
-#include "geometry/linear/ldlt_rounding.h"
+#include "geometry/linear/ldlt_panels.h"
 #include "geometry/linear/random_numbers.h"
 
 namespace meshfolio {

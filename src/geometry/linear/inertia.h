@@ -31,9 +31,8 @@ enum class Proof { proved, refuted, undecided };
 /// @throws SolverError if a pivot is lost in rounding: σ is an eigenvalue of a leading part, or next to one
 Inertia inertia_at(const SparseMatrix& A, const Vector& M, double sigma, Ranks* ranks = nullptr);
 
-/// At some σ between two numbers, the first tried whose δ is smaller than its distance from both, else the best of those tried. Symmetric
-/// matrices have shifts, far from any eigenvalue, at which a pivot vanishes or nearly so and 2 × 2 pivots would be needed; a little beside
-/// it does as well.
+/// At some σ between two numbers, the first tried whose δ is smaller than its distance from both, else the best of those tried. Without
+/// 2 × 2 pivots a pivot may vanish at a σ far from any eigenvalue, but not a little beside it.
 /// @return nothing if every σ tried loses a pivot
 std::optional<Inertia> inertia_between(const SparseMatrix& A, const Vector& M, double low, double high, Ranks* ranks = nullptr);
 

@@ -2,19 +2,17 @@
 
 #include <Eigen/OrderingMethods>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "base/errors.h"
 #include "base/number_text.h"
-#include "geometry/linear/front_elimination.h"
-#include "geometry/linear/ldlt_rounding.h"
+#include "geometry/linear/front_tree.h"
+#include "geometry/linear/ldlt_panels.h"
+#include "geometry/linear/special_values.h"
 
 namespace meshfolio {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 std::vector<int> minimum_degree_order(const SparseMatrix& A) {
     if (A.rows() != A.cols() || A.rows() == 0) throw SolverError("LDLᵀ factorisation: the matrix is empty or not square");
@@ -62,7 +60,6 @@ double LdltAnalysis::memory() const {
 LdltPanels LdltAnalysis::factor(const SparseMatrix& A, double sigma, bool parallel) const {
     LdltPanels panels = checked_factor(A, sigma, tree_, false, parallel);
     const Vector diagonal = A.diagonal().array() - sigma;
-    panels.delta = backward_error(panels, Vector::Ones(panels.size), 1) + epsilon * std::abs(sigma);
     panels.growth = (panels.pivots.array() / diagonal(panels.order).array()).abs().maxCoeff();
     return panels;
 }
@@ -71,7 +68,7 @@ LdltPanels LdltAnalysis::factor_definite(const SparseMatrix& A, bool parallel) c
 
 Inertia LdltAnalysis::count_below(const SparseMatrix& A, double sigma, bool parallel) const {
     const LdltPanels panels = factor(A, sigma, parallel);
-    return {sigma, panels.negative_pivots(), panels.delta};
+    return {sigma, panels.negative_pivots(), shifted_backward_error(panels, sigma)};
 }
 
 }   // namespace meshfolio

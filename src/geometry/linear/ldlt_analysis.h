@@ -26,7 +26,7 @@ public:
     /// LDLᵀ of A − σI. Several threads may factor at once; `parallel`: one factor is shared out among threads. The numbers are the same.
     /// @throws SolverError if an entry is not finite, or a pivot within a few roundings of zero: σ is an eigenvalue, or next to one
     LdltPanels factor(const SparseMatrix& A, double sigma, bool parallel = false) const;
-    /// LDLᵀ with D > 0, which is Cholesky's factor L D^½. Its `delta` and `growth` are not computed.
+    /// LDLᵀ with D > 0, which is Cholesky's factor L D^½. Its `growth` is not computed.
     /// @throws SolverError if an entry is not finite, or A is not positive definite
     LdltPanels factor_definite(const SparseMatrix& A, bool parallel = false) const;
     /// Eigenvalues of A below σ, by Sylvester's law of inertia.

@@ -5,7 +5,7 @@
 
 #include "base/errors.h"
 #include "geometry/linear/ldlt_analysis.h"
-#include "geometry/linear/ldlt_rounding.h"
+#include "geometry/linear/ldlt_panels.h"
 #include "geometry/linear/panel_kernels.h"
 
 namespace meshfolio {

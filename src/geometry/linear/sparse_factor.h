@@ -22,7 +22,7 @@ public:
     /// Pivots < 0: by Sylvester's law the number of negative eigenvalues of a nearby matrix.
     int negative_pivots() const { return panels_.negative_pivots(); }
     long long nonzeros() const { return nonzeros_; }   // of the factor, diagonal included
-    /// δ with |xᵀEx| ≤ δ xᵀWx for all x, where the factor is exactly that of A + E (ldlt_rounding.h).
+    /// δ with |xᵀEx| ≤ δ xᵀWx for all x, where the factor is exactly that of A + E (ldlt_panels.h).
     double backward_error(const Vector& W) const;
 
 private:

@@ -79,8 +79,7 @@ double ClosestPoint::to_triangle(const Vector3& p, int t, double known_bound) co
     return squared_distance_to_triangle(p, corner(0), corner(1), corner(2), known_bound);
 }
 
-/// Sorting along a curve takes a tenth of the time of splitting at medians, and a search hardly more: it is the building that counts
-/// where bounds leave few searches.
+/// Sorting along a curve takes a tenth of the time of splitting at medians, and searches hardly take longer.
 ClosestPoint::ClosestPoint(TriangleMesh mesh) : mesh_(std::move(mesh)) {
     const int count = mesh_.face_count();
     if (count == 0) throw MeshError("ClosestPoint: a mesh without triangles has no surface");

@@ -5,12 +5,12 @@
 #include <limits>
 #include <vector>
 
-#include "mesh/triangle_mesh.h"
+#include "geometry/operators/triangle_shape.h"
+#include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 
-/// Squared distance from p to the triangle (x0, x1, x2), which may be degenerate; any value ≥ `known_bound` where it is not below that.
-/// [length²]
+/// Squared distance from p to the triangle (x0, x1, x2), degenerate or not; any value ≥ `known_bound` if it is not below that. [length²]
 double squared_distance_to_triangle(const Vector3& p, const Vector3& x0, const Vector3& x1, const Vector3& x2,
                                     double known_bound = std::numeric_limits<double>::infinity());
 
@@ -45,6 +45,19 @@ private:
 
     TriangleMesh mesh_;                      // its triangles along Morton's curve
     std::vector<std::vector<Box>> levels_;   // around so many triangles that follow each other, around so many of these boxes, … around all
+};
+
+/// Two meshes in coordinates of about 1, to be compared: both centred on the first and scaled by one power of two, so that no square
+/// overflows and far-away meshes lose nothing.
+struct UnitPair {
+    double scale;   // [1/length]
+    TriangleMesh a, b;
+
+    UnitPair(const TriangleMesh& p, const TriangleMesh& q) : scale(std::min(unit_scale(p), unit_scale(q))) {
+        const Eigen::RowVector3d centre = bounding_box(p).centre();
+        a = moved_to(p, scale * (p.X.rowwise() - centre));
+        b = moved_to(q, scale * (q.X.rowwise() - centre));
+    }
 };
 
 }   // namespace meshfolio

@@ -12,7 +12,6 @@
 #include "base/errors.h"
 #include "geometry/measures/closest_point.h"
 #include "geometry/measures/shape_kernels.h"
-#include "geometry/measures/unit_pair.h"
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/triangle_kind.h"
 #include "mesh/triangle_measures.h"
@@ -99,23 +98,25 @@ private:
     double farthest_ = 0;
 };
 
-/// Angles between corresponding normals; triangles without area in either mesh have none and are left out.
-void compare_normals(const TriangleMesh& a, const TriangleMesh& b, MeshDifference& difference) {
-    const Positions normals_a = face_normals(a), normals_b = face_normals(b);
-    int compared = 0;
-    for (Eigen::Index t = 0; t < normals_a.rows(); ++t) {
-        const Vector3 n = normals_a.row(t), m = normals_b.row(t);
-        if (n.isZero(0) || m.isZero(0) || kind_of(a, static_cast<int>(t)) == TriangleKind::zero_area) continue;
-        const double angle = std::atan2(n.cross(m).norm(), n.dot(m));
-        difference.mean_normal_angle += angle;
-        difference.mean_squared_normal_angle += angle * angle;
-        difference.inverted_faces += n.dot(m) < 0 ? 1 : 0;
-        ++compared;
+/// Angles between corresponding normals; rows of zeros, which have no direction, are left out. Means are NaN where none is left.
+struct NormalAngles {
+    double mean = 0, mean_squared = 0;
+    int inverted = 0;
+    NormalAngles(const Positions& a, const Positions& b) {
+        int compared = 0;
+        for (Eigen::Index t = 0; t < a.rows(); ++t) {
+            const Vector3 n = a.row(t), m = b.row(t);
+            if (n.isZero(0) || m.isZero(0)) continue;
+            const double angle = std::atan2(n.cross(m).norm(), n.dot(m));
+            mean += angle;
+            mean_squared += angle * angle;
+            inverted += n.dot(m) < 0 ? 1 : 0;
+            ++compared;
+        }
+        mean /= compared;
+        mean_squared /= compared;
     }
-    if (compared == 0) return;
-    difference.mean_normal_angle /= compared;
-    difference.mean_squared_normal_angle /= compared;
-}
+};
 
 }   // namespace
 
@@ -128,7 +129,13 @@ MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b) {
     if (squared.size() > 0) difference.max = std::sqrt(squared.maxCoeff());
     const Vector areas = vertex_areas(a, AreaForm::barycentric);
     if (areas.sum() > 0) difference.area_weighted_rms = std::sqrt((areas / areas.sum()).dot(squared));
-    compare_normals(a, b, difference);
+    Positions normals = face_normals(a);
+    for (int t = 0; t < a.face_count(); ++t)
+        if (kind_of(a, t) == TriangleKind::zero_area) normals.row(t).setZero();
+    const NormalAngles angles(normals, face_normals(b));
+    difference.mean_normal_angle = angles.mean;
+    difference.mean_squared_normal_angle = angles.mean_squared;
+    difference.inverted_faces = angles.inverted;
     const double volume = signed_volume(a);
     difference.volume_ratio = volume != 0 ? signed_volume(b) / volume : std::numeric_limits<double>::quiet_NaN();
     difference.area_ratio = surface_area(b) / surface_area(a);
@@ -170,15 +177,7 @@ double mean_normal_angle(const Positions& a, const Positions& b) {
     if (a.rows() != b.rows()) {
         throw MeshError("mean_normal_angle: " + std::to_string(a.rows()) + " normals against " + std::to_string(b.rows()));
     }
-    double sum = 0;
-    int compared = 0;
-    for (Eigen::Index f = 0; f < a.rows(); ++f) {
-        const Vector3 n = a.row(f), m = b.row(f);
-        if (n.isZero(0) || m.isZero(0)) continue;
-        sum += std::atan2(n.cross(m).norm(), n.dot(m));
-        ++compared;
-    }
-    return compared > 0 ? sum / compared : std::numeric_limits<double>::quiet_NaN();
+    return NormalAngles(a, b).mean;
 }
 
 double smallest_angle(const TriangleMesh& mesh) {

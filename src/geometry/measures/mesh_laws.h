@@ -15,8 +15,7 @@ double asymmetry(const SparseMatrix& C);
 /// Largest |Σ_j C_ij| over the largest |C_ij|: a constant function has no Laplacian.
 double row_sum_error(const SparseMatrix& C);
 
-/// Dirichlet energy of the positions over the surface area: 1, because each triangle carries its own positions without distortion
-/// (Pinkall & Polthier 1993).
+/// Dirichlet energy of the positions over the surface area: 1 on every mesh (Pinkall & Polthier 1993).
 double energy_over_area(const TriangleMesh& mesh, const SparseMatrix& C);
 
 /// Largest ‖(CX)_i + ∇_i area‖ over Σ_j |C_ij|‖x_j − x_i‖: the cotangents are the first variation of the area. The gradient is taken

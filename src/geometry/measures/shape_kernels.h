@@ -6,8 +6,7 @@
 
 namespace meshfolio {
 
-/// Lowers nearest[v] to the squared distance of row v of X from each triangle of the clean mesh around v: squared_distance_to_triangle(),
-/// to rounding. [length²]
+/// Lowers nearest[v] to squared_distance_to_triangle(), to rounding, of row v of X and each triangle of the clean mesh around v. [length²]
 void lower_to_shape(const TriangleMesh& clean, const Positions& X, Vector& nearest);
 
 }   // namespace meshfolio

@@ -1,7 +1,6 @@
 #include "geometry/measures/spatial_order.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 

@@ -8,7 +8,6 @@
 #include "base/parallel.h"
 #include "base/parallel_tasks.h"
 #include "geometry/measures/closest_point.h"
-#include "geometry/measures/unit_pair.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {

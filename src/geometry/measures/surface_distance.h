@@ -9,8 +9,7 @@
 namespace meshfolio {
 
 /// From the points of one surface to the nearest of another. Each triangle is divided into k² equal pieces, none of them larger than
-/// 1/16384 of the surface; a mean is over the pieces, each counted with its area and measured at its centroid, a maximum over vertices and
-/// centroids.
+/// 1/16384 of the surface. Means are over pieces, weighted by area and measured at centroids; maxima over centroids and vertices.
 struct DistancesTo {
     Vector of_vertices;                  // n, NaN where no triangle uses the vertex [length]
     Vector of_pieces, areas;             // one a piece [length], [length²]

@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 #include "base/parallel.h"
-#include "geometry/operators/intrinsic_input.h"
+#include "geometry/operators/intrinsic_triangles.h"
 #include "geometry/operators/triangle_shape.h"
 #include "mesh/prefetch.h"
 

@@ -13,9 +13,8 @@
 namespace meshfolio {
 
 struct CotangentOptions {
-    /// How an edge with n opposite corners is weighted. `sum`: ½ Σ cot, the finite-element matrix (boundary edges get one
-    /// cotangent). `mean`: (1/n) Σ cot, the average over the opposite vertices; same on manifold interior edges, doubles
-    /// boundary weights.
+    /// The weight of an edge with n opposite corners. `sum`: ½ Σ cot, the finite-element matrix. `mean`: (1/n) Σ cot, which is the same at
+    /// manifold interior edges and doubles boundary weights.
     enum class OppositeVertices { sum, mean } opposite = OppositeVertices::sum;
     /// Negative edge weights become 0. Keeps C negative semidefinite, gives up linear precision.
     bool clamp_negative = false;
@@ -39,8 +38,7 @@ struct LaplaceBeltrami {
     Vector M;         // n lumped masses A_i; 0 at unreferenced vertices [length²]
 };
 LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric, const CotangentOptions& options = {});
-/// The same where triangles without area keep a stiffness, their cotangents cut off at 1/no_area. To show what that does to the largest
-/// stable step.
+/// Keeps a stiffness for triangles without area, cotangents cut off at 1/no_area, to show what that does to the largest stable step.
 LaplaceBeltrami floored_laplace_beltrami(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric);
 /// The same of glued intrinsic triangles with m × 3 edge lengths.
 LaplaceBeltrami laplace_beltrami(const Faces& F, int vertex_count, const CornerValues& lengths, AreaForm area = AreaForm::barycentric,

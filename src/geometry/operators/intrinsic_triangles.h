@@ -3,6 +3,7 @@
 /// be glued to themselves, and several edges may join the same two vertices.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
@@ -30,5 +31,11 @@ struct SideOfEdge {
 };
 /// All 3m sides, sorted by edge, those of an edge in the order of the triangles.
 std::vector<SideOfEdge> sides_by_edge(const Faces& F);
+
+/// @throws MeshError naming `function` if `values` has not one row a face, or a face names a vertex outside [0, vertex_count)
+void require_corner_values(const std::string& function, const Faces& F, int vertex_count, const CornerValues& values);
+
+/// @throws MeshError naming `function` if a length is negative or not finite
+void require_lengths(const std::string& function, const CornerValues& lengths);
 
 }   // namespace meshfolio

@@ -1,6 +1,5 @@
 /// @file
-/// The dot products, the cross product and the squared edges of one triangle: all that cotangents and areas need, from
-/// positions or from edge lengths.
+/// What cotangents and areas need of a triangle, from positions or from edge lengths: dot products, cross product and squared edges.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -4,12 +4,14 @@
 
 #include "base/errors.h"
 #include "base/parallel.h"
-#include "geometry/operators/intrinsic_input.h"
+#include "geometry/operators/intrinsic_triangles.h"
 #include "geometry/operators/triangle_shape.h"
 #include "mesh/prefetch.h"
 
 namespace meshfolio {
 namespace {
+
+constexpr std::array<std::string_view, 3> form_names{"barycentric", "voronoi", "mixed"};
 
 using CornerAreas = std::array<double, 3>;
 
@@ -63,22 +65,11 @@ Vector areas_from_shapes(const Faces& F, Eigen::Index vertex_count, AreaForm for
 
 }   // namespace
 
-std::string_view name_of(AreaForm form) {
-    switch (form) {
-        case AreaForm::barycentric:
-            return "barycentric";
-        case AreaForm::voronoi:
-            return "voronoi";
-        case AreaForm::mixed:
-            return "mixed";
-    }
-    return "unknown";
-}
+std::string_view name_of(AreaForm form) { return form_names[static_cast<std::size_t>(form)]; }
 
 AreaForm area_form_named(const std::string& name) {
-    for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed}) {
-        if (name == name_of(form)) return form;
-    }
+    const auto found = std::ranges::find(form_names, name);
+    if (found != form_names.end()) return static_cast<AreaForm>(found - form_names.begin());
     throw UsageError("unknown form of area '" + printable(name) + "'", "use barycentric, voronoi or mixed");
 }
 

@@ -1,7 +1,6 @@
 // The inner loop of explicit smoothing for the vectors of this processor, chosen at run time (Highway). A coordinate is a lane, sums over a
 // row go in the order of its entries and products are rounded before they are added: the same bytes on every processor. In vectors because
-// `smooth armadillo.obj --iterations 1000` takes 1.4 times as long with Eigen's arrays of four (0.73 s of processor time instead of 0.54
-// s).
+// `smooth armadillo.obj --iterations 1000` takes 1.4 times as long with Eigen's arrays (0.73 s of processor time instead of 0.54 s).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "geometry/smoothing/diffusion_kernels.cpp"
 #include <hwy/foreach_target.h>

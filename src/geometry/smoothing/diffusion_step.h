@@ -11,6 +11,10 @@
 
 namespace meshfolio {
 
+/// Row i is row vertex[i] of X, and back: the other rows of X stay.
+FourColumns gathered(const Positions& X, const std::vector<int>& vertex);
+void scatter(const FourColumns& rows, const std::vector<int>& vertex, Positions& X);
+
 /// Off-diagonal entries of a matrix whose rows sum to 0, row by row.
 struct DifferenceRows {
     std::vector<std::uint32_t> start;   // of row i in the two below; one more than rows

@@ -3,18 +3,17 @@
 #include <new>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "base/available_memory.h"
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "geometry/distributed/ranks.h"
 #include "geometry/linear/ldlt_analysis.h"
-#include "geometry/linear/ldlt_rounding.h"
+#include "geometry/linear/ldlt_panels.h"
 #include "geometry/linear/panel_kernels.h"
 #include "geometry/measures/spatial_order.h"
 #include "geometry/smoothing/conjugate_gradients.h"
-#include "geometry/smoothing/position_rows.h"
+#include "geometry/smoothing/diffusion_step.h"
 
 namespace meshfolio {
 

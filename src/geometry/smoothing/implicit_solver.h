@@ -24,12 +24,10 @@ public:
     ImplicitSolver(ImplicitSolver&&) noexcept;
     ImplicitSolver& operator=(ImplicitSolver&&) noexcept;
 
-    /// Readies the system. Where the factor would take more than `memory_limit`, which is known from the symbolic analysis, steps are
-    /// made by conjugate gradients instead.
+    /// Readies the system. Steps are made by conjugate gradients where a factor, by its symbolic analysis, exceeds `memory_limit`.
     /// @param X             positions of the whole mesh: along them the vertices are sorted when the pattern is a new one
     /// @param memory_limit  [bytes]; 0: what the machine has left
-    /// @param ranks         of several processes, that factor together and whatever the limit; they outlive the steps. nullptr: this one
-    /// does
+    /// @param ranks         of several processes, that factor together, without a limit, and outlive the steps; nullptr: this one does
     /// @throws SolverError if M − λC cannot be factored
     void prepare(const OperatorWithMass& whole, double lambda, const Positions& X, double memory_limit = 0, Ranks* ranks = nullptr);
 

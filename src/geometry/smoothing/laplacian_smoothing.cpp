@@ -12,7 +12,6 @@
 #include "geometry/measures/spatial_order.h"
 #include "geometry/smoothing/diffusion_step.h"
 #include "geometry/smoothing/limit_watch.h"
-#include "geometry/smoothing/position_rows.h"
 #include "geometry/spectrum/stability.h"
 #include "mesh/triangle_measures.h"
 

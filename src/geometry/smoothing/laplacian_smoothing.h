@@ -1,6 +1,5 @@
 /// @file
-/// Diffusion flow on meshes: ∂X/∂t = LX, integrated explicitly, implicitly (Desbrun et al. 1999, eq. 9) or as Taubin's
-/// λ|μ low-pass filter (Taubin 1995).
+/// Diffusion flow on meshes, ∂X/∂t = LX: explicit, implicit (Desbrun et al. 1999, eq. 9), or as the λ|μ low-pass filter of Taubin 1995.
 #pragma once
 
 #include <functional>
@@ -27,9 +26,8 @@ struct SmoothingOptions {
     AreaForm area = AreaForm::barycentric;
     /// λμ_max of every step into Smoothed::steps, by Lanczos. Explicit scheme only.
     bool monitor = false;
-    /// > 0: no step is larger than this share of 2/bound, with the Gershgorin bound of the operator it uses, so that no mode of that
-    /// operator with μ ≥ 0 can grow, whatever λ (definiteness.h: what of those below 0); at most 1. 0: every step is λ. Explicit scheme
-    /// only.
+    /// 0: every step is λ. In (0, 1]: steps are cut to this share of 2/bound, bound that of Gershgorin for the operator at hand, so that no
+    /// mode with μ ≥ 0 can grow, whatever λ (definiteness.h: what of those below 0). Explicit scheme only.
     double adaptive = 0;
     /// What a factor may take; 0: what the machine has left. Beyond it, implicit steps are made by conjugate gradients. [bytes]
     double memory_limit = 0;
@@ -67,8 +65,7 @@ struct Smoothed {
     long long solver_iterations = 0;            // of conjugate gradients, all steps together
 };
 
-/// One run. Vertices without mass stay where they are. A rebuilt operator needs a surface: where the flow has shrunk it to points or
-/// lines, the run ends.
+/// One run. Vertices without mass stay. Where the operator is rebuilt, the run ends once the surface has shrunk to points or lines.
 /// @throws MeshError for λ that is not finite or ≤ 0, iterations < 0, adaptive outside [0, 1], or a limit asked of another scheme than
 ///         the explicit one; SolverError if M − λC cannot be factored
 Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options);

@@ -1,7 +1,6 @@
 #include "geometry/spectrum/definiteness.h"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "geometry/linear/special_values.h"

@@ -7,7 +7,7 @@
 ///
 /// What floating point can prove: the bounds hold for the numbers stored in S and M. The rounding of the factorisation and of the
 /// quotient is bounded and is part of the bounds: the factor computed is exactly that of a matrix no farther from σM − S than ρ times M
-/// (ldlt_rounding.h). Not covered: the rounding of S and M themselves when they were assembled, underflow, and defects of the processor.
+/// (ldlt_panels.h). Not covered: the rounding of S and M themselves when they were assembled, underflow, and defects of the processor.
 /// Private to the layer.
 #pragma once
 
@@ -44,8 +44,7 @@ std::optional<SparseFactor> factor_at(const SparseMatrix& S, const Vector& M, do
 /// ρ of that factorisation: its own, and that of σM, ε|σ| at most. [as σ]
 double rounding_of(const SparseFactor& factor, const Vector& M, double sigma);
 
-/// yᵀSy/yᵀMy and bounds that hold in spite of its rounding: sums of n products with sums of k are off by at most ε(n + k + 4)/2 of the sum
-/// of magnitudes, in whatever order.
+/// yᵀSy/yᵀMy, with bounds that include its rounding: n products with sums of k are off by at most ε(n + k + 4)/2 of the magnitudes' sum.
 struct Quotient {
     double value = 0, low = 0, high = 0;
 };

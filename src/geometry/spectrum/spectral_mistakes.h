@@ -12,8 +12,7 @@ namespace meshfolio {
 /// @throws MeshError if there are fewer than k modes or the sizes do not fit
 Positions reconstruct_unmapped(const Spectrum& spectrum, const Vector& M, const Positions& X, int k);
 
-/// The plain product xᵀφ with M-orthonormal φ, as if they were orthonormal: X_k = Φ_k Φ_kᵀ X, off by the missing area even in its unit.
-/// [1/length]
+/// The plain product xᵀφ, as if the M-orthonormal φ were orthonormal: X_k = Φ_k Φ_kᵀ X, without the area even in its unit. [1/length]
 /// @throws MeshError as above
 Positions reconstruct_unweighted(const Spectrum& spectrum, const Vector& M, const Positions& X, int k);
 

@@ -1,7 +1,6 @@
 #include "geometry/spectrum/stability.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

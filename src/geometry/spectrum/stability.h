@@ -16,9 +16,8 @@ struct LargestEigenvalue {
     double support = 0;       // (Σ Mφ²)²/Σ(Mφ²)²: how many vertices share the mode
 };
 
-/// By plain Lanczos, value and mode to 1e-13, where that comes to an end soon, as on most meshes; else as the stability
-/// certificate finds it, the value to 1e-8 or to what rounding leaves, the mode by solves with the factor just above. The same with any
-/// number of threads.
+/// By plain Lanczos, value and mode to 1e-13, where that ends soon, as on most meshes; else as the stability certificate does, the value to
+/// 1e-8 or what rounding leaves, the mode by solves with the factor just above. Threads do not change it.
 /// @throws MeshError as operator_with_mass; SolverError if weights are not finite
 LargestEigenvalue largest_eigenvalue(const LaplaceBeltrami& laplacian);
 /// Without any factorisation, to 1e-9 on most meshes: for operators that come one after the other. Where eigenvalues crowd at the top, too
@@ -62,8 +61,7 @@ struct StepInUnits {
 };
 StepInUnits step_in_units(double raw, double critical, double mean_edge);
 
-/// How far explicit or implicit smoothing reaches: ℓ = √(4λt)/diagonal, the width of the heat kernel after the diffusion time λt, as a
-/// share of the box diagonal.
+/// How far smoothing reaches: the width √(4λt) of the heat kernel after the diffusion time λt, as a share of the box diagonal.
 double smoothing_strength(double diffusion_time, double diagonal);
 
 }   // namespace meshfolio

@@ -27,8 +27,7 @@ enum class MoreRows { refused, left_out };
 /// A table of one column needs no header. The time taken is linear in the bytes.
 /// @param file   what messages call it
 /// @param names  the column is the first of these that the header has as it is written here, or else in another case
-/// @throws InputError with the line of what is no finite number up to 1e100, of a row with more or fewer cells than the header, or where
-///         rows are missing or left over
+/// @throws InputError with the line: no finite number up to 1e100, more or fewer cells than the header, rows missing or left over
 NumberColumn csv_column(std::string_view bytes, const std::string& file, const std::vector<std::string>& names, Eigen::Index rows,
                         MoreRows more = MoreRows::refused);
 

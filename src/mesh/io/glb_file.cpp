@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -82,11 +83,12 @@ private:
 
     [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const { throw InputError({file_, 0}, problem, remedy); }
 
+    [[noreturn]] void damaged(const std::string& problem) const { fail(problem, "the file may be damaged"); }
     static std::uint32_t word(std::string_view bytes, std::size_t at) { return little_endian<std::uint32_t>(bytes.data() + at); }
 
     std::string_view take_chunk(std::string_view& bytes, std::string_view type) const {
         if (bytes.size() < 8 || word(bytes, 0) > bytes.size() - 8) fail("ends early within a chunk", "the file may be cut off");
-        if (bytes.substr(4, 4) != type) fail("the chunks are not JSON and BIN", "the file may be damaged");
+        if (bytes.substr(4, 4) != type) damaged("the chunks are not JSON and BIN");
         const std::string_view chunk = bytes.substr(8, word(bytes, 0));
         bytes.remove_prefix(8 + chunk.size());
         return chunk;
@@ -94,10 +96,9 @@ private:
 
     /// What changes looks only may be required.
     void refuse_unknown(const std::string& extension) const {
-        for (const char* harmless : {"KHR_mesh_quantization", "KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"}) {
-            if (extension.starts_with(harmless)) return;
-        }
-        fail("needs the extension " + in_quotes(extension), "export it without compression or extensions");
+        static constexpr std::array harmless{"KHR_mesh_quantization", "KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"};
+        if (std::ranges::none_of(harmless, [&](const char* begin) { return extension.starts_with(begin); }))
+            fail("needs the extension " + in_quotes(extension), "export it without compression or extensions");
     }
 
     /// A whole number of an object, from 0; `otherwise` where it is not there.
@@ -105,7 +106,7 @@ private:
         const auto found = object.find(key);
         if (found == object.end()) return otherwise;
         if (!found->is_number_unsigned() || found->get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
-            fail(std::string(key) + " is no whole number", "the file may be damaged");
+            damaged(std::string(key) + " is no whole number");
         return found->get<std::size_t>();
     }
 
@@ -113,7 +114,7 @@ private:
     const Json& entry(const char* list, std::size_t index) const {
         const auto found = json_.find(list);
         if (found == json_.end() || !found->is_array() || index >= found->size())
-            fail("no entry " + std::to_string(index) + " of " + list, "the file may be damaged");
+            damaged("no entry " + std::to_string(index) + " of " + list);
         return (*found)[index];
     }
 
@@ -128,20 +129,16 @@ private:
         static const std::map<std::string, int> shapes{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
         const auto type = types.find(number(json, "componentType", 0));
         const auto shape = shapes.find(json.value("type", ""));
-        if (type == types.end() || shape == shapes.end()) fail(name + " is of a type that is not supported", "the file may be damaged");
+        if (type == types.end() || shape == shapes.end()) damaged(name + " is of a type that is not supported");
         const Json& view = entry("bufferViews", number(json, "bufferView", 0));
         const std::size_t buffer = number(view, "buffer", 0);
         if (buffer > 0 || entry("buffers", buffer).contains("uri"))
             fail(name + " is in another file or in text", "export it as GLB with all data embedded");
         const std::size_t element = size_of(type->second) * at(shape->second);
-        Accessor made{nullptr,
-                      number(json, "count", 0),
-                      number(view, "byteStride", element),
-                      type->second,
-                      shape->second,
-                      json.value("normalized", false) && is_integer(type->second)};
-        const std::size_t begin = number(view, "byteOffset", 0), length = number(view, "byteLength", 0);
-        const std::size_t offset = number(json, "byteOffset", 0);
+        const bool normalized = json.value("normalized", false) && is_integer(type->second);
+        Accessor made{nullptr, number(json, "count", 0), number(view, "byteStride", element), type->second, shape->second, normalized};
+        const std::size_t begin = number(view, "byteOffset", 0), length = number(view, "byteLength", 0),
+                          offset = number(json, "byteOffset", 0);
         if (made.count == 0 || made.stride < element || made.stride > 255 || begin + length > data_.size() ||
             offset + (made.count - 1) * made.stride + element > length)
             fail(name + " reaches beyond its data", "the file may be cut off");
@@ -150,24 +147,19 @@ private:
     }
 
     void place_scene() {
-        struct Place {
-            std::size_t node;
-            Eigen::Matrix4d parent;
-        };
-        std::vector<Place> places;
+        std::vector<std::pair<std::size_t, Eigen::Matrix4d>> places;   // nodes, and their parents' transformations
         const auto put = [&](const Json& of, const char* key, const Eigen::Matrix4d& parent) {
-            for (const Json& node : of.value(key, Json::array())) places.push_back({node.get<std::size_t>(), parent});
+            for (const Json& node : of.value(key, Json::array())) places.emplace_back(node.get<std::size_t>(), parent);
         };
         put(entry("scenes", number(json_, "scene", 0)), "nodes", Eigen::Matrix4d::Identity());
         std::reverse(places.begin(), places.end());
         std::vector<char> is_placed(json_.value("nodes", Json::array()).size(), 0);
         while (!places.empty()) {
-            const Place place = places.back();
+            const auto [number_of_node, parent] = places.back();
             places.pop_back();
-            const Json& node = entry("nodes", place.node);
-            if (std::exchange(is_placed[place.node], 1) != 0)
-                fail("node " + std::to_string(place.node) + " has two parents", "the file may be damaged");
-            const Eigen::Matrix4d matrix = place.parent * matrix_of(node);
+            const Json& node = entry("nodes", number_of_node);
+            if (std::exchange(is_placed[number_of_node], 1) != 0) damaged("node " + std::to_string(number_of_node) + " has two parents");
+            const Eigen::Matrix4d matrix = parent * matrix_of(node);
             if (node.contains("skin"))
                 warnings_.add(0, "skin ignored: the shape is that at rest", "skins ignored: their shapes are those at rest");
             if (node.contains("mesh")) place_mesh(entry("meshes", number(node, "mesh", 0)), matrix);
@@ -177,15 +169,13 @@ private:
         }
     }
 
-    template <std::size_t n>
-    static std::array<double, n> numbers(const Json& object, const char* key, const std::array<double, n>& otherwise) {
-        return object.contains(key) ? object.at(key).get<std::array<double, n>>() : otherwise;
-    }
-
     static Eigen::Matrix4d matrix_of(const Json& node) {
-        if (node.contains("matrix")) return Eigen::Map<const Eigen::Matrix4d>(numbers<16>(node, "matrix", {}).data());
-        const auto move = numbers<3>(node, "translation", {0, 0, 0}), size = numbers<3>(node, "scale", {1, 1, 1});
-        const auto turn = numbers<4>(node, "rotation", {0, 0, 0, 1});
+        const auto numbers = [&](const char* key, const auto& otherwise) {
+            return node.contains(key) ? node.at(key).template get<std::decay_t<decltype(otherwise)>>() : otherwise;
+        };
+        if (node.contains("matrix")) return Eigen::Map<const Eigen::Matrix4d>(numbers("matrix", std::array<double, 16>{}).data());
+        const auto move = numbers("translation", std::array{0.0, 0.0, 0.0}), size = numbers("scale", std::array{1.0, 1.0, 1.0});
+        const auto turn = numbers("rotation", std::array{0.0, 0.0, 0.0, 1.0});
         Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
         matrix.topLeftCorner<3, 3>() = Eigen::Quaterniond(turn[3], turn[0], turn[1], turn[2]).normalized().toRotationMatrix() *
                                        Eigen::Map<const Vector3>(size.data()).asDiagonal();
@@ -203,8 +193,7 @@ private:
             }
             if (primitive.contains("targets"))
                 warnings_.add(0, "morph targets ignored", "primitives with morph targets, which are ignored");
-            for (const auto& attribute : primitive.at("attributes").items()) {
-                const std::string& name = attribute.key();
+            for (const auto& [name, index] : primitive.at("attributes").items()) {
                 if (name != "POSITION" && name != "NORMAL" && !is_column(name)) not_kept_.insert(name);
             }
             if (primitive.contains("material")) not_kept_.insert("material");
@@ -212,8 +201,7 @@ private:
             const auto [place, is_new] = first_points.try_emplace(positions, static_cast<int>(points_.size()));
             const Accessor points = accessor(positions);
             if (is_new) add_points(points, primitive.at("attributes"), matrix);
-            const bool turned = matrix.topLeftCorner<3, 3>().determinant() < 0;
-            add_triangles(corners_of(primitive, points.count), mode, place->second, turned);
+            add_triangles(corners_of(primitive, points.count), mode, place->second, matrix.topLeftCorner<3, 3>().determinant() < 0);
         }
     }
 
@@ -223,15 +211,14 @@ private:
     }
 
     void add_points(const Accessor& points, const Json& attributes, const Eigen::Matrix4d& matrix) {
-        if (points.components != 3) fail("positions are not VEC3", "the file may be damaged");
+        if (points.components != 3) damaged("positions are not VEC3");
         const std::size_t before = points_.size();
         refuse_too_many(before + points.count);
         for (std::size_t i = 0; i < points.count; ++i) {
             const Eigen::Vector4d x = matrix * Eigen::Vector4d(points(i, 0), points(i, 1), points(i, 2), 1);
-            if (!(x.head<3>().cwiseAbs().array() <= largest_coordinate).all()) {
+            if (!(x.head<3>().cwiseAbs().array() <= largest_coordinate).all())
                 fail("vertex " + std::to_string(i) + ": coordinate is not finite or out of the supported range (1e100)",
                      "every coordinate must be finite");
-            }
             points_.push_back({x[0], x[1], x[2]});
         }
         if (!keeps_columns_) return;
@@ -239,7 +226,7 @@ private:
             if (!is_column(name)) continue;
             const Accessor values = accessor(index.get<std::size_t>());
             refuse_too_many(column_values_ += values.count * at(values.components));
-            if (values.count != points.count) fail(name + " has another count than the positions", "the file may be damaged");
+            if (values.count != points.count) damaged(name + " has another count than the positions");
             add_columns(name, values, before);
         }
     }
@@ -251,12 +238,11 @@ private:
         static constexpr std::array channels{"red", "green", "blue", "alpha"};
         values.normalized = false;
         const bool is_color = name == "COLOR_0", is_alone = values.components == 1;
+        const std::string own = name.substr(1), array = is_color || is_alone ? "" : own;
         for (int k = 0; k < values.components; ++k) {
-            const std::string own = name.substr(1), component = is_color   ? channels[at(k)]
-                                                                : is_alone ? own
-                                                                           : component_name(own, at(k), at(values.components));
+            const std::string component = is_color ? channels[at(k)] : is_alone ? own : component_name(own, at(k), at(values.components));
             auto column = std::ranges::find(columns_, component, &Column::name);
-            if (column == columns_.end()) column = columns_.insert(column, {component, values.type, {}, is_color || is_alone ? "" : own});
+            if (column == columns_.end()) column = columns_.insert(column, {component, values.type, {}, array});
             if (column->values.size() != before || column->type != values.type) continue;   // not everywhere
             for (std::size_t i = 0; i < values.count; ++i) column->values.push_back(values(i, k));
         }
@@ -264,20 +250,17 @@ private:
 
     /// Of the triangles, in the order of the primitive.
     std::vector<int> corners_of(const Json& primitive, std::size_t points) const {
-        std::vector<int> corners;
-        if (!primitive.contains("indices")) {
-            for (std::size_t i = 0; i < points; ++i) corners.push_back(static_cast<int>(i));
-            return corners;
-        }
+        std::vector<int> corners(primitive.contains("indices") ? 0 : points);
+        std::iota(corners.begin(), corners.end(), 0);
+        if (!corners.empty()) return corners;
         const Accessor indices = accessor(number(primitive, "indices", 0));
-        if (indices.components != 1 || !is_integer(indices.type)) fail("indices are no whole numbers", "the file may be damaged");
+        if (indices.components != 1 || !is_integer(indices.type)) damaged("indices are no whole numbers");
         refuse_too_many(corners_.size() / 3 + indices.count / 3);
         for (std::size_t i = 0; i < indices.count; ++i) {
             const double index = indices(i, 0);
-            if (!(index >= 0 && index < static_cast<double>(points))) {
-                fail("index " + std::to_string(static_cast<long long>(index)) + " out of range (" + std::to_string(points) + " vertices)",
-                     "the file may be damaged");
-            }
+            if (!(index >= 0 && index < static_cast<double>(points)))
+                damaged("index " + std::to_string(static_cast<long long>(index)) + " out of range (" + std::to_string(points) +
+                        " vertices)");
             corners.push_back(static_cast<int>(index));
         }
         return corners;
@@ -285,7 +268,7 @@ private:
 
     /// Independent ones (mode 4), a strip whose every second one is turned (5), or a fan (6).
     void add_triangles(const std::vector<int>& corners, std::size_t mode, int first, bool turned) {
-        if (mode == 4 && corners.size() % 3 != 0) fail("the number of corners is no multiple of 3", "the file may be damaged");
+        if (mode == 4 && corners.size() % 3 != 0) damaged("the number of corners is no multiple of 3");
         const std::size_t step = mode == 4 ? 3 : 1;
         refuse_too_many(corners_.size() / 3 + corners.size() / step);
         for (std::size_t i = 0; i + 2 < corners.size(); i += step) {

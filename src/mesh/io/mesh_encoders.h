@@ -1,5 +1,5 @@
 /// @file
-/// The bytes of formats that hold columns. What they cannot hold is checked before (encode_mesh).
+/// The bytes of formats that hold columns, and an OBJ file written again. What they cannot hold is checked before (encode_mesh).
 #pragma once
 
 #include <string>
@@ -18,5 +18,11 @@ std::string vtp_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>&
 /// Binary glTF 2.0, coordinates as float. Colours are COLOR_0; any other column or array c is the attribute _c, as float. It
 /// may hold no NaN and nothing infinite: 0 and the largest floats stand for them.
 std::string glb_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>& columns);
+
+/// The text of an OBJ file with the places of its vertices replaced. Texture coordinates, groups, materials, colours of vertices, lines,
+/// points, comments and all else stay as they are, but for commands. A polygon stays one where it falls into the triangles of the mesh
+/// again; else they are written with its corners. Normals are the means, by area, over the corners that shared both vertex and normal.
+/// @param mesh  rows of X as the text has vertices; triangles of the text in its order, which may be turned or left out
+std::string obj_with_positions(const Attributes& of, const TriangleMesh& mesh);
 
 }   // namespace meshfolio

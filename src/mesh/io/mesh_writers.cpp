@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <set>
@@ -10,7 +9,6 @@
 #include "base/number_text.h"
 #include "mesh/io/mesh_encoders.h"
 #include "mesh/io/mesh_files.h"
-#include "mesh/io/obj_copy.h"
 #include "mesh/io/ply_header.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/triangle_measures.h"

@@ -1,4 +1,4 @@
-#include "mesh/io/obj_copy.h"
+#include "mesh/io/mesh_encoders.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "base/at.h"
 #include "base/number_text.h"
-#include "mesh/io/obj_statements.h"
+#include "mesh/io/obj_gate.h"
 #include "mesh/io/triangulate_polygon.h"
 
 namespace meshfolio {

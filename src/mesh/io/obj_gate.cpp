@@ -8,7 +8,6 @@
 
 #include "base/in_quotes.h"
 #include "base/number_text.h"
-#include "mesh/io/obj_statements.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/io/text_scanner.h"
 
@@ -16,54 +15,16 @@ namespace meshfolio {
 
 namespace {
 
-/// What is done with statements other than v, vt, vn and f.
-enum class Treatment { dropped, element, free_form, command };
+using namespace std::string_view_literals;
 
-/// The statements of the format's description (Wavefront, appendix B), old ones included.
-constexpr std::pair<std::string_view, Treatment> other_statements[] = {
-    // Names, materials and how things are shown: nothing for a triangle mesh.
-    {"g", Treatment::dropped},
-    {"o", Treatment::dropped},
-    {"s", Treatment::dropped},
-    {"mg", Treatment::dropped},
-    {"usemtl", Treatment::dropped},
-    {"mtllib", Treatment::dropped},
-    {"usemap", Treatment::dropped},
-    {"maplib", Treatment::dropped},
-    {"bevel", Treatment::dropped},
-    {"c_interp", Treatment::dropped},
-    {"d_interp", Treatment::dropped},
-    {"lod", Treatment::dropped},
-    {"shadow_obj", Treatment::dropped},
-    {"trace_obj", Treatment::dropped},
-    {"vp", Treatment::dropped},
-    {"p", Treatment::element},
-    {"l", Treatment::element},
-    {"cstype", Treatment::free_form},
-    {"deg", Treatment::free_form},
-    {"bmat", Treatment::free_form},
-    {"step", Treatment::free_form},
-    {"curv", Treatment::free_form},
-    {"curv2", Treatment::free_form},
-    {"surf", Treatment::free_form},
-    {"parm", Treatment::free_form},
-    {"trim", Treatment::free_form},
-    {"hole", Treatment::free_form},
-    {"scrv", Treatment::free_form},
-    {"sp", Treatment::free_form},
-    {"end", Treatment::free_form},
-    {"con", Treatment::free_form},
-    {"ctech", Treatment::free_form},
-    {"stech", Treatment::free_form},
-    {"bsp", Treatment::free_form},
-    {"bzp", Treatment::free_form},
-    {"cdc", Treatment::free_form},
-    {"cdp", Treatment::free_form},
-    {"res", Treatment::free_form},
-    // Would run a program or read another file.
-    {"csh", Treatment::command},
-    {"call", Treatment::command},
-};
+// The statements of the format's description (Wavefront, appendix B), old ones included, other than v, vt, vn and f.
+// Names, materials and how things are shown: nothing for a triangle mesh.
+constexpr std::array dropped{"g"sv,     "o"sv,        "s"sv,        "mg"sv,  "usemtl"sv,     "mtllib"sv,    "usemap"sv, "maplib"sv,
+                             "bevel"sv, "c_interp"sv, "d_interp"sv, "lod"sv, "shadow_obj"sv, "trace_obj"sv, "vp"sv};
+constexpr std::array free_form{"cstype"sv, "deg"sv,   "bmat"sv, "step"sv, "curv"sv, "curv2"sv, "surf"sv,
+                               "parm"sv,   "trim"sv,  "hole"sv, "scrv"sv, "sp"sv,   "end"sv,   "con"sv,
+                               "ctech"sv,  "stech"sv, "bsp"sv,  "bzp"sv,  "cdc"sv,  "cdp"sv,   "res"sv};
+constexpr std::array commands{"csh"sv, "call"sv};   // would run a program or read another file
 
 /// Texture coordinates or normals: not used, but indices that miss them tell of a damaged file.
 struct UnusedAttribute {
@@ -197,26 +158,19 @@ private:
     }
 
     void other(std::string_view keyword) {
-        const auto known =
-            std::find_if(std::begin(other_statements), std::end(other_statements), [&](auto& s) { return s.first == keyword; });
-        if (known == std::end(other_statements)) {
-            checked_.warnings.add(line_, "unknown statement ignored", "unknown statements ignored", in_quotes(keyword));
+        const auto is_one_of = [&](const auto& names) { return std::ranges::find(names, keyword) != names.end(); };
+        WarningTally& warnings = checked_.warnings;
+        if (is_one_of(dropped)) return;
+        if (keyword == "p" || keyword == "l") {
+            warnings.add(line_, "point or line element ignored", "point or line elements ignored");
+        } else if (is_one_of(free_form)) {
+            checked_.free_form = true;
+            warnings.add(line_, "free-form statement ignored", "free-form statements ignored", in_quotes(keyword));
+        } else if (is_one_of(commands)) {
+            warnings.add(line_, "command statement ignored", "command statements ignored", in_quotes(keyword));
+        } else {
+            warnings.add(line_, "unknown statement ignored", "unknown statements ignored", in_quotes(keyword));
             if (checked_.unknown.empty()) checked_.unknown = in_quotes(keyword) + " at line " + std::to_string(line_);
-            return;
-        }
-        switch (known->second) {
-            case Treatment::dropped:
-                break;
-            case Treatment::element:
-                checked_.warnings.add(line_, "point or line element ignored", "point or line elements ignored");
-                break;
-            case Treatment::free_form:
-                checked_.free_form = true;
-                checked_.warnings.add(line_, "free-form statement ignored", "free-form statements ignored", in_quotes(keyword));
-                break;
-            case Treatment::command:
-                checked_.warnings.add(line_, "command statement ignored", "command statements ignored", in_quotes(keyword));
-                break;
         }
     }
 
@@ -228,7 +182,33 @@ private:
     CheckedObj checked_;
 };
 
+bool ends_in_backslash(std::string_view line) {
+    const std::size_t last = line.find_last_not_of(" \t");
+    return last != std::string_view::npos && line[last] == '\\';
+}
+
 }   // namespace
+
+bool ObjStatements::next() {
+    if (!lines_.next_with_words()) return false;
+    line_ = lines_.number();
+    statement_ = lines_.line();
+    begin_ = static_cast<std::size_t>(statement_.data() - start_);
+    if (!ends_in_backslash(statement_)) return true;
+    joined_.clear();
+    std::string_view part = statement_;
+    while (ends_in_backslash(part)) {
+        joined_.append(part.substr(0, part.find_last_of('\\'))).push_back(' ');
+        if (!lines_.next()) {
+            cut_off_ = true;
+            part = {};
+            break;
+        }
+        part = without_comment(lines_.line());
+    }
+    statement_ = joined_.append(part);
+    return true;
+}
 
 CheckedObj check_obj(std::string_view text, const std::string& file) {
     refuse_nul_bytes(text, file);

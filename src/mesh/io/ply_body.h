@@ -4,8 +4,6 @@
 
 #include <bit>
 #include <charconv>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -103,13 +101,11 @@ public:
     void end_row(const PlyElement&) {}
 
     double number(ScalarType type) {
-        return with_zero_of(type, [&](auto zero) { return static_cast<double>(value<decltype(zero)>()); });
+        need(size_of(type));
+        at_ += size_of(type);
+        return number_at(bytes_.data() + at_ - size_of(type), type);
     }
-
-    long long integer(ScalarType type) {
-        return with_zero_of(type, [&](auto zero) { return static_cast<long long>(value<decltype(zero)>()); });
-    }
-
+    long long integer(ScalarType type) { return static_cast<long long>(number(type)); }   // of 32 bits at most
     double any_number(ScalarType type) { return number(type); }
 
     void skip(ScalarType type, long long times) {
@@ -119,13 +115,14 @@ public:
         at_ += bytes;
     }
 
-    /// The first of `count` rows of `size` bytes each, or null where there are not so many: for who reads them at once, and then goes on
-    /// with skip_rows().
+    /// The first of `count` rows of `size` bytes each, to be read at once and then skipped; null where there are not so many.
     const char* rows(long long count, std::size_t size) const {
         return static_cast<std::size_t>(count) <= (bytes_.size() - at_) / size ? bytes_.data() + at_ : nullptr;
     }
     void skip_rows(long long count, std::size_t size) { at_ += static_cast<std::size_t>(count) * size; }
-    bool swapped() const { return swap_; }
+    double number_at(const char* raw, ScalarType type) const {
+        return with_zero_of(type, [&](auto zero) { return static_cast<double>(value_at<decltype(zero)>(raw, swap_)); });
+    }
 
     void end(WarningTally& warnings) const {
         if (at_ == bytes_.size()) return;
@@ -137,13 +134,6 @@ private:
     void need(std::size_t bytes) const {
         if (bytes_.size() - at_ >= bytes) return;
         throw InputError({file_, 0}, "ends early (byte " + std::to_string(bytes_.size()) + ")", "the file may be cut off");
-    }
-
-    template <class T>
-    T value() {
-        need(sizeof(T));
-        at_ += sizeof(T);
-        return value_at<T>(bytes_.data() + at_ - sizeof(T), swap_);
     }
 
     std::string_view bytes_;

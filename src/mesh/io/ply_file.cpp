@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -34,10 +33,8 @@ public:
         for (const PlyElement& element : header_.elements) {
             if (&element == parts_.vertices) {
                 read_vertices(element);
-            } else if (&element == parts_.faces) {
-                parts_.are_strips ? read_strips(element) : read_faces(element);
             } else {
-                skip_element(element);
+                read_others(element);
             }
         }
         body_.end(warnings);
@@ -78,97 +75,103 @@ private:
         }
     }
 
-    /// Where the values of a row begin, if rows are of one length: lists are taken to have three items, which the reader has to check.
-    struct EvenRows {
-        std::vector<std::size_t> offset;   // of each property; that of a list is where its length stands
-        std::size_t size = 0;
-
-        explicit EvenRows(const PlyElement& element) {
+    /// Reads all rows of a binary file at once, as if each list had three items: good(body, i, values) takes row i, whose property p begins
+    /// at values(p), and checks it. False where a row is refused; reading them one by one then reports which.
+    template <class Good>
+    bool read_even_rows(const PlyElement& element, const Good& good) {
+        if constexpr (std::is_same_v<Body, BinaryBody>) {
+            std::vector<std::size_t> offset;
+            std::size_t size = 0;
             for (const PlyProperty& p : element.properties) {
                 offset.push_back(size);
                 size += p.is_list ? size_of(p.count_type) + 3 * size_of(p.type) : size_of(p.type);
             }
-        }
-    };
-
-    /// All vertices of a binary file at once. False where they are not of the usual kind, or one is refused: who reads them one by one
-    /// can say which.
-    bool read_even_vertices(const PlyElement& element) {
-        if constexpr (std::is_same_v<Body, BinaryBody>) {
-            const auto property = [&](std::size_t axis) -> const PlyProperty& { return element.properties[parts_.axis[axis]]; };
-            const bool has_lists = std::ranges::any_of(element.properties, &PlyProperty::is_list);
-            if (has_lists || !columns_.empty() || property(1).type != property(0).type || property(2).type != property(0).type)
-                return false;
-            const EvenRows even(element);
-            const char* const rows = body_.rows(element.count, even.size);
-            const bool read = rows != nullptr && with_zero_of(property(0).type, [&](auto zero) {
-                                  return all_of_range(static_cast<int>(element.count), [&](int i) {
-                                      bool good = true;
-                                      for (std::size_t k = 0; k < 3; ++k) {
-                                          const char* const raw = rows + at(i) * even.size + even.offset[parts_.axis[k]];
-                                          const auto x = static_cast<double>(value_at<decltype(zero)>(raw, body_.swapped()));
-                                          X_(i, static_cast<int>(k)) = x;
-                                          good &= std::abs(x) <= largest_coordinate;
-                                      }
-                                      return good;
-                                  });
-                              });
-            if (read) body_.skip_rows(element.count, even.size);
-            return read;
-        } else {
-            return false;
-        }
-    }
-
-    /// All faces of a binary file at once, where they are triangles, into F_.
-    bool read_even_triangles(const PlyElement& element) {
-        if constexpr (std::is_same_v<Body, BinaryBody>) {
-            const PlyProperty& list = element.properties[parts_.corners];
-            const EvenRows even(element);
-            const char* const rows = body_.rows(element.count, even.size);
-            if (rows == nullptr || std::ranges::count_if(element.properties, &PlyProperty::is_list) > 1 || element.count > most_triangles)
-                return false;
-            Faces F(element.count, 3);
-            prefer_large_pages(F.data(), static_cast<std::size_t>(F.size()) * sizeof(int));
-            const std::size_t length = size_of(list.count_type), first = even.offset[parts_.corners];
-            const bool read = with_zero_of(list.type, [&](auto zero) {
-                using Index = decltype(zero);
-                return all_of_range(static_cast<int>(element.count), [&](int i) {
-                    const char* const raw = rows + at(i) * even.size + first;
-                    bool good = with_zero_of(list.count_type, [&](auto n) { return value_at<decltype(n)>(raw, body_.swapped()) == 3; });
-                    for (std::size_t k = 0; k < 3; ++k) {
-                        const auto v = static_cast<long long>(value_at<Index>(raw + length + k * sizeof(Index), body_.swapped()));
-                        good &= v >= 0 && v < parts_.vertices->count;
-                        F(i, static_cast<int>(k)) = static_cast<int>(v);
-                    }
-                    return good;
-                });
-            });
-            if (!read) return false;
-            F_ = std::move(F);
-            body_.skip_rows(element.count, even.size);
+            const char* const rows = body_.rows(element.count, size);
+            const auto good_row = [&](int i) { return good(body_, i, [&](std::size_t p) { return rows + at(i) * size + offset[p]; }); };
+            if (rows == nullptr || !all_of_range(static_cast<int>(element.count), good_row)) return false;
+            body_.skip_rows(element.count, size);
             return true;
         } else {
             return false;
         }
     }
 
-    void read_vertices(const PlyElement& element) {
-        if (read_even_vertices(element)) return;
+    bool read_even_vertices(const PlyElement& element) {
+        if (std::ranges::any_of(element.properties, &PlyProperty::is_list) || !columns_.empty()) return false;
+        return read_even_rows(element, [&](const auto& body, int i, const auto& values) {
+            bool good = true;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::size_t p = parts_.axis[k];
+                const double x = body.number_at(values(p), element.properties[p].type);
+                X_(i, static_cast<int>(k)) = x;
+                good &= std::abs(x) <= largest_coordinate;
+            }
+            return good;
+        });
+    }
+
+    /// Into F_.
+    bool read_even_triangles(const PlyElement& element) {
+        if (std::ranges::count_if(element.properties, &PlyProperty::is_list) > 1 || element.count > most_triangles) return false;
+        const PlyProperty& list = element.properties[parts_.corners];
+        const std::size_t length = size_of(list.count_type), item = size_of(list.type);
+        Faces F(element.count, 3);
+        prefer_large_pages(F.data(), static_cast<std::size_t>(F.size()) * sizeof(int));
+        const bool read = read_even_rows(element, [&](const auto& body, int i, const auto& values) {
+            const char* const raw = values(parts_.corners);
+            bool good = body.number_at(raw, list.count_type) == 3;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double v = body.number_at(raw + length + k * item, list.type);
+                const bool exists = v >= 0 && v < static_cast<double>(parts_.vertices->count);
+                F(i, static_cast<int>(k)) = exists ? static_cast<int>(v) : 0;
+                good &= exists;
+            }
+            return good;
+        });
+        if (read) F_ = std::move(F);
+        return read;
+    }
+
+    /// read(i, p) for each property p of each row i.
+    template <class Read>
+    void for_each_value(const PlyElement& element, const Read& read) {
         for (long long i = 0; i < element.count; ++i) {
             body_.begin_row(element);
-            for (std::size_t p = 0; p < element.properties.size(); ++p) {
-                const auto axis = std::find(parts_.axis.begin(), parts_.axis.end(), p);
-                if (axis != parts_.axis.end()) {
-                    read_coordinate(i, static_cast<int>(axis - parts_.axis.begin()), element.properties[p].type);
-                } else if (columns_.empty() || column_of_[p] < 0) {
-                    skip_value(element.properties[p]);
-                } else {
-                    columns_[at(column_of_[p])].values[i] = body_.any_number(element.properties[p].type);
-                }
-            }
+            for (std::size_t p = 0; p < element.properties.size(); ++p) read(i, p);
             body_.end_row(element);
         }
+    }
+
+    void read_vertices(const PlyElement& element) {
+        if (read_even_vertices(element)) return;
+        for_each_value(element, [&](long long i, std::size_t p) {
+            const PlyProperty& property = element.properties[p];
+            const auto axis = std::find(parts_.axis.begin(), parts_.axis.end(), p);
+            if (axis != parts_.axis.end()) {
+                read_coordinate(i, static_cast<int>(axis - parts_.axis.begin()), property.type);
+            } else if (columns_.empty() || column_of_[p] < 0) {
+                skip_value(property);
+            } else {
+                columns_[at(column_of_[p])].values[i] = body_.any_number(property.type);
+            }
+        });
+    }
+
+    /// Faces, strips, and elements that are passed over.
+    void read_others(const PlyElement& element) {
+        const bool are_faces = &element == parts_.faces && !parts_.are_strips;
+        if (are_faces && read_even_triangles(element)) return;
+        if (are_faces) polygons_.reserve(static_cast<std::size_t>(element.count));
+        for_each_value(element, [&](long long i, std::size_t p) {
+            const PlyProperty& property = element.properties[p];
+            if (!parts_.is_corners(element, p)) {
+                skip_value(property);
+            } else if (are_faces) {
+                read_corners(i, property);
+            } else {
+                read_strip_list(i, property);
+            }
+        });
     }
 
     void read_coordinate(long long i, int axis, ScalarType type) {
@@ -181,26 +184,10 @@ private:
         X_(i, axis) = x;
     }
 
-    void read_faces(const PlyElement& element) {
-        if (read_even_triangles(element)) return;
-        polygons_.reserve(static_cast<std::size_t>(element.count));
-        for (long long i = 0; i < element.count; ++i) {
-            body_.begin_row(element);
-            for (std::size_t p = 0; p < element.properties.size(); ++p) {
-                if (parts_.is_corners(element, p)) {
-                    read_corners(i, element.properties[p]);
-                } else {
-                    skip_value(element.properties[p]);
-                }
-            }
-            polygons_.end_polygon(body_.line());
-            body_.end_row(element);
-        }
-    }
-
     void read_corners(long long face, const PlyProperty& property) {
         const long long corners = list_length(property);
         for (long long k = 0; k < corners; ++k) polygons_.add_corner(checked_index(body_.integer(property.type), "face ", face));
+        polygons_.end_polygon(body_.line());
     }
 
     int checked_index(long long index, const char* what, long long number) const {
@@ -211,20 +198,6 @@ private:
                  "indices are whole numbers from 0");
         }
         return static_cast<int>(index);
-    }
-
-    void read_strips(const PlyElement& element) {
-        for (long long i = 0; i < element.count; ++i) {
-            body_.begin_row(element);
-            for (std::size_t p = 0; p < element.properties.size(); ++p) {
-                if (parts_.is_corners(element, p)) {
-                    read_strip_list(i, element.properties[p]);
-                } else {
-                    skip_value(element.properties[p]);
-                }
-            }
-            body_.end_row(element);
-        }
     }
 
     /// Strips one after the other, each ended by −1 or by the end of the list. Corner k ≥ 2 of a strip makes a triangle with the two before
@@ -267,14 +240,6 @@ private:
     }
 
     void skip_value(const PlyProperty& property) { body_.skip(property.type, property.is_list ? list_length(property) : 1); }
-
-    void skip_element(const PlyElement& element) {
-        for (long long i = 0; i < element.count; ++i) {
-            body_.begin_row(element);
-            for (const PlyProperty& property : element.properties) skip_value(property);
-            body_.end_row(element);
-        }
-    }
 
     const PlyHeader& header_;
     const PlyMeshParts& parts_;

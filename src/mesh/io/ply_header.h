@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/io/polygon_list.h"
 #include "mesh/io/scalar_type.h"
-#include "mesh/io/warning_tally.h"
 
 namespace meshfolio {
 

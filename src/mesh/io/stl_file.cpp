@@ -3,7 +3,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "base/errors.h"
 #include "base/in_quotes.h"

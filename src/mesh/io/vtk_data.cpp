@@ -125,8 +125,7 @@ VtkArray VtkFile::array(const pugi::xml_node& element) {
     return array;
 }
 
-/// Sizes, then data. Of what is packed: the number of blocks, their size, that of the last one (0: as the others), and the packed size of
-/// each.
+/// Sizes, then data. Of packed data: the number of blocks, their size, that of the last (0: as the others), the packed size of each.
 std::string VtkFile::data_of(std::string_view encoded, bool is_text, const std::string& name) {
     const std::size_t word = size_of(header_);
     const auto bytes = [&](std::size_t count) {   // the first so many

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <span>
 #include <string>
-#include <utility>
 
 #include "base/errors.h"
 #include "base/in_quotes.h"

@@ -16,8 +16,7 @@ namespace {
 
 using Group = std::span<const VertexColumn>;
 
-/// What stands one after the other and is of one type: the columns of an array; red, green, blue and perhaps alpha; nx, ny, nz. Others
-/// stand alone.
+/// Neighbours of one type make a group: the columns of an array; red, green, blue and perhaps alpha; nx, ny, nz. Others stand alone.
 std::vector<Group> groups_of(const std::vector<VertexColumn>& columns) {
     static constexpr std::array<std::string_view, 4> rgba{"red", "green", "blue", "alpha"};
     static constexpr std::array<std::string_view, 3> normal{"nx", "ny", "nz"};

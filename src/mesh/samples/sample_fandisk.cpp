@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "mesh/samples/block_solid.h"
 #include "mesh/samples/sample_parts.h"

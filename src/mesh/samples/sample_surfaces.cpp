@@ -3,7 +3,6 @@
 #include <map>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "base/errors.h"
 #include "mesh/samples/block_solid.h"

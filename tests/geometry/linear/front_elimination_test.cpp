@@ -1,4 +1,4 @@
-#include "geometry/linear/front_elimination.h"
+#include "geometry/linear/front_tree.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

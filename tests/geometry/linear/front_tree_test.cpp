@@ -6,7 +6,6 @@
 #include <numeric>
 #include <set>
 
-#include "geometry/linear/elimination_tree.h"
 #include "geometry/linear/factor_operations.h"
 #include "geometry/solver_test_meshes.h"
 

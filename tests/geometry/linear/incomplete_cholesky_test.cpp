@@ -1,5 +1,5 @@
 #include "geometry/linear/incomplete_cholesky.h"
-#include "geometry/smoothing/position_rows.h"
+#include "geometry/smoothing/diffusion_step.h"
 
 #include <gtest/gtest.h>
 

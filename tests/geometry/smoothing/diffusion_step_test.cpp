@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/smoothing/position_rows.h"
 #include "geometry/solver_test_meshes.h"
 
 using namespace meshfolio;

@@ -1,5 +1,5 @@
 // An OBJ file that is written again over other positions keeps all else.
-#include "mesh/io/obj_copy.h"
+#include "mesh/io/mesh_encoders.h"
 
 #include <gtest/gtest.h>
 

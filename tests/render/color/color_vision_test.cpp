@@ -12,7 +12,6 @@
 #include <glm/mat3x3.hpp>
 #include <string>
 
-#include "color/cielab.h"
 #include "color/colormap.h"
 #include "color/srgb.h"
 #include "render/color_difference.h"

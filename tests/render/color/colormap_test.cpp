@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "color/cielab.h"
+#include "color/srgb.h"
 #include "render/color_difference.h"
 
 namespace {

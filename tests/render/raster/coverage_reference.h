@@ -7,7 +7,6 @@
 
 #include "raster/rasterizer.h"
 #include "raster/tile_lists.h"
-#include "raster/wide_triangle.h"
 #include "render/shapes.h"
 
 namespace render_tests {

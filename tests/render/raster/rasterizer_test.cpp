@@ -10,7 +10,6 @@
 #include <string>
 
 #include "raster/tile_lists.h"
-#include "raster/wide_triangle.h"
 #include "render/raster/coverage_reference.h"
 #include "render/shapes.h"
 

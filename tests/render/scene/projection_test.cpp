@@ -1,4 +1,4 @@
-#include "scene/projection.h"
+#include "scene/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "color/cielab.h"
+#include "color/srgb.h"
 #include "render/picture_box.h"
 
 namespace {

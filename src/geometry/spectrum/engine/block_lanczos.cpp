@@ -5,7 +5,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -167,7 +166,6 @@ Small BlockLanczos::normalise(EightColumns& W, Small gram) {
 }
 
 void BlockLanczos::invert(EightColumns& W) const {
-    using Eight = Eigen::Map<Eigen::Array<double, width, 1>>;
     const auto solve = [&](EightColumns& X) {
         if (setting_.parallel) {
             tbb::parallel_invoke([&] { solve_half_in_place(factor_, X.data()); },
@@ -186,12 +184,12 @@ void BlockLanczos::invert(EightColumns& W) const {
     solve(W);
     const SparseMatrix& B = *setting_.refine_with;
     tbb::parallel_for(Eigen::Index{0}, n_, [&](Eigen::Index i) {
-        Eight r(rest.row(i));
-        r += setting_.sigma * Eight(W.row(i));
-        for (SparseMatrix::InnerIterator entry(B, i); entry; ++entry) r -= entry.value() * Eight(W.row(entry.row()));
+        EightRow r(rest.row(i));
+        r += setting_.sigma * EightRow(W.row(i));
+        for (SparseMatrix::InnerIterator entry(B, i); entry; ++entry) r -= entry.value() * EightRow(W.row(entry.row()));
     });
     solve(rest);
-    for (Eigen::Index i = 0; i < n_; ++i) Eight(W.row(i)) += Eight(rest.row(i));
+    for (Eigen::Index i = 0; i < n_; ++i) EightRow(W.row(i)) += EightRow(rest.row(i));
     zeros_.project_out(W);
 }
 

@@ -1,8 +1,7 @@
 /// @file
 /// Block Lanczos for (B − σI)⁻¹ with eight vectors a step, all of them kept, and orthogonalised again where rounding has brought them too
 /// near each other (Grimes, Lewis & Simon 1994). Private to the layer.
-/// Beside Spectra because with it the 30 smallest pairs take 2.5 times the processor time for 43 k vertices, and 150 pairs 4.2 times
-/// (tests/bench/spectrum.py, AVX2).
+/// Spectra takes 2.5 times the processor time for the 30 smallest pairs of 43 k vertices, and 4.2 times for 150 (tests/bench/spectrum.py).
 #pragma once
 
 #include <chrono>

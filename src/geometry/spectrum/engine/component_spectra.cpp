@@ -11,7 +11,6 @@
 #include "base/errors.h"
 #include "base/parallel_tasks.h"
 #include "geometry/linear/special_values.h"
-#include "geometry/spectrum/spectrum_memory.h"
 
 namespace meshfolio {
 
@@ -215,9 +214,8 @@ Merged solve_and_merge(std::vector<Part>& parts, int k, PartSolver& solver) {
     }
 }
 
-/// Eigenvalues of a part below a σ of the whole. They are counted at a place of the same gap of that part where rounding matters least: on
-/// a speck, σ itself may not be told from 0. Nothing found lies between, so that more counted would be more missed. Nothing where rounding
-/// may have changed the count.
+/// Eigenvalues of a part below a σ of the whole, counted where in the same gap of that part rounding matters least: on a speck, σ itself
+/// may not be told from 0. No value found lies between. Returns nothing where rounding may have changed the count.
 std::optional<int> inertia_of(const Part& part, double sigma, Ranks* ranks) {
     const Vector& mu = part.modes.pairs.mu;
     const int below = part.found_below(sigma);

@@ -1,7 +1,6 @@
 /// @file
-/// The smallest eigenpairs of a mesh of several components. −C is block-diagonal then: each component is solved alone, scaled to an
-/// area of its own, and the spectra are merged. Multiplicities that equal components cause, and their differences of scale, so meet
-/// no solver. Private to the layer.
+/// The smallest eigenpairs of a mesh of several components, each solved alone, scaled to area 1; then the spectra are merged. So no solver
+/// meets the multiplicities of equal components, or differences of scale. Private to the layer.
 #pragma once
 
 #include "geometry/operators/vertices_with_mass.h"

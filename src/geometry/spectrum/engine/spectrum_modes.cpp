@@ -5,12 +5,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/errors.h"
+#include "geometry/distributed/ranks.h"
 #include "geometry/linear/aligned_columns.h"
-#include "geometry/spectrum/engine/distributed_modes.h"
+#include "geometry/spectrum/engine/slice_limits.h"
 #include "geometry/spectrum/engine/zero_modes.h"
-#include "geometry/spectrum/spectrum_memory.h"
 
 namespace meshfolio {
 
@@ -54,7 +55,7 @@ Modes sliced_modes(const SparseMatrix& A, const Vector& M, int k, const Spectrum
     SlicedPairs found = find_by_slices(problem, others, slice_options);
     const InertiaProof last = found.proofs.back();
     Modes modes;
-    if (last.trusted) modes.inertia = {last.sigma, last.counted, last.found};
+    if (last.trusted) modes.inertia = {last.sigma, last.below, last.found};
     modes.gap_middle = found.gap_middle;
     modes.times = found.times;
     modes.slices = found.slices;
@@ -63,10 +64,59 @@ Modes sliced_modes(const SparseMatrix& A, const Vector& M, int k, const Spectrum
     return modes;
 }
 
+/// B + 0.1 I is definite, and so far from singular that a solve keeps its digits; the other eigenvalues of a compact surface are above 10.
+constexpr double least_shift = 0.1;
+
+SymmetricPairs merged(const SymmetricPairs& known, const InversePairs& found) {
+    Vector mu(known.count() + found.theta.size());
+    mu << known.mu, found.theta.cwiseInverse().array() - least_shift;
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(mu.size()));
+    std::iota(order.begin(), order.end(), Eigen::Index{0});
+    std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return mu[a] < mu[b]; });
+    SymmetricPairs all{mu(order), DenseMatrix(known.Y.rows(), mu.size())};
+    for (Eigen::Index j = 0; j < mu.size(); ++j) {
+        const Eigen::Index from = order[static_cast<std::size_t>(j)];
+        all.Y.col(j) = from < known.count() ? known.Y.col(from) : found.Y.col(from - known.count());
+    }
+    return all;
+}
+
+/// With a factor that several processes hold together: Krylov–Schur on (B + 0.1 I)⁻¹, beside the zero modes; then held against the inertia
+/// of A − σM in the gap behind the k-th, and looked for again beside those known as long as more are counted than were found.
+/// @param A  −C, @param M  its masses, ΣM = 1
+/// @throws SolverError if pairs do not converge, or are counted and not found
+Modes distributed_modes(const SparseMatrix& A, const Vector& M, int k, Ranks& ranks) {
+    constexpr int most_repairs = 6;
+    SparseMatrix S(A.rows(), A.cols());
+    S.setIdentity();
+    S = symmetric_form(A, M) + least_shift * S;
+    const ZeroModes zero_modes(A, M);
+    const int zeros = zero_modes.count();
+    Modes modes;
+    modes.pairs = {Vector::Zero(zeros), zero_modes.first(zeros)};
+    int wanted = k - zeros + 4 + k / 20;   // so that the gap behind the k-th is seen
+    for (;; ++modes.repairs) {
+        ranks.factor(S, true);
+        wanted = std::clamp(wanted, 1, static_cast<int>(A.rows()) - modes.pairs.count());
+        modes.pairs = merged(modes.pairs, ranks.largest_of_inverse(wanted, modes.pairs.Y));
+        const Gap gap = gap_behind(modes.pairs.mu, k);
+        modes.gap_middle = gap.middle();
+        const auto inertia = trusted_between(A, M, gap, &ranks);
+        if (!inertia) break;
+        const auto below = static_cast<int>((modes.pairs.mu.array() < inertia->sigma).count());
+        modes.inertia = {inertia->sigma, inertia->below, below};
+        if (inertia->below <= below) break;
+        wanted = inertia->below - below;
+        if (modes.repairs == most_repairs)
+            throw SolverError(std::to_string(wanted) + " eigenpairs are counted by inertia and not found", "repair the mesh's needles");
+    }
+    modes.pairs = {modes.pairs.mu.head(k), modes.pairs.Y.leftCols(k)};
+    return modes;
+}
+
 }   // namespace
 
 Vector relative_residuals(const SparseMatrix& B, const Vector& root_mass, const SymmetricPairs& pairs) {
-    using Eight = Eigen::Array<double, EightColumns::width, 1>;
     constexpr int width = EightColumns::width;
     Vector residuals(pairs.count());
     // Eight pairs read the matrix once.
@@ -79,9 +129,9 @@ Vector relative_residuals(const SparseMatrix& B, const Vector& root_mass, const 
         Eight mu = Eight::Zero(), rest = Eight::Zero(), size = Eight::Zero();
         mu.head(columns) = pairs.mu.segment(first, columns);
         for (Eigen::Index i = 0; i < B.cols(); ++i) {
-            const Eigen::Map<const Eight> y(Y.row(i));
+            const ConstEightRow y(Y.row(i));
             Eight r = Eight::Zero();
-            for (SparseMatrix::InnerIterator entry(B, i); entry; ++entry) r += entry.value() * Eigen::Map<const Eight>(Y.row(entry.row()));
+            for (SparseMatrix::InnerIterator entry(B, i); entry; ++entry) r += entry.value() * ConstEightRow(Y.row(entry.row()));
             rest += (root_mass[i] * (r - mu * y)).square();
             size += (root_mass[i] * y).square();
         }

@@ -1,10 +1,8 @@
 #include "geometry/spectrum/engine/spectrum_slice.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
-#include <numeric>
 #include <optional>
 #include <string>
 
@@ -70,7 +68,7 @@ LdltPanels factor_below_zero(const SpectrumProblem& problem, const SliceGoal& go
             if (factor.negative_pivots() == 0) return factor;
             const int negative = factor.negative_pivots();
             reason = std::to_string(negative) + (negative == 1 ? " eigenvalue is negative" : " eigenvalues are negative");
-            refuted = factor.delta < -sigma;
+            refuted = shifted_backward_error(factor, sigma) < -sigma;
             if (!refuted) reason += " by a count that rounding may have changed";
         } catch (const SolverError& error) {   // a pivot lost in rounding
             reason = error.what();
@@ -151,7 +149,7 @@ Slice solve_slice(const SpectrumProblem& problem, const SliceGoal& goal, const s
     const LdltPanels factor =
         goal.sigma < 0 ? factor_below_zero(problem, goal, slice.goal.sigma) : factor_within(problem, goal, slice.goal.sigma);
     slice.counted = factor.negative_pivots();
-    slice.delta = factor.delta;
+    slice.delta = shifted_backward_error(factor, slice.goal.sigma);
     slice.times.factor = seconds() - start;
     if (goal.low <= 0 && locked.empty()) slice.goal.below_sigma = slice.counted - (goal.sigma > 0 ? problem.zeros.count() : 0);
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 
 #include "geometry/linear/ldlt_analysis.h"
 #include "geometry/spectrum/engine/block_lanczos.h"

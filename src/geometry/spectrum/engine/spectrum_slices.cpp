@@ -1,7 +1,6 @@
 #include "geometry/spectrum/engine/spectrum_slices.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -13,7 +12,6 @@
 #include "base/errors.h"
 #include "base/first_failure.h"
 #include "geometry/linear/special_values.h"
-#include "geometry/spectrum/engine/noise_damping.h"
 #include "geometry/spectrum/engine/slice_limits.h"
 #include "geometry/spectrum/engine/slice_overlaps.h"
 
@@ -48,14 +46,6 @@ private:
     double from_ = 0, told_ = 0;
 };
 
-std::vector<const EightColumns*> groups_of(const std::vector<const Slice*>& slices) {
-    std::vector<const EightColumns*> groups;
-    for (const Slice* slice : slices) {
-        for (const EightColumns& group : slice->X) groups.push_back(&group);
-    }
-    return groups;
-}
-
 /// Everything found so far, each eigenvalue in one slice only.
 class SliceSet {
 public:
@@ -71,13 +61,8 @@ public:
             std::vector<Slice> solved = solve_round(goals, {});
             goals.clear();
             for (Slice& slice : solved) {
-                times_ += slice.times;
-                note_proof({slice.goal.sigma, slice.counted, slice.delta});
-                if (slice.complete) {
-                    slices_.push_back(std::move(slice));
-                } else {
-                    append_halves(slice, goals);
-                }
+                if (!slice.complete) append_halves(slice, goals);
+                take(std::move(slice));
             }
         }
         std::sort(slices_.begin(), slices_.end(), [](const Slice& a, const Slice& b) { return a.goal.low < b.goal.low; });
@@ -101,7 +86,7 @@ public:
                 goal.to_the_end = false;
                 goal.seed += 7919 * static_cast<std::uint64_t>(repairs_ + 1);
                 goals.push_back(goal);
-                locked.push_back(groups_of(neighbours(i)));
+                locked.push_back(groups_near(i));
             }
             std::vector<Slice> solved = solve_round(goals, locked);
             auto which = wanting.begin();
@@ -117,19 +102,22 @@ public:
 
     /// One slice alone; false if its basis did not suffice.
     bool solve_alone(const SliceGoal& goal) {
-        Slice slice = std::move(solve_round({goal}, {}).front());
-        times_ += slice.times;
-        note_proof({slice.goal.sigma, slice.counted, slice.delta});
-        if (slice.complete) slices_.push_back(std::move(slice));
+        take(std::move(solve_round({goal}, {}).front()));
         return !slices_.empty();
     }
 
-    void note_proof(const Inertia& inertia) { proofs_.push_back({inertia.sigma, inertia.below, 0, inertia.delta, true}); }
+    void note_proof(const Inertia& inertia) { proofs_.push_back({inertia}); }
     double highest_cut() const { return slices_.back().cut; }
 
     SlicedPairs pairs(int k);
 
 private:
+    void take(Slice slice) {
+        times_ += slice.times;
+        note_proof({slice.goal.sigma, slice.counted, slice.delta});
+        if (slice.complete) slices_.push_back(std::move(slice));
+    }
+
     std::vector<Slice> solve_round(const std::vector<SliceGoal>& goals, const std::vector<std::vector<const EightColumns*>>& locked) {
         std::vector<Slice> solved(goals.size());
         progress_.begin_round(goals.size());
@@ -161,21 +149,20 @@ private:
         lower.to_the_end = false;
         lower.below_sigma = upper.below_sigma = -1;
         lower.parallel = upper.parallel = false;
-        goals.push_back(lower);
-        goals.push_back(upper);
+        goals.insert(goals.end(), {lower, upper});
     }
 
     /// Calls visit(mu, group, lane) for every pair.
     template <class Visit>
     void for_each_pair(const Visit& visit) const {
-        const auto all_of = [&](const Slice& slice) {
-            for (Eigen::Index j = 0; j < slice.mu.size(); ++j) {
-                const bool own = slice.mu[j] > slice.begin && slice.mu[j] <= slice.cut;
-                if (own) visit(slice.mu[j], slice.X[static_cast<std::size_t>(j / lanes)], static_cast<int>(j % lanes));
+        for (const std::vector<Slice>* slices : {&slices_, &extra_}) {
+            for (const Slice& slice : *slices) {
+                for (Eigen::Index j = 0; j < slice.mu.size(); ++j) {
+                    const bool own = slice.mu[j] > slice.begin && slice.mu[j] <= slice.cut;
+                    if (own) visit(slice.mu[j], slice.X[static_cast<std::size_t>(j / lanes)], static_cast<int>(j % lanes));
+                }
             }
-        };
-        for (const Slice& slice : slices_) all_of(slice);
-        for (const Slice& slice : extra_) all_of(slice);
+        }
     }
 
     double nearest_to(double sigma) const {
@@ -200,11 +187,10 @@ private:
             proof.found = found_below(proof.sigma);
             proof.trusted = proof.delta < nearest_to(proof.sigma);
             if (!proof.trusted) continue;
-            const int missed = proof.counted - proof.found;
+            const int missed = proof.below - proof.found;
             if (missed != missed_below) {
-                for (std::size_t i = 0; i < slices_.size(); ++i) {
+                for (std::size_t i = 0; i < slices_.size(); ++i)
                     if (slices_[i].goal.low < proof.sigma && slices_[i].cut > low) wanting.insert(i);
-                }
             }
             missed_below = missed;
             low = proof.sigma;
@@ -214,18 +200,22 @@ private:
 
     std::string what_is_missing() const {
         for (const InertiaProof& proof : proofs_) {
-            if (!proof.trusted || proof.counted == proof.found) continue;
-            return "the smallest eigenpairs did not converge: inertia counts " + std::to_string(proof.counted) +
+            if (!proof.trusted || proof.below == proof.found) continue;
+            return "the smallest eigenpairs did not converge: inertia counts " + std::to_string(proof.below) +
                    " eigenvalues below a shift, " + std::to_string(proof.found) + " were found";
         }
         return "the smallest eigenpairs did not converge";
     }
 
-    std::vector<const Slice*> neighbours(std::size_t i) const {
-        std::vector<const Slice*> near;
-        for (std::size_t j = i > 0 ? i - 1 : 0; j < std::min(slices_.size(), i + 2); ++j) near.push_back(&slices_[j]);
-        for (const Slice& slice : extra_) near.push_back(&slice);
-        return near;
+    /// Vectors of the slice, of those beside it, and of those found by repairs.
+    std::vector<const EightColumns*> groups_near(std::size_t i) const {
+        std::vector<const EightColumns*> groups;
+        const auto add = [&](const Slice& slice) {
+            for (const EightColumns& group : slice.X) groups.push_back(&group);
+        };
+        for (std::size_t j = i > 0 ? i - 1 : 0; j < std::min(slices_.size(), i + 2); ++j) add(slices_[j]);
+        for (const Slice& slice : extra_) add(slice);
+        return groups;
     }
 
     const SpectrumProblem& problem_;
@@ -250,12 +240,10 @@ SlicedPairs SliceSet::pairs(int k) {
 
     SlicedPairs result;
     result.gap_middle = std::isfinite(highest_cut()) ? highest_cut() : 0;
-    for (auto i = static_cast<std::size_t>(k); i < all.size(); ++i) {
-        const double before = i > 0 ? all[i - 1].mu : 0;
-        if (all[i].mu - before <= clear_gap * all[i].mu) continue;
-        result.gap_middle = 0.5 * (before + all[i].mu);
-        break;
-    }
+    const auto mu = [&](std::size_t i) { return i > 0 ? all[i - 1].mu : 0; };   // of the first i pairs the last
+    auto behind = static_cast<std::size_t>(k);
+    while (behind < all.size() && mu(behind + 1) - mu(behind) <= clear_gap * mu(behind + 1)) ++behind;
+    if (behind < all.size()) result.gap_middle = 0.5 * (mu(behind) + mu(behind + 1));
     result.slices = static_cast<int>(slices_.size());
     result.mu.resize(k);
     const int groups = (k + lanes - 1) / lanes;
@@ -302,8 +290,8 @@ SlicedPairs find_by_slices(const SpectrumProblem& problem, int k, const SliceOpt
         const double above = std::isfinite(set.highest_cut()) ? set.highest_cut() : above_all(problem.B);
         set.note_proof(count_near(problem, above));
     } else {
-        const std::vector<InertiaProof> counts = bracket_from_above(problem, zeros + k);
-        set.note_proof({counts.back().sigma, counts.back().counted, counts.back().delta});
+        const std::vector<Inertia> counts = bracket_from_above(problem, zeros + k);
+        set.note_proof(counts.back());
         set.solve(slice_goals(problem, counts, options));
     }
     set.repair();

@@ -16,11 +16,9 @@ struct SliceOptions {
     std::function<void(double)> progress = {};   // fraction done; may throw to stop
 };
 
-struct InertiaProof {
-    double sigma = 0;
-    int counted = 0;   // eigenvalues below σ, zero modes included
-    int found = 0;
-    double delta = 0;      // rounding of the count
+/// Of all eigenvalues, zero modes included.
+struct InertiaProof : Inertia {
+    int found = 0;         // below σ
     bool trusted = true;   // no value found lies within δ of σ: else the count says nothing of what is missing
 };
 

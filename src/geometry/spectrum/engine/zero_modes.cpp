@@ -27,13 +27,12 @@ void ZeroModes::project_out(Eigen::Ref<Vector> y) const {
 }
 
 void ZeroModes::project_out(EightColumns& Y) const {
-    using Eight = Eigen::Array<double, EightColumns::width, 1>;
     std::vector<Eight> part(static_cast<std::size_t>(components_.count), Eight::Zero());
     for (Eigen::Index i = 0; i < Y.rows(); ++i) {
-        part[static_cast<std::size_t>(components_.label[static_cast<std::size_t>(i)])] += y_[i] * Eigen::Map<const Eight>(Y.row(i));
+        part[static_cast<std::size_t>(components_.label[static_cast<std::size_t>(i)])] += y_[i] * ConstEightRow(Y.row(i));
     }
     for (Eigen::Index i = 0; i < Y.rows(); ++i) {
-        Eigen::Map<Eight>(Y.row(i)) -= y_[i] * part[static_cast<std::size_t>(components_.label[static_cast<std::size_t>(i)])];
+        EightRow(Y.row(i)) -= y_[i] * part[static_cast<std::size_t>(components_.label[static_cast<std::size_t>(i)])];
     }
 }
 

@@ -11,7 +11,6 @@
 #include "geometry/spectrum/engine/slice_overlaps.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "geometry/spectrum/spectrum_expectations.h"
-#include "geometry/spectrum/spectrum_memory.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;
@@ -123,7 +122,7 @@ TEST(SpectrumSlices, WhatABlockCannotSeeIsCountedAndFound) {
         for (int j = copies; j < k; ++j) EXPECT_NEAR(found.mu[j - copies] / exact[j / copies], 1, 1e-10) << j;
         const DenseMatrix gram = found.Y.transpose() * found.Y;
         EXPECT_LT((gram - DenseMatrix::Identity(k - copies, k - copies)).cwiseAbs().maxCoeff(), 1e-11);
-        for (const InertiaProof& proof : found.proofs) EXPECT_EQ(proof.counted, proof.found) << proof.sigma;
+        for (const InertiaProof& proof : found.proofs) EXPECT_EQ(proof.below, proof.found) << proof.sigma;
     }
     EXPECT_GT(repairs, 0) << "rounding alone has shown all of them: choose a harder case";
 }
@@ -261,11 +260,11 @@ TEST(SpectrumSlices, BracketHoldsTheCountsOfInertia) {
     const Vector exact = five_point_spectrum(30) * laplacian.M.sum();
     for (const int wanted : {2, 70, 300, 880, 900}) {
         const auto counts = bracket_from_above(problem, wanted);
-        EXPECT_GE(counts.back().counted, wanted);
-        EXPECT_LE(counts.back().counted, wanted + std::max(14, wanted / 10)) << wanted;
-        for (const InertiaProof& proof : counts) {
+        EXPECT_GE(counts.back().below, wanted);
+        EXPECT_LE(counts.back().below, wanted + std::max(14, wanted / 10)) << wanted;
+        for (const Inertia& proof : counts) {
             if (proof.sigma <= 0) continue;
-            EXPECT_EQ(proof.counted, (exact.array() < proof.sigma).count()) << proof.sigma;
+            EXPECT_EQ(proof.below, (exact.array() < proof.sigma).count()) << proof.sigma;
         }
     }
 }

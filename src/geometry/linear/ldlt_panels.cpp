@@ -1,4 +1,4 @@
-#include "geometry/linear/ldlt_rounding.h"
+#include "geometry/linear/ldlt_panels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,6 +72,10 @@ double backward_error(const LdltPanels& factor, const Vector& W, int passes) {
         x.array() *= (ratio.array() / largest).sqrt();
     }
     return least;
+}
+
+double shifted_backward_error(const LdltPanels& factor, double sigma) {
+    return backward_error(factor, Vector::Ones(factor.size), 1) + epsilon * std::abs(sigma);
 }
 
 }   // namespace meshfolio
