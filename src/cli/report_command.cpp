@@ -159,7 +159,7 @@ ExitCode run_report(const ReportFlags& flags) {
         document.timings.push_back({"all questions", seconds_since(whole)});
         const Clock::time_point drawing_began = Clock::now();
         const fs::path& folder = publication.folder();
-        auto [figures, appendix] =
+        Drawn drawing =
             drawn(requests_of(results, cover, document), draw_settings(settings), folder, display, [&](report::DrawnFigures& of_appendix) {
                 add_stored_figures(results, cover, of_appendix);
                 return paper.begin(report::Volume::appendix, document, of_appendix, store.get(), folder);
