@@ -118,9 +118,8 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
 
 /// Did a thread fail to start? oneTBB reports that by its message alone.
 bool is_shortage(const std::exception& error) {
-    if (const auto* system = dynamic_cast<const std::system_error*>(&error)) {
+    if (const auto* system = dynamic_cast<const std::system_error*>(&error))
         return system->code() == std::errc::resource_unavailable_try_again || system->code() == std::errc::not_enough_memory;
-    }
     return std::string_view(error.what()).starts_with("pthread_create");
 }
 

@@ -24,9 +24,8 @@ constexpr std::array print_fonts{"DejaVuMathTeXGyre.ttf", "DejaVuSerifCondensed.
 bool is_installed(const std::string& font) {
     namespace fs = std::filesystem;
     std::error_code error;
-    for (fs::recursive_directory_iterator it("/usr/share/fonts", error), end; !error && it != end; it.increment(error)) {
+    for (fs::recursive_directory_iterator it("/usr/share/fonts", error), end; !error && it != end; it.increment(error))
         if (it->path().filename() == font) return true;
-    }
     return false;
 }
 
@@ -38,9 +37,8 @@ void add_pdf(nlohmann::ordered_json& json) {
     json["pdf_engines_refused"] = finding.refused;
     json["missing"] = nlohmann::ordered_json::array();
     if (!finding.engine) json["missing"].push_back("a PDF engine: apt install chromium-headless-shell");
-    for (const char* font : print_fonts) {
+    for (const char* font : print_fonts)
         if (!is_installed(font)) json["missing"].push_back(std::string(font) + " for the PDF: apt install fonts-dejavu-extra");
-    }
 }
 
 /// The folder of the cache with its size, or the reason why there is none.

@@ -201,9 +201,8 @@ std::string fish_completion(const CLI::App& program) {
             for (const std::string& name : option->get_lnames()) text += " -l " + name;
             text += (takes_value(*option) ? " -r" + given(*option) : "") + " -d " + quoted(option->get_description()) + "\n";
         }
-        for (const CLI::Option* place : options_of(*command, true)) {
+        for (const CLI::Option* place : options_of(*command, true))
             if (const std::string values = given(*place); !values.empty()) text += begin + values + "\n";
-        }
     }
     return text;
 }

@@ -38,9 +38,8 @@ std::pair<int, int> picture_size(const std::string& text) {
     const auto width = parse_integer(text.substr(0, x));
     const auto height = x == std::string::npos ? width : parse_integer(text.substr(x + 1));
     const auto fits = [](const std::optional<long long>& side) { return side && *side >= 1 && *side <= largest_side; };
-    if (!fits(width) || !fits(height)) {
+    if (!fits(width) || !fits(height))
         throw UsageError("--size '" + text + "' is not N or WxH", "both between 1 and " + std::to_string(largest_side));
-    }
     return {static_cast<int>(*width), static_cast<int>(*height)};
 }
 
@@ -158,9 +157,8 @@ ExitCode run_render(const RenderFlags& options) {
     if (!options.pair.empty()) return run_pair(options, {.draw = given, .views = views, .colormap = options.colormap, .range = range});
     if (options.field == "distance") throw UsageError("--field distance needs another mesh", "name it with --pair");
     const PreparedMesh prepared = load_mesh(options.mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
-    if (!options.isolines.empty() && options.values.empty() && (options.field == "none" || options.field == "id")) {
+    if (!options.isolines.empty() && options.values.empty() && (options.field == "none" || options.field == "id"))
         throw UsageError("--isolines needs values", "take --field or --values with it");
-    }
     const Field field = options.values.empty() ? field_of(prepared, options.field) : field_from_file(prepared, options.values);
 
     PictureRequest request{.draw = given, .views = views, .colormap = options.colormap, .range = range};

@@ -132,9 +132,8 @@ void prepare_process() {
         struct sigaction action {};
         action.sa_handler = hand_on;
         action.sa_flags = SA_RESTART;
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP})
             if (sigismember(&signals, signal) == 1) ::sigaction(signal, &action, nullptr);
-        }
     } catch (const std::system_error&) {   // no room for a thread: signals then end the process the plain way
         pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
     }

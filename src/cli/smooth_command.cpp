@@ -37,9 +37,8 @@ SmoothingOptions smoothing_options(const SmoothFlags& options) {
     smoothing.monitor = is_explicit && options.rebuild;
     if (!options.mu.empty()) smoothing.taubin_mu = finite_number("--mu", options.mu);
     if (!options.lambda.empty()) smoothing.lambda = number_above_zero("--lambda", options.lambda);
-    if (is_dimensionless(smoothing.laplacian) && step_unit_named(options.unit) == StepUnit::h2) {
+    if (is_dimensionless(smoothing.laplacian) && step_unit_named(options.unit) == StepUnit::h2)
         throw UsageError("--unit h2 makes no sense with --operator " + options.laplacian + ", whose lambda has no unit", "use raw or tau");
-    }
     return smoothing;
 }
 
@@ -106,9 +105,8 @@ void warn_of_limit(const SmoothingOptions& smoothing, const Smoothed& result) {
     }
     if (!(smoothing.adaptive > 0)) return;
     const double asked = smoothing.lambda * smoothing.iterations;
-    if (result.time < asked * (1 - 1e-12)) {
+    if (result.time < asked * (1 - 1e-12))
         warn("steps were cut below 2/mu_max: diffusion time " + plain_text(result.time) + " of " + plain_text(asked) + " reached");
-    }
 }
 
 ExitCode run_smooth(const SmoothFlags& options, Ranks* ranks) {

@@ -40,9 +40,8 @@ std::string npy_of(const DenseMatrix& matrix) {
 
 std::string eigenvalue_table(const Spectrum& spectrum) {
     std::string csv = "index,eigenvalue,residual\n";
-    for (Eigen::Index i = 0; i < spectrum.eigenvalues.size(); ++i) {
+    for (Eigen::Index i = 0; i < spectrum.eigenvalues.size(); ++i)
         csv += std::to_string(i + 1) + ',' + exact_text(spectrum.eigenvalues[i]) + ',' + exact_text(spectrum.residuals[i]) + '\n';
-    }
     return csv;
 }
 
@@ -125,9 +124,8 @@ ExitCode run_spectrum(const SpectrumFlags& options, Ranks* ranks) {
         print_to(files, options.vectors, is_table ? vertex_table(prepared, mode_columns(spectrum)) : npy_of(spectrum.eigenvectors));
     }
     if (!options.ply.empty()) add_mesh(files, options.ply, prepared.mesh, beside_attributes(prepared, mode_columns(spectrum)));
-    if (!options.csv.empty() || (options.vectors.empty() && options.ply.empty() && options.out.empty())) {
+    if (!options.csv.empty() || (options.vectors.empty() && options.ply.empty() && options.out.empty()))
         print_to(files, options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
-    }
     files.publish();
     return certificate.verdict() == Proof::refuted ? ExitCode::failed : ExitCode::ok;
 }

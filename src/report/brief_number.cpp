@@ -10,9 +10,8 @@ std::string readable_integer(double x) { return std::isfinite(x) ? readable_coun
 
 std::string brief(double x, int most) {
     const std::string wanted = plain_text(x, most);   // without trailing zeros
-    for (int digits = 1; digits < most; ++digits) {
+    for (int digits = 1; digits < most; ++digits)
         if (plain_text(x, digits) == wanted) return readable(x, digits);
-    }
     return readable(x, most);
 }
 

@@ -41,9 +41,8 @@ bool makes_link(const std::string& text, std::size_t i) {
 
 std::string safe_text(const std::string& text) {
     std::string line = text;
-    for (char& c : line) {
+    for (char& c : line)
         if (c == '\n' || c == '\r' || c == '\t') c = ' ';
-    }
     line = printable(line);
     replace_all(line, "\xEF\xBF\xBE", "\uFFFD");   // U+FFFE and U+FFFF are UTF-8, but no characters of XML
     replace_all(line, "\xEF\xBF\xBF", "\uFFFD");

@@ -44,9 +44,8 @@ Numbering::Numbering(const Document& document, const std::vector<CitedWork>& wor
             if (const auto* table = std::get_if<Table>(&block)) add(table->id, "Table ", next(tables));
             const auto* formula = std::get_if<Formula>(&block);
             if (formula && !formula->id.empty()) add(formula->id, "Equation ", "(" + next(equations) + ")");
-            if (const auto* list = std::get_if<EntryList>(&block)) {
+            if (const auto* list = std::get_if<EntryList>(&block))
                 for (const Entry& entry : list->entries) add(entry.id, safe_text(list->kind) + " ", next(entries));
-            }
         }
     }
     for (std::size_t i = 0; i < works.size(); ++i) {

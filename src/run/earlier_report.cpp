@@ -84,16 +84,14 @@ void EarlierReport::restore_figures() {
     for (const auto& [id, figure] : figures) ids.push_back(id);
     std::vector<char> is_whole(ids.size());
     for_each_task(ids.size(), [&](std::size_t i) { is_whole[i] = restore(figures.at(ids[i])); });
-    for (std::size_t i = 0; i < ids.size(); ++i) {
+    for (std::size_t i = 0; i < ids.size(); ++i)
         if (!is_whole[i]) figures.erase(ids[i]);
-    }
 }
 
 std::vector<std::string> EarlierReport::copy_to(const fs::path& target, bool with_cover, output::Publication::Digests& digests) const {
     std::vector<std::string> files, missing;
-    for (const auto& [file_of_it, sum] : sums_) {
+    for (const auto& [file_of_it, sum] : sums_)
         if (is_taken_over(file_of_it, with_cover)) files.push_back(file_of_it);
-    }
     for (const std::string& one : files) output::make_folder(inside(target, one).parent_path());
     std::vector<char> is_there(files.size());
     for_each_task(files.size(), [&](std::size_t i) {
@@ -123,9 +121,8 @@ bool ended_well(const fs::path& folder) try {
     const json results = json::parse(read_file(folder / "results.json", largest_results));
     const auto has_failed = [](const json& part) { return part.value("status", "") == "failed"; };
     for (const char* kind : {"questions", "supporting"}) {
-        for (const json& section : results.at(kind)) {
+        for (const json& section : results.at(kind))
             if (has_failed(section) || std::ranges::any_of(section.at("checks"), has_failed)) return false;
-        }
     }
     return true;
 } catch (const InputError&) {   // no report

@@ -23,9 +23,8 @@ void refuse_computing_options(const ReportFlags& flags) {
         {"MESH", !flags.meshes.empty()}, {"--only", !flags.only.empty()}, {"--data", !flags.data.empty()},
         {"--size", !flags.size.empty()}, {"--quick", flags.quick},        {"--fail-fast", flags.fail_fast},
         {"--part", !flags.part.empty()}, {"--time", !flags.time.empty()}, {"--plan", flags.plan || flags.json}};
-    for (const auto& [name, is_given] : options) {
+    for (const auto& [name, is_given] : options)
         if (is_given) throw UsageError(std::string(name) + " cannot be given with --from", "nothing is computed; leave one of them out");
-    }
 }
 
 /// What flags and a settings file say of the report itself; the rest of them has no use here.
@@ -67,9 +66,8 @@ ExitCode report_from_results(const ReportFlags& flags) {
     output::Publication publication(settings.out);
     output::Publication::Digests digests;
     std::vector<std::string> missing;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
         for (std::string& file : parts[i].copy_to(publication.folder(), i == whole.cover, digests)) missing.push_back(std::move(file));
-    }
     settings.timings = parts.size() == 1 && parts.front().timings && !flags.no_timings;   // those of parts add up to nothing
     const report::WriteOptions options{
         .timings = settings.timings, .plot_files = true, .design = words.page.design, .labs = std::move(whole.labs)};

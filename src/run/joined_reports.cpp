@@ -112,9 +112,8 @@ void take_only(report::Document& whole, const EarlierReport& part) {
 std::vector<report::Lab> joined_labs(const std::vector<EarlierReport>& parts) {
     std::map<std::string, std::set<std::string>> questions;   // by the data
     for (const EarlierReport& part : parts) {
-        for (const report::Lab& lab : part.labs()) {
+        for (const report::Lab& lab : part.labs())
             for (const std::string& id : split(lab.questions, ' ')) questions[lab.data].insert(id);
-        }
     }
     std::vector<report::Lab> labs;
     for (const auto& [data, ids] : questions) labs.push_back({meshfolio::joined({ids.begin(), ids.end()}, " "), data});
@@ -134,9 +133,8 @@ JoinedReport joined(std::vector<EarlierReport>& parts) {
         take_cover(whole, parts[i], i);
     }
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        for (auto& [id, figure] : parts[i].figures) {
+        for (auto& [id, figure] : parts[i].figures)
             if (id != "cover" || i == whole.cover) whole.figures.try_emplace(id, std::move(figure));
-        }
     }
     return whole;
 }

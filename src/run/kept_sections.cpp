@@ -55,9 +55,8 @@ StoredAnswer placed(const EarlierReport& earlier, const report::Section& section
     answer.section = section;
     answer.section.timings.clear();   // of that run
     answer.figures = std::move(figures);
-    for (auto& [id, figure] : answer.figures) {
+    for (auto& [id, figure] : answer.figures)
         if (!earlier.restore(figure)) refuse_missing(figure.sheet);
-    }
     for (const std::string& file : files_of(section, answer.figures)) {
         const auto bytes = earlier.bytes_of(file);
         if (!bytes) refuse_missing(file);
@@ -108,9 +107,8 @@ KeptSections kept_sections(const ReportSettings& settings, const MeshLibrary& me
     const auto earlier = earlier_at(settings.out, kept.note);
     if (!earlier) return kept;
     std::vector<const report::Section*> sections;
-    for (const report::Section& section : earlier->document.sections) {
+    for (const report::Section& section : earlier->document.sections)
         if (section.status != report::Status::skipped && !contains(settings.only, section.id)) sections.push_back(&section);
-    }
     const std::string what = sections.empty() ? "" : difference_to(*earlier, sections, settings, meshes);
     if (!what.empty()) {
         kept.note = settings.out.string() + " has only what was asked for: its other sections were made with " + what;

@@ -105,9 +105,8 @@ std::set<std::string> files_of(const report::Section& section, const report::Dra
     for (const auto& [id, figure] : figures) {
         files.insert(figure.sheet);
         for (const report::DrawnPanel& panel : figure.panels) {
-            for (const report::DrawnPicture& picture : panel.pictures) {
+            for (const report::DrawnPicture& picture : panel.pictures)
                 if (!picture.file.empty()) files.insert(picture.file);
-            }
         }
         for (const report::DrawnModel& model : figure.models) files.insert(model.file);
     }

@@ -50,9 +50,8 @@ void write_tables_and_plots(const report::Document& document, const std::set<std
 void write_meshes(const Answer& answer, const fs::path& folder) {
     for (const output::MeshOutput& mesh : answer.meshes) {
         fs::path path = fs::path("meshes") / mesh.name;
-        for (const std::string& named : answer.section.output_meshes) {
+        for (const std::string& named : answer.section.output_meshes)
             if (fs::path(named).filename() == mesh.name) path = named;
-        }
         output::make_folder((folder / path).parent_path());
         write_mesh(folder / path, *mesh.mesh);
     }
@@ -132,9 +131,8 @@ Published publish_report(output::Publication& publication, const report::Documen
 
 ExitCode tell(const Published& published, std::vector<std::string> notes, const report::Document& document) {
     notes.insert(notes.begin(), published.note);
-    for (const std::string& note : notes) {
+    for (const std::string& note : notes)
         if (!note.empty()) warn(note);
-    }
     summarise(document);
     if (published.folder != published.wanted) {
         complain(published.wanted.string() + " keeps the report that ended well; this one is " + published.folder.string() +

@@ -136,9 +136,8 @@ private:
     void place_meshes(Answer& answer) {
         const auto table = settings_.questions.find(answer.section.id);
         if (table == settings_.questions.end() || !table->second.output) return;
-        for (std::string& path : answer.section.output_meshes) {
+        for (std::string& path : answer.section.output_meshes)
             if (path.starts_with("meshes/")) path = *table->second.output + path.substr(6);
-        }
     }
 
     void announce(const QuestionResult& result, double seconds) {

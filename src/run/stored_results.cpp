@@ -30,24 +30,21 @@ std::unique_ptr<output::ResultCache> cache_for_report() {
 
 std::vector<const Answer*> answers_of(const std::vector<QuestionResult>& results) {
     std::vector<const Answer*> answers;
-    for (const QuestionResult& result : results) {
+    for (const QuestionResult& result : results)
         if (!result.stored) answers.push_back(&result.answer);
-    }
     return answers;
 }
 
 std::set<std::string> stored_sections(const std::vector<QuestionResult>& results) {
     std::set<std::string> ids;
-    for (const QuestionResult& result : results) {
+    for (const QuestionResult& result : results)
         if (result.stored) ids.insert(result.section().id);
-    }
     return ids;
 }
 
 void add_stored_figures(const std::vector<QuestionResult>& results, const std::optional<Cover>& cover, report::DrawnFigures& figures) {
-    for (const QuestionResult& result : results) {
+    for (const QuestionResult& result : results)
         if (result.stored) figures.insert(result.stored->figures.begin(), result.stored->figures.end());
-    }
     if (cover && cover->stored) figures.insert(cover->stored->figures.begin(), cover->stored->figures.end());
 }
 
@@ -55,9 +52,8 @@ output::Publication::Digests stored_and_kept(const std::vector<QuestionResult>& 
                                              const std::optional<Cover>& cover, output::ResultCache* store, const QuestionCache* cache) {
     output::Publication::Digests digests;
     const auto add = [&](const std::map<std::string, std::string>& some) { digests.insert(some.begin(), some.end()); };
-    for (const QuestionResult& result : results) {
+    for (const QuestionResult& result : results)
         if (result.stored) add(result.stored->digests);
-    }
     if (cover && cover->stored) add(cover->stored->digests);
     if (store == nullptr) return digests;
     bool is_changed = false;

@@ -84,9 +84,8 @@ bool has_own_meshes(const json& results) {
 /// The name under which it is handed in.
 std::string author_of(const std::string& named, const std::string& asked, const std::string& remedy) {
     if (asked.empty() && named.empty()) throw UsageError("whose work it is, is not known", "give --author NAME");
-    if (!asked.empty() && !named.empty() && asked != named) {
+    if (!asked.empty() && !named.empty() && asked != named)
         throw UsageError("the report names '" + printable(named) + "' as its author, not '" + printable(asked) + "'", remedy);
-    }
     std::string author = asked.empty() ? named : asked;
     if (author.size() > longest_author || printable(author) != author)
         throw UsageError("--author is no name of at most " + std::to_string(longest_author) + " bytes on one line",

@@ -56,21 +56,18 @@ void require_sums(const fs::path& folder, const std::map<std::string, std::strin
         if (file == files.end()) refuse(sums_path, path + " is listed and not there", renew, sum.line);
         if (sha256(file->second) != sum.digest) refuse(folder / path, "was changed after the report was written", renew);
     }
-    for (const auto& [path, bytes] : files) {
+    for (const auto& [path, bytes] : files)
         if (!is_apart(path) && !sums.contains(path)) refuse(folder / path, "is no part of the report", "take it out of the folder");
-    }
 }
 
 }   // namespace
 
 ReportFolder read_report(const fs::path& folder) try {
     std::error_code error;
-    if (!fs::is_directory(folder, error)) {
+    if (!fs::is_directory(folder, error))
         refuse(folder, "is not a folder", "make a report with meshfolio report --out " + folder.string() + ", or name another with --out");
-    }
-    if (!fs::exists(folder / output::marker_file, error)) {
+    if (!fs::exists(folder / output::marker_file, error))
         refuse(folder, "holds no report of meshfolio", "make one with meshfolio report --out " + folder.string());
-    }
     ReportFolder report{folder, harmless_files(folder)};
     require_sums(folder, report.files);
     for (const char* apart : {output::marker_file, output::sums_file, ".gitignore"}) report.files.erase(apart);

@@ -115,9 +115,8 @@ SourceListing::SourceListing(const std::string& title, const std::vector<SourceF
         listed.first = line + banner_lines + 1;
         line += banner_lines + listed.lines;
     }
-    for (CitingSection& section : index_) {
+    for (CitingSection& section : index_)
         for (report::CodeReference& code : section.code) code.line = line_of(code.function, code.file);
-    }
 
     NumberedText text;
     for (const std::string& row : head(title)) text.add(row);

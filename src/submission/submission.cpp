@@ -157,9 +157,8 @@ Submission pack(const ReportFolder& report, const SourceListing& listing, const 
     const ReportFacts facts = require_ready(report, listing, options);
     const std::vector<SourceFile> tree = source_tree();
     Contents contents;
-    for (const auto& [path, bytes] : report.files) {
+    for (const auto& [path, bytes] : report.files)
         if (is_packed(path, options)) contents[path] = bytes;
-    }
     enter_source(tree, contents);
     contents["LICENSE"] = contents.at("source/LICENSE");
     contents["NOTICES.md"] = contents.at(std::string("source/") + notices_source);

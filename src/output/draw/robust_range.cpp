@@ -64,9 +64,8 @@ std::vector<double> finite_values(const std::vector<Panel>& panels) {
     values.reserve(std::accumulate(panels.begin(), panels.end(), std::size_t{0}, [](std::size_t sum, const Panel& panel) {
         return sum + static_cast<std::size_t>(panel.values.size());
     }));
-    for (const Panel& panel : panels) {
+    for (const Panel& panel : panels)
         std::copy_if(panel.values.begin(), panel.values.end(), std::back_inserter(values), [](double v) { return std::isfinite(v); });
-    }
     return values;
 }
 

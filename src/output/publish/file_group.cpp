@@ -28,9 +28,8 @@ void FileGroup::add(const fs::path& path, std::string_view bytes) {
         static int number = 0;
         static std::mutex numbering;   // of all groups
         const std::scoped_lock lock(adding_, numbering);
-        for (const Member& other : members_) {
+        for (const Member& other : members_)
             if (other.target == target) throw UsageError(path.string() + " is named for two outputs", "give each a name of its own");
-        }
         sweep_file_leftovers(folder);
         return &members_.emplace_back(path, target, folder / (".meshfolio.part-" + process_number() + "-" + std::to_string(number++)));
     }();

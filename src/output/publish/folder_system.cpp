@@ -24,9 +24,8 @@ OpenFolder::~OpenFolder() { ::close(descriptor_); }
 
 void OpenFolder::sync() const {
     // Some network and overlay file systems know no fsync of folders.
-    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) {
+    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS)
         throw OutputError(path_.string(), std::string("cannot flush the folder to disk (") + std::strerror(errno) + ")");
-    }
 }
 
 void OpenFolder::lock() const {

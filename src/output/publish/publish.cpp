@@ -69,9 +69,8 @@ void require_ours(const fs::path& target, const FolderKind& kind) {
 /// Files below `folder`, relative to it, sorted by their bytes.
 std::vector<std::string> files_below(const fs::path& folder) {
     std::vector<std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
         if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder).generic_string());
-    }
     std::sort(files.begin(), files.end());
     return files;
 }
@@ -90,9 +89,8 @@ void write_sums(const fs::path& folder, const Publication::Digests& known) {
 }
 
 void sync_folders(const fs::path& folder) {
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
         if (entry.is_directory()) OpenFolder(entry.path()).sync();
-    }
     OpenFolder(folder).sync();
 }
 
@@ -134,9 +132,8 @@ void place_by_one_rename(const fs::path& folder, const fs::path& target, const F
     const OpenFolder parent(target.parent_path());
     const auto permission = permission_to_create();
     const Placed placed = place(folder, target, kind);
-    if (placed == Placed::unsupported && replace_in_two_steps(folder, target, kind)) {
+    if (placed == Placed::unsupported && replace_in_two_steps(folder, target, kind))
         note = target.string() + ": this file system cannot exchange folders, so the report was replaced in two steps";
-    }
     try {
         parent.sync();
     } catch (const OutputError&) {   // not known to last: better the old one

@@ -11,9 +11,8 @@ template <class Change>
 void for_each_in(Json& object, const char* key, const Change& change) {
     const auto list = object.find(key);
     if (list == object.end() || !list->is_array()) return;
-    for (Json& one : *list) {
+    for (Json& one : *list)
         if (one.is_object()) change(one);
-    }
 }
 
 template <class Change>

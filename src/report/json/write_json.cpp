@@ -85,9 +85,8 @@ SectionEntry entry_of(const Section& section, const DrawnFigures& drawn, bool wi
 
 std::vector<MeshDigest> input_meshes(const std::vector<Section>& sections) {
     std::set<std::pair<std::string, std::string>> meshes;
-    for (const Section& section : sections) {
+    for (const Section& section : sections)
         for (const Input& input : section.inputs) meshes.emplace(input.file, input.sha256);
-    }
     std::vector<MeshDigest> list;
     for (const auto& [file, sha256] : meshes) list.push_back({file, sha256});
     return list;

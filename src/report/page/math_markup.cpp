@@ -35,9 +35,8 @@ std::string script_at(const std::string& s, std::size_t& at) {
         return inside;
     }
     std::size_t end = at;
-    for (const std::string_view sign : {"-", "\u2212"}) {
+    for (const std::string_view sign : {"-", "\u2212"})
         if (s.compare(end, sign.size(), sign) == 0) end += sign.size();
-    }
     const std::size_t word = end;
     while (end < s.size() && (is_letter(s[end]) || is_digit(s[end]))) ++end;
     if (end == word && end < s.size()) end += character_length(s, end);

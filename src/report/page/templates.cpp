@@ -19,9 +19,8 @@ void require_syntax(const std::string& name, const std::string& text, const std:
     if (name.starts_with("words/")) {
         messages_of(text, file);
     } else if (name.ends_with(".html") || name.ends_with(".md")) {
-        if (const auto problem = syntax_problem(text)) {
+        if (const auto problem = syntax_problem(text))
             throw UsageError("template syntax: " + problem->what, "close the tag or take it out", {file, problem->line});
-        }
     } else if (name.ends_with(".json")) {
         if (const auto deep = deeper_than(template_limits::deepest_json, text)) {
             throw UsageError("is nested more than " + std::to_string(template_limits::deepest_json) + " deep", "make it flatter",
@@ -44,9 +43,8 @@ Templates::Templates(const fs::path& folder) {
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored))
         throw UsageError("not a folder of templates", "make one with meshfolio templates FOLDER", {folder.string(), 0});
-    for (const auto& [name, unused] : text_) {
+    for (const auto& [name, unused] : text_)
         if (may_be_there(folder / name)) replace(name, folder / name);
-    }
 }
 
 void Templates::replace(const std::string& name, const fs::path& file) {

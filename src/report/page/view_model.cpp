@@ -161,9 +161,8 @@ json section_view(const Section& section, const std::string& number, const ViewC
 json provenance_view(const Document& document) {
     const Provenance& p = document.provenance;
     std::set<std::tuple<std::string, std::string, bool>> meshes;
-    for (const Section& section : document.sections) {
+    for (const Section& section : document.sections)
         for (const Input& input : section.inputs) meshes.emplace(input.file, input.sha256, input.stand_in);
-    }
     json view = view_of({{"version", "of meshfolio", safe_text(p.version)},
                          {"commit", "it was built from", safe_text(p.commit)},
                          {"has_commit", "that is known", !p.commit.empty()},
@@ -229,9 +228,8 @@ json timings_view(const Document& document, const Numbering& numbering) {
                                 {"seconds", "how long", readable(timing.seconds, 3)},
                                 {"value", "seconds with all digits, for sorting", exact_text(timing.seconds)}}));
     };
-    for (const Section& section : document.sections) {
+    for (const Section& section : document.sections)
         for (const Timing& timing : section.timings) add(numbering.resolve(section.id).label, timing);
-    }
     for (const Timing& timing : document.timings) add("The run", timing);
     return list;
 }

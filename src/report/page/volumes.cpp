@@ -57,9 +57,8 @@ std::set<std::string> figures_in(const Document& document, Volume volume) {
     std::set<std::string> ids;
     if (document.cover && volume == Volume::report) ids.insert(document.cover->id);
     for (const Section& section : document.sections) {
-        for (const Block& block : blocks_in(section, volume)) {
+        for (const Block& block : blocks_in(section, volume))
             if (const auto* figure = std::get_if<Figure>(&block)) ids.insert(figure->id);
-        }
     }
     return ids;
 }
@@ -68,9 +67,8 @@ void mark_elsewhere(const Document& document, Volume volume, const std::string& 
     const Volume other = volume == Volume::report ? Volume::appendix : Volume::report;
     for (const Section& section : document.sections) {
         if (is_question(section.id) == (other == Volume::report)) numbering.place_elsewhere(section.id, page);
-        for (const Block& block : blocks_in(section, other)) {
+        for (const Block& block : blocks_in(section, other))
             for (const std::string& id : ids_in(block)) numbering.place_elsewhere(id, page);
-        }
     }
 }
 
@@ -78,15 +76,13 @@ std::set<std::string> works_cited_in(const Document& document, Volume volume, co
     std::set<std::string> known, cited;
     for (const CitedWork& work : works) known.insert(work.id);
     const auto look_through = [&](const Text& text) {
-        for (const Run& run : text) {
+        for (const Run& run : text)
             if (run.kind == Run::Kind::reference && known.contains(run.content)) cited.insert(run.content);
-        }
     };
     for (const Section& section : document.sections) {
         if (has_section(section, volume)) look_through(section.answer);
-        for (const Block& block : blocks_in(section, volume)) {
+        for (const Block& block : blocks_in(section, volume))
             for (const Text& text : texts_of(block)) look_through(text);
-        }
     }
     return cited;
 }

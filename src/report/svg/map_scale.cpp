@@ -104,9 +104,8 @@ std::vector<double> cell_edges(const std::vector<double>& centres, bool logarith
     std::vector<double> edges{u.front() - (n > 1 ? 0.5 * (u[1] - u[0]) : alone)};
     for (std::size_t i = 1; i < n; ++i) edges.push_back(0.5 * (u[i - 1] + u[i]));
     edges.push_back(u.back() + (n > 1 ? 0.5 * (u[n - 1] - u[n - 2]) : alone));
-    if (logarithmic) {
+    if (logarithmic)
         for (double& edge : edges) edge = std::exp(edge);
-    }
     return edges;
 }
 

@@ -14,9 +14,8 @@ constexpr double wanted_ticks = 6;
 /// 1, 2 or 5 times a power of ten, the smallest that is at least x.
 double round_step(double x) {
     const double power = std::pow(10, std::floor(std::log10(x)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
+    for (const double factor : {1.0, 2.0, 5.0})
         if (factor * power >= x * (1 - 1e-9)) return factor * power;
-    }
     return 10 * power;
 }
 

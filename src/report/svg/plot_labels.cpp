@@ -96,9 +96,8 @@ std::vector<Box> around(Point point, double width, double height) {
     for (const double distance : {8.0, 22.0, 40.0, 62.0}) {
         for (const double up : {1.0, -1.0}) {
             const double y = up > 0 ? point.y - 0.7 * distance - height : point.y + 0.7 * distance;
-            for (const double left : {point.x + distance * 0.6, point.x - distance * 0.6 - width, point.x - width / 2}) {
+            for (const double left : {point.x + distance * 0.6, point.x - distance * 0.6 - width, point.x - width / 2})
                 boxes.push_back({left, y, left + width, y + height});
-            }
         }
         const double middle = point.y - height / 2;
         boxes.push_back({point.x + distance + 2, middle, point.x + distance + 2 + width, middle + height});

@@ -30,9 +30,8 @@ std::string leader(Point p, const Box& box) {
 
 std::vector<std::string> panel_names(const Plot& plot) {
     std::vector<std::string> names;
-    for (const Series& series : plot.series) {
+    for (const Series& series : plot.series)
         if (std::find(names.begin(), names.end(), series.panel) == names.end()) names.push_back(series.panel);
-    }
     return names.empty() ? std::vector<std::string>{""} : names;
 }
 
@@ -105,9 +104,8 @@ std::optional<Point> PlotPanel::end_of(const PlotCurve& curve) const {
 
 double PlotPanel::height_of_names(double width) const {
     double height = 0;
-    for (const PlotCurve& curve : curves_) {
+    for (const PlotCurve& curve : curves_)
         if (end_of(curve)) height += EndName{{}, wrapped(safe_text(curve.series->name), width), "", ""}.height();
-    }
     return height;
 }
 
@@ -190,14 +188,12 @@ std::string PlotPanel::drawn(const PlotCurve& curve) const {
     const std::size_t stride = curve.series->style == Series::Style::line_and_points ? 1 + count / 40 : 1;
     std::size_t index = 0;
     for (const Stretch& run : runs) {
-        for (std::size_t k = 0; look.has_line && run.size() > 1 && k < run.size(); ++k) {
+        for (std::size_t k = 0; look.has_line && run.size() > 1 && k < run.size(); ++k)
             path += (k == 0 ? "M" : "L") + px(run[k].x) + " " + px(run[k].y);
-        }
         // A value between two gaps would leave no trace in a line.
         const bool all = look.has_points || run.size() == 1;
-        for (const Point& p : run) {
+        for (const Point& p : run)
             if (all && index++ % stride == 0) points += point_shape(p, look.pattern, look.color);
-        }
     }
     return (path.empty() ? "" : "<path d=\"" + path + "\" " + stroke_of(look) + "/>\n") + points;
 }

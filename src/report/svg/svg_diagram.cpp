@@ -81,9 +81,8 @@ private:
             const Point p = at(x, y);
             if (is_shown(x, y)) bounds.add({p.x - margin, p.y - margin, p.x + margin, p.y + margin});
         };
-        for (const Diagram::Path& path : panel_.paths) {
+        for (const Diagram::Path& path : panel_.paths)
             for (std::size_t i = 0; i < std::min(path.x.size(), path.y.size()); ++i) add_point(path.x[i], path.y[i], line_margin);
-        }
         for (const Diagram::Label& label : panel_.labels) {
             if (label.dot) add_point(label.x, label.y, dot_radius + 1);
             if (is_shown(label.x, label.y) && !label.words.empty()) bounds.add(box_of(label));

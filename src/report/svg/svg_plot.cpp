@@ -42,9 +42,8 @@ private:
 
     static std::vector<double> y_values(const Plot& plot) {
         std::vector<double> values;
-        for (const Series& s : plot.series) {
+        for (const Series& s : plot.series)
             for (const auto* part : {&s.y, &s.y_low, &s.y_high}) values.insert(values.end(), part->begin(), part->end());
-        }
         for (const Marker& m : plot.markers) values.push_back(m.y);
         return values;
     }

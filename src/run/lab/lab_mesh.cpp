@@ -147,9 +147,8 @@ std::string bytes_of(const LabMesh& lab) {
     append<double>(bytes, lab.coefficients);
     append<double>(bytes, lab.modes.scale);
     append<std::int32_t>(bytes, lab.mesh.F);
-    for (const int shift : {8, 0}) {
+    for (const int shift : {8, 0})
         for (const std::int16_t number : lab.modes.numbers) bytes += static_cast<char>(static_cast<std::uint16_t>(number) >> shift & 0xff);
-    }
     return bytes;
 }
 

@@ -141,9 +141,8 @@ private:
             must.insert(must.end(), {"mesh", "file"});
             if (!is_of_mesh(what)) must.emplace_back("column");
         }
-        for (const std::string& key : must) {
+        for (const std::string& key : must)
             if (reader.node(key) == nullptr) problems_.add(table, "[[item]] has no " + key, "data/rubric.toml shows one");
-        }
     }
 };
 
@@ -208,9 +207,8 @@ Rubric parse_rubric(std::string_view text, const std::string& file) {
 
 Rubric read_rubric(const std::string& file) {
     if (!file.empty()) return parse_rubric(read_file(file, limits::largest_settings), file);
-    for (const submission::SourceFile& source : submission::source_tree()) {
+    for (const submission::SourceFile& source : submission::source_tree())
         if (source.path == "data/rubric.toml") return parse_rubric(source.bytes, "rubric.toml");
-    }
     throw InputError({"rubric.toml"}, "is not among the bundled files of this build", "name one with --rubric");
 }
 

@@ -25,9 +25,8 @@ std::vector<std::string> operator_choices() {
 
 std::vector<std::string> field_names() {
     std::vector<std::string> names{"none", "h-uniform"};
-    for (const OperatorEntry& entry : operator_list()) {
+    for (const OperatorEntry& entry : operator_list())
         if (entry.kind != OperatorKind::uniform) names.push_back("h-" + std::string(entry.name));
-    }
     names.insert(names.end(), {"gauss", "area", "x", "y", "z", "id"});
     return names;
 }
@@ -51,9 +50,8 @@ Field field_of(const PreparedMesh& mesh, const std::string& name) {
     }
     if (name == "area")
         return {vertex_areas(mesh.mesh, AreaForm::barycentric), "barycentric area", "length²", false, 1e-12 * diagonal * diagonal};
-    for (const auto& [axis, column] : {std::pair{"x", 0}, std::pair{"y", 1}, std::pair{"z", 2}}) {
+    for (const auto& [axis, column] : {std::pair{"x", 0}, std::pair{"y", 1}, std::pair{"z", 2}})
         if (name == axis) return {mesh.mesh.X.col(column), name, "length", false, 1e-9 * diagonal};
-    }
     throw UsageError("unknown field " + in_quotes(name), "did you mean '" + nearest_word(name, field_names()) + "'?");
 }
 

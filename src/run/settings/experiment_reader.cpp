@@ -45,9 +45,8 @@ const KindKeys& keys_of(ExperimentKind kind) {
 Words all_keys() {
     Words all = common_keys;
     for (const std::string& name : experiment_kind_names()) {
-        for (const std::string& key : keys_of(experiment_kind_named(name)).may) {
+        for (const std::string& key : keys_of(experiment_kind_named(name)).may)
             if (!contains(all, key)) all.push_back(key);
-        }
     }
     return all;
 }
@@ -166,9 +165,8 @@ private:
     }
 
     void require(const toml::table& table, const TableReader& reader, const Words& keys) {
-        for (const std::string& key : keys) {
+        for (const std::string& key : keys)
             if (reader.node(key) == nullptr) problems_.add(table, "[[experiment]] has no " + key, "add " + key + " = …");
-        }
     }
 
     void check_keys(const toml::table& table, const TableReader& reader, const std::string& kind) {

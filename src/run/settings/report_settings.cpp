@@ -150,9 +150,8 @@ const std::vector<Experiment>& bundled_experiments() {
 std::vector<std::filesystem::path> named_meshes(const ReportSettings& settings) {
     std::vector<std::filesystem::path> files = listed_meshes(settings);
     for (const Experiment& experiment : settings.experiments.empty() ? bundled_experiments() : settings.experiments) {
-        for (const OriginalMesh& mesh : experiment.meshes) {
+        for (const OriginalMesh& mesh : experiment.meshes)
             if (!mesh.file.empty()) files.emplace_back(mesh.file);
-        }
     }
     return files;
 }
@@ -167,9 +166,8 @@ std::set<std::filesystem::path> inputs_of(const ReportSettings& settings, const 
     for (const MeshRole& role : mesh_role_list()) in_data.emplace_back(role.asked);
     for (const StandIn& original : stand_in_list()) in_data.emplace_back(original.file);
     for (const std::filesystem::path& folder : settings.data) {
-        for (const std::filesystem::path& mesh : in_data) {
+        for (const std::filesystem::path& mesh : in_data)
             if (!mesh.empty()) inputs.insert({folder / mesh, folder / mesh.filename()});
-        }
     }
     return inputs;
 }
@@ -309,9 +307,8 @@ std::map<std::string, std::string> described(const ReportSettings& settings) {
     };
     for_each_setting(settings, enter_as(""));
     for (const auto& [id, table] : settings.questions) for_each_setting(table, enter_as(id + " "));
-    for (const auto& [id, effort] : settings.efforts) {
+    for (const auto& [id, effort] : settings.efforts)
         if (words_of(effort) != words_of(Effort{.small = settings.quick})) values[id + effort_suffix] = words_of(effort).front();
-    }
     if (!settings.experiments.empty()) values["experiments"] = settings.experiments_digest;
     return values;
 }
