@@ -37,7 +37,9 @@ report::Text flat_picture(const CotangentComparison& c) {
     if (c.subject.interior == 0) return words.say("flat.no_inside", "mesh"_a = mesh);
     const bool regular = std::max(c.drift, c.precision) < 1e-4;   // what six digits of the coordinates leave
     const bool improved = !regular && c.drift > 10 * c.precision;
-    report::Text t = words.say(regular    ? "flat.regular"
+    const bool exact = c.drift == 0 && c.precision == 0;
+    report::Text t = words.say(exact      ? "flat.exact"
+                               : regular  ? "flat.regular"
                                : improved ? "flat.improved"
                                           : "flat.as_bad",
                                "mesh"_a = mesh, "drift"_a = readable(c.drift, 2), "precision"_a = readable(c.precision, 2));
