@@ -269,12 +269,11 @@ void shade(const ProjectedScene& projected, std::span<const Ribbon> ribbons, con
     std::vector<std::pair<std::size_t, std::int32_t>> exact;
     const bool some_exact = projected.has_far_off || !ribbons.empty();
     std::int32_t ordinary = some_exact ? no_triangle : fragments.triangle[0];
-    for (std::size_t i = 0; some_exact && i < fragments.count; ++i) {
+    for (std::size_t i = 0; some_exact && i < fragments.count; ++i)
         if (is_out_of_reach(projected, fragments.triangle[i]))
             exact.emplace_back(i, fragments.triangle[i]);
         else
             ordinary = fragments.triangle[i];
-    }
     // Vectors are whole: an ordinary triangle stands in for ribbons, which have no corners to fetch, and fills up the last one.
     for (const auto& [i, id] : exact) fragments.triangle[i] = ordinary;
     for (std::size_t i = fragments.count; i % block_samples != 0; ++i)

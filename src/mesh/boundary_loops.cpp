@@ -15,9 +15,8 @@ struct BoundaryEdge {
 /// The boundary edges, sorted by their ends, each running as in its one triangle.
 std::vector<BoundaryEdge> boundary_edges(const TriangleMesh& mesh, const std::vector<Edge>& edges) {
     std::vector<char> on_boundary(at(mesh.vertex_count()), 0);
-    for (const Edge& e : edges) {
+    for (const Edge& e : edges)
         if (e.faces == 1) on_boundary[at(e.a)] = on_boundary[at(e.b)] = 1;
-    }
     const auto faces_at = [&](int a, int b) {
         const auto before = [](const Edge& e, const Edge& f) { return e.a != f.a ? e.a < f.a : e.b < f.b; };
         return std::lower_bound(edges.begin(), edges.end(), Edge{std::min(a, b), std::max(a, b), 0}, before)->faces;

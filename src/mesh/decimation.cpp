@@ -84,9 +84,8 @@ public:
 
     TriangleMesh result() const {
         std::vector<Triangle> left;
-        for (const Triangle& face : faces_) {
+        for (const Triangle& face : faces_)
             if (face[0] >= 0) left.push_back(face);
-        }
         TriangleMesh mesh{X_, Faces(static_cast<Eigen::Index>(left.size()), 3)};
         for (std::size_t t = 0; t < left.size(); ++t) mesh.F.row(static_cast<Eigen::Index>(t)) << left[t][0], left[t][1], left[t][2];
         return without_unreferenced_vertices(mesh).mesh;
@@ -131,18 +130,16 @@ private:
 
     std::vector<int> faces_with(int a, int b) const {
         std::vector<int> shared;
-        for (const int t : around_[at(a)]) {
+        for (const int t : around_[at(a)])
             if (has(faces_[at(t)], b)) shared.push_back(t);
-        }
         return shared;
     }
 
     std::vector<int> neighbours(int v) const {
         std::vector<int> ring;
         for (const int t : around_[at(v)]) {
-            for (const int w : faces_[at(t)]) {
+            for (const int w : faces_[at(t)])
                 if (w != v) ring.push_back(w);
-            }
         }
         std::sort(ring.begin(), ring.end());
         ring.erase(std::unique(ring.begin(), ring.end()), ring.end());

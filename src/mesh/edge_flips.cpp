@@ -30,9 +30,8 @@ public:
     /// Number of edges flipped.
     int pass() {
         int flipped = 0;
-        for (int t = 0; t < F_.rows(); ++t) {
+        for (int t = 0; t < F_.rows(); ++t)
             for (int k = 0; k < 3; ++k) flipped += flipped_if_better({t, k});
-        }
         return flipped;
     }
 
@@ -131,9 +130,8 @@ private:
 
 Faces delaunay_flipped(const TriangleMesh& mesh, int passes) {
     Flipper flipper(mesh);
-    for (int i = 0; i < passes; ++i) {
+    for (int i = 0; i < passes; ++i)
         if (flipper.pass() == 0) break;
-    }
     return flipper.faces();
 }
 
@@ -150,9 +148,8 @@ Positions steps_to_ring_centroids(const TriangleMesh& mesh) {
     }
     const std::vector<char> on_boundary = topology_of(mesh).on_boundary;
     Positions steps = Positions::Zero(mesh.X.rows(), 3);
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
+    for (int v = 0; v < mesh.vertex_count(); ++v)
         if (weight[v] > 0 && !on_boundary[static_cast<std::size_t>(v)]) steps.row(v) = moment.row(v) / weight[v] - mesh.X.row(v);
-    }
     return steps;
 }
 

@@ -28,9 +28,8 @@ void check_coordinates(const LoadedMesh& loaded) {
     if (all_of_range(mesh.vertex_count(), good_point) && all_of_range(mesh.face_count(), good_triangle)) return;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (!std::isfinite(mesh.X(v, axis))) {
+            if (!std::isfinite(mesh.X(v, axis)))
                 throw InputError({loaded.file, 0}, "vertex " + std::to_string(v) + " is not finite", "every coordinate must be a number");
-            }
             check_range(mesh.X(v, axis), loaded.file, 0);
         }
     }
@@ -62,9 +61,8 @@ std::vector<char> repeated_faces(const TriangleMesh& mesh, const Incidence& arou
             if (corners[0] == v && corners[1] > v) row.push_back({corners[1], corners[2], *t});
         }
         std::sort(row.begin(), row.end());
-        for (std::size_t i = 1; i < row.size(); ++i) {
+        for (std::size_t i = 1; i < row.size(); ++i)
             if (row[i].middle == row[i - 1].middle && row[i].largest == row[i - 1].largest) repeated[at(row[i].face)] = 1;
-        }
     }
     return repeated;
 }
@@ -90,11 +88,10 @@ public:
         if (checks_ == Checks::all || !topology().oriented_manifold) prepared_.topology = with_edges(std::move(topology()), mesh());
         count_connections();
         warn_of(counts().vertices - counts().vertices_in_use, "isolated vertex ignored", "isolated vertices ignored");
-        if (checks_ == Checks::all) {
+        if (checks_ == Checks::all)
             measure();
-        } else {
+        else
             measure_shapes();
-        }
         return std::move(prepared_);
     }
 
@@ -176,9 +173,8 @@ private:
     void warn_of_nonmanifold() {
         const std::vector<Edge>& edges = topology().edges;
         std::vector<char> explained(at(mesh().vertex_count()), 0);   // by a non-manifold edge
-        for (const Edge& e : edges) {
+        for (const Edge& e : edges)
             if (e.faces > 2) explained[at(e.a)] = explained[at(e.b)] = 1;
-        }
         const auto edge = std::find_if(edges.begin(), edges.end(), [](const Edge& e) { return e.faces > 2; });
         if (edge != edges.end()) {
             const std::string first = " (first: " + std::to_string(edge->faces) + " faces on vertices " + std::to_string(edge->a) +
@@ -207,9 +203,8 @@ private:
     /// Of the vertices in use, those with the coordinates of an earlier one.
     int repeated_points() {
         PointTable points(at(counts().vertices_in_use));
-        for (int v = 0; v < mesh().vertex_count(); ++v) {
+        for (int v = 0; v < mesh().vertex_count(); ++v)
             if (topology().vertex_faces.size(v) > 0) points.number_of({mesh().X(v, 0), mesh().X(v, 1), mesh().X(v, 2)});
-        }
         return counts().vertices_in_use - static_cast<int>(points.points().size());
     }
 

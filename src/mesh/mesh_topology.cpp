@@ -42,18 +42,15 @@ std::vector<Edge> collected_edges(const TriangleMesh& mesh, const Incidence& ver
     for (int a = 0; a < mesh.vertex_count(); ++a) {
         ends.clear();
         for (const int* t = vertex_faces.begin(a); t != vertex_faces.end(a); ++t) {
-            for (int k = 0; k < 3; ++k) {
+            for (int k = 0; k < 3; ++k)
                 if (mesh.F(*t, k) > a) ends.push_back(mesh.F(*t, k));
-            }
         }
         std::sort(ends.begin(), ends.end());
-        for (const int b : ends) {
-            if (!edges.empty() && edges.back().a == a && edges.back().b == b) {
+        for (const int b : ends)
+            if (!edges.empty() && edges.back().a == a && edges.back().b == b)
                 ++edges.back().faces;
-            } else {
+            else
                 edges.push_back({a, b, 1});
-            }
-        }
     }
     return edges;
 }
@@ -113,9 +110,8 @@ Incidence triangles_around(const TriangleMesh& mesh) {
         const auto begin = static_cast<int>(std::int64_t{half} * mesh.face_count() / halves);
         const auto end = static_cast<int>(std::int64_t{half + 1} * mesh.face_count() / halves);
         std::vector<int>& of_row = next[at(half)];
-        for (int t = begin; t < end; ++t) {
+        for (int t = begin; t < end; ++t)
             for (int k = 0; k < 3; ++k) visit(of_row[at(mesh.F(t, k))], t);
-        }
     };
     tbb::parallel_for(0, halves, [&](int half) {
         next[at(half)] = large_vector<int>(at(mesh.vertex_count()));

@@ -178,13 +178,11 @@ Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology
         EnclosedVolume volume = {};
     };
     std::vector<Component> components;
-    for (int t = 0; static_cast<int>(components.size()) < topology.component_count; ++t) {
+    for (int t = 0; static_cast<int>(components.size()) < topology.component_count; ++t)
         if (topology.component[at(t)] == static_cast<int>(components.size())) components.push_back({mesh.X.row(mesh.F(t, 0)), t});
-    }
     const auto component_of = [&](int t) -> Component& { return components[at(topology.component[at(t)])]; };
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
+    for (int v = 0; v < mesh.vertex_count(); ++v)
         if (topology.on_boundary[at(v)] != 0) component_of(*topology.vertex_faces.begin(v)).closed = false;
-    }
     struct Part {   // successive triangles of one component
         int component;
         EnclosedVolume volume = {};
@@ -198,9 +196,8 @@ Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology
         }
         return parts;
     });
-    for (const auto& block : blocks) {
+    for (const auto& block : blocks)
         for (const Part& part : block.value) components[at(part.component)].volume.add(part.volume);
-    }
 
     Orientation result;
     result.flip.assign(at(mesh.face_count()), 0);

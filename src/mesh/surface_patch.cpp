@@ -7,12 +7,9 @@
 namespace meshfolio {
 
 CompactMesh surface_patch(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int most_vertices) {
-    if (vertex < 0 || vertex >= mesh.vertex_count()) {
+    if (vertex < 0 || vertex >= mesh.vertex_count())
         throw MeshError("surface_patch: no vertex " + std::to_string(vertex) + " among " + std::to_string(mesh.vertex_count()));
-    }
-    if (mesh.vertex_count() <= most_vertices) {
-        return {mesh, Eigen::VectorXi::LinSpaced(mesh.vertex_count(), 0, mesh.vertex_count() - 1)};
-    }
+    if (mesh.vertex_count() <= most_vertices) return {mesh, Eigen::VectorXi::LinSpaced(mesh.vertex_count(), 0, mesh.vertex_count() - 1)};
     std::vector<char> inside(static_cast<std::size_t>(mesh.vertex_count()), 0);
     std::vector<int> reached{vertex};
     inside[static_cast<std::size_t>(vertex)] = 1;

@@ -58,9 +58,8 @@ Box bounding_box(const TriangleMesh& mesh) {
     const Box nothing{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
     const auto boxes = of_blocks(mesh.face_count(), [&](int begin, int end) {
         std::array around{nothing, nothing, nothing};   // of each corner its own, so that none waits for another
-        for (int t = begin; t < end; ++t) {
+        for (int t = begin; t < end; ++t)
             for (int k = 0; k < 3; ++k) include(corner(mesh, t, k), around[static_cast<std::size_t>(k)]);
-        }
         return Box{around[0].low.cwiseMin(around[1].low).cwiseMin(around[2].low),
                    around[0].high.cwiseMax(around[1].high).cwiseMax(around[2].high)};
     });
@@ -74,9 +73,8 @@ Box bounding_box(const TriangleMesh& mesh) {
 
 CornerValues edge_lengths(const TriangleMesh& mesh) {
     CornerValues l(mesh.face_count(), 3);
-    for (int t = 0; t < mesh.face_count(); ++t) {
+    for (int t = 0; t < mesh.face_count(); ++t)
         for (int k = 0; k < 3; ++k) l(t, k) = (corner(mesh, t, k + 2) - corner(mesh, t, k + 1)).stableNorm();
-    }
     return l;
 }
 
@@ -95,9 +93,8 @@ double mean_edge_length(const TriangleMesh& mesh, const std::vector<Edge>& edges
 
 CornerValues corner_angles(const TriangleMesh& mesh) {
     CornerValues angles(mesh.face_count(), 3);
-    for (int t = 0; t < mesh.face_count(); ++t) {
+    for (int t = 0; t < mesh.face_count(); ++t)
         for (int k = 0; k < 3; ++k) angles(t, k) = angle_at(mesh, t, k);
-    }
     return angles;
 }
 

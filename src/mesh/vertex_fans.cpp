@@ -80,9 +80,8 @@ void FanReader::read_spokes(int v) {
     }
     std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& s, const Spoke& u) { return s.other < u.other; });
     ring_.clear();
-    for (const Spoke& s : spokes_) {
+    for (const Spoke& s : spokes_)
         if (ring_.empty() || ring_.back() != s.other) ring_.push_back(s.other);
-    }
 }
 
 /// Sets of triangles joined through edges at v: parts of its link.

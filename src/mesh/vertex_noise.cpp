@@ -41,9 +41,8 @@ double NormalNumbers::next() {
 Positions with_gaussian_noise(const Positions& X, const Vector3& sigma, std::uint64_t seed) {
     NormalNumbers normal(seed);
     Positions noisy = X;
-    for (Eigen::Index i = 0; i < X.rows(); ++i) {
+    for (Eigen::Index i = 0; i < X.rows(); ++i)
         for (int axis = 0; axis < 3; ++axis) noisy(i, axis) += sigma[axis] * normal.next();
-    }
     return noisy;
 }
 
@@ -56,9 +55,8 @@ Positions with_normal_noise(const TriangleMesh& mesh, double sigma, std::uint64_
 }
 
 Positions with_impulsive_noise(const Positions& X, int count, double sigma, std::uint64_t seed) {
-    if (count < 0 || count > X.rows()) {
+    if (count < 0 || count > X.rows())
         throw MeshError("impulsive noise on " + std::to_string(count) + " of " + std::to_string(X.rows()) + " vertices");
-    }
     NormalNumbers random(seed);
     Positions noisy = X;
     // Knuth 1997, algorithm 3.4.2 S: a row is chosen with probability (still to choose)/(rows left).

@@ -53,9 +53,8 @@ Vector mean_curvature_from(const TriangleMesh& mesh, const MeshTopology& topolog
 /// Σ_j C_ij (x_j − x_i), which is (CX)_i because rows of C sum to 0, without the rounding of far-away coordinates.
 Vector3 stiffness_times_positions(const SparseMatrix& C, const Positions& X, int i) {
     Vector3 sum = Vector3::Zero();
-    for (SparseMatrix::InnerIterator entry(C, i); entry; ++entry) {   // C is symmetric: column i is row i
+    for (SparseMatrix::InnerIterator entry(C, i); entry; ++entry)   // C is symmetric: column i is row i
         sum += entry.value() * (X.row(entry.row()) - X.row(i)).transpose();
-    }
     return sum;
 }
 
@@ -106,9 +105,7 @@ Vector angle_deficit(const TriangleMesh& mesh, const MeshTopology& topology) {
 Vector gaussian_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const Vector& areas) {
     require_size("gaussian_curvature", "areas", areas.size(), mesh);
     Vector K = angle_deficit(mesh, topology);
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        K[v] = is_interior(topology, v) && areas[v] > 0 ? K[v] / areas[v] : undefined;
-    }
+    for (int v = 0; v < mesh.vertex_count(); ++v) K[v] = is_interior(topology, v) && areas[v] > 0 ? K[v] / areas[v] : undefined;
     return K;
 }
 

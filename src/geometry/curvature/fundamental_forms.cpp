@@ -20,9 +20,8 @@ void require_ellipsoid(const Ellipsoid& ellipsoid) {
 
 void require_regular_point(double u, double v) {
     const std::string where = "(u, v) = (" + std::to_string(u) + ", " + std::to_string(v) + ")";
-    if (!std::isfinite(u) || !(v >= 0 && v <= pi)) {
+    if (!std::isfinite(u) || !(v >= 0 && v <= pi))
         throw MeshError("ellipsoid_forms: " + where + " is outside the parameter domain", "u is any angle, v lies in [0, π]");
-    }
     if (std::sin(v) < 1e-12) {
         throw MeshError("ellipsoid_forms: " + where +
                             " is a pole, (0, 0, ±c), where p_u = 0 and the first fundamental form is singular: a fault of the "

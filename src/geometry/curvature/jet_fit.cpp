@@ -70,9 +70,8 @@ private:
         const Eigen::Matrix3d frame = frame_of(normals_.row(v).transpose());
         const auto n = static_cast<Eigen::Index>(points_.size());
         local_.resize(n, 3);
-        for (Eigen::Index i = 0; i < n; ++i) {
+        for (Eigen::Index i = 0; i < n; ++i)
             local_.row(i) = (mesh_.X.row(points_[static_cast<std::size_t>(i)]) - mesh_.X.row(v)) * frame.transpose();
-        }
         const double unit = local_.leftCols<2>().rowwise().norm().maxCoeff();
         if (!(unit > 0)) return 0;
         local_ /= unit;

@@ -15,19 +15,17 @@ namespace {
 /// Of each vertex, −1 where it has no triangle.
 std::vector<int> component_of_vertices(const TriangleMesh& mesh, const MeshTopology& topology) {
     std::vector<int> component(static_cast<std::size_t>(mesh.vertex_count()), -1);
-    for (int t = 0; t < mesh.face_count(); ++t) {
+    for (int t = 0; t < mesh.face_count(); ++t)
         for (const int v : mesh.F.row(t)) component[static_cast<std::size_t>(v)] = topology.component[static_cast<std::size_t>(t)];
-    }
     return component;
 }
 
 std::vector<char> closed_components(const TriangleMesh& mesh, const MeshTopology& topology) {
     std::vector<char> closed(static_cast<std::size_t>(topology.component_count), 1);
     for (int t = 0; t < mesh.face_count(); ++t) {
-        for (const int v : mesh.F.row(t)) {
+        for (const int v : mesh.F.row(t))
             if (topology.on_boundary[static_cast<std::size_t>(v)])
                 closed[static_cast<std::size_t>(topology.component[static_cast<std::size_t>(t)])] = 0;
-        }
     }
     return closed;
 }
@@ -64,9 +62,8 @@ ComponentSizes component_sizes(const TriangleMesh& mesh, const MeshTopology& top
         sizes.volume[c] += corner(0).dot(corner(1).cross(corner(2))) / 6;
     }
     const std::vector<char> closed = closed_components(mesh, topology);
-    for (int c = 0; c < count; ++c) {
+    for (int c = 0; c < count; ++c)
         if (!closed[static_cast<std::size_t>(c)]) sizes.volume[c] = std::numeric_limits<double>::quiet_NaN();
-    }
     return sizes;
 }
 

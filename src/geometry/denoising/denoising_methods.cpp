@@ -42,16 +42,13 @@ constexpr int vertex_updates = 10;   // of each step of a filter of normals
 
 void check(const DenoisingInput& input, const DenoisingOptions& options) {
     const std::string name(denoising_entry(options.method).name);
-    if (!(std::isfinite(options.parameter) && options.parameter > 0)) {
+    if (!(std::isfinite(options.parameter) && options.parameter > 0))
         throw MeshError("denoising, " + name + ": parameter = " + plain_text(options.parameter), "it must be positive and finite");
-    }
     if (options.steps < 0) throw MeshError("denoising, " + name + ": " + std::to_string(options.steps) + " steps");
-    if (options.method == DenoisingMethod::taubin && !(input.largest_eigenvalue > 0)) {
+    if (options.method == DenoisingMethod::taubin && !(input.largest_eigenvalue > 0))
         throw MeshError("denoising, " + name + ": largest eigenvalue = " + plain_text(input.largest_eigenvalue));
-    }
-    if (!is_defined(options.method, input.mesh, input.topology)) {
+    if (!is_defined(options.method, input.mesh, input.topology))
         throw MeshError("denoising, " + name + ": the mesh encloses no volume", "take another method");
-    }
 }
 
 /// λ of a run of smooth(), and Taubin's m: 1/λ + 1/m = pass_band · μ_max/2 with λ = 1/μ_max.
@@ -80,9 +77,8 @@ DenoisingRun diffused(const DenoisingInput& input, const DenoisingOptions& optio
 DenoisingRun rescaled(const DenoisingInput& input, DenoisingOptions options, ImplicitSolver& solver) {
     const ComponentSizes wanted = component_sizes(input.mesh, input.topology);
     const auto scaled = [&](const Positions& X) { return with_volumes(moved_to(input.mesh, X), input.topology, wanted); };
-    if (options.after_step) {
+    if (options.after_step)
         options.after_step = [scaled, told = options.after_step](int step, const Positions& X) { return told(step, scaled(X)); };
-    }
     DenoisingRun run = diffused(input, options, solver);
     run.X = scaled(run.X);
     return run;
@@ -136,9 +132,7 @@ DenoisingRun denoise(const DenoisingInput& input, const DenoisingOptions& option
     const DenoisingInput scaled_input{inside, input.topology, input.largest_eigenvalue / (scale * scale)};
     DenoisingOptions scaled = options;
     if (!filters_normals(options.method) && options.method != DenoisingMethod::taubin) scaled.parameter *= scale * scale;
-    if (options.after_step) {
-        scaled.after_step = [&](int step, const Positions& X) { return options.after_step(step, outside(X)); };
-    }
+    if (options.after_step) scaled.after_step = [&](int step, const Positions& X) { return options.after_step(step, outside(X)); };
     DenoisingRun run = filters_normals(options.method)                      ? by_normals(scaled_input, scaled)
                        : options.method == DenoisingMethod::conformal_flow  ? conformalised(scaled_input, scaled, solver)
                        : options.method == DenoisingMethod::volume_rescaled ? rescaled(scaled_input, scaled, solver)

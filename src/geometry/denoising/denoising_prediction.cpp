@@ -12,9 +12,8 @@ namespace meshfolio {
 namespace {
 
 void check(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options) {
-    if (!(std::isfinite(options.lambda) && options.lambda > 0)) {
+    if (!(std::isfinite(options.lambda) && options.lambda > 0))
         throw MeshError("denoising_prediction: lambda = " + plain_text(options.lambda), "it must be positive and finite");
-    }
     if (options.iterations < 0) throw MeshError("denoising_prediction: " + std::to_string(options.iterations) + " iterations");
     if (options.probe_triples < 1) throw MeshError("denoising_prediction: " + std::to_string(options.probe_triples) + " triples of probes");
     if (X.rows() != laplacian.M.size()) {

@@ -83,9 +83,8 @@ double chi_square_share(double x, double k) {
 }
 
 NoiseLevel noise_level(const TriangleMesh& mesh, const MeshTopology& topology) {
-    if (topology.vertex_faces.start.size() != static_cast<std::size_t>(mesh.vertex_count()) + 1) {
+    if (topology.vertex_faces.start.size() != static_cast<std::size_t>(mesh.vertex_count()) + 1)
         throw MeshError("noise_level: the topology is of another mesh");
-    }
     const Positions plane = smoothed(mesh.X, topology), normals = vertex_normals(moved_to(mesh, plane));
     std::vector<Residual> residuals(static_cast<std::size_t>(mesh.vertex_count()));
     tbb::parallel_for(0, mesh.vertex_count(), [&](int v) {

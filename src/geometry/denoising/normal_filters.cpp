@@ -15,9 +15,8 @@ namespace {
 /// Over the pairs of triangles that share an edge; 0 where there are none.
 double mean_centroid_distance(const Positions& centroids, const Incidence& by_edge) {
     double sum = 0;
-    for (int t = 0; t < static_cast<int>(centroids.rows()); ++t) {
+    for (int t = 0; t < static_cast<int>(centroids.rows()); ++t)
         for (const int* s = by_edge.begin(t); s != by_edge.end(t); ++s) sum += (centroids.row(*s) - centroids.row(t)).norm();
-    }
     return by_edge.item.empty() ? 0 : sum / static_cast<double>(by_edge.item.size());
 }
 
@@ -32,9 +31,8 @@ double largest_difference(const Positions& N, const int* begin, const int* end) 
     double largest = 0;
     for (const int* s = begin; s != end; ++s) {
         if (N.row(*s).isZero(0)) continue;
-        for (const int* r = s + 1; r != end; ++r) {
+        for (const int* r = s + 1; r != end; ++r)
             if (!N.row(*r).isZero(0)) largest = std::max(largest, (N.row(*s) - N.row(*r)).squaredNorm());
-        }
     }
     return std::sqrt(largest);
 }
@@ -99,9 +97,8 @@ FaceRings face_rings(const TriangleMesh& mesh) {
 
 Positions face_centroids(const TriangleMesh& mesh) {
     Positions centroids(mesh.face_count(), 3);
-    for (int t = 0; t < mesh.face_count(); ++t) {
+    for (int t = 0; t < mesh.face_count(); ++t)
         centroids.row(t) = (mesh.X.row(mesh.F(t, 0)) + mesh.X.row(mesh.F(t, 1)) + mesh.X.row(mesh.F(t, 2))) / 3;
-    }
     return centroids;
 }
 
@@ -144,9 +141,8 @@ Positions guiding_normals(const TriangleMesh& mesh, const FaceRings& rings, cons
     for (int t = 0; t < static_cast<int>(N.rows()); ++t) {
         // The patches that contain t are those of the triangles around it, its own first: where none is better, nothing is shifted.
         int best = t;
-        for (const int* s = rings.by_vertex.begin(t); s != rings.by_vertex.end(t); ++s) {
+        for (const int* s = rings.by_vertex.begin(t); s != rings.by_vertex.end(t); ++s)
             if (patches.inconsistency[*s] < patches.inconsistency[best] && !patches.mean.row(*s).isZero(0)) best = *s;
-        }
         guide.row(t) = patches.mean.row(best);
     }
     return guide;
@@ -159,9 +155,8 @@ Positions moved_to_normals(const TriangleMesh& mesh, const Incidence& vertex_fac
         for (int v = 0; v < moved.vertex_count(); ++v) {
             const Eigen::RowVector3d x = moved.X.row(v);
             Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-            for (const int* t = vertex_faces.begin(v); t != vertex_faces.end(v); ++t) {
+            for (const int* t = vertex_faces.begin(v); t != vertex_faces.end(v); ++t)
                 sum += N.row(*t).dot(centroids.row(*t) - x) * N.row(*t);
-            }
             if (vertex_faces.size(v) > 0) moved.X.row(v) = x + sum / vertex_faces.size(v);
         }
     }

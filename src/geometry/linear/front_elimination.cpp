@@ -57,11 +57,10 @@ struct Front {
 /// visit(i) for 0 … count − 1.
 template <class Visit>
 void for_each_of(Index count, bool parallel, const Visit& visit) {
-    if (parallel) {
+    if (parallel)
         tbb::parallel_for(Index{0}, count, visit);
-    } else {
+    else
         for (Index i = 0; i < count; ++i) visit(i);
-    }
 }
 
 class Elimination {
@@ -70,9 +69,8 @@ public:
         : A_(A), sigma_(sigma), tree_(tree), L_(L), rest_(static_cast<std::size_t>(tree.fronts())) {
         lay_out();
         children_.resize(rest_.size());
-        for (int f = 0; f < tree.fronts(); ++f) {
+        for (int f = 0; f < tree.fronts(); ++f)
             if (tree.parent[std::size_t(f)] >= 0) children_[std::size_t(tree.parent[std::size_t(f)])].push_back(f);
-        }
     }
 
     void run(bool parallel) {
@@ -101,9 +99,8 @@ public:
         for_each_task(subtrees.size(), [&](std::size_t i) {
             for (int f = first[std::size_t(subtrees[i])]; f <= subtrees[i]; ++f) eliminate(f, false);
         });
-        for (int f = 0; f < tree_.fronts(); ++f) {
+        for (int f = 0; f < tree_.fronts(); ++f)
             if (!small(f)) eliminate(f, true);
-        }
     }
 
 private:
@@ -189,10 +186,9 @@ private:
                                       : front.rest.row(inner / width, inner) + inner % width;
             }
             const double* from = left.block(J);
-            for (Index i = begin; i < left.rows(); ++i, from += width) {
+            for (Index i = begin; i < left.rows(); ++i, from += width)
                 for (Index c = 0; c < std::min(columns, i - begin + 1); ++c)
                     target[c][width * (at[std::size_t(i)] - at[std::size_t(begin + c)])] += from[c];
-            }
         });
     }
 
@@ -223,9 +219,8 @@ private:
         for (Index K = 0; K < blocks; ++K) {
             V[std::size_t(K)] = front.own.row(K, row);
             const double *const l = front.own.row(K, column), *const d = front.pivots.data() + width * K;
-            for (Index a = 0; a < width; ++a) {
+            for (Index a = 0; a < width; ++a)
                 for (Index c = 0; c < width; ++c) G.row(width * K + a)[c] = c < columns ? d[a] * l[width * c + a] : 0;
-            }
         }
         subtract_combination(V, G.data(), 0, rows, W);
     }

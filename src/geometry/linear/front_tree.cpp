@@ -96,13 +96,11 @@ void append_rows(const SparseMatrix& A, std::span<const int> children, int f, st
         if (row < end || std::exchange(seen[static_cast<std::size_t>(row)], f) == f) return;
         tree.rows.push_back(row);
     };
-    for (int j = first; j < end; ++j) {
+    for (int j = first; j < end; ++j)
         for (SparseMatrix::InnerIterator entry(A, tree.order[std::size_t(j)]); entry; ++entry)
             add(tree.place[static_cast<std::size_t>(entry.index())]);
-    }
-    for (const int child : children) {
+    for (const int child : children)
         for (std::size_t q = tree.row_start[std::size_t(child)]; q < tree.row_start[std::size_t(child) + 1]; ++q) add(tree.rows[q]);
-    }
     std::sort(tree.rows.begin() + static_cast<std::ptrdiff_t>(start), tree.rows.end());
     tree.row_start.push_back(tree.rows.size());
 }

@@ -18,9 +18,8 @@ IncompleteCholesky lower_blocks(const SparseMatrix& A) {
     L.start.reserve(static_cast<std::size_t>(n) + 1);
     L.start.push_back(0);
     for (int i = 0; i < n; ++i) {
-        if (!(std::isfinite(L.pivots[i]) && L.pivots[i] > 0)) {
+        if (!(std::isfinite(L.pivots[i]) && L.pivots[i] > 0))
             throw SolverError("conjugate gradients: row " + std::to_string(i) + " has no positive diagonal");
-        }
         const int block = i / block_length * block_length;
         for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry) {
             if (entry.row() < block || entry.row() >= i) continue;

@@ -22,9 +22,8 @@ std::vector<int> minimum_degree_order(const SparseMatrix& A) {
 }
 
 void check_finite(const SparseMatrix& A) {
-    for (Eigen::Index z = 0; z < A.nonZeros(); ++z) {
+    for (Eigen::Index z = 0; z < A.nonZeros(); ++z)
         if (!std::isfinite(A.valuePtr()[z])) throw SolverError("LDLᵀ factorisation: the matrix has an entry that is not finite");
-    }
 }
 
 /// A pivot is what is left of a diagonal entry after the elimination. Below a few roundings of that entry its sign means nothing.

@@ -37,21 +37,18 @@ Vector sum_of_sizes(const LdltPanels& L, const Vector& x) {
         double outer[LdltPanels::widest];   // |D||Lᵀ|x of the panel's columns
         for (int c = 0; c < w; ++c) outer[c] = x[column + c];
         const double* l = values;
-        for (int r = 0; r < w; ++r, l += w) {
+        for (int r = 0; r < w; ++r, l += w)
             for (int c = 0; c < r; ++c) outer[c] += std::abs(l[c]) * x[column + r];
-        }
-        for (std::size_t q = 0; q < below; ++q, l += w) {
+        for (std::size_t q = 0; q < below; ++q, l += w)
             for (int c = 0; c < w; ++c) outer[c] += std::abs(l[c]) * x[rows[q]];
-        }
         for (int c = 0; c < w; ++c) outer[c] *= std::abs(L.pivots[column + c]);
         l = values;
         for (int r = 0; r < w; ++r, l += w) {
             sum[column + r] += outer[r];
             for (int c = 0; c < r; ++c) sum[column + r] += std::abs(l[c]) * outer[c];
         }
-        for (std::size_t q = 0; q < below; ++q, l += w) {
+        for (std::size_t q = 0; q < below; ++q, l += w)
             for (int c = 0; c < w; ++c) sum[rows[q]] += std::abs(l[c]) * outer[c];
-        }
     });
     return sum;
 }

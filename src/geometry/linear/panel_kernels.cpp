@@ -194,11 +194,10 @@ HWY_INLINE void SolveColumns(const LdltPanels& factor, double* X) {
         const auto count = static_cast<Eigen::Index>(factor.row_start[panel + 1] - factor.row_start[panel]);
         double* const top = X + static_cast<std::ptrdiff_t>(stride) * column;
         WithWidth(factor.first[panel + 1] - column, [&](auto w) HWY_ATTR {
-            if (forward) {
+            if (forward)
                 ForwardPanel<w(), columns, stride>(values, rows, count, X, top);
-            } else {
+            else
                 BackwardPanel<w(), columns, stride>(values, rows, count, factor.pivots.data() + column, X, top);
-            }
         });
     };
     for (int p = 0; p < factor.panels(); ++p) visit(p, true);

@@ -30,13 +30,11 @@ DenseMatrix SparseFactor::solve(const DenseMatrix& B) const {
     for (Eigen::Index first = 0; first < B.cols(); first += width) {
         const Eigen::Index columns = std::min(width, B.cols() - first);
         FourColumns four(B.rows());
-        for (Eigen::Index i = 0; i < B.rows(); ++i) {
+        for (Eigen::Index i = 0; i < B.rows(); ++i)
             for (Eigen::Index c = 0; c < width; ++c) four.row(i)[c] = c < columns ? B(panels_.order[std::size_t(i)], first + c) : 0;
-        }
         solve_in_place(panels_, four);
-        for (Eigen::Index i = 0; i < B.rows(); ++i) {
+        for (Eigen::Index i = 0; i < B.rows(); ++i)
             for (Eigen::Index c = 0; c < columns; ++c) X(panels_.order[std::size_t(i)], first + c) = four.row(i)[c];
-        }
     }
     return X;
 }

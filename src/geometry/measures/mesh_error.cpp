@@ -154,16 +154,13 @@ double hausdorff_distance(const TriangleMesh& a, const TriangleMesh& b) {
 }
 
 double vertex_rms(const Positions& a, const Positions& b) {
-    if (a.rows() != b.rows()) {
-        throw MeshError("vertex_rms: " + std::to_string(a.rows()) + " vertices against " + std::to_string(b.rows()));
-    }
+    if (a.rows() != b.rows()) throw MeshError("vertex_rms: " + std::to_string(a.rows()) + " vertices against " + std::to_string(b.rows()));
     return a.rows() > 0 ? std::sqrt((a - b).squaredNorm() / static_cast<double>(a.rows())) : 0;
 }
 
 Vector shape_distances(const TriangleMesh& clean, const Positions& X) {
-    if (clean.X.rows() != X.rows()) {
+    if (clean.X.rows() != X.rows())
         throw MeshError("shape_distances: " + std::to_string(clean.X.rows()) + " vertices against " + std::to_string(X.rows()));
-    }
     Vector nearest = (X - clean.X).rowwise().squaredNorm();
     lower_to_shape(clean, X, nearest);
     return nearest.cwiseSqrt();
@@ -174,9 +171,8 @@ double shape_rms(const TriangleMesh& clean, const Positions& X) {
 }
 
 double mean_normal_angle(const Positions& a, const Positions& b) {
-    if (a.rows() != b.rows()) {
+    if (a.rows() != b.rows())
         throw MeshError("mean_normal_angle: " + std::to_string(a.rows()) + " normals against " + std::to_string(b.rows()));
-    }
     return NormalAngles(a, b).mean;
 }
 

@@ -85,11 +85,9 @@ Proof semidefinite(const Inertia& negative) {
 int repeated_half_edges(const Faces& F) {
     std::vector<std::uint64_t> half_edges;
     half_edges.reserve(static_cast<std::size_t>(3 * F.rows()));
-    for (Eigen::Index t = 0; t < F.rows(); ++t) {
-        for (int k = 0; k < 3; ++k) {
+    for (Eigen::Index t = 0; t < F.rows(); ++t)
+        for (int k = 0; k < 3; ++k)
             half_edges.push_back(static_cast<std::uint64_t>(F(t, k)) << 32 | static_cast<std::uint64_t>(F(t, (k + 1) % 3)));
-        }
-    }
     std::sort(half_edges.begin(), half_edges.end());
     int repeated = 0;
     for (std::size_t i = 1; i < half_edges.size(); ++i) repeated += half_edges[i] == half_edges[i - 1] ? 1 : 0;

@@ -30,9 +30,8 @@ void score_weights(OperatorScores& scores, const SparseMatrix& C, const MeshTopo
     scores.smallest_weight = std::numeric_limits<double>::infinity();
     const auto for_each_weight = [&](auto visit) {
         for (int j = 0; j < C.cols(); ++j) {
-            for (SparseMatrix::InnerIterator entry(C, j); entry; ++entry) {
+            for (SparseMatrix::InnerIterator entry(C, j); entry; ++entry)
                 if (entry.row() < j) visit(static_cast<int>(entry.row()), j, entry.value());
-            }
         }
     };
     for_each_weight([&](int, int, double weight) {

@@ -77,9 +77,8 @@ OperatorWithMass reordered(const OperatorWithMass& whole, const std::vector<int>
         std::vector<std::pair<int, double>> column;
         for (int j = begin; j < end; ++j) {
             column.clear();
-            for (SparseMatrix::InnerIterator entry(whole.A, order[static_cast<std::size_t>(j)]); entry; ++entry) {
+            for (SparseMatrix::InnerIterator entry(whole.A, order[static_cast<std::size_t>(j)]); entry; ++entry)
                 column.emplace_back(place[static_cast<std::size_t>(entry.row())], entry.value());
-            }
             std::sort(column.begin(), column.end());
             for (std::size_t k = 0; k < column.size(); ++k) {
                 const auto at = static_cast<std::size_t>(start[j]) + k;

@@ -145,9 +145,8 @@ CornerValues cotangents_of_shapes(Eigen::Index triangles, ShapeOf shape_of, int*
 /// A third of each triangle around. @param areas  of the triangles, in units of which `unit_area` is one [length²]
 Vector barycentric_areas(const TriangleMesh& mesh, const Vector& areas, double unit_area) {
     Vector sums = Vector::Zero(mesh.vertex_count());
-    for (Eigen::Index t = 0; t < mesh.F.rows(); ++t) {
+    for (Eigen::Index t = 0; t < mesh.F.rows(); ++t)
         for (const int v : mesh.F.row(t)) sums[v] += areas[t] / 3;
-    }
     return sums * unit_area;
 }
 

@@ -93,9 +93,8 @@ private:
         for (std::size_t k = 0; k < 4; ++k) {
             mates[k] = mate(before[k]);
             lengths[k] = length(before[k]);
-            for (std::size_t m = 0; m < 4; ++m) {
+            for (std::size_t m = 0; m < 4; ++m)
                 if (mate(before[k]) == before[m]) mates[k] = after[m];
-            }
         }
         triangles_.F.row(t) << a, i, b;
         triangles_.F.row(u) << b, j, a;

@@ -51,11 +51,9 @@ void require_corner_values(const std::string& function, const Faces& F, int vert
 }
 
 void require_lengths(const std::string& function, const CornerValues& lengths) {
-    for (Eigen::Index t = 0; t < lengths.rows(); ++t) {
-        if (!lengths.row(t).allFinite() || lengths.row(t).minCoeff() < 0) {
+    for (Eigen::Index t = 0; t < lengths.rows(); ++t)
+        if (!lengths.row(t).allFinite() || lengths.row(t).minCoeff() < 0)
             throw MeshError(function + ": triangle " + std::to_string(t) + " has an edge length that is negative or not finite");
-        }
-    }
 }
 
 }   // namespace meshfolio

@@ -9,9 +9,8 @@ namespace meshfolio {
 TriangleShape triangle_shape(double l0, double l1, double l2) {
     TriangleShape shape;
     shape.squared_edge = {l0 * l0, l1 * l1, l2 * l2};
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k)
         shape.dot[k] = 0.5 * (shape.squared_edge[(k + 1) % 3] + shape.squared_edge[(k + 2) % 3] - shape.squared_edge[k]);
-    }
     std::array<double, 3> sorted{l0, l1, l2};
     std::sort(sorted.begin(), sorted.end());
     const auto [c, b, a] = sorted;

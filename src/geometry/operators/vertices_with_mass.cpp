@@ -11,9 +11,8 @@ namespace {
 
 void check_masses(const LaplaceBeltrami& laplacian) {
     const auto& [C, M] = laplacian;
-    if (C.rows() != C.cols() || C.rows() != M.size()) {
+    if (C.rows() != C.cols() || C.rows() != M.size())
         throw MeshError("the operator has " + std::to_string(C.rows()) + " rows, the mass " + std::to_string(M.size()));
-    }
     for (Eigen::Index i = 0; i < M.size(); ++i) {
         if (std::isfinite(M[i]) && M[i] >= 0) continue;
         throw MeshError("vertex " + std::to_string(i) + " has area " + plain_text(M[i], 3), "use barycentric or mixed areas");
@@ -44,9 +43,8 @@ OperatorWithMass operator_with_mass(const LaplaceBeltrami& laplacian) {
     for (int j = 0; j < n; ++j) {
         reduced.A.startVec(j);
         double to_massless = 0;   // weight of edges that go with the vertices dropped
-        for (SparseMatrix::InnerIterator entry(C, reduced.vertex[static_cast<std::size_t>(j)]); entry; ++entry) {
+        for (SparseMatrix::InnerIterator entry(C, reduced.vertex[static_cast<std::size_t>(j)]); entry; ++entry)
             if (row[static_cast<std::size_t>(entry.row())] < 0) to_massless += entry.value();
-        }
         for (SparseMatrix::InnerIterator entry(C, reduced.vertex[static_cast<std::size_t>(j)]); entry; ++entry) {
             const int i = row[static_cast<std::size_t>(entry.row())];
             if (i >= 0) reduced.A.insertBack(i, j) = -(i == j ? entry.value() + to_massless : entry.value());
@@ -58,9 +56,8 @@ OperatorWithMass operator_with_mass(const LaplaceBeltrami& laplacian) {
 
 DenseMatrix to_all_vertices(const OperatorWithMass& reduced, const DenseMatrix& rows) {
     DenseMatrix all = DenseMatrix::Zero(reduced.all_vertices, rows.cols());
-    for (Eigen::Index c = 0; c < rows.cols(); ++c) {
+    for (Eigen::Index c = 0; c < rows.cols(); ++c)
         for (int i = 0; i < reduced.size(); ++i) all(reduced.vertex[static_cast<std::size_t>(i)], c) = rows(i, c);
-    }
     return all;
 }
 
@@ -90,9 +87,8 @@ Components components_of(const SparseMatrix& A) {
 SparseMatrix symmetric_form(const SparseMatrix& A, const Vector& M) {
     const Vector scale = M.cwiseSqrt().cwiseInverse();
     SparseMatrix B = A;   // NOLINT(performance-unnecessary-copy-initialization): its iterators write to it
-    for (int j = 0; j < B.cols(); ++j) {
+    for (int j = 0; j < B.cols(); ++j)
         for (SparseMatrix::InnerIterator entry(B, j); entry; ++entry) entry.valueRef() *= scale[entry.row()] * scale[j];
-    }
     return B;
 }
 
@@ -104,9 +100,8 @@ Eigen::Index first_largest(const Vector& y) {
 }
 
 SparseMatrix weighted_by_rows(SparseMatrix A, const Vector& weights) {   // NOLINT(performance-unnecessary-value-param): as above
-    for (int j = 0; j < A.cols(); ++j) {
+    for (int j = 0; j < A.cols(); ++j)
         for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) entry.valueRef() *= weights[entry.row()];
-    }
     return A;
 }
 

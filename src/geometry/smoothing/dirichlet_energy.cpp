@@ -42,9 +42,8 @@ EvaluatedEnergy evaluated_energy(const SparseMatrix& C, const Positions& X) {
 /// max_i Σ_j |C_ij|/M_i among the vertices with mass.
 double largest_row(const LaplaceBeltrami& laplacian) {
     double largest = 0;
-    for (int i = 0; i < laplacian.C.outerSize(); ++i) {
+    for (int i = 0; i < laplacian.C.outerSize(); ++i)
         if (laplacian.M[i] > 0) largest = std::max(largest, laplacian.C.col(i).cwiseAbs().sum() / laplacian.M[i]);
-    }
     return largest;
 }
 

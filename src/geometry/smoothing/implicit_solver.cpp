@@ -94,9 +94,8 @@ void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, const
     State& s = *state_;
     const bool known = s.analyses > 0 && whole.vertex == s.whole.vertex && same_pattern(whole.A, s.whole.A);
     if (known && lambda == s.lambda && ranks == nullptr && s.ready != LinearSolver::none && same_numbers(whole, s.whole) &&
-        s.fits(memory_limit) == (s.ready == LinearSolver::direct)) {
+        s.fits(memory_limit) == (s.ready == LinearSolver::direct))
         return;
-    }
     s.ready = LinearSolver::none;
     s.factor = {};
     s.gradients.reset();

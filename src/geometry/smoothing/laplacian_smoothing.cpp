@@ -45,21 +45,18 @@ Frame frame_of(const TriangleMesh& mesh) {
 }
 
 void check(const SmoothingOptions& options) {
-    if (!std::isfinite(options.lambda) || options.lambda <= 0) {
+    if (!std::isfinite(options.lambda) || options.lambda <= 0)
         throw MeshError("smoothing: lambda = " + plain_text(options.lambda), "it must be positive and finite");
-    }
     if (options.iterations < 0) throw MeshError("smoothing: " + std::to_string(options.iterations) + " iterations");
-    if (!(options.adaptive >= 0 && options.adaptive <= 1)) {
+    if (!(options.adaptive >= 0 && options.adaptive <= 1))
         throw MeshError("smoothing: adaptive = " + plain_text(options.adaptive), "it is a share of the limit, between 0 and 1");
-    }
     if (options.scheme != SmoothingScheme::explicit_euler && (options.monitor || options.adaptive > 0)) {
         throw MeshError("smoothing: only explicit steps have a limit to keep",
                         "take the explicit scheme, or leave monitor and adaptive off");
     }
     if (!(options.blow_up_at > 0)) throw MeshError("smoothing: blow_up_at = " + plain_text(options.blow_up_at));
-    if (options.scheme == SmoothingScheme::taubin && !(std::isfinite(options.taubin_mu) && options.taubin_mu <= 0)) {
+    if (options.scheme == SmoothingScheme::taubin && !(std::isfinite(options.taubin_mu) && options.taubin_mu <= 0))
         throw MeshError("smoothing: Taubin's mu = " + plain_text(options.taubin_mu), "it must be negative, or 0 for the pass-band");
-    }
 }
 
 /// One scheme with one operator at a time, in the units of the frame. Positions are kept as the rows of the solver at hand: spatially
@@ -96,9 +93,7 @@ public:
     void rebuild(const TriangleMesh& mesh) {
         const LaplaceBeltrami laplacian = laplace_operator(mesh, options_.laplacian, options_.area);
         const OperatorWithMass whole = operator_with_mass(laplacian);
-        if (options_.scheme == SmoothingScheme::taubin && taubin_mu_ == 0) {
-            taubin_mu_ = taubin_mu_of(laplacian, options_);
-        }
+        if (options_.scheme == SmoothingScheme::taubin && taubin_mu_ == 0) taubin_mu_ = taubin_mu_of(laplacian, options_);
         if (options_.scheme == SmoothingScheme::implicit_euler) {
             implicit_.prepare(whole, options_.lambda, mesh.X, options_.memory_limit, options_.ranks);
             return;

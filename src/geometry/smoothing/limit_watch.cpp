@@ -11,9 +11,8 @@ namespace meshfolio {
 void LimitWatch::look(const OperatorWithMass& whole) {
     if (!watching()) return;
     bound_ = gershgorin_bound(whole.A, whole.M);
-    if (options_.adaptive > 0 && !std::isfinite(bound_)) {
+    if (options_.adaptive > 0 && !std::isfinite(bound_))
         throw SolverError("smoothing: the operator has no finite bound, so no step is proved stable", "repair triangles of zero area");
-    }
     top_known_ = false;
     if (!options_.monitor) return;
     try {

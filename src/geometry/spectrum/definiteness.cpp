@@ -46,9 +46,8 @@ Rows rows_of(const SparseMatrix& A) {
 /// Are all entries between vertices with mass and vertices without 0? Then leaving the latter out leaves a sum over triangles.
 bool stands_alone(const LaplaceBeltrami& laplacian) {
     for (Eigen::Index j = 0; j < laplacian.C.cols(); ++j) {
-        for (SparseMatrix::InnerIterator entry(laplacian.C, j); entry; ++entry) {
+        for (SparseMatrix::InnerIterator entry(laplacian.C, j); entry; ++entry)
             if (entry.value() != 0 && (laplacian.M[entry.row()] > 0) != (laplacian.M[j] > 0)) return false;
-        }
     }
     return true;
 }

@@ -15,9 +15,8 @@ void check_sizes(const Spectrum& spectrum, const Vector& M, const Positions& X, 
 }
 
 Positions with_unreferenced_kept(Positions rebuilt, const Vector& M, const Positions& X) {
-    for (Eigen::Index v = 0; v < M.size(); ++v) {
+    for (Eigen::Index v = 0; v < M.size(); ++v)
         if (!(M[v] > 0)) rebuilt.row(v) = X.row(v);
-    }
     return rebuilt;
 }
 

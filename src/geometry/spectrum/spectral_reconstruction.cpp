@@ -48,9 +48,8 @@ DenseMatrix spectral_coefficients(const Spectrum& spectrum, const Vector& M, con
 }
 
 ReconstructionStream::ReconstructionStream(const Vector& M, const Positions& X) : M_(M), X_(X) {
-    if (X.rows() != M.size()) {
+    if (X.rows() != M.size())
         throw MeshError(std::to_string(M.size()) + " areas and " + std::to_string(X.rows()) + " positions do not belong together");
-    }
     Centred about = centred(M, X);
     centroid_ = about.centroid;
     centred_ = std::move(about.X);
@@ -59,9 +58,8 @@ ReconstructionStream::ReconstructionStream(const Vector& M, const Positions& X) 
 }
 
 void ReconstructionStream::add(const Eigen::Ref<const DenseMatrix>& modes, const Eigen::Ref<const Vector>& eigenvalues) {
-    if (modes.rows() != M_.size() || modes.cols() != eigenvalues.size()) {
+    if (modes.rows() != M_.size() || modes.cols() != eigenvalues.size())
         throw MeshError("modes of " + std::to_string(modes.rows()) + " rows for " + std::to_string(M_.size()) + " vertices");
-    }
     DenseMatrix coefficients = modes.transpose() * (M_.asDiagonal() * centred_);
     sum_.noalias() += modes * coefficients;
     const Eigen::Index zeros = (eigenvalues.array() == 0).count();
@@ -74,9 +72,8 @@ void ReconstructionStream::add(const Eigen::Ref<const DenseMatrix>& modes, const
 Positions ReconstructionStream::positions() const {
     // Z Zᵀ M 1 is 1 on every component whose zero mode is among those added, else 0; rounded to be exactly that.
     Positions result = sum_ + constant_.array().round().matrix() * centroid_;
-    for (Eigen::Index v = 0; v < M_.size(); ++v) {
+    for (Eigen::Index v = 0; v < M_.size(); ++v)
         if (!(M_[v] > 0)) result.row(v) = X_.row(v);
-    }
     return result;
 }
 
@@ -92,9 +89,8 @@ Vector ReconstructionStream::rms() const {
 
 Positions reconstruct(const Spectrum& spectrum, const Vector& M, const Positions& X, int k) {
     check_sizes(spectrum, M, X);
-    if (k < 0 || k > spectrum.eigenvalues.size()) {
+    if (k < 0 || k > spectrum.eigenvalues.size())
         throw MeshError("reconstruct: k = " + std::to_string(k) + " of " + std::to_string(spectrum.eigenvalues.size()) + " modes");
-    }
     ReconstructionStream stream(M, X);
     stream.add(spectrum.eigenvectors.leftCols(k), spectrum.eigenvalues.head(k));
     return stream.positions();

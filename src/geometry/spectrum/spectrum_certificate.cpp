@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "base/errors.h"
 #include "geometry/linear/special_values.h"
@@ -34,15 +35,10 @@ int components_with_mass(const TriangleMesh& mesh, const Vector& M, bool with_ar
         sets.join(mesh.F(t, 0), mesh.F(t, 1));
         sets.join(mesh.F(t, 1), mesh.F(t, 2));
     }
-    std::vector<char> counted(static_cast<std::size_t>(mesh.vertex_count()), 0);
-    int components = 0;
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        if (!(M[v] > 0)) continue;
-        char& root = counted[static_cast<std::size_t>(sets.find(v))];
-        components += root == 0 ? 1 : 0;
-        root = 1;
-    }
-    return components;
+    std::set<int> roots;
+    for (int v = 0; v < mesh.vertex_count(); ++v)
+        if (M[v] > 0) roots.insert(sets.find(v));
+    return static_cast<int>(roots.size());
 }
 
 /// The operator times powers of two, which is exact, that bring ΣM and its median row near 1; with the spectrum on its vertices.

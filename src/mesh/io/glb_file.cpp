@@ -50,9 +50,9 @@ public:
         WeldedMesh mesh = welded(points_, corners_, {}, file_, warnings_);
         for (const Column& column : columns_) {
             if (column.values.size() != points_.size()) continue;   // not everywhere
-            mesh.loaded.attributes.columns.push_back({column.name, Vector(mesh.loaded.mesh.vertex_count()), column.type, column.array});
-            Vector& kept = mesh.loaded.attributes.columns.back().values;
-            for (std::size_t v = 0; v < mesh.first.size(); ++v) kept[static_cast<Eigen::Index>(v)] = column.values[at(mesh.first[v])];
+            Vector kept(mesh.loaded.mesh.vertex_count());
+            for (int v = 0; v < kept.size(); ++v) kept[v] = column.values[at(mesh.first[at(v)])];
+            mesh.loaded.attributes.columns.push_back({column.name, std::move(kept), column.type, column.array});
         }
         return std::move(mesh.loaded);
     }
@@ -148,11 +148,12 @@ private:
 
     void place_scene() {
         std::vector<std::pair<std::size_t, Eigen::Matrix4d>> places;   // nodes, and their parents' transformations
-        const auto put = [&](const Json& of, const char* key, const Eigen::Matrix4d& parent) {
+        const auto put = [&](const Json& of, const char* key, const Eigen::Matrix4d& parent) {   // the first one at the end
+            const auto before = static_cast<std::ptrdiff_t>(places.size());
             for (const Json& node : of.value(key, Json::array())) places.emplace_back(node.get<std::size_t>(), parent);
+            std::reverse(places.begin() + before, places.end());
         };
         put(entry("scenes", number(json_, "scene", 0)), "nodes", Eigen::Matrix4d::Identity());
-        std::reverse(places.begin(), places.end());
         std::vector<char> is_placed(json_.value("nodes", Json::array()).size(), 0);
         while (!places.empty()) {
             const auto [number_of_node, parent] = places.back();
@@ -163,9 +164,7 @@ private:
             if (node.contains("skin"))
                 warnings_.add(0, "skin ignored: the shape is that at rest", "skins ignored: their shapes are those at rest");
             if (node.contains("mesh")) place_mesh(entry("meshes", number(node, "mesh", 0)), matrix);
-            const std::size_t before = places.size();
             put(node, "children", matrix);
-            std::reverse(places.begin() + static_cast<std::ptrdiff_t>(before), places.end());
         }
     }
 
@@ -193,9 +192,8 @@ private:
             }
             if (primitive.contains("targets"))
                 warnings_.add(0, "morph targets ignored", "primitives with morph targets, which are ignored");
-            for (const auto& [name, index] : primitive.at("attributes").items()) {
+            for (const auto& [name, index] : primitive.at("attributes").items())
                 if (name != "POSITION" && name != "NORMAL" && !is_column(name)) not_kept_.insert(name);
-            }
             if (primitive.contains("material")) not_kept_.insert("material");
             const std::size_t positions = number(primitive.at("attributes"), "POSITION", std::size_t{1} << 40);
             const auto [place, is_new] = first_points.try_emplace(positions, static_cast<int>(points_.size()));

@@ -18,9 +18,8 @@ bool is_normal(const VertexColumn& column) { return column.name == "nx" || colum
 
 Strings values_without_place(const std::string& format, const Attributes& attributes) {
     Strings names;
-    for (const VertexColumn& column : attributes.columns) {
+    for (const VertexColumn& column : attributes.columns)
         if (!is_normal(column)) names.push_back(column.name);
-    }
     if (names.empty()) return {};
     return {format + " holds no values of vertices: not kept are " + joined(names, ", ") + "; write PLY or VTP for them"};
 }

@@ -70,23 +70,20 @@ std::string_view ending_of_content(std::string_view bytes) {
     const bool off_keyword = word.ends_with("OFF") && word.find_first_not_of("STCN4nOF") == std::string_view::npos;
     if (off_keyword) return ".off";
     if (word == "ply") return ".ply";
-    for (const char* keyword : {"v", "vn", "vt", "mtllib", "usemtl", "o", "g"}) {
+    for (const char* keyword : {"v", "vn", "vt", "mtllib", "usemtl", "o", "g"})
         if (word == keyword) return ".obj";
-    }
     return word == "solid" ? ".stl" : "";
 }
 
 void refuse_other_content(std::string_view bytes, const std::string& file) {
-    for (const Signature& s : signatures) {
+    for (const Signature& s : signatures)
         if (bytes.starts_with(s.begin)) throw InputError({file, 0}, std::string(s.what), std::string(s.remedy));
-    }
     std::string_view start = without_bom(bytes).substr(0, 256);
     start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
     const std::string text = lower_case(start.substr(0, 16));
-    for (const char* tag : {"<!doctype", "<html", "<head", "<body"}) {
+    for (const char* tag : {"<!doctype", "<html", "<head", "<body"})
         if (text.starts_with(tag))
             throw InputError({file, 0}, "HTML page, not a mesh", "the download may have failed; fetch the file itself");
-    }
     if (text.starts_with("<") && ending_of_content(bytes) != ".vtp") throw InputError({file, 0}, "XML text, not a mesh", other_remedy);
 }
 
@@ -124,9 +121,8 @@ LoadedMesh parse_mesh(std::string_view bytes, const std::string& file, Keep keep
     std::string ending = lower_case_ending(without_gz(file).string());
     if (file == standard_input) ending = !content.empty() ? content : bytes.find('\0') == std::string_view::npos ? ".obj" : ".stl";
     const Format *const format = format_of(ending), *const other = format_of(content);
-    if (format == nullptr) {
+    if (format == nullptr)
         throw InputError({file, 0}, "unknown mesh format '" + ending + "'", "meshes end in .obj, .off, .ply, .stl, .vtp or .glb");
-    }
     refuse_other_content(bytes, file);
     if (other != nullptr && other != format) {
         throw InputError({file, 0}, "looks like " + std::string(other->name) + ", but the name says " + ending,

@@ -66,9 +66,8 @@ std::vector<VertexColumn> with_normals_of(const TriangleMesh& mesh, std::vector<
     const auto is_normal = [](const VertexColumn& column) { return column.name == "nx" || column.name == "ny" || column.name == "nz"; };
     if (std::ranges::none_of(columns, is_normal)) return columns;
     const Positions normals = vertex_normals(mesh);
-    for (VertexColumn& column : columns) {
+    for (VertexColumn& column : columns)
         if (is_normal(column)) column = {column.name, normals.col(column.name[1] - 'x'), ScalarType::float32};
-    }
     return columns;
 }
 
@@ -84,9 +83,8 @@ std::string stl_bytes(const TriangleMesh& mesh) {
     append_little_endian(bytes, static_cast<std::uint32_t>(mesh.face_count()));
     for (int t = 0; t < mesh.face_count(); ++t) {
         for (int axis = 0; axis < 3; ++axis) append_little_endian(bytes, static_cast<float>(normals(t, axis)));
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k)
             for (int axis = 0; axis < 3; ++axis) append_little_endian(bytes, static_cast<float>(mesh.X(mesh.F(t, k), axis)));
-        }
         append_little_endian(bytes, std::uint16_t{0});
     }
     return bytes;
@@ -107,9 +105,8 @@ std::string ply_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>&
     bytes.reserve(bytes.size() + at(mesh.vertex_count()) * row + at(mesh.face_count()) * 13);
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         for (int axis = 0; axis < 3; ++axis) append_little_endian(bytes, mesh.X(v, axis));
-        for (const VertexColumn& column : columns) {
+        for (const VertexColumn& column : columns)
             with_zero_of(column.type, [&](auto zero) { append_little_endian(bytes, static_cast<decltype(zero)>(column.values[v])); });
-        }
     }
     for (int t = 0; t < mesh.face_count(); ++t) {
         bytes += '\x03';

@@ -26,15 +26,14 @@ public:
             done = statements_.end();
             std::string_view rest = statements_.text();
             const std::string_view keyword = take_word(rest);
-            if (keyword == "v") {
+            if (keyword == "v")
                 vertex(rest);
-            } else if (keyword == "vn") {
+            else if (keyword == "vn")
                 ++normals_seen_;
-            } else if (keyword == "f" || keyword == "fo") {
+            else if (keyword == "f" || keyword == "fo")
                 face(rest);
-            } else if (keyword != "csh" && keyword != "call") {   // would run a program or read another file
+            else if (keyword != "csh" && keyword != "call")   // would run a program or read another file
                 out_->append(of_.obj, statements_.begin(), done - statements_.begin());
-            }
         }
         out_->append(of_.obj, done);
         for (const Vector3& sum : normals_) {
@@ -109,9 +108,8 @@ private:
         const Faces triangles = count == 3 ? Faces(Eigen::RowVector3i(0, 1, 2)) : triangulated_polygon(X).triangles;
         if (triangles.rows() != count - 2) return false;
         for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
-            for (int k = 0; k < 3; ++k) {
+            for (int k = 0; k < 3; ++k)
                 if (corners_[at(triangles(t, k))].vertex != mesh_.F(begin + t, k)) return false;
-            }
         }
         return true;
     }

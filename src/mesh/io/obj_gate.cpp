@@ -47,17 +47,16 @@ public:
                 checked_.warnings.add(line_, "line continuation at the end of the file", "line continuations at the end of the file");
             std::string_view rest = statements_.text();
             const std::string_view keyword = take_word(rest);
-            if (keyword == "v") {
+            if (keyword == "v")
                 vertex(rest);
-            } else if (keyword == "f" || keyword == "fo") {
+            else if (keyword == "f" || keyword == "fo")
                 face(rest);
-            } else if (keyword == "vt") {
+            else if (keyword == "vt")
                 ++texture_.count;
-            } else if (keyword == "vn") {
+            else if (keyword == "vn")
                 ++normal_.count;
-            } else {
+            else
                 other(keyword);
-            }
         }
         warn_of_missing(texture_);
         warn_of_missing(normal_);
@@ -76,15 +75,11 @@ private:
             if (count < value.size()) value[count] = x;
             ++count;
         }
-        if (count < 3) {
-            throw InputError(here(), "'v' needs 3 coordinates, has " + std::to_string(count), "the line may be cut off");
-        }
-        if (count == 5 || count > value.size()) {
+        if (count < 3) throw InputError(here(), "'v' needs 3 coordinates, has " + std::to_string(count), "the line may be cut off");
+        if (count == 5 || count > value.size())
             checked_.warnings.add(line_, "extra numbers on a vertex ignored", "vertices with extra numbers, which are ignored");
-        }
-        if (count == 4 && value[3] != 1) {
+        if (count == 4 && value[3] != 1)
             checked_.warnings.add(line_, "vertex weight other than 1 ignored", "vertex weights other than 1 ignored");
-        }
         checked_.coordinates.insert(checked_.coordinates.end(), value.begin(), value.begin() + 3);
         if (count == 6 || count == 7)
             checked_.colors.insert(checked_.colors.end(), value.begin() + static_cast<int>(count) - 3,
@@ -141,11 +136,10 @@ private:
     void attribute_index(UnusedAttribute& attribute, std::string_view word, std::string_view whole) {
         const std::optional<long long> index = parse_integer(word);
         if (!index) throw InputError(here(), "bad face corner " + in_quotes(whole), "corners are v, v/vt, v//vn or v/vt/vn");
-        if (*index == 0 || *index < -attribute.count) {
+        if (*index == 0 || *index < -attribute.count)
             checked_.warnings.add(line_, attribute.one, attribute.many, std::to_string(*index));
-        } else if (*index > attribute.count && (attribute.ahead.empty() || *index > attribute.ahead.back().first)) {
+        else if (*index > attribute.count && (attribute.ahead.empty() || *index > attribute.ahead.back().first))
             attribute.ahead.emplace_back(*index, line_);
-        }
     }
 
     void warn_of_missing(const UnusedAttribute& attribute) {

@@ -77,11 +77,10 @@ private:
         vertices_ = count(first, "vertex");
         faces_ = count(words_.next(), "face");
         const std::string_view edges = words_.next_on_line();
-        if (edges.empty()) {
+        if (edges.empty())
             warnings_.add(counts_line_, "edge count missing", "edge counts missing");
-        } else if (!parse_integer(edges)) {
+        else if (!parse_integer(edges))
             fail(counts_line_, "bad edge count " + in_quotes(edges), "it must be a whole number");
-        }
         words_.skip_line();
         // The shortest vertex is "0 0 0" and a line end, the shortest face "0" and one; the last line end may be missing.
         const auto room = static_cast<long long>(size_ - words_.offset()) + 1;
@@ -118,9 +117,8 @@ private:
                  layout_.name + " vertex needs " + std::to_string(layout_.fewest_numbers) + " numbers, has " + std::to_string(numbers),
                  "check the keyword on the first line");
         }
-        if (numbers > 3 && layout_.fewest_numbers == 3) {
+        if (numbers > 3 && layout_.fewest_numbers == 3)
             warnings_.add(words_.line(), "extra numbers on a vertex ignored", "vertices with extra numbers, which are ignored");
-        }
     }
 
     void read_face(long long i) {
@@ -128,9 +126,8 @@ private:
         const long line = words_.line();
         if (word.empty()) ends_after(i);
         const std::optional<long long> corners = parse_integer(word);
-        if (!corners || *corners < 0 || *corners > std::numeric_limits<int>::max()) {
+        if (!corners || *corners < 0 || *corners > std::numeric_limits<int>::max())
             fail(line, "bad number of corners " + in_quotes(word), "a face is a count and that many vertex indices");
-        }
         for (long long k = 0; k < *corners; ++k) {
             const std::string_view corner = words_.next();
             if (words_.line() != line && broken_line_ == 0) broken_line_ = line;

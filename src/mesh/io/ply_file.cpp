@@ -30,13 +30,11 @@ public:
 
     LoadedMesh run(WarningTally warnings, Keep keep) {
         if (keep == Keep::attributes) make_columns();
-        for (const PlyElement& element : header_.elements) {
-            if (&element == parts_.vertices) {
+        for (const PlyElement& element : header_.elements)
+            if (&element == parts_.vertices)
                 read_vertices(element);
-            } else {
+            else
                 read_others(element);
-            }
-        }
         body_.end(warnings);
         if (const std::string names = joined(not_kept(), ", "); keep == Keep::attributes && !names.empty())
             warnings.add(0, "properties that are not kept", "properties that are not kept", names);
@@ -57,9 +55,8 @@ private:
         for (const PlyElement& element : header_.elements) {
             const bool is_vertex = &element == parts_.vertices, is_part = is_vertex || &element == parts_.faces;
             if (!is_part && &element != parts_.ignored && element.count > 0) names.push_back(element.name);
-            for (std::size_t p = 0; is_part && p < element.properties.size(); ++p) {
+            for (std::size_t p = 0; is_part && p < element.properties.size(); ++p)
                 if (is_vertex ? element.properties[p].is_list : !parts_.is_corners(element, p)) names.push_back(element.properties[p].name);
-            }
         }
         return names;
     }
@@ -147,13 +144,12 @@ private:
         for_each_value(element, [&](long long i, std::size_t p) {
             const PlyProperty& property = element.properties[p];
             const auto axis = std::find(parts_.axis.begin(), parts_.axis.end(), p);
-            if (axis != parts_.axis.end()) {
+            if (axis != parts_.axis.end())
                 read_coordinate(i, static_cast<int>(axis - parts_.axis.begin()), property.type);
-            } else if (columns_.empty() || column_of_[p] < 0) {
+            else if (columns_.empty() || column_of_[p] < 0)
                 skip_value(property);
-            } else {
+            else
                 columns_[at(column_of_[p])].values[i] = body_.any_number(property.type);
-            }
         });
     }
 
@@ -164,13 +160,12 @@ private:
         if (are_faces) polygons_.reserve(static_cast<std::size_t>(element.count));
         for_each_value(element, [&](long long i, std::size_t p) {
             const PlyProperty& property = element.properties[p];
-            if (!parts_.is_corners(element, p)) {
+            if (!parts_.is_corners(element, p))
                 skip_value(property);
-            } else if (are_faces) {
+            else if (are_faces)
                 read_corners(i, property);
-            } else {
+            else
                 read_strip_list(i, property);
-            }
         });
     }
 
@@ -233,9 +228,8 @@ private:
 
     long long list_length(const PlyProperty& property) {
         const long long length = body_.integer(property.count_type);
-        if (length < 0 || length > std::numeric_limits<std::uint32_t>::max()) {
+        if (length < 0 || length > std::numeric_limits<std::uint32_t>::max())
             fail(body_.line(), "list of " + std::to_string(length) + " items", "the file may be damaged");
-        }
         return length;
     }
 
@@ -260,9 +254,8 @@ LoadedMesh parse_ply(std::string_view bytes, const std::string& file, Keep keep)
     bytes = without_bom(bytes);
     const PlyHeader header = parse_ply_header(bytes, file);
     const PlyMeshParts parts = mesh_parts(header, file);
-    if (parts.ignored != nullptr) {
+    if (parts.ignored != nullptr)
         warnings.add(parts.ignored->line, "tristrips beside faces ignored", "elements of tristrips beside faces ignored");
-    }
     if (header.format == PlyHeader::Format::ascii) return PlyReader(header, parts, TextBody(bytes, header, file), file).run(warnings, keep);
     return PlyReader(header, parts, BinaryBody(bytes, header, file), file).run(warnings, keep);
 }

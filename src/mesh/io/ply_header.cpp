@@ -25,9 +25,8 @@ constexpr std::pair<std::string_view, ScalarType> type_names[] = {
 /// Fewest bytes of one row: in a binary file of its values and list lengths, in text a digit and a separator each.
 std::size_t smallest_row(const PlyElement& element, PlyHeader::Format format) {
     std::size_t bytes = 0;
-    for (const PlyProperty& p : element.properties) {
+    for (const PlyProperty& p : element.properties)
         bytes += format == PlyHeader::Format::ascii ? 2 : size_of(p.is_list ? p.count_type : p.type);
-    }
     return bytes;
 }
 
@@ -60,15 +59,14 @@ private:
         std::string_view rest = line;
         const std::string_view keyword = take_word(rest);
         if (keyword == "end_header") return false;
-        if (keyword == "format") {
+        if (keyword == "format")
             read_format(rest);
-        } else if (keyword == "element") {
+        else if (keyword == "element")
             read_element(rest);
-        } else if (keyword == "property") {
+        else if (keyword == "property")
             read_property(rest);
-        } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+        else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty())
             fail(lines_.number(), "unknown header line " + in_quotes(line), "is end_header missing?");
-        }
         return true;
     }
 
@@ -77,15 +75,14 @@ private:
         const std::string_view name = take_word(rest);
         const std::string_view version = take_word(rest);
         if (version != "1.0") fail(lines_.number(), "PLY version " + in_quotes(version) + " is not supported", "the version is 1.0");
-        if (name == "ascii") {
+        if (name == "ascii")
             header_.format = PlyHeader::Format::ascii;
-        } else if (name == "binary_little_endian") {
+        else if (name == "binary_little_endian")
             header_.format = PlyHeader::Format::little_endian;
-        } else if (name == "binary_big_endian") {
+        else if (name == "binary_big_endian")
             header_.format = PlyHeader::Format::big_endian;
-        } else {
+        else
             fail(lines_.number(), "unknown format " + in_quotes(name), "formats are ascii, binary_little_endian, binary_big_endian");
-        }
         has_format_ = true;
     }
 
@@ -134,9 +131,8 @@ private:
     void check_counts() const {
         std::size_t left = bytes_.size() - header_.size + 1;   // the last line end may be missing
         for (const PlyElement& element : header_.elements) {
-            if (element.count > 0 && element.properties.empty()) {
+            if (element.count > 0 && element.properties.empty())
                 fail(element.line, "element " + in_quotes(element.name) + " has no properties", "the header may be damaged");
-            }
             const std::size_t row = smallest_row(element, header_.format);
             const auto count = static_cast<std::size_t>(element.count);
             if (count > 0 && count > left / row) {
@@ -201,9 +197,8 @@ PlyMeshParts mesh_parts(const PlyHeader& header, const std::string& file) {
     parts.ignored = parts.are_strips ? nullptr : strips;
     if (parts.faces == nullptr) fail(file, 0, "no face element", "export the mesh as polygons");
     const auto indices = property_named(*parts.faces, "vertex_indices"), index = property_named(*parts.faces, "vertex_index");
-    if (!indices && !index) {
+    if (!indices && !index)
         fail(file, parts.faces->line, "element " + parts.faces->name + " has no property 'vertex_indices'", "export the mesh as polygons");
-    }
     parts.corners = std::max(indices.value_or(0), index.value_or(0));
     const PlyProperty& corners = parts.faces->properties[parts.corners];
     if (!corners.is_list || !is_integer(corners.type))

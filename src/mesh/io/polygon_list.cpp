@@ -21,13 +21,12 @@ public:
     Triangulation(LoadedMesh& loaded, WarningTally& warnings) : loaded_(loaded), warnings_(warnings) {}
 
     void add(std::span<const int> corners, long line) {
-        if (corners.size() < 3) {
+        if (corners.size() < 3)
             warnings_.add(line, "face with fewer than 3 vertices ignored", "faces with fewer than 3 vertices ignored");
-        } else if (corners.size() == 3) {
+        else if (corners.size() == 3)
             push(corners[0], corners[1], corners[2], line);
-        } else {
+        else
             add_polygon(corners, line);
-        }
     }
 
     void finish() {
@@ -54,13 +53,11 @@ private:
     /// A corner written twice in a row (a quad that is a triangle) is one corner.
     void add_polygon(std::span<const int> corners, long line) {
         distinct_.clear();
-        for (const int v : corners) {
+        for (const int v : corners)
             if (distinct_.empty() || distinct_.back() != v) distinct_.push_back(v);
-        }
         while (distinct_.size() > 1 && distinct_.back() == distinct_.front()) distinct_.pop_back();
-        if (distinct_.size() < corners.size()) {
+        if (distinct_.size() < corners.size())
             warnings_.add(line, "repeated corner of a polygon ignored", "polygons with repeated corners, which are ignored");
-        }
         if (distinct_.size() <= 3) return add(distinct_, line);
         if (distinct_.size() > static_cast<std::size_t>(max_polygon_corners)) {
             throw InputError(
@@ -89,11 +86,10 @@ private:
 
 void WarningTally::add(long line, std::string_view one, std::string_view many, const std::string& example) {
     const auto kind = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& k) { return k.many == many; });
-    if (kind != kinds_.end()) {
+    if (kind != kinds_.end())
         ++kind->count;
-    } else {
+    else
         kinds_.push_back({one, many, example, line, 1});
-    }
 }
 
 std::vector<MeshWarning> WarningTally::warnings() const {
@@ -150,9 +146,8 @@ WeldedMesh welded(const std::vector<std::array<double, 3>>& points, std::span<co
 
 double checked_coordinate(std::string_view word, const std::string& file, long line) {
     const std::optional<double> x = parse_number(word);
-    if (!x) {
+    if (!x)
         throw InputError({file, line}, in_quotes(word) + " is not a finite number", "coordinates are decimal numbers such as 0.5 or -1e-3");
-    }
     check_range(*x, file, line);
     return *x;
 }

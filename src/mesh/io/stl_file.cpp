@@ -88,9 +88,8 @@ private:
 };
 
 LoadedMesh parse_binary(std::string_view bytes, const std::string& file) {
-    if (bytes.size() < header_bytes) {
+    if (bytes.size() < header_bytes)
         throw InputError({file, 0}, "too short for binary STL (" + std::to_string(bytes.size()) + " bytes)", "the file may be cut off");
-    }
     const std::size_t count = little_endian<std::uint32_t>(bytes.data() + 80);
     const std::size_t room = (bytes.size() - header_bytes) / triangle_bytes;
     if (count > room) {
@@ -99,9 +98,8 @@ LoadedMesh parse_binary(std::string_view bytes, const std::string& file) {
     }
     WarningTally warnings;
     const std::size_t trailing = bytes.size() - header_bytes - count * triangle_bytes;
-    if (trailing > 0) {
+    if (trailing > 0)
         warnings.add(0, "bytes after the last triangle ignored", "bytes after the last triangle ignored", std::to_string(trailing));
-    }
     std::vector<std::array<double, 3>> corners(3 * count);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         // Behind the normal (12 bytes, left out) come three corners of three floats, then two bytes of attributes.

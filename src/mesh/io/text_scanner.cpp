@@ -29,9 +29,8 @@ std::string_view without_bom(std::string_view text) {
 }
 
 std::string_view without_comment(std::string_view line) {
-    for (std::size_t i = line.find('#'); i != std::string_view::npos; i = line.find('#', i + 1)) {
+    for (std::size_t i = line.find('#'); i != std::string_view::npos; i = line.find('#', i + 1))
         if (i == 0 || is_blank(line[i - 1])) return line.substr(0, i);
-    }
     return line;
 }
 

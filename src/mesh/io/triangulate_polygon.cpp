@@ -54,9 +54,8 @@ std::vector<Point> flattened(const Positions& corners) {
 
 /// Whether the triangles (0, i, i+1) tile the polygon: all turn left, and together by less than half a turn around corner 0.
 bool fan_is_valid(const std::vector<Point>& p) {
-    for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+    for (std::size_t i = 1; i + 1 < p.size(); ++i)
         if (turn(p[0], p[i], p[i + 1]) <= 0 || turn(p[0], p[1], p[i + 1]) < 0) return false;
-    }
     return true;
 }
 
@@ -90,9 +89,8 @@ public:
         for (int row = place(low, 1); row <= place(high, 1); ++row) {
             const int first = start_[at(row * cells_ + place(low, 0))];
             const int last = start_[at(row * cells_ + place(high, 0)) + 1];
-            for (int i = first; i < last; ++i) {
+            for (int i = first; i < last; ++i)
                 if (found(item_[at(i)])) return item_[at(i)];
-            }
         }
         return -1;
     }
@@ -142,18 +140,16 @@ private:
 
     static std::vector<int> not_convex(const std::vector<Point>& p) {
         std::vector<int> corners;
-        for (std::size_t i = 0, n = p.size(); i < n; ++i) {
+        for (std::size_t i = 0, n = p.size(); i < n; ++i)
             if (turn(p[(i + n - 1) % n], p[i], p[(i + 1) % n]) <= 0) corners.push_back(static_cast<int>(i));
-        }
         return corners;
     }
 
     /// All corners left, every second one first: corners cut off one after the other would make a fan of slivers.
     void line_up() {
         for (std::vector<int>& corners : waiting_) corners.clear();
-        for (const int parity : {0, 1}) {
+        for (const int parity : {0, 1})
             for (int i = parity; i < count_; i += 2) queue(i);
-        }
     }
 
     /// To be looked at once, however many reasons there are.
@@ -216,9 +212,8 @@ private:
     }
 
     void wake(int obstacle) {
-        for (const int corner : std::exchange(waiting_[at(obstacle)], {})) {
+        for (const int corner : std::exchange(waiting_[at(obstacle)], {}))
             if (waits_for_[at(corner)] == obstacle) queue(corner);   // its neighbours may be others since, and its obstacle another one
-        }
     }
 
     std::vector<Point> p_;

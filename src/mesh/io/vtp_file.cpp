@@ -47,9 +47,8 @@ private:
     Eigen::Index vertices() const { return static_cast<Eigen::Index>(points_.size() / 3); }
 
     void read_piece(const pugi::xml_node& piece) {
-        for (const char* lower : {"NumberOfVerts", "NumberOfLines"}) {
+        for (const char* lower : {"NumberOfVerts", "NumberOfLines"})
             if (piece.attribute(lower).as_ullong() > 0) warnings_.add(0, "points or lines ignored", "sets of points or lines ignored");
-        }
         const std::size_t first = points_.size() / 3;
         const VtkArray points = vtk_.array(piece.child("Points").child("DataArray"));
         if (points.components != 3 || points.values.size() % 3 != 0) fail("points have no 3 coordinates each", "the file may be damaged");
@@ -57,9 +56,8 @@ private:
             fail(std::to_string(points.values.size() / 3) + " points where NumberOfPoints is " +
                      in_quotes(piece.attribute("NumberOfPoints").value()),
                  "the file may be damaged");
-        for (const double x : points.values) {
+        for (const double x : points.values)
             if (!(std::abs(x) <= largest_coordinate)) fail("a coordinate is not finite or beyond 1e100", "every coordinate must be finite");
-        }
         points_.insert(points_.end(), points.values.begin(), points.values.end());
         for (const bool strips : {false, true}) read_cells(piece.child(strips ? "Strips" : "Polys"), strips, first);
         if (!keeps_columns_) return;
@@ -74,10 +72,9 @@ private:
         if (!connectivity || !offsets) return;
         const std::vector<double> corners = vtk_.array(connectivity).values;
         const auto points = static_cast<double>(points_.size() / 3 - first);
-        for (const double corner : corners) {
+        for (const double corner : corners)
             if (!(corner >= 0 && corner < points && corner == std::floor(corner)))
                 fail("index " + exact_text(corner) + " out of range (" + exact_text(points) + " points)", "indices count from 0");
-        }
         double begin = 0;
         for (const double end : vtk_.array(offsets).values) {
             if (!(end >= begin && end <= static_cast<double>(corners.size())))

@@ -154,22 +154,20 @@ std::string glb_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>&
     static constexpr std::array shapes{"SCALAR", "VEC2", "VEC3", "VEC4"};
     const auto add_values = [&](const std::string& name, Group group) {
         glb.attributes["_" + name] = glb.accessor(numbers(shapes[group.size() - 1], 5126, n), {{"target", 34962}}, [&] {
-            for (Eigen::Index v = 0; v < n; ++v) {
+            for (Eigen::Index v = 0; v < n; ++v)
                 for (const VertexColumn& column : group) append_little_endian(glb.data, static_cast<float>(finite(column.values[v])));
-            }
         });
     };
     for (const Group group : groups_of(columns)) {
         const ScalarType type = group.front().type;
         if (group.front().name == "nx") continue;   // viewers compute them
         const bool is_color = group.size() > 1 && group.front().name == "red";
-        if (is_color && (type == ScalarType::uint8 || type == ScalarType::uint16 || type == ScalarType::float32)) {
+        if (is_color && (type == ScalarType::uint8 || type == ScalarType::uint16 || type == ScalarType::float32))
             add_color(glb, group, n);
-        } else if (group.size() <= shapes.size() && !group.front().array.empty()) {
+        else if (group.size() <= shapes.size() && !group.front().array.empty())
             add_values(group.front().array, group);
-        } else {
+        else
             for (std::size_t i = 0; i < group.size(); ++i) add_values(group[i].name, group.subspan(i, 1));
-        }
     }
     const std::size_t indices = glb.accessor(numbers("SCALAR", 5125, mesh.F.size()), {{"target", 34963}}, [&] {
         for (const int v : mesh.F.reshaped<Eigen::RowMajor>()) append_uint32(glb.data, at(v));

@@ -100,9 +100,8 @@ private:
     bool joins_opposite_corners_of_cell(const Eigen::Vector3i& n) {
         for (const int corner : {0, 1, 2, 4}) {   // of bits x y z; its opposite is 7 − corner
             Nodes diagonal, rest;
-            for (int c = 0; c < 8; ++c) {
+            for (int c = 0; c < 8; ++c)
                 (c == corner || c == 7 - corner ? diagonal : rest).push_back(n + Eigen::Vector3i(c & 1, c >> 1 & 1, c >> 2));
-            }
             if (joins_opposite_corners(diagonal, rest)) return true;
         }
         return false;

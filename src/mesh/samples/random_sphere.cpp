@@ -82,9 +82,8 @@ private:
     }
 
     void rename_neighbour(int t, int before, int after) {
-        for (int& neighbour : across_[index(t)]) {
+        for (int& neighbour : across_[index(t)])
             if (neighbour == before) neighbour = after;
-        }
     }
 
     Corner corner_opposite(int t, int neighbour) const {

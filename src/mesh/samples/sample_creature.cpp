@@ -140,9 +140,8 @@ double creature(const Vector3& p) {
         {right_arm, 0.07, {{-0.55, 0.3, 0.1}, 0.62}}, {left_arm, 0.07, {{0.48, -0.12, 0.2}, 0.62}}, {tail, 0.1, {{0.4, -0.55, -0.6}, 0.85}},
         {spines, 0.09, {{0.02, 0.25, -0.3}, 0.95}}};
     double d = trunk(p);
-    for (const Part& part : parts) {
+    for (const Part& part : parts)
         if (signed_distance(part.around, p) < d + part.blend) d = smooth_union(d, part.distance(p), part.blend);
-    }
     return smooth_difference(d, p.y() - ground, 0.05);   // flat soles
 }
 

@@ -112,9 +112,8 @@ TriangleMesh flower_parameters(int subdivide) {
 Faces joined_in_the_tube(const TriangleMesh& parameters) {
     std::map<std::pair<int, double>, int> left_edge;   // (petal, u) → vertex
     const auto in_tube = [&](int i) { return parameters.X(i, 0) <= tube_end; };
-    for (int i = 0; i < parameters.vertex_count(); ++i) {
+    for (int i = 0; i < parameters.vertex_count(); ++i)
         if (in_tube(i) && parameters.X(i, 1) == -1) left_edge[{static_cast<int>(parameters.X(i, 2)), parameters.X(i, 0)}] = i;
-    }
     std::vector<int> joined(static_cast<std::size_t>(parameters.vertex_count()));
     for (int i = 0; i < parameters.vertex_count(); ++i) {
         const int next_petal = (static_cast<int>(parameters.X(i, 2)) + 1) % petals;

@@ -237,6 +237,7 @@ TEST(MeanNormalAngle, IsThatOfCompareMeshes) {
     b << 0, 1, 0, 1, 0, 0;
     EXPECT_NEAR(mean_normal_angle(a, b), M_PI / 2, 1e-15) << "a row of zeros has no direction";
     EXPECT_TRUE(std::isnan(mean_normal_angle(a, 0 * a))) << "what has shrunk to a point is no good result";
+    EXPECT_TRUE(std::isnan(compare_meshes(mesh, moved_to(mesh, 0 * mesh.X)).mean_normal_angle));
     EXPECT_THROW(mean_normal_angle(a, a.topRows(1)), MeshError);
 }
 

@@ -25,11 +25,10 @@ template <class Work>   // (chunk, first row, last row)
 void for_each_chunk(Eigen::Index rows, bool parallel, const Work& work) {
     const Eigen::Index chunks = (rows + chunk_rows - 1) / chunk_rows;
     const auto one = [&](Eigen::Index c) { work(c, c * chunk_rows, std::min(rows, (c + 1) * chunk_rows)); };
-    if (parallel) {
+    if (parallel)
         tbb::parallel_for(Eigen::Index{0}, chunks, one);
-    } else {
+    else
         for (Eigen::Index c = 0; c < chunks; ++c) one(c);
-    }
 }
 
 Small small_at(const std::vector<double>& G, std::size_t block) { return Eigen::Map<const Small>(G.data() + 64 * block); }
@@ -78,9 +77,8 @@ std::vector<double> BlockLanczos::sweep(std::span<double* const> W, Blocks S, co
         }
     });
     std::vector<double> sums(size, 0.0);
-    for (std::size_t c = 0; c < chunks; ++c) {
+    for (std::size_t c = 0; c < chunks; ++c)
         for (std::size_t i = 0; i < size; ++i) sums[i] += parts.data()[c * size + i];
-    }
     return sums;
 }
 
@@ -125,16 +123,14 @@ Small BlockLanczos::keep_orthogonal(EightColumns& W, const Small& gram) {
 void BlockLanczos::fill_up(EightColumns& W, const Eigen::Array<bool, 8, 1>& lost) {
     std::uint64_t state = 0x9e3779b97f4a7c15ULL * (setting_.seed + 1000 + V_.size());
     EightColumns fresh(n_);
-    for (Eigen::Index i = 0; i < n_; ++i) {
+    for (Eigen::Index i = 0; i < n_; ++i)
         for (int c = 0; c < width; ++c) fresh.row(i)[c] = lost[c] ? uniform_number(state) : 0;
-    }
     zeros_.project_out(fresh);
     orthogonalise(fresh);
     const Small gram = orthogonalise(fresh);
     for (Eigen::Index i = 0; i < n_; ++i) {
-        for (int c = 0; c < width; ++c) {
+        for (int c = 0; c < width; ++c)
             if (lost[c]) W.row(i)[c] = fresh.row(i)[c] / std::sqrt(gram(c, c));
-        }
     }
 }
 
@@ -167,12 +163,11 @@ Small BlockLanczos::normalise(EightColumns& W, Small gram) {
 
 void BlockLanczos::invert(EightColumns& W) const {
     const auto solve = [&](EightColumns& X) {
-        if (setting_.parallel) {
+        if (setting_.parallel)
             tbb::parallel_invoke([&] { solve_half_in_place(factor_, X.data()); },
                                  [&] { solve_half_in_place(factor_, X.data() + width / 2); });
-        } else {
+        else
             solve_in_place(factor_, X.data());
-        }
     };
     if (setting_.refine_with == nullptr) {
         solve(W);

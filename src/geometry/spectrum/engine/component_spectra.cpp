@@ -138,9 +138,8 @@ public:
             if (options_.progress) options_.progress(told_);
         };
         std::vector<Part*> small;
-        for (Part* part : wanting) {
+        for (Part* part : wanting)
             if (goes_dense(*part, options_)) small.push_back(part);
-        }
         solve_small(small);
         for (const Part* part : small) done += work_of(*part);
         if (!small.empty()) tell(done / work);
@@ -178,9 +177,8 @@ struct Entry {
 /// Ascending, equal ones in the order of the components.
 std::vector<Entry> merged(const std::vector<Part>& parts) {
     std::vector<Entry> all;
-    for (std::size_t p = 0; p < parts.size(); ++p) {
+    for (std::size_t p = 0; p < parts.size(); ++p)
         for (int j = 0; j < parts[p].modes.pairs.count(); ++j) all.push_back({parts[p].value(j), p, j});
-    }
     std::stable_sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.mu < b.mu; });
     return all;
 }

@@ -100,9 +100,8 @@ std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::ve
     slices += slices % 2;   // for two processors
     std::vector<double> limit{0};
     const double first = 0.5;   // of a slice: the first shift lies at its lower end
-    for (int i = 1; i < slices; ++i) {
+    for (int i = 1; i < slices; ++i)
         limit.push_back(std::max(limit.back(), sigma_at(counts, zeros + pairs * (i - first) / (slices - first))));
-    }
     limit.push_back(counts.back().sigma);
     std::vector<SliceGoal> goals;
     for (std::size_t i = 0; i + 1 < limit.size(); ++i) {

@@ -119,9 +119,8 @@ double make_orthonormal(std::vector<EightColumns>& X, int k) {
     };
     tbb::parallel_for(0, tiles, set_tile, tbb::simple_partitioner());
     double largest = 0;
-    for (const auto& column : E) {
+    for (const auto& column : E)
         for (const Small& block : column) largest = std::max(largest, block.cwiseAbs().maxCoeff());
-    }
     // Rows are independent: a panel of all columns is corrected from its own old values.
     tbb::parallel_for(Eigen::Index{0}, (X[0].rows() + panel_rows - 1) / panel_rows, [&](Eigen::Index p) {
         const Eigen::Index first = p * panel_rows, rows = std::min(panel_rows, X[0].rows() - first);

@@ -123,9 +123,8 @@ Vector relative_residuals(const SparseMatrix& B, const Vector& root_mass, const 
     tbb::parallel_for(0, (pairs.count() + width - 1) / width, [&](int group) {
         const int first = width * group, columns = std::min(width, pairs.count() - first);
         EightColumns Y(B.rows());
-        for (Eigen::Index i = 0; i < B.rows(); ++i) {
+        for (Eigen::Index i = 0; i < B.rows(); ++i)
             for (int c = 0; c < width; ++c) Y.row(i)[c] = c < columns ? pairs.Y(i, first + c) : 0;
-        }
         Eight mu = Eight::Zero(), rest = Eight::Zero(), size = Eight::Zero();
         mu.head(columns) = pairs.mu.segment(first, columns);
         for (Eigen::Index i = 0; i < B.cols(); ++i) {
@@ -142,9 +141,8 @@ Vector relative_residuals(const SparseMatrix& B, const Vector& root_mass, const 
 
 Gap gap_behind(const Vector& mu, int k) {
     constexpr double clear = 1e-5;
-    for (Eigen::Index i = k; i < mu.size(); ++i) {
+    for (Eigen::Index i = k; i < mu.size(); ++i)
         if (mu[i] - mu[i - 1] > clear * mu[i]) return {mu[i - 1], mu[i]};
-    }
     const double largest = mu[mu.size() - 1];
     return largest > 0 ? Gap{largest, 1.002 * largest} : Gap{0, 2};
 }

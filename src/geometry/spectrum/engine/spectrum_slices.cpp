@@ -257,9 +257,8 @@ SlicedPairs SliceSet::pairs(int k) {
             from[c] = pair.group->data() + pair.lane;
         }
         EightColumns X(problem_.size());
-        for (Eigen::Index i = 0; i < X.rows(); ++i) {
+        for (Eigen::Index i = 0; i < X.rows(); ++i)
             for (int c = 0; c < lanes; ++c) X.row(i)[c] = c < columns ? from[c][lanes * i] : 0;
-        }
         problem_.zeros_in_order.project_out(X);   // the share of the zero modes that rounding added
         packed[static_cast<std::size_t>(g)] = std::move(X);
     });
@@ -271,9 +270,8 @@ SlicedPairs SliceSet::pairs(int k) {
     const std::vector<int>& order = problem_.analysis.order();
     tbb::parallel_for(0, groups, [&](int g) {
         const EightColumns X = std::move(packed[static_cast<std::size_t>(g)]);
-        for (int c = 0; c < std::min(lanes, k - lanes * g); ++c) {
+        for (int c = 0; c < std::min(lanes, k - lanes * g); ++c)
             for (Eigen::Index i = 0; i < X.rows(); ++i) result.Y(order[static_cast<std::size_t>(i)], lanes * g + c) = X.row(i)[c];
-        }
     });
     result.proofs = proofs_;
     result.times = times_;

@@ -28,12 +28,10 @@ void ZeroModes::project_out(Eigen::Ref<Vector> y) const {
 
 void ZeroModes::project_out(EightColumns& Y) const {
     std::vector<Eight> part(static_cast<std::size_t>(components_.count), Eight::Zero());
-    for (Eigen::Index i = 0; i < Y.rows(); ++i) {
+    for (Eigen::Index i = 0; i < Y.rows(); ++i)
         part[static_cast<std::size_t>(components_.label[static_cast<std::size_t>(i)])] += y_[i] * ConstEightRow(Y.row(i));
-    }
-    for (Eigen::Index i = 0; i < Y.rows(); ++i) {
+    for (Eigen::Index i = 0; i < Y.rows(); ++i)
         EightRow(Y.row(i)) -= y_[i] * part[static_cast<std::size_t>(components_.label[static_cast<std::size_t>(i)])];
-    }
 }
 
 ZeroModes ZeroModes::reordered(const std::vector<int>& order) const {
