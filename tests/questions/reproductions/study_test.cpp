@@ -8,8 +8,8 @@
 #include "geometry/curvature/curvature.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
-#include "questions/core/study_laws.h"
 #include "questions/core/section_tools.h"
+#include "questions/core/study_laws.h"
 #include "temporary_folder.h"
 
 namespace meshfolio::reproductions {
