@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/errors.h"
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/smoothing/conjugate_gradients.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
