@@ -16,9 +16,11 @@ export const volumes = ["index.html", "appendix.html"];
 
 /// The page of a report, or its appendix (`volume`), with `problems`: what went to the console as an error, what was thrown, what was asked for beyond the page and
 /// the files in images/.
-export async function open(browser, folder, { volume = "index.html", ...options } = {}) {
+/// What `first` does happens in the page before its own scripts.
+export async function open(browser, folder, { volume = "index.html", first = () => {}, ...options } = {}) {
     const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: "reduce", ...options });
     context.setDefaultTimeout(90000);
+    await context.addInitScript(first);
     const page = await context.newPage();
     const url = pathToFileURL(path.join(folder, volume)).href, images = pathToFileURL(path.join(folder, "images")).href + "/";
     page.problems = [];

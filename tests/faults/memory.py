@@ -7,7 +7,7 @@ import resource
 import shutil
 import unittest
 
-from common import WHOLE, Faults, tree
+from common import WHOLE, Faults, some, tree
 
 MEGABYTE = 1 << 20
 SIZES = [*range(64, 112, 3), *(112 + i / 4 for i in range(80)), *range(132, 260, 3), *range(260, 600, 20), 768, 1024, 2048] if WHOLE else [64, 112, *range(117, 136, 2), 143, 149, 200]
@@ -30,7 +30,7 @@ class Memory(Faults):
         expected, ended_well, whole = tree(self.place), 0, self.place.with_name("whole.ply")
         if (self.place / "x.ply").exists():
             shutil.copy(self.place / "x.ply", whole)
-        for megabytes in SIZES:
+        for megabytes in some(SIZES, 8):
             self.sweep()
             end = self.limited(megabytes, *words)
             ended_well += end.code == 0
@@ -60,7 +60,7 @@ class Memory(Faults):
         mesh = self.mesh("torus")
         words = ["report", "--quick", "--only", "q2,q4", "--pdf", "off", "--no-cache", "--size", 64, "--out", self.out, mesh]
         outcomes = set()
-        for megabytes in SIZES:
+        for megabytes in some(SIZES, 10):
             self.sweep()
             end = self.limited(megabytes, *words)
             last = end.err.splitlines()[-1]

@@ -1,0 +1,36 @@
+"""A quick report of the bundled meshes, made once for all tests that read one: CTest's fixture `quick_report` (`quick_report.py FOLDER`). A test
+that is run alone makes its own."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from program import run
+
+WORDS = ["report", "--quick", "--size", 64, "--no-timings"]
+
+
+def quick_report(folder):
+    """The finished process, the report, which is only to be read, and the cache that it filled; in `folder` where CTest has made none."""
+    made = os.environ.get("QUICK_REPORT")
+    if not made:
+        return make(Path(folder) / "made")
+    out, words = Path(made) / "out", [(Path(made) / name).read_text() for name in ("stdout", "stderr")]
+    return subprocess.CompletedProcess(WORDS, 0, *words), out, Path(made) / "cache"
+
+
+def make(folder):
+    shutil.rmtree(folder, ignore_errors=True)   # with the cache: a report of another program answers nothing
+    folder.mkdir(parents=True)
+    out, cache = folder / "out", folder / "cache"
+    process = run(*WORDS, "--threads", 2, "--out", out, XDG_CACHE_HOME=cache)
+    assert process.returncode == 0, process.stderr
+    for name, words in (("stdout", process.stdout), ("stderr", process.stderr)):
+        (folder / name).write_text(words)
+    return process, out, cache
+
+
+if __name__ == "__main__":
+    make(Path(sys.argv[1]))
