@@ -30,7 +30,7 @@ report::Table error_table(const SpectralStudy& study) {
         .column("maximum", share, of_box(study, [](auto& r) { return r.difference.max; }))
         .column("Hausdorff", share, of_box(study, [&](auto& r) { return hausdorff_distance(study.mesh(), r.mesh); }))
         .column("mean normal angle", {.unit = "°"},
-                [&](auto& r) { return is_exact(study, r.k) ? 0 : r.difference.mean_normal_angle * 180 / pi; })
+                [&](auto& r) { return cell_of(is_exact(study, r.k) ? 0 : r.difference.mean_normal_angle * 180 / pi); })
         .column("volume", {.unit = "% of original"}, [](auto& r) { return cell_of(100 * r.difference.volume_ratio); });
 }
 
