@@ -222,6 +222,18 @@ class Again(unittest.TestCase):
             self.assertEqual((one / name).read_bytes(), (other / name).read_bytes(), name)
         self.assertEqual(list((self.folder / "tmp").iterdir()), [])
 
+    def test_an_answer_from_the_cache_is_not_printed_again(self):
+        real = next(filter(None, map(shutil.which, ("chromium-headless-shell", "chromium", "google-chrome"))), None)
+        if real is None:
+            self.skipTest("no browser on PATH")
+        calls, browser = self.folder / "calls", self.folder / "browser"
+        browser.write_text(f'#!/bin/sh\n[ "$1" = --version ] || echo >> {calls}\nexec {real} "$@"\n')
+        browser.chmod(0o755)
+        for _ in range(2):
+            process = report(self.folder / "out", "--pdf-browser", browser, only="q2,q5", XDG_CACHE_HOME=str(self.folder / "cache"))
+            self.assertEqual(process.returncode, 0, process.stderr)
+            self.assertEqual(len(calls.read_text().splitlines()), len(VOLUMES))
+
     def test_the_date_is_that_of_source_date_epoch(self):
         self.assertEqual(run("report", "--quick", "--size", 64, "--only", "q2", "--pdf", "require", "--out", self.folder / "out", SOURCE_DATE_EPOCH="1700000000").returncode, 0)
         for name in VOLUMES:
