@@ -60,8 +60,11 @@ class Cache(unittest.TestCase):
         for text in ["seed = 7", '[[question]]\nid = "q5"\nlambda = 1e-3', '[[question]]\nid = "q5"\niterations = 2',
                      '[[question]]\nid = "q5"\noutput = "modes"', '[render]\ncolormap = "magma"']:
             config.write_text(text)
-            self.assertFalse(is_cached(self.report("--config", config, only="q5")[0], "q5"), text)
+            process, out = self.report("--config", config, only="q5")
+            self.assertFalse(is_cached(process, "q5"), text)
             self.assertTrue(is_cached(self.report("--config", config, only="q5")[0], "q5"), text)
+            if "lambda" in text:   # the page's laboratory has a key of its own
+                self.assertEqual(tree(out), tree(self.report("--no-cache", "--config", config, only="q5")[1]))
         self.assertFalse(is_cached(self.report(only="q5", size=65)[0], "q5"))
         self.assertTrue(is_cached(self.report(only="q5", size=65)[0], "q5"))
 
