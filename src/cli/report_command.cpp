@@ -1,5 +1,4 @@
 #include <chrono>
-#include <future>
 #include <memory>
 
 #include "base/available_memory.h"
@@ -83,7 +82,7 @@ output::DrawSettings draw_settings(const ReportSettings& settings) {
 
 struct Drawn {
     report::DrawnFigures figures;
-    std::future<std::string> appendix;
+    Printing appendix;
 };
 
 /// The long appendix takes longest to print: `begin_appendix` begins that while the other figures are drawn.
@@ -99,11 +98,11 @@ Drawn drawn(const FigureRequests& requests, const output::DrawSettings& settings
         before += share;
         return figures;
     };
-    Drawn result{draw(requests.of_appendix), {}};
-    result.appendix = begin_appendix(result.figures);
-    result.figures.merge(draw(requests.others));
+    report::DrawnFigures figures = draw(requests.of_appendix);
+    Printing appendix = begin_appendix(figures);
+    figures.merge(draw(requests.others));
     display.milestone(std::to_string(requests.count()) + " figures drawn");
-    return result;
+    return {std::move(figures), std::move(appendix)};
 }
 
 /// Refuses work that needs more memory than there is. Prints the plan if --time was given, and warns if the time cannot be kept.
@@ -169,7 +168,7 @@ ExitCode run_report(const ReportFlags& flags) {
         document.timings.push_back({"up to writing", seconds_since(whole)});
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
         report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.page.design};
-        auto paper_copy = paper.begin(report::Volume::report, document, figures, store.get(), folder);
+        Printing paper_copy = paper.begin(report::Volume::report, document, figures, store.get(), folder);
         run_tasks(
             [&] {
                 if (settings.page.design == "report" && !options.viewer.empty())
@@ -177,7 +176,7 @@ ExitCode run_report(const ReportFlags& flags) {
                 write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder);
             },
             [&] { write_file(folder / "src.txt", own_source().text()); });
-        notes = {paper_copy.get(), drawing.appendix.get()};
+        notes = {paper_copy.warning(), drawing.appendix.warning()};
         const auto digests = stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr);
         published = publish_report(publication, document, digests, settings, flags.junit);
         display.milestone("report written in " + plain_text(seconds_since(whole), 3) + " s");

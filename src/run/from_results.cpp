@@ -76,10 +76,10 @@ ExitCode report_from_results(const ReportFlags& flags) {
     } catch (const std::logic_error& error) {   // a text refers to what is not there
         throw InputError({parts.front().file}, error.what(), "take a whole results.json");
     }
-    auto appendix = paper.begin(report::Volume::appendix, whole.document, whole.figures, store.get(), publication.folder());
+    Printing appendix = paper.begin(report::Volume::appendix, whole.document, whole.figures, store.get(), publication.folder());
     std::vector<std::string> notes{
-        paper.begin(report::Volume::report, whole.document, whole.figures, store.get(), publication.folder()).get()};
-    notes.push_back(appendix.get());
+        paper.begin(report::Volume::report, whole.document, whole.figures, store.get(), publication.folder()).warning()};
+    notes.push_back(appendix.warning());
     const Published published = publish_report(publication, whole.document, digests, settings, flags.junit);
     warn_of_missing(missing);
     return tell(published, notes, whole.document);

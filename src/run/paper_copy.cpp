@@ -11,6 +11,7 @@
 #include "base/sha256.h"
 #include "output/publish/temporaries.h"
 #include "report/page/volumes.h"
+#include "report/pdf/child_process.h"
 #include "report/pdf/pdf_finish.h"
 #include "report/pdf/print_page.h"
 #include "report/pdf/print_pdf.h"
@@ -92,6 +93,10 @@ std::string key_of(const report::Document& document, const report::DrawnFigures&
 
 }   // namespace
 
+Printing::~Printing() {
+    if (end_.valid()) report::abandon_children();
+}
+
 PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& templates)
     : templates_(templates), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
 
@@ -109,29 +114,28 @@ std::string PaperCopy::pdf_of(report::Volume volume, const report::Document& doc
     return pdf;
 }
 
-std::future<std::string> PaperCopy::begin(report::Volume volume, report::Document document, report::DrawnFigures figures,
-                                          output::ResultCache* store, fs::path folder) const {
-    if (!is_wanted()) return std::async(std::launch::deferred, [] { return std::string(); });
+Printing PaperCopy::begin(report::Volume volume, report::Document document, report::DrawnFigures figures, output::ResultCache* store,
+                          fs::path folder) const {
+    if (!is_wanted()) return Printing(std::async(std::launch::deferred, [] { return std::string(); }));
     if (volume == report::Volume::appendix) {   // that others are drawn by now must not change its key
         const std::set<std::string> own = report::figures_in(document, volume);
         std::erase_if(figures, [&](const auto& figure) { return !own.contains(figure.first); });
     }
+    auto print = [this, volume, document = std::move(document), figures = std::move(figures), store, folder = std::move(folder)] {
+        const std::string name = report::pdf_file(volume);
+        std::string pdf;
+        try {
+            pdf = pdf_of(volume, document, figures, store, folder);
+        } catch (const Error& error) {
+            const std::string remedy = "name another browser with --pdf-browser, or take --pdf off";
+            if (required_) throw EngineError(error.what(), remedy);
+            return "there is no " + name + ": " + error.what() + "; " + remedy;
+        }
+        write_file(folder / name, pdf);
+        return std::string();
+    };
     // A thread that waits for the browser is none of those that compute.
-    return std::async(
-        std::launch::async,
-        [this, volume, document = std::move(document), figures = std::move(figures), store, folder = std::move(folder)]() -> std::string {
-            const std::string name = report::pdf_file(volume);
-            std::string pdf;
-            try {
-                pdf = pdf_of(volume, document, figures, store, folder);
-            } catch (const Error& error) {
-                const std::string remedy = "name another browser with --pdf-browser, or take --pdf off";
-                if (required_) throw EngineError(error.what(), remedy);
-                return "there is no " + name + ": " + error.what() + "; " + remedy;
-            }
-            write_file(folder / name, pdf);
-            return "";
-        });
+    return Printing(std::async(std::launch::async, std::move(print)));
 }
 
 }   // namespace meshfolio::run

@@ -7,6 +7,7 @@
 #include <future>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "output/cache/result_cache.h"
 #include "report/pdf/pdf_engine.h"
@@ -14,6 +15,21 @@
 #include "run/settings/report_settings.h"
 
 namespace meshfolio::run {
+
+/// A paper that is being printed. Destroyed before the end, as by a failure elsewhere, it does not wait for the browser.
+class Printing {
+public:
+    explicit Printing(std::future<std::string> end) : end_(std::move(end)) {}
+    Printing(Printing&&) = default;
+    ~Printing();
+
+    /// Waits for the end. @return what to warn of, else empty
+    /// @throws EngineError if the engine does not deliver what is required; OutputError
+    std::string warning() { return end_.get(); }
+
+private:
+    std::future<std::string> end_;
+};
 
 class PaperCopy {
 public:
@@ -24,9 +40,8 @@ public:
 
     /// Begins to print the PDF of a volume into `folder`, beside whatever else is computed. The templates and `store` must outlive it.
     /// @param figures  those of the volume, or more; of the report all, for results.json is attached to it
-    /// @return what to warn of, else empty; throws EngineError if the engine does not deliver what is required, and OutputError
-    std::future<std::string> begin(report::Volume volume, report::Document document, report::DrawnFigures figures,
-                                   output::ResultCache* store, std::filesystem::path folder) const;
+    Printing begin(report::Volume volume, report::Document document, report::DrawnFigures figures, output::ResultCache* store,
+                   std::filesystem::path folder) const;
 
 private:
     const report::Templates& templates_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/io/polygon_list.h"
+#include "mesh/io/text_scanner.h"
 
 namespace meshfolio {
 

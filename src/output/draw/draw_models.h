@@ -11,8 +11,8 @@
 
 namespace meshfolio::output {
 
-/// Limits that keep the page small: triangles of one model, and bytes of all GLB files together (at most 8 MB of base64 in the page). A
-/// figure beyond has pictures only.
+/// Limits that keep a page small: triangles of one model, and bytes of the GLB files that one call writes (at most 8 MB of base64 in its
+/// page). A figure beyond has pictures only.
 inline constexpr int most_model_triangles = 60'000;
 inline constexpr std::size_t most_model_bytes = 6'000'000;
 

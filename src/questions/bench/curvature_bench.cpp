@@ -1,6 +1,8 @@
 #include "questions/bench/curvature_bench.h"
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <mutex>
 #include <numeric>
 #include <stdexcept>
@@ -174,11 +176,18 @@ ErrorHistory BenchRun::errors(std::string_view key, Norm norm) const {
     return history;
 }
 
+std::vector<std::reference_wrapper<const BenchRun>> of_kind(const BenchRuns& runs, MeshKind kind) {
+    std::vector<std::reference_wrapper<const BenchRun>> found;
+    std::ranges::copy_if(runs, std::back_inserter(found), [kind](const BenchRun& run) { return run.kind == kind; });
+    return found;
+}
+
 BenchRuns bench_runs(const std::vector<KnownSurface>& surfaces, std::span<const MeshKind> kinds, const std::vector<int>& levels,
                      std::uint64_t seed, const Progress& progress) {
     auto& [mutex, known_levels] = known();
     const std::lock_guard lock(mutex);
-    for (const int level : std::views::reverse(levels)) {   // the finest first: they take longest
+    for (auto finest = levels.rbegin(); finest != levels.rend(); ++finest) {   // first, for they take longest
+        const int level = *finest;
         std::vector<std::pair<const KnownSurface*, MeshKind>> missing;
         for (const MeshKind kind : kinds)
             for (const KnownSurface& surface : surfaces)

@@ -3,7 +3,8 @@
 /// and the claims are views of it.
 #pragma once
 
-#include <ranges>
+#include <functional>
+#include <vector>
 
 #include "questions/bench/estimators.h"
 #include "questions/core/section_tools.h"
@@ -88,9 +89,7 @@ using BenchRuns = std::vector<BenchRun>;
 BenchRuns bench_runs(const std::vector<KnownSurface>& surfaces, std::span<const MeshKind> kinds, const std::vector<int>& levels,
                      std::uint64_t seed, const Progress& progress);
 
-inline auto of_kind(const BenchRuns& runs, MeshKind kind) {
-    return std::views::filter(runs, [kind](const BenchRun& run) { return run.kind == kind; });
-}
+std::vector<std::reference_wrapper<const BenchRun>> of_kind(const BenchRuns& runs, MeshKind kind);
 /// @throws std::logic_error if there is none
 const BenchRun& run_on(const BenchRuns& runs, std::string_view surface, MeshKind kind);
 

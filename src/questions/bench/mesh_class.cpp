@@ -8,6 +8,7 @@
 
 #include "geometry/linear/special_values.h"
 #include "mesh/triangle_measures.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio {
 

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
@@ -99,8 +101,11 @@ report::Text about_limits(const DenoisingTrials& mesh) {
     const double angle = best == nullptr ? 0 : degrees * best->difference.mean_normal_angle;
     go_on(t, best == nullptr
                  ? words.say("limits.leave_alone")
-                 : words.say(angle > 30 ? "limits.best_fails" : "limits.best", "method"_a = method_title(*best),
-                             "error"_a = readable(best->by_shape.shape / mesh.subject.mean_edge, 2), "angle"_a = readable(angle, 2)));
+                 : words.say(std::isnan(angle) ? "limits.best_flat"
+                             : angle > 30      ? "limits.best_fails"
+                                               : "limits.best",
+                             "method"_a = method_title(*best), "error"_a = readable(best->by_shape.shape / mesh.subject.mean_edge, 2),
+                             "angle"_a = readable(angle, 2)));
     return t;
 }
 
@@ -158,10 +163,10 @@ report::Text about_box_level(const DenoisingLaboratory& laboratory) {
             continue;
         }
         gains.push_back(best->gain());
-        angles.push_back(degrees * best->difference.mean_normal_angle);
+        if (const double angle = best->difference.mean_normal_angle; std::isfinite(angle)) angles.push_back(degrees * angle);
     }
     report::Text t = said_of(helpless, words, "box.nothing");
-    if (!gains.empty())
+    if (!angles.empty())
         go_on(t, words.say("box", "gain"_a = range_of(gains, [](double x) { return readable(x, 2); }),
                            "angle"_a = range_of(angles, [](double x) { return readable(x, 2) + "°"; }),
                            "mesh"_a = laboratory.meshes.front().name()));

@@ -12,7 +12,7 @@ enum class Extent { spot, region, whole };
 
 Extent extent_of_top_mode(const ExplicitStudy& study) {
     const double support = study.subject.top.support;
-    if (support >= 0.1 * study.subject.preflight().vertices_in_use) return Extent::whole;
+    if (!(support < 0.1 * study.subject.preflight().vertices_in_use)) return Extent::whole;   // NaN too
     return support < 10 ? Extent::spot : Extent::region;
 }
 

@@ -5,6 +5,7 @@
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/smoothing/mode_growth.h"
 #include "geometry/smoothing/stability_certificate.h"
+#include "questions/bench/smoothing_study.h"
 #include "questions/core/section_tools.h"
 
 namespace meshfolio::stability {

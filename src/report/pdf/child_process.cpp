@@ -32,6 +32,7 @@ constexpr std::size_t most_output = 1 << 16, drain_step = 4096;
 struct Registry {
     std::mutex mutex;
     std::map<pid_t, bool> groups;   // whether it tidies up
+    bool abandoned = false;
 };
 
 /// Never destroyed: a signal may come while the program ends.
@@ -110,6 +111,7 @@ int start(const ChildTask& task, int output, pid_t& process) {
     std::vector<std::string> environment = environment_with(task.environment);
     const SpawnRules rules(task, output);
     const std::lock_guard lock(registry().mutex);
+    if (registry().abandoned) return ECANCELED;
     const int error = ::posix_spawn(&process, task.program.c_str(), &rules.files, &rules.attributes, pointers_to(words).data(),
                                     pointers_to(environment).data());
     if (error == 0) registry().groups[process] = task.tidies_up;
@@ -212,6 +214,12 @@ std::string words_of(const ChildEnd& end) {
     }
     const std::string line = last_line(end);
     return line.empty() ? words : words + ": " + line;
+}
+
+void abandon_children() noexcept {
+    const std::lock_guard lock(registry().mutex);
+    registry().abandoned = true;
+    for (const auto& [group, unused] : registry().groups) ::kill(-group, SIGKILL);
 }
 
 void end_children() noexcept {

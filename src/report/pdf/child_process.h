@@ -34,6 +34,9 @@ std::string last_line(const ChildEnd& end);
 /// "ended with exit code 3", "was killed by signal 9", …, and the last line that it wrote.
 std::string words_of(const ChildEnd& end);
 
+/// For a failure elsewhere: kills all running children, and starts no more. Who waits for one goes on.
+void abandon_children() noexcept;
+
 /// For an early end of the process, such as a signal: kills all running children, within a second, and starts no more.
 void end_children() noexcept;
 

@@ -57,6 +57,20 @@ TEST(ChildProcess, DoesNotWaitForWhatAProgramLeftBehind) {
     EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
 }
 
+TEST(ChildProcess, AbandonedOnesAreKilledAndNoMoreAreStarted) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");   // in a process of its own: no other test could start a child
+    const auto abandoned = [] {
+        ChildEnd end;
+        std::thread waiting([&] { end = shell("sleep 300"); });
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        abandon_children();
+        waiting.join();
+        const bool ended = end.kind == ChildEnd::Kind::killed || end.kind == ChildEnd::Kind::not_started;   // slow machines
+        return ended && shell("exit 0").kind == ChildEnd::Kind::not_started;
+    };
+    EXPECT_EXIT(std::exit(abandoned() ? 0 : 1), testing::ExitedWithCode(0), "");
+}
+
 TEST(ChildProcess, KeepsTheLastOfMuchOutput) {
     const ChildEnd end = shell("yes abcdefg | head -c 3000000; echo last");
     EXPECT_EQ(end.kind, ChildEnd::Kind::exited);
