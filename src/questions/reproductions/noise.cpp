@@ -120,7 +120,7 @@ std::vector<Reached> reached_by(const NoisyExperiment& done, const Experiment& e
         std::vector<int> iterations;
         for (const int t : e.iterations) iterations.push_back(std::min(t, end));
         if (e.kind == ExperimentKind::error_curve || iterations.front() == end) iterations = {end};
-        iterations.erase(std::ranges::unique(iterations).begin(), iterations.end());
+        iterations.erase(std::unique(iterations.begin(), iterations.end()), iterations.end());   // Clang 14 knows no std::ranges::unique
         for (const int t : iterations) rows.push_back({run, t});
     }
     return rows;
