@@ -168,7 +168,7 @@ ExitCode run_report(const ReportFlags& flags) {
         document.timings.push_back({"up to writing", seconds_since(whole)});
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
         report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.page.design};
-        Printing paper_copy = paper.begin(report::Volume::report, document, figures, store.get(), folder);
+        Printing own_paper = paper.begin(report::Volume::report, document, figures, store.get(), folder);
         run_tasks(
             [&] {
                 if (settings.page.design == "report" && !options.viewer.empty())
@@ -176,7 +176,7 @@ ExitCode run_report(const ReportFlags& flags) {
                 write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder);
             },
             [&] { write_file(folder / "src.txt", own_source().text()); });
-        notes = {paper_copy.warning(), drawing.appendix.warning()};
+        notes = {own_paper.warning(), drawing.appendix.warning()};
         const auto digests = stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr);
         published = publish_report(publication, document, digests, settings, flags.junit);
         display.milestone("report written in " + plain_text(seconds_since(whole), 3) + " s");

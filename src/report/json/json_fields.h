@@ -75,15 +75,22 @@ void describe(Fields& fields, part_of<NumberedEntry> auto& numbered) {
 template <class Fields>
 void describe(Fields& fields, part_of<BlockEntry> auto& block) {
     fields("kind", block.kind);
-    using Kind = BlockEntry::Kind;
-    if (block.kind == Kind::heading || block.kind == Kind::entries) fields("title", block.title);
-    if (block.kind == Kind::heading) return;
-    if (block.kind == Kind::paragraph) return fields("text", block.text);
-    if (block.kind == Kind::list) return fields("items", block.items);
-    if (block.kind == Kind::entries) return fields("ids", block.ids);
-    if (block.kind != Kind::formula) return fields("id", block.id);
-    fields("name", block.name, "in formulas.json");
-    fields.optional("id", block.id, {});
+    switch (block.kind) {
+        case BlockEntry::Kind::heading:
+            return fields("title", block.title);
+        case BlockEntry::Kind::paragraph:
+            return fields("text", block.text);
+        case BlockEntry::Kind::list:
+            return fields("items", block.items);
+        case BlockEntry::Kind::formula:
+            fields("name", block.name, "in formulas.json");
+            return fields.optional("id", block.id, {});
+        case BlockEntry::Kind::entries:
+            fields("title", block.title);
+            return fields("ids", block.ids);
+        default:
+            return fields("id", block.id);
+    }
 }
 
 template <class Fields>
