@@ -1,6 +1,7 @@
 #include "report/words.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <regex>
 #include <set>
@@ -99,6 +100,8 @@ public:
                 left_.remove_prefix(1);
             } else if (take("{{")) {
                 for (Run& run : filled(until("}}"), facts_, all_)) add(std::move(run));
+            } else if (after_number() && take(" %")) {
+                add("\u202f%");   // no line may break here, as in readable_percent
             } else if (!markup_ || !took_markup()) {
                 add(left_.substr(0, 1));
                 left_.remove_prefix(1);
@@ -117,6 +120,10 @@ private:
         if (!left_.starts_with(mark)) return false;
         left_.remove_prefix(mark.size());
         return true;
+    }
+
+    bool after_number() const {
+        return !text_.empty() && !text_.back().content.empty() && std::isdigit(static_cast<unsigned char>(text_.back().content.back()));
     }
 
     std::string_view until(std::string_view mark) {

@@ -52,6 +52,11 @@ TEST(Words, CountsChooseTheWord) {
     EXPECT_THROW(running_text("{{n|mesh|meshes}}", {"n"_a = "1"}), std::logic_error) << "no count";
 }
 
+TEST(Words, NoLineBreaksBetweenANumberAndItsPercentSign) {
+    EXPECT_EQ(plain(running_text("{{error}} % of 95 %, in % of the edge", {"error"_a = "1.5"})),
+              "1.5\u202f% of 95\u202f%, in % of the edge");
+}
+
 TEST(Words, MissingKeysAndFactsAreLogicErrors) {
     EXPECT_THROW(Words("q3").say("no such message"), std::logic_error);
     EXPECT_THROW(Words("no such file").say("title"), std::logic_error);
