@@ -114,8 +114,8 @@ public:
     /// How many pieces of at most grainsize() there are, and the i-th of them.
     std::size_t pieces() const { return (size() + grain_ - 1) / grain_; }
     blocked_range piece(std::size_t i) const {
-        const auto first = static_cast<Value>(begin_ + static_cast<Value>(i * grain_));
-        return blocked_range(first, static_cast<Value>(first + static_cast<Value>(std::min(grain_, size() - i * grain_))), grain_);
+        const std::size_t first = i * grain_, last = std::min(size(), first + grain_);
+        return blocked_range(static_cast<Value>(begin_ + first), static_cast<Value>(begin_ + last), grain_);
     }
 
 private:
