@@ -60,7 +60,8 @@ TEST(Layers, EachIncludesOnlyWhatLiesBelow) {
             for (const std::string& header : included_by(file)) {
                 const bool ours = fs::exists(source / "src" / header), of_renderer = !ours && fs::exists(source / "render" / header);
                 const std::string owner = ours ? parts_of(header).front() : of_renderer ? "render" : layer;   // else generated
-                EXPECT_TRUE(owner == layer || below.contains(owner)) << file << " includes " << header;
+                EXPECT_TRUE(owner == layer || below.contains(owner))
+                    << file << " includes " << header << ", which is not below it: see `allowed` in this test";
             }
         }
     }
@@ -68,7 +69,8 @@ TEST(Layers, EachIncludesOnlyWhatLiesBelow) {
 
 TEST(Layers, EveryFolderOfTheSourceIsALayer) {
     for (const auto& entry : fs::directory_iterator(source / "src"))
-        EXPECT_TRUE(!entry.is_directory() || allowed.contains(entry.path().filename().string())) << entry.path();
+        EXPECT_TRUE(!entry.is_directory() || allowed.contains(entry.path().filename().string()))
+            << entry.path() << ": say in `allowed` what it may include, and make it a layer() of CMakeLists.txt";
 }
 
 TEST(Layers, ChaptersDoNotKnowEachOther) {
@@ -77,7 +79,8 @@ TEST(Layers, ChaptersDoNotKnowEachOther) {
         for (const std::string& header : included_by(file)) {
             if (!header.starts_with("questions/")) continue;
             const std::string other = parts_of(header)[1];
-            EXPECT_TRUE(other == chapter || other == "core" || (other == "bench" && chapter != "core")) << file << " includes " << header;
+            EXPECT_TRUE(other == chapter || other == "core" || (other == "bench" && chapter != "core"))
+                << file << " includes " << header << ": what several chapters need is in questions/bench";
         }
     }
 }
@@ -104,7 +107,7 @@ TEST(Layers, EverySourceBelongsToOneTarget) {
     for (const char* folder : {"src", "render"})
         for (const fs::path& file : sources_below(source / folder))
             if (file.extension() == ".cpp" && file != source / "src/main.cpp" && file != source / "src/python/module.cpp") {   // programs
-                EXPECT_EQ(targets[file], 1) << file;
+                EXPECT_EQ(targets[file], 1) << file << " is in so many targets: layer() in CMakeLists.txt takes all of a folder";
             }
 }
 
@@ -112,5 +115,5 @@ TEST(Layers, NoFolderHasMoreThanFortyFiles) {
     std::map<fs::path, int> files;
     for (const char* folder : {"src", "render"})
         for (const fs::path& file : sources_below(source / folder)) ++files[file.parent_path()];
-    for (const auto& [folder, count] : files) EXPECT_LE(count, 40) << folder;
+    for (const auto& [folder, count] : files) EXPECT_LE(count, 40) << folder << ": make a subfolder";
 }

@@ -5,11 +5,12 @@ import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { launch, open, reports, volumes } from "./browser.mjs";
 
-let browser, report, appendix;
+let browser, report, appendix, questions;   // questions: "q1", …
 before(async () => {
     browser = await launch();
     report = await open(browser, reports.quick, { viewport: { width: 1440, height: 900 } });
     appendix = await open(browser, reports.quick, { viewport: { width: 1440, height: 900 }, volume: "appendix.html" });
+    questions = await report.$$eval("ol.attempted > li a", (links) => links.map((link) => link.hash.slice(1)));
 });
 after(() => browser.close());
 
@@ -18,7 +19,8 @@ test("title, picture, score and the first answers are seen at once", async () =>
         const { top, bottom } = await report.$eval(selector, (element) => element.getBoundingClientRect().toJSON());
         assert.ok(top >= 0 && bottom <= 900, `${selector} reaches from ${top} to ${bottom}`);
     }
-    assert.equal(await report.locator("ol.attempted > li").count(), 7);
+    assert.deepEqual(questions, questions.map((_, i) => `q${i + 1}`));
+    assert.ok(questions.length >= 7, questions);
 });
 
 test("each question begins with the answer that the table has", async () => {
@@ -32,9 +34,9 @@ test("each question begins with the answer that the table has", async () => {
 
 test("the questions are the report, all else is in the appendix, the list of all checks last", async () => {
     const sections = (volume) => volume.$$eval("main section", (all) => all.map((section) => section.id));
-    assert.deepEqual(await sections(report), ["questions-attempted", "q1", "q2", "q3", "q4", "q5", "q6", "q7", "cited-works"]);
+    assert.deepEqual(await sections(report), ["questions-attempted", ...questions, "cited-works"]);
     const ids = await sections(appendix), truth = ids.indexOf("truth");
-    assert.ok(ids.slice(0, truth).every((id) => /^q[1-7]-further$/.test(id)), ids);
+    assert.ok(ids.slice(0, truth).every((id) => /^q\d+-further$/.test(id)), ids);
     assert.equal(ids.at(-1), "all-checks");
     assert.ok(ids.indexOf("where-from") > ids.indexOf("cited-works") && ids.indexOf("cited-works") > truth);
 });

@@ -4,7 +4,7 @@ import json
 import unittest
 
 from program import run, temporary_folder
-from test_report import tree
+from test_report import QUESTIONS, tree
 
 
 class From(unittest.TestCase):
@@ -61,7 +61,7 @@ class From(unittest.TestCase):
         templates = temporary_folder(self)
         (templates / "report.md").write_text("{{{title}}}\n{{#sections}}{{id}} {{/sections}}\n")
         target, _ = self.again("--templates", templates)
-        self.assertEqual((target / "report.md").read_text().splitlines()[-1].split(), ["q1", "q2", "q3", "q4", "q5", "q6", "q7"])
+        self.assertEqual((target / "report.md").read_text().splitlines()[-1].split(), QUESTIONS)
         self.assertEqual((target / "appendix.md").read_text().splitlines()[-1].split()[-1], "preflight")   # of both volumes
 
     def test_a_missing_picture_is_told_and_boxed(self):

@@ -15,7 +15,7 @@ from quick_report import quick_report
 
 PAGES = ("index.html", "appendix.html")
 MARKDOWN = ("report.md", "appendix.md", "summary.md")
-QUESTIONS = ["q1", "q2", "q3", "q4", "q5", "q6", "q7"]
+QUESTIONS = re.findall(r"^  (q\d+) ", run("list").stdout, re.MULTILINE)
 
 
 class Page(html.parser.HTMLParser):
@@ -195,7 +195,7 @@ class QuickReport(unittest.TestCase):
 
 
 class Failures(unittest.TestCase):
-    def test_one_failing_question_leaves_six_complete(self):
+    def test_one_failing_question_leaves_the_others_complete(self):
         folder = temporary_folder(self)
         mesh, out = sample(folder, "torus"), folder / "out"
         process = run("report", "--quick", "--size", 64, "--only", ",".join(QUESTIONS), "--out", out, mesh, MESHFOLIO_FAIL="q4")

@@ -26,10 +26,10 @@ TEST(OwnSource, EveryCitationOfEverySectionIsTheLineOfADefinition) {
     const auto lines = lines_of(listing.text());
     for (const std::string& id : section_ids()) {
         const auto code = chapter_of_id(id).cited_code();
-        EXPECT_GE(code.size(), 3u) << id;
+        EXPECT_GE(code.size(), 3u) << id << ": its chapter cites at least three definitions (Chapter::code)";
         for (const report::CodeReference& reference : code) {
             const int line = listing.line_of(reference.function, reference.file);
-            ASSERT_GT(line, 0) << id << " cites " << reference.function << " of " << reference.file;
+            ASSERT_GT(line, 0) << id << " cites " << reference.function << " of " << reference.file << ", which does not define it";
             const std::string& text = lines[static_cast<std::size_t>(line) - 1];
             EXPECT_EQ(std::stoi(text.substr(0, 6)), line);
             const bool is_class =
@@ -65,9 +65,9 @@ TEST(OwnSource, AnsweringSourceIsWithinTheFirstFifteenThousandLines) {
 TEST(OwnSource, EveryQuestionCitesItsOwnFile) {
     for (const Chapter* chapter : chapter_list()) {
         const std::string folder = "src/questions/" + std::string(chapter->id) + "_";
-        EXPECT_TRUE(!chapter->is_question() || std::ranges::any_of(chapter->cited_code(), [&](const auto& reference) {
-            return reference.file.starts_with(folder);
-        })) << chapter->id;
+        EXPECT_TRUE(!chapter->is_question() ||
+                    std::ranges::any_of(chapter->cited_code(), [&](const auto& reference) { return reference.file.starts_with(folder); }))
+            << chapter->id << " cites nothing of " << folder << "…: see Chapter::code";
     }
 }
 

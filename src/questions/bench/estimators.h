@@ -1,6 +1,7 @@
 /// @file
 /// The estimators of curvature. A new one is a file in estimators/, a line in estimators.cpp and a name in templates/words/curvature.md: it
-/// is then in the tables of the ground truth, and in the errors of question 3 where it has a name there.
+/// is then in the tables of the ground truth, and in the errors of question 3 where `in_q3` names a column. What the plots of the ground
+/// truth show is chosen in truth/tables.cpp.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ struct Estimator {
     std::string_view key;     // "H.mixed": the quantity, then what it comes from
     std::string_view words;   // the key of its name in curvature.md: "cotangent.mixed"
     Quantity quantity;
-    Vector (*estimate)(const BenchMesh& mesh);   // n values, NaN where there is none
+    Vector (*estimate)(const BenchMesh& mesh);   // n values, positive on a sphere, NaN where there is none [1/length], [1/length²]
     bool in_panel = true;                        // false: measured, but without a row in the ground-truth panel
     std::string_view in_q3 = {};                 // its column in the errors of question 3; empty: none
 

@@ -33,7 +33,7 @@ struct Chapter {
     };
 
     std::string_view id;      // "q1"; one that is not q and a number supports the answers, and has a letter in the report
-    std::vector<Code> code;   // what answers it
+    std::vector<Code> code;   // what answers it: three definitions or more, of a question one of its own folder
     Answer (*answer)(const MeshLibrary& meshes, const QuestionSettings& settings, const Progress& progress);
 
     bool is_question() const { return report::is_question(id); }

@@ -3,10 +3,27 @@
 #include "questions/core/chapter.h"
 
 // The chapters in their order: the name of the folder, which is that of the namespace. A new one is a line here.
-#define MESHFOLIO_CHAPTERS(chapter)                                                                                                \
-    chapter(q1_uniform) chapter(q2_ellipsoid) chapter(q3_cotangent) chapter(q4_spectral) chapter(q5_explicit) chapter(q6_implicit) \
-        chapter(q7_denoising) chapter(truth) chapter(stability) chapter(maps) chapter(modes) chapter(prediction) chapter(methods)  \
-            chapter(operators) chapter(reproductions) chapter(claims) chapter(certificates) chapter(preflight)
+// clang-format off
+#define MESHFOLIO_CHAPTERS(chapter) \
+    chapter(q1_uniform) \
+    chapter(q2_ellipsoid) \
+    chapter(q3_cotangent) \
+    chapter(q4_spectral) \
+    chapter(q5_explicit) \
+    chapter(q6_implicit) \
+    chapter(q7_denoising) \
+    chapter(truth) \
+    chapter(stability) \
+    chapter(maps) \
+    chapter(modes) \
+    chapter(prediction) \
+    chapter(methods) \
+    chapter(operators) \
+    chapter(reproductions) \
+    chapter(claims) \
+    chapter(certificates) \
+    chapter(preflight)
+// clang-format on
 
 namespace meshfolio {
 

@@ -23,15 +23,16 @@ inline constexpr int most_digits = 17;   // a double has no more
 
 template <class Fields>
 void describe(Fields& fields, part_of<Column> auto& column) {
+    auto& [name, unit, digits, best, rounding, heat, filter, reference] = column;   // all: a forgotten one does not compile
     const Column fallback;
-    fields("name", column.name);
-    fields("unit", column.unit);
-    fields("digits", column.digits, {"significant, for people", 1, most_digits});
-    fields.optional("best", column.best, fallback.best, "which value is marked");
-    fields.optional("rounding", column.rounding, fallback.rounding, "of people's digits");
-    fields.optional("heat", column.heat, "cells are shaded between these");
-    fields.optional("filter", column.filter, fallback.filter, "readers may choose one of its values");
-    fields.optional("reference", column.reference, fallback.reference, "its texts are ids");
+    fields("name", name);
+    fields("unit", unit);
+    fields("digits", digits, {"significant, for people", 1, most_digits});
+    fields.optional("best", best, fallback.best, "which value is marked");
+    fields.optional("rounding", rounding, fallback.rounding, "of people's digits");
+    fields.optional("heat", heat, "cells are shaded between these");
+    fields.optional("filter", filter, fallback.filter, "readers may choose one of its values");
+    fields.optional("reference", reference, fallback.reference, "its texts are ids");
 }
 
 template <class Fields>

@@ -8,9 +8,9 @@ namespace meshfolio::run {
 
 namespace {
 
-// The last four of each row: from runs of each section on meshes of 2,000 to 25,000 vertices (small settings of q1, q3 and the preflight to
-// 97,000, of q6 to 173,000), rounded. What took more than five seconds there is carried on from smaller meshes: q3 and prediction in full
-// settings are estimates. tests/bench/fit_costs.py prints better ones.
+// A SectionModel a row. Its last four, each {fixed, linear, growing}: from runs of each section on meshes of 2,000 to 25,000 vertices
+// (small settings of q1, q3 and the preflight to 97,000, of q6 to 173,000), rounded. What took more than five seconds there is carried on
+// from smaller meshes: q3 and prediction in full settings are estimates. tests/bench/fit_costs.py prints better ones.
 constexpr std::array models_of_sections{
     SectionModel{"q1", "bumpy_cube lilium sphere plane", {1.7, 2}, {1.5, 0.5, 0.8}, {40, 42}, {10, 42}},
     SectionModel{"q2", "", {0.15, 0}, {0.04, 0}, {9, 0}, {1, 0}},

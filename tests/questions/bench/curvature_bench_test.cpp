@@ -60,6 +60,16 @@ TEST(CurvatureBench, NormalPartOfTheUniformLaplacianIsExactAtAnyPointsOfASphere)
     EXPECT_GT(moved.error("H.uniform_own_n").l2, 0.02);
 }
 
+TEST(CurvatureBench, EveryEstimatorHasTheSignAndTheSizeOfTheTruth) {
+    const BenchMesh sphere = bench_mesh(known_surface("sphere"), MeshKind::regular, 3, 1);
+    for (const Estimator* e : estimators()) {
+        const Vector& truth = e->quantity == Quantity::H ? sphere.H : sphere.K;
+        EXPECT_NEAR(summary_of(e->estimate(sphere).cwiseQuotient(truth)).median, 1, 0.3)
+            << e->key
+            << ", over the truth on a sphere: H is (κ₁ + κ₂)/2, positive with the normals outward; the uniform one is a fifth too large";
+    }
+}
+
 TEST(CurvatureBench, JitterStopsTheCotangentOperatorFromConverging) {
     const BenchRuns runs = bench_runs({known_surface("torus")}, question_kinds, {3, 4, 5}, 1, [](std::string_view) {});
     for (const MeshKind kind : question_kinds)

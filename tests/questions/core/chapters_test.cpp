@@ -1,6 +1,8 @@
 // Laws of every chapter: its own checks pass, and a mesh that cannot be used is said and loses no section.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "mesh/io/mesh_files.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/section_tools.h"
@@ -19,7 +21,17 @@ TriangleMesh without_area() {
     return mesh;
 }
 
-class BundledMeshes : public testing::TestWithParam<const char*> {};
+class BundledMeshes : public testing::TestWithParam<std::string> {};
+
+/// New ones among them, until their own folder has a test of that.
+std::vector<std::string> chapters_without_a_test_of_their_own() {
+    static const std::set<std::string> tested_in_their_folder{
+        "q1", "q2", "q4", "q5", "truth", "stability", "maps", "modes", "prediction", "reproductions", "claims", "preflight"};
+    std::vector<std::string> ids = section_ids();
+    std::erase_if(ids, [](const std::string& id) { return tested_in_their_folder.contains(id); });
+    return ids;
+}
+
 class RealMeshes : public testing::TestWithParam<const char*> {};
 /// A mesh that can be read but has no area, beside one that can be used.
 class UnusableMesh : public testing::TestWithParam<const char*> {};
@@ -32,7 +44,7 @@ TEST_P(BundledMeshes, PassTheChecksOfTheChapter) {
     expect_checks_pass(answer.section);
 }
 
-INSTANTIATE_TEST_SUITE_P(EverySection, BundledMeshes, testing::Values("q3", "q6", "q7", "methods", "operators", "certificates"));
+INSTANTIATE_TEST_SUITE_P(EverySection, BundledMeshes, testing::ValuesIn(chapters_without_a_test_of_their_own()));
 
 TEST_P(RealMeshes, PassTheChecksOfTheChapter) { check_real_meshes(chapter_of_id(GetParam()).answer); }
 

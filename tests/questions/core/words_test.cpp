@@ -91,7 +91,8 @@ TEST(WordsOfQuestions, NoMessageIsUnused) {
         for (const report::Message& message : messages) {
             const std::string& key = message.key;
             if (key == "title" || key == "asked" || key.starts_with("code.")) continue;   // told of every chapter
-            EXPECT_TRUE(is_spelt_by(literals, key)) << "words/" << file << ".md: " << key;
+            EXPECT_TRUE(is_spelt_by(literals, key))
+                << "words/" << file << ".md: " << key << " is said nowhere. Take it out, or spell its key, whole or dot by dot, in C++";
         }
     }
 }
@@ -124,7 +125,7 @@ TEST(WordsOfQuestions, NoMessageIsMissing) {
                 if (!all.contains(catalogue)) continue;   // an argument of that name
                 const auto& messages = all.at(catalogue);
                 EXPECT_TRUE(std::ranges::find(messages, std::string((*it)[2]), &report::Message::key) != messages.end())
-                    << file << ": " << (*it)[2];
+                    << file << ": " << (*it)[2] << " is no message of templates/words/" << catalogue << ".md";
             }
         }
     }
@@ -139,7 +140,8 @@ TEST(WordsOfQuestions, NoSentenceIsLeftInTheSources) {
         for (const std::string& literal : literals_in(code)) {
             if (words_in(literal) < 6) continue;   // names of columns, units and steps of the work are shorter
             ++sentences;
-            ADD_FAILURE() << file.lexically_relative(questions).string() << ": " << literal;
+            ADD_FAILURE() << file.lexically_relative(questions).string() << ": \"" << literal
+                          << "\" is a sentence: make it a message of templates/words";
         }
     }
     EXPECT_EQ(sentences, 0);
@@ -157,7 +159,8 @@ TEST(WordsOfQuestions, NoPluralIsWrittenByHand) {
         for (const report::Message& message : messages) {
             for (const std::string& paragraph : message.paragraphs) {
                 for (std::sregex_iterator it(paragraph.begin(), paragraph.end(), by_hand), end; it != end; ++it)
-                    EXPECT_TRUE(adjectives.contains(it->str())) << "words/" << file << ".md, " << message.key << ": " << it->str();
+                    EXPECT_TRUE(adjectives.contains(it->str())) << "words/" << file << ".md, " << message.key << ": " << it->str()
+                                                                << " is wrong for one: write {{n}} {{n|mesh|meshes}}";
             }
         }
     }

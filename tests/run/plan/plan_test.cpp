@@ -34,14 +34,15 @@ const PlannedSection& section(const Plan& plan, std::string_view id) {
 }   // namespace
 
 TEST(CostModels, EachSectionHasOneThatNeverFallsWithSize) {
-    ASSERT_EQ(section_models().size(), chapter_list().size());
+    ASSERT_EQ(section_models().size(), chapter_list().size())
+        << "a row a chapter in src/run/plan/cost_models.cpp: tests/bench/fit_costs.py prints it";
     for (const Chapter* chapter : chapter_list()) {
         const auto model = std::ranges::find(section_models(), chapter->id, &SectionModel::id);
-        ASSERT_NE(model, section_models().end()) << chapter->id;
+        ASSERT_NE(model, section_models().end()) << chapter->id << " has no row in src/run/plan/cost_models.cpp";
         for (const CostModel& cost : {model->full_cpu, model->small_cpu, model->full_memory, model->small_memory})
             EXPECT_TRUE(cost.fixed >= 0 && cost.linear >= 0 && cost.growing >= 0) << chapter->id;
         EXPECT_GE(model->full_cpu.fixed + model->full_cpu.per_mesh(1e5), model->small_cpu.fixed + model->small_cpu.per_mesh(1e5))
-            << chapter->id;
+            << chapter->id << ": small settings cost no more than full ones";
     }
 }
 
