@@ -100,9 +100,9 @@ DenoisingTries tries_of(const QuestionSettings& settings, double mean_edge);
 
 /// Every λ on one noisy mesh; a run is given up when it no longer gets better.
 /// @param input  its mean edge is that of the clean mesh
-/// @param states  where those met on the way are added; null: nowhere
+/// @param met  called with every state and its positions
 SearchResult search_for_best(const SearchInput& input, const std::vector<double>& lambdas, int iterations,
-                             std::vector<SearchState>* states = nullptr);
+                             const std::function<void(const SearchState&, const Positions&)>& met = {});
 
 /// Runs the noise levels of the settings, else from barely visible to hopeless, with λ from 0.001 h̄² to 10 h̄².
 DenoisingGrid denoising_grid(SharedMesh clean, const QuestionSettings& settings);
