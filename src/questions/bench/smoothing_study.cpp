@@ -46,7 +46,7 @@ public:
         double volume;   // of all components [length³]
     };
     Left left(const Positions& X) const {
-        const Vector volume = volumes(X), spread = all_closed_ ? spread_ : spreads(X);
+        const Vector volume = component_volumes(mesh_.F, X, topology_), spread = all_closed_ ? spread_ : spreads(X);
         double least = infinity;
         for (int c = 0; c < topology_.component_count; ++c)
             if (const bool closed = volume_[c] > 0; closed || spread_[c] > 0)
@@ -69,20 +69,6 @@ private:
         for (int t = 0; t < mesh_.face_count(); ++t)
             for (const int v : mesh_.F.row(t)) component[v] = topology_.component[t];
         return component;
-    }
-
-    /// Measures each component from a corner of its own; meaningful for closed ones.
-    Vector volumes(const Positions& X) const {
-        Vector six_volumes = Vector::Zero(topology_.component_count);
-        std::vector<int> seen_from(topology_.component_count, -1);
-        for (int t = 0; t < mesh_.face_count(); ++t) {
-            const int c = topology_.component[t];
-            int& from = seen_from[c];
-            if (from < 0) from = mesh_.F(t, 0);
-            const auto corner = [&](int k) -> Vector3 { return X.row(mesh_.F(t, k)) - X.row(from); };
-            six_volumes[c] += corner(0).dot(corner(1).cross(corner(2)));
-        }
-        return six_volumes / 6;
     }
 
     /// Σ M_v |x_v − c|² / Σ M_v, over the squared diagonal of the input's box, so that no size of a mesh overflows. M is the input's.

@@ -76,7 +76,7 @@ RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& se
     flow.source = study.source;
     flow.lambda = 0.5 * study.cotangent.critical();
     flow.share = 0.95;
-    flow.iterations = settings.quick ? 15 : 30;
+    flow.iterations = settings.quick ? 20 : 30;
     flow.beyond = 2;   // the top mode triples in each step
     SmoothingOptions options{.lambda = flow.lambda, .iterations = flow.iterations, .rebuild = true, .monitor = true};
     flow.fixed = watched_run(study.mesh(), options);
