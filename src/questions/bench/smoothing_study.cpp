@@ -178,7 +178,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
 
     const TriangleMesh smoothed = moved_to(subject.mesh(), run.result.X);
     run.moved = compare_meshes(subject.mesh(), smoothed);
-    run.volume_ratio = closed ? run.moved.volume_ratio : std::nan("");
+    run.volume_ratio = closed ? run.volume.back() : std::nan("");
     run.smallest_angle = smallest_angle(smoothed);
     return run;
 }
