@@ -1,4 +1,4 @@
-#include "questions/q7_denoising/study.h"
+#include "questions/q7_denoising/parts.h"
 
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/curvature.h"
@@ -134,17 +134,30 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
         if (state.value == grid.middle_lambda()) middle.enter(X - trial.noisy.X, state.shape);
     });
     trial.best = moved_to(clean, trial.found.X);
-    const SearchState& best = trial.found.by_shape;
     ImplicitSolver solver;   // the triangles stay: one symbolic analysis for all
-    trial.over =
-        best.step == 0 ? trial.noisy : moved_to(clean, smooth(trial.noisy, smoothing_by(grid, best.value, 4 * best.step), solver).X);
-    trial.clean_alike = best.step == 0 ? clean : moved_to(clean, smooth(clean, smoothing_by(grid, best.value, best.step), solver).X);
     trial.remains = remains_of(grid, normals, trial.best);
-    trial.taken = remains_of(grid, normals, trial.clean_alike);
     trial.stopped = stopped_without_clean(grid, trial, middle, solver);
     for (int i = 1; trial.improved() && i <= further; ++i)
         trial.further_gains.push_back(gain_of(grid, trial, seed + static_cast<std::uint64_t>(i), solver));
     return trial;
+}
+
+/// What is seen of the trials alone that a report may show.
+void smooth_on(DenoisingGrid& grid, const Positions& normals) {
+    const TriangleMesh& clean = grid.clean->mesh();
+    const std::array shown{&grid.pictured(), &hardest_in(grid), &leading_in(grid)};
+    for_each_task(grid.trials.size(), [&](std::size_t i) {
+        NoisyTrial& trial = grid.trials[i];
+        if (std::ranges::find(shown, &trial) == shown.end()) return;
+        const SearchState& best = trial.found.by_shape;
+        const auto smoothed = [&](const TriangleMesh& mesh, int steps) {
+            return steps == 0 ? mesh : moved_to(clean, smooth(mesh, smoothing_by(grid, best.value, steps)).X);
+        };
+        trial.over = smoothed(trial.noisy, 4 * best.step);
+        if (&trial != shown[0]) return;
+        trial.clean_alike = smoothed(clean, best.step);
+        trial.taken = remains_of(grid, normals, trial.clean_alike);
+    });
 }
 
 /// Noise enlarges the triangles, and with them M: the same λ smooths less.
@@ -223,6 +236,7 @@ DenoisingGrid denoising_grid(SharedMesh source, const QuestionSettings& settings
     for_each_task(tries.noise.size(), [&](std::size_t i) {
         grid.trials[i] = trial_of(grid, normals, tries.noise[i], settings.seed, settings.quick ? 0 : further_seeds);
     });
+    smooth_on(grid, normals);
     compare_areas(grid);
     try_other_noise(grid, settings.seed);
     return grid;

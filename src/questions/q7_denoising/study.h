@@ -35,8 +35,8 @@ struct NoisyTrial {
     double relative = 0, sigma = 0;    // of each coordinate [box diagonals], [length]
     double clean_volume = NAN;         // NaN: open [length³]
     TriangleMesh noisy, best;          // best: nearest to the clean surface
-    TriangleMesh over;                 // four times as many iterations of the same λ
-    TriangleMesh clean_alike;          // the clean mesh after as many as the best: what smoothing itself takes
+    TriangleMesh over;                 // four times as many iterations of the same λ; of the pictured, the hardest and the leading trial
+    TriangleMesh clean_alike;          // of pictured(): the clean mesh after as many as the best, what smoothing itself takes
     std::vector<SearchState> states;   // of all runs, λ by λ
     SearchResult found;
     Remains remains, taken;   // of `best`, of `clean_alike`
