@@ -104,8 +104,12 @@ Vector angle_deficit(const TriangleMesh& mesh, const MeshTopology& topology) {
 
 Vector gaussian_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const Vector& areas) {
     require_size("gaussian_curvature", "areas", areas.size(), mesh);
-    Vector K = angle_deficit(mesh, topology);
-    for (int v = 0; v < mesh.vertex_count(); ++v) K[v] = is_interior(topology, v) && areas[v] > 0 ? K[v] / areas[v] : undefined;
+    return gaussian_curvature(topology, angle_deficit(mesh, topology), areas);
+}
+
+Vector gaussian_curvature(const MeshTopology& topology, const Vector& deficits, const Vector& areas) {
+    Vector K(deficits.size());
+    for (int v = 0; v < K.size(); ++v) K[v] = is_interior(topology, v) && areas[v] > 0 ? deficits[v] / areas[v] : undefined;
     return K;
 }
 

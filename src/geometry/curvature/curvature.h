@@ -21,5 +21,7 @@ Vector cotangent_mean_curvature(const TriangleMesh& mesh, const MeshTopology& to
 Vector angle_deficit(const TriangleMesh& mesh, const MeshTopology& topology);
 /// K = (2π − Σθ)/A_i; NaN on the boundary. [1/length²]
 Vector gaussian_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const Vector& areas);
+/// The same, of the angle deficits that several areas share.
+Vector gaussian_curvature(const MeshTopology& topology, const Vector& deficits, const Vector& areas);
 
 }   // namespace meshfolio

@@ -67,6 +67,24 @@ ComponentSizes component_sizes(const TriangleMesh& mesh, const MeshTopology& top
     return sizes;
 }
 
+Vector component_volumes(const Faces& F, const Positions& X, const MeshTopology& topology) {
+    Vector six_volumes = Vector::Zero(topology.component_count);
+    std::vector<int> seen_from(static_cast<std::size_t>(topology.component_count), -1);
+    for (Eigen::Index begin = 0, end = 0; begin < F.rows(); begin = end) {
+        const int c = topology.component[static_cast<std::size_t>(begin)];
+        int& from = seen_from[static_cast<std::size_t>(c)];
+        if (from < 0) from = F(begin, 0);
+        const Vector3 origin = X.row(from);
+        double sum = 0;
+        for (; end < F.rows() && topology.component[static_cast<std::size_t>(end)] == c; ++end) {
+            const auto corner = [&](int k) -> Vector3 { return X.row(F(end, k)).transpose() - origin; };
+            sum += corner(0).dot(corner(1).cross(corner(2)));
+        }
+        six_volumes[c] += sum;
+    }
+    return six_volumes / 6;
+}
+
 bool encloses_volume(const TriangleMesh& mesh, const MeshTopology& topology) {
     const Vector volume = component_sizes(mesh, topology).volume;
     return volume.size() > 0 && (volume.array().abs() > 1e-12 * std::pow(bounding_box(mesh).diagonal(), 3)).all();

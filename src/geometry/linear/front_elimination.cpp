@@ -22,8 +22,12 @@ Index blocks_for(Index columns) { return (columns + width - 1) / width; }
 class LowerBlocks {
 public:
     LowerBlocks() = default;
-    LowerBlocks(Index rows, Index columns) : rows_(rows), blocks_(blocks_for(columns)), numbers_(rows_before(blocks_)) {
-        std::fill_n(numbers_.data(), width * numbers_.rows(), 0.0);
+    LowerBlocks(Index rows, Index columns) { reset(rows, columns); }
+    /// All 0, in the memory at hand where that is enough.
+    void reset(Index rows, Index columns) {
+        rows_ = rows, blocks_ = blocks_for(columns);
+        if (rows_before(blocks_) > numbers_.rows()) numbers_ = EightColumns(rows_before(blocks_));
+        std::fill_n(numbers_.data(), width * rows_before(blocks_), 0.0);
     }
     Index rows() const { return rows_; }
     Index blocks() const { return blocks_; }
@@ -38,18 +42,19 @@ private:
     EightColumns numbers_;
 };
 
-/// Rows: the front's own columns, rows of the identity that fill up the last eight, then the rows below.
+/// Rows: the front's own columns, rows of the identity that fill up the last eight, then the rows below. One front after the other is
+/// eliminated in the memory of the first.
 struct Front {
     Index columns = 0, padded = 0;
     LowerBlocks own, rest;
     std::vector<double> pivots;
+    std::vector<Index> at;   // of each row that a child has left
 
-    Front(Index own_columns, Index rows_below)
-        : columns(own_columns),
-          padded(width * blocks_for(own_columns)),
-          own(padded + rows_below, own_columns),
-          rest(rows_below, rows_below),
-          pivots(static_cast<std::size_t>(padded)) {
+    void begin(Index own_columns, Index rows_below) {
+        columns = own_columns, padded = width * blocks_for(own_columns);
+        own.reset(padded + rows_below, own_columns);
+        rest = LowerBlocks(rows_below, rows_below);
+        pivots.assign(static_cast<std::size_t>(padded), 0.0);
         for (Index c = columns; c < padded; ++c) own.row(own.blocks() - 1, c)[c % width] = 1;
     }
 };
@@ -75,7 +80,8 @@ public:
 
     void run(bool parallel) {
         if (!parallel) {
-            for (int f = 0; f < tree_.fronts(); ++f) eliminate(f, false);
+            Front front;
+            for (int f = 0; f < tree_.fronts(); ++f) eliminate(f, front, false);
             return;
         }
         constexpr double tasks = 32;
@@ -97,10 +103,12 @@ public:
             if (small(f) && (parent < 0 || !small(parent))) subtrees.push_back(f);
         }
         for_each_task(subtrees.size(), [&](std::size_t i) {
-            for (int f = first[std::size_t(subtrees[i])]; f <= subtrees[i]; ++f) eliminate(f, false);
+            Front front;
+            for (int f = first[std::size_t(subtrees[i])]; f <= subtrees[i]; ++f) eliminate(f, front, false);
         });
+        Front front;
         for (int f = 0; f < tree_.fronts(); ++f)
-            if (!small(f)) eliminate(f, true);
+            if (!small(f)) eliminate(f, front, true);
     }
 
 private:
@@ -130,8 +138,8 @@ private:
         L_.values = large_vector<double>(values);
     }
 
-    void eliminate(int f, bool parallel) {
-        Front front(tree_.columns(f), static_cast<Index>(tree_.rows_below(f).size()));
+    void eliminate(int f, Front& front, bool parallel) {
+        front.begin(tree_.columns(f), static_cast<Index>(tree_.rows_below(f).size()));
         add_entries(f, front);
         for (const int child : children_[std::size_t(f)]) {
             add_rest(child, f, front, parallel);
@@ -176,7 +184,8 @@ private:
     /// What the child has left, to the front's own columns and to what the front will leave.
     void add_rest(int child, int f, Front& front, bool parallel) const {
         const LowerBlocks& left = rest_[std::size_t(child)];
-        const std::vector<Index> at = rows_in(child, f, front);
+        find_rows(child, f, front);
+        const std::vector<Index>& at = front.at;
         for_each_of(left.blocks(), parallel, [&](Index J) {
             const Index begin = width * J, columns = std::min<Index>(width, left.rows() - begin);
             double* target[width];   // diagonal entries of the columns
@@ -193,20 +202,19 @@ private:
     }
 
     /// The front's row for each row that the child has left.
-    std::vector<Index> rows_in(int child, int f, const Front& front) const {
+    void find_rows(int child, int f, Front& front) const {
         const int first = tree_.first[std::size_t(f)];
         const auto below = tree_.rows_below(f);
-        std::vector<Index> at;
+        front.at.clear();
         Index q = 0;
         for (const int row : tree_.rows_below(child)) {
             if (row < first + front.columns) {
-                at.push_back(row - first);
+                front.at.push_back(row - first);
                 continue;
             }
             while (below[std::size_t(q)] != row) ++q;
-            at.push_back(front.padded + q);
+            front.at.push_back(front.padded + q);
         }
-        return at;
     }
 
     /// W −= L D L̂ᵀ: the rows from `row` on against the eight of the columns that begin with `column`, both numbered as the front's rows.
@@ -214,8 +222,10 @@ private:
     /// @param columns  that are there
     static void subtract_products(const Front& front, Index blocks, Index column, Index columns, Index row, Index rows, double* W) {
         if (blocks == 0) return;
-        std::vector<const double*> V(static_cast<std::size_t>(blocks));
-        EightColumns G(width * blocks);
+        static thread_local std::vector<const double*> V;   // kept from call to call: most are too short to pay for their memory
+        static thread_local EightColumns G;
+        V.resize(static_cast<std::size_t>(blocks));
+        if (G.rows() < width * blocks) G = EightColumns(width * blocks);
         for (Index K = 0; K < blocks; ++K) {
             V[std::size_t(K)] = front.own.row(K, row);
             const double *const l = front.own.row(K, column), *const d = front.pivots.data() + width * K;

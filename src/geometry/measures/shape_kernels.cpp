@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "geometry/measures/closest_point.h"
@@ -85,16 +86,17 @@ HWY_INLINE Numbers SquaredDistances(const Triangles& t, const Three& p) {
 
 void LowerToShape(const TriangleMesh& clean, const Positions& X, Vector& nearest) {
     const Lanes d;
+    const hn::RebindToSigned<Lanes> whole;
+    const hn::CappedTag<double, 1> one;
     const int lanes = static_cast<int>(hn::Lanes(d));
     for (int first = 0; first < clean.face_count(); first += lanes) {
         const int count = std::min(lanes, clean.face_count() - first);
+        alignas(64) std::int64_t place[3][8];   // of the first coordinate of each corner
+        for (int k = 0; k < 3; ++k)
+            for (int i = 0; i < lanes; ++i) place[k][i] = 3 * std::int64_t{clean.F(first + std::min(i, count - 1), k)};
         const auto corners = [&](const Positions& of, int k) HWY_ATTR {
-            alignas(64) double coordinate[3][8];
-            for (int i = 0; i < lanes; ++i) {
-                const double* const x = of.data() + 3 * static_cast<std::ptrdiff_t>(clean.F(first + std::min(i, count - 1), k));
-                for (int c = 0; c < 3; ++c) coordinate[c][i] = x[c];
-            }
-            return Three{hn::Load(d, coordinate[0]), hn::Load(d, coordinate[1]), hn::Load(d, coordinate[2])};
+            const auto x = hn::Load(whole, place[k]);
+            return Three{hn::GatherIndex(d, of.data(), x), hn::GatherIndex(d, of.data() + 1, x), hn::GatherIndex(d, of.data() + 2, x)};
         };
         Triangles t{corners(clean.X, 0), corners(clean.X, 1), corners(clean.X, 2), {}, {}, {}, {}, {}, {}};
         t.ab = t.b - t.a, t.ac = t.c - t.a, t.bc = t.c - t.b;
@@ -103,12 +105,16 @@ void LowerToShape(const TriangleMesh& clean, const Positions& X, Vector& nearest
         t.longest = hn::Max(Dot(t.ab, t.ab), hn::Max(Dot(t.ac, t.ac), Dot(t.bc, t.bc)));
         for (int k = 0; k < 3; ++k) {
             alignas(64) double squared[8];
-            hn::Store(SquaredDistances(t, corners(X, k)), d, squared);
+            const Numbers found = SquaredDistances(t, corners(X, k));
+            hn::Store(found, d, squared);
+            const bool measured = hn::AllTrue(d, hn::Ge(found, hn::Zero(d)));
             for (int i = 0; i < count; ++i) {
                 const auto corner = [&](int j) -> Vector3 { return clean.X.row(clean.F(first + i, j)); };
                 const int v = clean.F(first + i, k);
-                if (!(squared[i] >= 0)) squared[i] = squared_distance_to_triangle(X.row(v), corner(0), corner(1), corner(2), nearest[v]);
-                nearest[v] = std::min(nearest[v], squared[i]);
+                double* const least = nearest.data() + v;
+                if (!measured && !(squared[i] >= 0))
+                    squared[i] = squared_distance_to_triangle(X.row(v), corner(0), corner(1), corner(2), *least);
+                hn::Store(hn::Min(hn::Load(one, squared + i), hn::Load(one, least)), one, least);   // a branch would be guessed wrong
             }
         }
     }

@@ -15,20 +15,27 @@ ModeGrowth mode_growth(const LaplaceBeltrami& laplacian, const LargestEigenvalue
                         " values for an operator on " + std::to_string(laplacian.M.size()) + " vertices");
     }
     const ExplicitDiffusion diffusion(operator_with_mass(laplacian));
-    const Vector weights = laplacian.M.cwiseProduct(top.mode);
-    const auto amplitude = [&](const Positions& Y) { return (Y.transpose() * weights).norm(); };
+    const Vector weights = laplacian.M.cwiseProduct(top.mode)(diffusion.vertex());   // 0 at vertices without mass
+    const auto amplitude = [&](const FourColumns& Y) {
+        Four sum = Four::Zero();
+        for (Eigen::Index i = 0; i < Y.rows(); ++i) sum += weights[i] * row_of(Y, i);
+        return sum.matrix().norm();
+    };
     const auto energy = [&](const Positions& Y) { return -(Y.array() * (laplacian.C * Y).array()).sum(); };
 
     // The constant part is in no mode but that of μ = 0; without it no digits are lost to it.
-    Positions Y = X.rowwise() - (X.transpose() * laplacian.M / laplacian.M.sum()).transpose();
-    const double start = amplitude(Y), energy_at_start = energy(Y);
+    Positions centred = X.rowwise() - (X.transpose() * laplacian.M / laplacian.M.sum()).transpose();
+    FourColumns Y = gathered(centred, diffusion.vertex()), next(Y.rows());
+    const double start = amplitude(Y), energy_at_start = energy(centred);
     if (!(start > 0)) throw MeshError("growth of a mode: the positions have none of it", "add it with seeded()");
     ModeGrowth growth{lambda, std::abs(1 - lambda * top.value), {1}};
     for (int t = 0; t < steps; ++t) {
-        Y = diffusion.step(lambda, Y);
+        diffusion.step(lambda, Y, next);
+        std::swap(Y, next);
         growth.factor.push_back(amplitude(Y) / start);
     }
-    growth.energy_ratio = energy(Y) / energy_at_start;
+    scatter(Y, diffusion.vertex(), centred);
+    growth.energy_ratio = energy(centred) / energy_at_start;
     return growth;
 }
 

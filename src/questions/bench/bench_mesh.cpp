@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/curvature/curvature.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "mesh/edge_flips.h"
 #include "mesh/samples/random_sphere.h"
@@ -105,6 +106,10 @@ std::string_view name_of(MeshKind kind) {
 
 const SparseMatrix& BenchMesh::C() const {
     return shared("C", [&] { return cotangent_stiffness(mesh.F, mesh.vertex_count(), corner_cotangents(mesh)); });
+}
+
+const Vector& BenchMesh::angle_deficits() const {
+    return shared("angle deficits", [&] { return angle_deficit(mesh, topology); });
 }
 
 BenchMesh bench_mesh(const KnownSurface& surface, MeshKind kind, int level, std::uint64_t seed) {

@@ -40,6 +40,7 @@ struct BenchMesh {
     }
     /// The cotangent stiffness matrix.
     const SparseMatrix& C() const;
+    const Vector& angle_deficits() const;
 
 private:
     mutable std::map<std::string, std::any> kept_;

@@ -157,7 +157,7 @@ BenchLevel measured(const BenchMesh& b) {
                      .mean_edge = b.mean_edge,
                      .smallest_angle = smallest_angle(b.mesh),
                      .negative_weights = negative_weights(b.C(), b.topology).inside / edges,
-                     .euler_from_angles = total_deficit(angle_deficit(b.mesh, b.topology)) / (2 * pi)};
+                     .euler_from_angles = total_deficit(b.angle_deficits()) / (2 * pi)};
     const Vector bending = 2 * b.H.array().square() - b.K.array();   // ½(κ₁² + κ₂²)
     level.indicator = indicator_on(b);
     for (const Estimator* e : estimators()) {

@@ -29,6 +29,7 @@ void run_with(const SearchInput& input, double value, const SearchPlan& plan,
     options.parameter = value * plan.unit;
     options.steps = plan.steps;
     TriangleMesh smoothed = input.clean;
+    const Vector3 centre = bounding_box(input.clean).centre();   // to measure volumes from
     options.after_step = [&](int step, const Positions& X) {
         smoothed.X = X;
         const SearchState state{.value = value,
@@ -36,7 +37,7 @@ void run_with(const SearchInput& input, double value, const SearchPlan& plan,
                                 .shape = shape_rms(input.clean, X),
                                 .rms = vertex_rms(input.clean.X, X),
                                 .angle = mean_normal_angle(input.clean_normals, face_normals(smoothed)),
-                                .volume = signed_volume(smoothed)};
+                                .volume = signed_volume(smoothed, centre)};
         ++result.steps;
         if (state.shape < result.by_shape.shape) {
             result.by_shape = state;

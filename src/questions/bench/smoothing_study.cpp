@@ -1,5 +1,10 @@
 #include "questions/bench/smoothing_study.h"
 
+#include <tbb/task_arena.h>
+
+#include <map>
+#include <mutex>
+
 #include "geometry/curvature/curvature.h"
 #include "geometry/denoising/component_size.h"
 #include "geometry/operators/vertices_with_mass.h"
@@ -36,14 +41,17 @@ public:
           all_closed_((volume_.array() > 0).all()),
           spread_(spreads(mesh_.X)) {}
 
-    /// The size left of the component that lost most; NaN once positions are not finite.
-    double kept(const Positions& X) const {
-        const Vector volume = volumes(X), spread = all_closed_ ? spread_ : spreads(X);
+    struct Left {
+        double size;     // of the component that lost most, over that of the input; NaN once positions are not finite
+        double volume;   // of all components [length³]
+    };
+    Left left(const Positions& X) const {
+        const Vector volume = component_volumes(mesh_.F, X, topology_), spread = all_closed_ ? spread_ : spreads(X);
         double least = infinity;
         for (int c = 0; c < topology_.component_count; ++c)
             if (const bool closed = volume_[c] > 0; closed || spread_[c] > 0)
                 least = std::min(least, closed ? volume[c] / volume_[c] : spread[c] / spread_[c]);
-        return X.allFinite() ? least : std::nan("");
+        return {X.allFinite() ? least : std::nan(""), volume.sum()};
     }
 
 private:
@@ -61,20 +69,6 @@ private:
         for (int t = 0; t < mesh_.face_count(); ++t)
             for (const int v : mesh_.F.row(t)) component[v] = topology_.component[t];
         return component;
-    }
-
-    /// Measures each component from a corner of its own; meaningful for closed ones.
-    Vector volumes(const Positions& X) const {
-        Vector six_volumes = Vector::Zero(topology_.component_count);
-        std::vector<int> seen_from(topology_.component_count, -1);
-        for (int t = 0; t < mesh_.face_count(); ++t) {
-            const int c = topology_.component[t];
-            int& from = seen_from[c];
-            if (from < 0) from = mesh_.F(t, 0);
-            const auto corner = [&](int k) -> Vector3 { return X.row(mesh_.F(t, k)) - X.row(from); };
-            six_volumes[c] += corner(0).dot(corner(1).cross(corner(2)));
-        }
-        return six_volumes / 6;
     }
 
     /// Σ M_v |x_v − c|² / Σ M_v, over the squared diagonal of the input's box, so that no size of a mesh overflows. M is the input's.
@@ -113,6 +107,20 @@ SmoothingSubject smoothing_subject(SharedMesh source, OperatorKind kind, AreaFor
     return subject;
 }
 
+std::shared_ptr<const Spectrum> all_modes(const SmoothingSubject& subject) {
+    static std::mutex mutex;
+    static std::map<std::weak_ptr<const PreparedMesh>, std::shared_ptr<const Spectrum>, std::owner_less<>> known;
+    const std::lock_guard lock(mutex);   // another chapter waits instead of solving the same
+    std::shared_ptr<const Spectrum>& spectrum = known[subject.source->prepared];
+    if (!spectrum) {
+        tbb::this_task_arena::isolate([&] {   // or a loop inside might begin the other chapter, which would wait for itself
+            const int all = subject.preflight().vertices_in_use;
+            spectrum = std::make_shared<const Spectrum>(smallest_eigenpairs(subject.laplacian, all, {.dense_below = all_modes_at_most}));
+        });
+    }
+    return spectrum;
+}
+
 FactorOperations implicit_operations_of(const SmoothingSubject& subject) {
     const OperatorWithMass whole = operator_with_mass(subject.laplacian);
     ImplicitSolver solver;
@@ -144,9 +152,9 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     run.iterations = iterations;
     run.in_view = subject.mesh().X;
     const bool closed = subject.preflight().closed();
-    const double first_volume = signed_volume(subject.mesh());
-    if (closed) run.volume = {1};
     const SizeWatch sizes(subject, subject.topology());
+    const double first_volume = sizes.left(subject.mesh().X).volume;
+    if (closed) run.volume = {1};
     run.size = {1};
 
     SmoothingOptions options{
@@ -154,8 +162,9 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     EnergyWatch watch(subject.laplacian, scheme, lambda, subject.mesh().X);
     options.after_step = [&](int iteration, const Positions& X) {
         watch.look(X);
-        if (closed) run.volume.push_back(signed_volume(moved_to(subject.mesh(), X)) / first_volume);
-        run.size.push_back(sizes.kept(X));
+        const SizeWatch::Left left = sizes.left(X);
+        if (closed) run.volume.push_back(left.volume / first_volume);
+        run.size.push_back(left.size);
         if (iteration == run.in_view_iteration + 1 && output::fit_frame_of(subject.mesh(), X)) {
             run.in_view = X;
             run.in_view_iteration = iteration;
@@ -169,7 +178,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
 
     const TriangleMesh smoothed = moved_to(subject.mesh(), run.result.X);
     run.moved = compare_meshes(subject.mesh(), smoothed);
-    run.volume_ratio = closed ? run.moved.volume_ratio : std::nan("");
+    run.volume_ratio = closed ? run.volume.back() : std::nan("");
     run.smallest_angle = smallest_angle(smoothed);
     return run;
 }

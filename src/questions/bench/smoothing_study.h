@@ -6,6 +6,7 @@
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/definiteness.h"
+#include "geometry/spectrum/laplace_spectrum.h"
 #include "geometry/spectrum/stability.h"
 #include "questions/core/section_tools.h"
 
@@ -30,6 +31,10 @@ struct SmoothingSubject : OnMesh {
     double safe() const { return bottom.semidefinite() ? 2 / top.upper_bound : 0; }
 };
 SmoothingSubject smoothing_subject(SharedMesh source, OperatorKind kind = OperatorKind::cotan, AreaForm area = AreaForm::barycentric);
+
+/// All eigenpairs of −C on a mesh of at most so many vertices, with the operator that smooths by default; found once for all chapters.
+inline constexpr int all_modes_at_most = 1000;
+std::shared_ptr<const Spectrum> all_modes(const SmoothingSubject& subject);
 
 /// What a factor of the implicit scheme costs, whatever λ.
 FactorOperations implicit_operations_of(const SmoothingSubject& subject);

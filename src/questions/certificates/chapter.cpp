@@ -78,7 +78,8 @@ Certified certified(SharedMesh source, const QuestionSettings& settings) {
     c.laplacian = laplace_beltrami(c.mesh());
     c.angle_deficits = angle_deficit(c.mesh(), c.topology());
     corner_cotangents(c.mesh(), &c.without_area);
-    const Spectrum spectrum = smallest_eigenpairs(c.laplacian, settings.k.empty() ? 15 : std::ranges::max(settings.k));
+    const Spectrum spectrum =
+        smallest_eigenpairs(c.laplacian, settings.k.empty() ? 15 : std::ranges::max(settings.k), {.dense_below = 200});
     c.modes = static_cast<int>(spectrum.eigenvalues.size());
     c.certificate = certify_spectrum(c.mesh(), c.laplacian, spectrum);
     return c;
@@ -116,8 +117,8 @@ report::Text about_faults(const std::vector<FaultTrial>& trials, const Specimen&
     }
     const report::Text caught =
         missed.empty() ? words.say("planted.caught") : words.say("planted.missed", "missed"_a = listed(missed), "number"_a = missed.size());
-    report::Text t =
-        words.say("planted", "faults"_a = trials.size(), "modes"_a = specimen.spectrum.eigenvalues.size(), "caught"_a = caught);
+    report::Text t = words.say("planted", "faults"_a = trials.size(), "modes"_a = specimen.spectrum.eigenvalues.size(),
+                               "vertices"_a = specimen.mesh.vertex_count(), "caught"_a = caught);
     if (alone > 0) report::extend(t, " ", words.say("planted.alone", "alone"_a = alone));
     return t;
 }
@@ -130,7 +131,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const auto sources = meshes_for(library, settings, {"armadillo", "cube", "bumpy_cube", "fandisk", "lilium"}, section);
     const auto meshes = studies_of(sources, "certificates", settings, progress, section, certified);
     progress("planted faults");
-    const Specimen specimen = bundled_specimen();
+    const Specimen specimen = ellipsoid_specimen();
     const std::vector<FaultTrial> trials = trials_of(specimen);
 
     add_words(section, words, {"method", "results"});

@@ -1,5 +1,4 @@
 #include "base/parallel_tasks.h"
-#include "geometry/spectrum/laplace_spectrum.h"
 #include "mesh/samples/sample_parts.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/maps/parts.h"
@@ -8,8 +7,7 @@ namespace meshfolio::maps {
 
 namespace {
 
-constexpr int all_modes_up_to = 1000;   // vertices
-constexpr double vanished = 1e-6;       // of the box diagonal: what is smaller has no normals that mean anything
+constexpr double vanished = 1e-6;   // of the box diagonal: what is smaller has no normals that mean anything
 
 /// Cells per factor of ten, and the decades on either side of the limit.
 struct PlaneGrid {
@@ -240,10 +238,9 @@ SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings
 
     const LargestEigenvalue& top = maps.subject.top;
     maps.top = growing_modes(maps.subject, Vector::Constant(1, top.value), top.mode);
-    const int vertices = maps.subject.preflight().vertices_in_use;
-    if (vertices <= all_modes_up_to) {
-        const Spectrum spectrum = smallest_eigenpairs(maps.subject.laplacian, vertices, {.dense_below = all_modes_up_to});
-        maps.all = growing_modes(maps.subject, spectrum.eigenvalues, spectrum.eigenvectors);
+    if (maps.subject.preflight().vertices_in_use <= all_modes_at_most) {
+        const auto all = all_modes(maps.subject);
+        maps.all = growing_modes(maps.subject, all->eigenvalues, all->eigenvectors);
     }
     maps.places = places_of(maps);
     return maps;

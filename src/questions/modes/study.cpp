@@ -5,15 +5,13 @@
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/diffusion_step.h"
 #include "geometry/smoothing/dirichlet_energy.h"
-#include "geometry/spectrum/laplace_spectrum.h"
 
 namespace meshfolio::modes {
 
 namespace {
 
-constexpr int all_modes_up_to = 1000;   // vertices
-constexpr int lowest_modes = 60;        // of a larger mesh
-constexpr int run_at_most = 2000;       // explicit steps that are run to see whether they do what was said
+constexpr int lowest_modes = 60;    // of a larger mesh
+constexpr int run_at_most = 2000;   // explicit steps that are run to see whether they do what was said
 
 struct Modes {
     Vector eigenvalues;
@@ -22,15 +20,12 @@ struct Modes {
 };
 
 Modes modes_of(const SmoothingSubject& subject, bool quick) {
-    const int vertices = subject.preflight().vertices_in_use;
-    Modes modes;
-    modes.all = vertices <= all_modes_up_to;
-    const int count = modes.all ? vertices : quick ? 20 : lowest_modes;
-    const Spectrum spectrum =
-        smallest_eigenpairs(subject.laplacian, count, {.polish = !modes.all, .dense_below = modes.all ? all_modes_up_to : 0});
-    modes.eigenvalues = spectrum.eigenvalues;
-    modes.vectors = spectrum.eigenvectors;
-    if (modes.all) return modes;
+    if (subject.preflight().vertices_in_use <= all_modes_at_most) {
+        const auto all = all_modes(subject);
+        return {all->eigenvalues, all->eigenvectors, true};
+    }
+    Spectrum lowest = smallest_eigenpairs(subject.laplacian, quick ? 20 : lowest_modes, {.polish = true, .dense_below = 0});
+    Modes modes{std::move(lowest.eigenvalues), std::move(lowest.eigenvectors)};
     modes.eigenvalues.conservativeResize(modes.eigenvalues.size() + 1);
     modes.eigenvalues.tail(1)[0] = subject.top.value;
     modes.vectors.conservativeResize(Eigen::NoChange, modes.vectors.cols() + 1);

@@ -66,7 +66,7 @@ void compare_equal_times(ImplicitStudy& study) {
 void measure_damping(ImplicitStudy& study) {
     const SmoothingSubject& subject = study.subject;
     const int k = std::min(12, subject.preflight().vertices_in_use);
-    const Spectrum low = smallest_eigenpairs(subject.laplacian, k);
+    const Spectrum low = smallest_eigenpairs(subject.laplacian, k, {.dense_below = 200});
     // Well above rounding, also that of coordinates far from the origin.
     const double rounding = 1e7 * std::numeric_limits<double>::epsilon() * subject.mesh().X.cwiseAbs().maxCoeff();
     const double visible = std::max(1e-6 * subject.diagonal, rounding) * std::sqrt(subject.laplacian.M.sum());

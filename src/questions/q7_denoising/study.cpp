@@ -1,4 +1,4 @@
-#include "questions/q7_denoising/study.h"
+#include "questions/q7_denoising/parts.h"
 
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/curvature.h"
@@ -14,7 +14,7 @@ namespace meshfolio::q7_denoising {
 namespace {
 
 /// Samples of the same noise beside the first.
-constexpr int further_seeds = 4;
+constexpr int further_seeds = 2;
 
 SmoothingOptions smoothing_by(const DenoisingGrid& grid, double lambda, int iterations) {
     return {.scheme = SmoothingScheme::implicit_euler, .lambda = lambda * grid.mean_edge * grid.mean_edge, .iterations = iterations};
@@ -86,34 +86,36 @@ double gain_of(const DenoisingGrid& grid, const NoisyTrial& trial, std::uint64_t
     return error(noisy.X) / error(smooth(noisy, smoothing_by(grid, best.value, best.step), solver).X);
 }
 
-/// Two runs, from Y and from Y + εz, whose difference along z is the divergence of Stein's estimate.
-Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial, std::uint64_t seed, ImplicitSolver& solver) {
-    const TriangleMesh &clean = grid.clean->mesh(), &noisy = trial.noisy;
-    const MeshTopology& topology = grid.clean->topology();
-    const double sigma = noise_level(noisy, topology).sigma, amount = 1e-4 * grid.mean_edge;
+/// A run from Y, held against one from Y + εz: their difference along z is the divergence of Stein's estimate.
+struct WatchedRun {
+    Positions z;                           // n × 3, random signs
+    std::vector<double> residual, along;   // |X − Y|², z · (X − Y), after t = 0, 1, … iterations
+    std::vector<double> shape;             // rms distance to the clean surface
+
+    void enter(const Positions& moved, double distance) {
+        residual.push_back(moved.squaredNorm());
+        along.push_back(z.cwiseProduct(moved).sum());
+        shape.push_back(distance);
+    }
+};
+
+/// @param run  at the step in the middle of the grid
+Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial, const WatchedRun& run, ImplicitSolver& solver) {
+    const TriangleMesh& noisy = trial.noisy;
+    const double sigma = noise_level(noisy, grid.clean->topology()).sigma, amount = 1e-4 * grid.mean_edge;
     if (!(sigma > 0) || !(trial.found.noisy.shape > 0)) return {};
-    const Positions z = random_signs(noisy.X.rows(), seed);
-    std::vector<double> residual{0}, divergence{3.0 * noisy.vertex_count()}, shape{trial.found.noisy.shape}, along{0};
-    SmoothingOptions options = smoothing_by(grid, grid.middle_lambda(), grid.iterations);
-    options.after_step = [&](int, const Positions& X) {
-        residual.push_back((X - noisy.X).squaredNorm());
-        along.push_back(z.cwiseProduct(X - noisy.X).sum());
-        shape.push_back(shape_rms(clean, X));
-        return true;
-    };
-    smooth(noisy, options, solver);
+    std::vector<double> divergence{3.0 * noisy.vertex_count()};
+    SmoothingOptions options = smoothing_by(grid, grid.middle_lambda(), static_cast<int>(run.along.size()) - 1);
     options.after_step = [&](int t, const Positions& X) {
-        if (t == std::ssize(along)) return false;   // the first run ended earlier
-        divergence.push_back((z.cwiseProduct(X - noisy.X).sum() - along[t]) / amount);
+        divergence.push_back((run.z.cwiseProduct(X - noisy.X).sum() - run.along[t]) / amount);
         return true;
     };
-    smooth(moved_to(noisy, noisy.X + amount * z), options, solver);
-    residual.resize(divergence.size());
-    const auto vector = [](std::vector<double>& values) {
-        return Eigen::Map<Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
+    smooth(moved_to(noisy, noisy.X + amount * run.z), options, solver);
+    const auto vector = [&](const std::vector<double>& values) {
+        return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(divergence.size()));
     };
-    const int best = RiskEstimate{vector(residual), vector(divergence), divergence[0]}.best(sigma);
-    return {best, shape[0] / shape[best], shape[0] / std::ranges::min(shape)};
+    const int best = RiskEstimate{vector(run.residual), vector(divergence), divergence[0]}.best(sigma);
+    return {best, run.shape[0] / run.shape[best], run.shape[0] / std::ranges::min(run.shape)};
 }
 
 NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double relative, std::uint64_t seed, int further) {
@@ -125,19 +127,37 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
     if (grid.clean->preflight().closed()) trial.clean_volume = signed_volume(clean);
     trial.noisy = moved_to(clean, with_gaussian_noise(clean.X, Vector3::Constant(trial.sigma), seed));
     const SearchInput input{clean, normals, {trial.noisy, topology}, grid.mean_edge};
-    trial.found = search_for_best(input, grid.lambdas, grid.iterations, &trial.states);
+    WatchedRun middle{random_signs(clean.X.rows(), seed), {}, {}, {}};
+    middle.enter(Positions::Zero(clean.X.rows(), 3), shape_rms(clean, trial.noisy.X));
+    trial.found = search_for_best(input, grid.lambdas, grid.iterations, [&](const SearchState& state, const Positions& X) {
+        trial.states.push_back(state);
+        if (state.value == grid.middle_lambda()) middle.enter(X - trial.noisy.X, state.shape);
+    });
     trial.best = moved_to(clean, trial.found.X);
-    const SearchState& best = trial.found.by_shape;
     ImplicitSolver solver;   // the triangles stay: one symbolic analysis for all
-    trial.over =
-        best.step == 0 ? trial.noisy : moved_to(clean, smooth(trial.noisy, smoothing_by(grid, best.value, 4 * best.step), solver).X);
-    trial.clean_alike = best.step == 0 ? clean : moved_to(clean, smooth(clean, smoothing_by(grid, best.value, best.step), solver).X);
     trial.remains = remains_of(grid, normals, trial.best);
-    trial.taken = remains_of(grid, normals, trial.clean_alike);
-    trial.stopped = stopped_without_clean(grid, trial, seed, solver);
+    trial.stopped = stopped_without_clean(grid, trial, middle, solver);
     for (int i = 1; trial.improved() && i <= further; ++i)
         trial.further_gains.push_back(gain_of(grid, trial, seed + static_cast<std::uint64_t>(i), solver));
     return trial;
+}
+
+/// What is seen of the trials alone that a report may show.
+void smooth_on(DenoisingGrid& grid, const Positions& normals) {
+    const TriangleMesh& clean = grid.clean->mesh();
+    const std::array shown{&grid.pictured(), &hardest_in(grid), &leading_in(grid)};
+    for_each_task(grid.trials.size(), [&](std::size_t i) {
+        NoisyTrial& trial = grid.trials[i];
+        if (std::ranges::find(shown, &trial) == shown.end()) return;
+        const SearchState& best = trial.found.by_shape;
+        const auto smoothed = [&](const TriangleMesh& mesh, int steps) {
+            return steps == 0 ? mesh : moved_to(clean, smooth(mesh, smoothing_by(grid, best.value, steps)).X);
+        };
+        trial.over = smoothed(trial.noisy, 4 * best.step);
+        if (&trial != shown[0]) return;
+        trial.clean_alike = smoothed(clean, best.step);
+        trial.taken = remains_of(grid, normals, trial.clean_alike);
+    });
 }
 
 /// Noise enlarges the triangles, and with them M: the same λ smooths less.
@@ -178,11 +198,11 @@ DenoisingTries tries_of(const QuestionSettings& settings, double mean_edge) {
 }
 
 SearchResult search_for_best(const SearchInput& input, const std::vector<double>& lambdas, int iterations,
-                             std::vector<SearchState>* states) {
+                             const std::function<void(const SearchState&, const Positions&)>& met) {
     Patience patience;
     return search(input, DenoisingMethod::implicit_flow, {lambdas, input.mean_edge * input.mean_edge, iterations},
-                  [&](const SearchState& state, const Positions&) {
-                      if (states != nullptr) states->push_back(state);
+                  [&](const SearchState& state, const Positions& X) {
+                      if (met) met(state, X);
                       return patience.go_on(state);
                   });
 }
@@ -216,6 +236,7 @@ DenoisingGrid denoising_grid(SharedMesh source, const QuestionSettings& settings
     for_each_task(tries.noise.size(), [&](std::size_t i) {
         grid.trials[i] = trial_of(grid, normals, tries.noise[i], settings.seed, settings.quick ? 0 : further_seeds);
     });
+    smooth_on(grid, normals);
     compare_areas(grid);
     try_other_noise(grid, settings.seed);
     return grid;

@@ -35,8 +35,8 @@ struct NoisyTrial {
     double relative = 0, sigma = 0;    // of each coordinate [box diagonals], [length]
     double clean_volume = NAN;         // NaN: open [length³]
     TriangleMesh noisy, best;          // best: nearest to the clean surface
-    TriangleMesh over;                 // four times as many iterations of the same λ
-    TriangleMesh clean_alike;          // the clean mesh after as many as the best: what smoothing itself takes
+    TriangleMesh over;                 // four times as many iterations of the same λ; of the pictured, the hardest and the leading trial
+    TriangleMesh clean_alike;          // of pictured(): the clean mesh after as many as the best, what smoothing itself takes
     std::vector<SearchState> states;   // of all runs, λ by λ
     SearchResult found;
     Remains remains, taken;   // of `best`, of `clean_alike`
@@ -100,9 +100,9 @@ DenoisingTries tries_of(const QuestionSettings& settings, double mean_edge);
 
 /// Every λ on one noisy mesh; a run is given up when it no longer gets better.
 /// @param input  its mean edge is that of the clean mesh
-/// @param states  where those met on the way are added; null: nowhere
+/// @param met  called with every state and its positions
 SearchResult search_for_best(const SearchInput& input, const std::vector<double>& lambdas, int iterations,
-                             std::vector<SearchState>* states = nullptr);
+                             const std::function<void(const SearchState&, const Positions&)>& met = {});
 
 /// Runs the noise levels of the settings, else from barely visible to hopeless, with λ from 0.001 h̄² to 10 h̄².
 DenoisingGrid denoising_grid(SharedMesh clean, const QuestionSettings& settings);

@@ -61,7 +61,7 @@ StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settin
     study.source = std::move(source);
     study.mean_edge = mean_edge_length(study.mesh());
     study.diagonal = bounding_box(study.mesh()).diagonal();
-    const int steps = settings.quick ? 300 : 1000;
+    const int steps = settings.quick ? 200 : 500;
     const LaplaceBeltrami laplacian = laplace_beltrami(study.mesh());
     study.cotangent = operator_limit("cotangent", OperatorKind::cotan, laplacian, study.mesh(), study.mean_edge, steps);
     study.uniform =
@@ -76,7 +76,7 @@ RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& se
     flow.source = study.source;
     flow.lambda = 0.5 * study.cotangent.critical();
     flow.share = 0.95;
-    flow.iterations = settings.quick ? 20 : 50;
+    flow.iterations = settings.quick ? 20 : 30;
     flow.beyond = 2;   // the top mode triples in each step
     SmoothingOptions options{.lambda = flow.lambda, .iterations = flow.iterations, .rebuild = true, .monitor = true};
     flow.fixed = watched_run(study.mesh(), options);

@@ -41,7 +41,7 @@ TEST(CertificatesSection, TheTableOfFaultsHasEveryFaultAndSaysWhatItsChecksSay) 
     const report::Table& table = table_named(answer.section, "certificates_faults");
     const std::vector<PlantedFault> faults = planted_faults();
     ASSERT_EQ(table.rows.size(), faults.size());
-    const std::vector<FaultTrial> trials = trials_of(bundled_specimen());
+    const std::vector<FaultTrial> trials = trials_of(ellipsoid_specimen());
     const auto caught = cells(table, "caught");
     for (std::size_t i = 0; i < faults.size(); ++i) {
         EXPECT_EQ(std::get<std::string>(table.rows[i][0]), faults[i].name);

@@ -12,7 +12,7 @@ namespace meshfolio::certificates {
 namespace {
 
 const Specimen& specimen() {
-    static const Specimen sound = bundled_specimen();
+    static const Specimen sound = ellipsoid_specimen();
     return sound;
 }
 

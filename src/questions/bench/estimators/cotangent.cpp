@@ -35,7 +35,7 @@ Vector H_along_normal(const BenchMesh& b) {
 
 template <AreaForm form>
 Vector K(const BenchMesh& b) {
-    return gaussian_curvature(b.mesh, b.topology, areas(b, form));
+    return gaussian_curvature(b.topology, b.angle_deficits(), areas(b, form));
 }
 
 Vector clamped(const BenchMesh& b) {
