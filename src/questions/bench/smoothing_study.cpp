@@ -111,6 +111,7 @@ std::shared_ptr<const Spectrum> all_modes(const SmoothingSubject& subject) {
     static std::mutex mutex;
     static std::map<std::weak_ptr<const PreparedMesh>, std::shared_ptr<const Spectrum>, std::owner_less<>> known;
     const std::lock_guard lock(mutex);   // another chapter waits instead of solving the same
+    std::erase_if(known, [](const auto& one) { return one.first.expired(); });
     std::shared_ptr<const Spectrum>& spectrum = known[subject.source->prepared];
     if (!spectrum) {
         tbb::this_task_arena::isolate([&] {   // or a loop inside might begin the other chapter, which would wait for itself
