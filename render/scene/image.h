@@ -3,7 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+
+#include "scene/large_array.h"
 
 namespace render {
 
@@ -14,7 +15,7 @@ struct Rgba {
 
 struct Image {
     int width = 0, height = 0;
-    std::vector<Rgba> pixels;   // width × height
+    LargeArray<Rgba> pixels;   // width × height
 
     Image() = default;
     Image(int w, int h, Rgba fill = {255, 255, 255, 255})
