@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <cstring>
@@ -99,40 +100,28 @@ void subtract_paeth(const Byte* row, const Byte* above, std::size_t size, std::s
     }
 }
 
-/// Rows of the picture on their way through the filter, from `y` on: this one and the one above, each with an empty pixel to its left.
-class RowFilter {
-public:
-    RowFilter(const Image& image, std::size_t channels, int y)
-        : image_(image),
-          channels_(channels),
-          size_(channels * static_cast<std::size_t>(image.width)),
-          y_(y),
-          row_(size_ + 8),
-          above_(size_ + 8) {
-        if (y > 0) copy_row(y - 1, above_);
+/// Row y less its prediction, after the number of the filter. Stretches that repeat the row above, as the ground does, leave only zeros.
+void filter_row(const Image& image, std::size_t channels, int y, Byte* line) {
+    constexpr int stretch = 64;
+    const auto copy = [&](int x, int row, int count, Byte* bytes) {
+        channels == 4 ? void(std::memcpy(bytes, &image.at(x, row), 4 * static_cast<std::size_t>(count)))
+                      : copy_rgb(&image.at(x, row), static_cast<std::size_t>(count), bytes);
+    };
+    *line++ = 4;
+    for (int x = 0; x < image.width; x += stretch) {
+        const int left = x > 0 ? 1 : 0, count = std::min(stretch, image.width - x);   // a pixel to the left, empty at the margin
+        const std::size_t bytes = channels * static_cast<std::size_t>(count), begin = channels * static_cast<std::size_t>(1 - left);
+        if (y > 0 && std::memcmp(&image.at(x - left, y), &image.at(x - left, y - 1), 4 * static_cast<std::size_t>(left + count)) == 0) {
+            std::memset(line, 0, bytes);
+        } else {
+            std::array<Byte, 4 * (stretch + 2)> row{}, above{};
+            copy(x - left, y, left + count, &row[begin]);
+            if (y > 0) copy(x - left, y - 1, left + count, &above[begin]);
+            subtract_paeth(&row[channels], &above[channels], bytes, channels, line);
+        }
+        line += bytes;
     }
-
-    /// The next row, after the number of the filter.
-    void next(Byte* line) {
-        copy_row(y_++, row_);
-        line[0] = 4;
-        subtract_paeth(row_.data() + 4, above_.data() + 4, size_, channels_, line + 1);
-        std::swap(row_, above_);
-    }
-
-private:
-    void copy_row(int y, std::vector<Byte>& row) const {
-        if (channels_ == 4)
-            std::memcpy(row.data() + 4, &image_.at(0, y), size_);
-        else
-            copy_rgb(&image_.at(0, y), static_cast<std::size_t>(image_.width), row.data() + 4);
-    }
-
-    const Image& image_;
-    std::size_t channels_, size_;
-    int y_;
-    std::vector<Byte> row_, above_;
-};
+}
 
 /// Some 256 kB of filtered rows.
 struct Band {
@@ -144,8 +133,7 @@ struct Band {
 Band band_of(const Image& image, std::size_t channels, int begin, int end) {
     const std::size_t line = 1 + channels * static_cast<std::size_t>(image.width), size = line * static_cast<std::size_t>(end - begin);
     std::vector<Byte> lines(size);
-    RowFilter filter(image, channels, begin);
-    for (std::size_t i = 0; i < size; i += line) filter.next(&lines[i]);
+    for (int y = begin; y < end; ++y) filter_row(image, channels, y, &lines[line * static_cast<std::size_t>(y - begin)]);
     return {{lines.data(), size, channels, end == image.height}, libdeflate_adler32(1, lines.data(), size), size};
 }
 
