@@ -192,12 +192,25 @@ private:
     }
 
     void look_at_vertices() {
-        const std::vector<int>& start = topology().vertex_faces.start;
+        struct Seen {
+            int in_use = 0;
+            Eigen::Array3d low = Eigen::Array3d::Constant(HUGE_VAL), high = -low;
+        };
         counts().vertices = mesh().vertex_count();
-        for (std::size_t v = 0; v + 1 < start.size(); ++v) counts().vertices_in_use += start[v] < start[v + 1] ? 1 : 0;
-        const Box box = bounding_box(mesh());
-        counts().box_low = box.low;
-        counts().box_high = box.high;
+        const auto blocks = of_blocks(mesh().vertex_count(), [&](int begin, int end) {
+            Seen seen;
+            for (int v = begin; v < end; ++v) {
+                if (topology().vertex_faces.size(v) == 0) continue;
+                const Eigen::Array3d x = mesh().X.row(v).transpose();
+                ++seen.in_use, seen.low = seen.low.min(x), seen.high = seen.high.max(x);
+            }
+            return seen;
+        });
+        Seen all;
+        for (const auto& block : blocks)
+            all = {all.in_use + block.value.in_use, all.low.min(block.value.low), all.high.max(block.value.high)};
+        counts().vertices_in_use = all.in_use;
+        counts().box_low = all.low, counts().box_high = all.high;
     }
 
     /// Of the vertices in use, those with the coordinates of an earlier one.
