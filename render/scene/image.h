@@ -18,8 +18,7 @@ struct Image {
     LargeArray<Rgba> pixels;   // width × height
 
     Image() = default;
-    Image(int w, int h, Rgba fill = {255, 255, 255, 255})
-        : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
+    Image(int w, int h, Rgba fill = {255, 255, 255, 255});
 
     Rgba& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
     const Rgba& at(int x, int y) const {
