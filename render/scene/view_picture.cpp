@@ -14,7 +14,7 @@ constexpr float occlusion_on_plain = 0.9F, occlusion_on_values = 0.75F;
 
 }   // namespace
 
-ViewBuffers::ViewBuffers(const DrawOptions& options) : heights(options.width, options.height), openness(options.width, options.height) {
+ViewBuffers::ViewBuffers(const DrawOptions& options) : heights(options.width, options.height) {
     if (!options.occlusion) return;
     layers.resize(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
     shown.resize(static_cast<std::size_t>(((options.width - 1) / tile_side + 1) * options.height));
@@ -74,21 +74,21 @@ void ViewPicture::set_heights(const SampleTile& tile, int block_row) {
     }
 }
 
-void ViewPicture::finish() {
+void ViewPicture::finish(HeightField& openness) {
     if (!with_occlusion_) return;
     const Sky sky(buffers_->heights);
     for_each_stretch([&](int x, int y, std::span<const Layer> row_layers) {
         std::array<float, tile_side> open;
         const std::span row_open = std::span(open).first(row_layers.size());
         sky.openness(x, y, row_open);
-        buffers_->openness.set(x, y, row_open);
+        openness.set(x, y, row_open);
     });
     for_each_stretch([&](int x, int y, std::span<const Layer> row_layers) {
         std::array<float, tile_side> open;
         std::array<LinearColor, tile_side> colors;
         const std::span row_open = std::span(open).first(row_layers.size());
         const std::span row_colors = std::span(colors).first(row_layers.size());
-        smooth(buffers_->heights, buffers_->openness, x, y, row_open);
+        smooth(buffers_->heights, openness, x, y, row_open);
         unpack(row_layers, row_open, occlusion_strength_, row_colors);
         resolve(row_colors, background_, {&image_.at(x, y), row_colors.size()});
     });

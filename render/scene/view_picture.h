@@ -15,9 +15,9 @@ namespace render {
 
 /// What a view needs besides its picture, with occlusion or marks: large, so the next view takes it over.
 struct ViewBuffers {
-    HeightField heights, openness;   // where a picture shows nothing, openness may be that of the view before: it counts for nothing
-    LargeArray<Layer> layers;        // one a pixel, with occlusion, where `shown` says so
-    std::vector<char> shown;         // row by row, of each tile that the row crosses
+    HeightField heights;
+    LargeArray<Layer> layers;   // one a pixel, with occlusion, where `shown` says so
+    std::vector<char> shown;    // row by row, of each tile that the row crosses
 
     ViewBuffers(const DrawOptions& options);
 };
@@ -33,8 +33,8 @@ public:
     /// Rows of a tile show nothing. Every row of every tile is either added or left empty: what the buffers hold of another view goes.
     void leave_empty(int left, int top, int rows);
 
-    /// Darkens what is occluded, where that is wanted.
-    void finish();
+    /// Darkens what is occluded, where that is wanted. @param openness  to work with; whatever it holds counts for nothing
+    void finish(HeightField& openness);
 
     const Placement& placement() const { return placement_; }
     const HeightField& heights() const { return buffers_->heights; }
