@@ -198,12 +198,12 @@ HWY_INLINE void draw(const SmallTriangles& t, std::size_t i, std::int32_t id, Sa
     }
 }
 
-/// Prefetches the corners of the next batch, which lie anywhere in memory, and the triangles of the one after it.
+/// Prefetches the corners of the batch after the next, which lie anywhere in memory, and the triangles of the second one after that.
 HWY_INLINE void prefetch(const ProjectedScene& scene, std::span<const std::int32_t> ids, std::size_t begin) {
     const std::span<const glm::ivec3> triangles = scene.scene.surface.triangles;
-    if (begin + 3 * std::size_t{block_samples} > ids.size()) return;
-    for (std::size_t i = begin + block_samples; i < begin + 2 * std::size_t{block_samples}; ++i) {
-        hwy::Prefetch(&triangles[static_cast<std::size_t>(ids[i + block_samples])]);
+    if (begin + 5 * std::size_t{block_samples} > ids.size()) return;
+    for (std::size_t i = begin + 2 * std::size_t{block_samples}; i < begin + 3 * std::size_t{block_samples}; ++i) {
+        hwy::Prefetch(&triangles[static_cast<std::size_t>(ids[i + 2 * std::size_t{block_samples}])]);
         const glm::ivec3& t = triangles[static_cast<std::size_t>(ids[i])];
         for (int k = 0; k < 3; ++k) hwy::Prefetch(scene.vertices + t[k]);
     }
