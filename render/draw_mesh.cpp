@@ -114,7 +114,12 @@ std::vector<ProjectedScene> projected(const Scene& scene, std::span<const Projec
 /// Pictures for the views of one projection after another, which share their buffers.
 class PictureMaker {
 public:
-    PictureMaker(const DrawOptions& options, bool has_values) : options_(options), has_values_(has_values) {}
+    PictureMaker(const DrawOptions& options, bool has_values)
+        : options_(options),
+          has_values_(has_values),
+          openness_(options.occlusion ? options.width : 0, options.occlusion ? options.height : 0) {}
+
+    HeightField& openness() { return openness_; }
 
     std::vector<std::unique_ptr<ViewPicture>> empty_pictures(const Projection& projection) {
         const bool with_buffers = options_.occlusion || !options_.marked_vertices.empty();
@@ -132,6 +137,7 @@ private:
     const DrawOptions& options_;
     bool has_values_;
     std::vector<std::unique_ptr<ViewBuffers>> buffers_;
+    HeightField openness_;
 };
 
 constexpr Rgba mark_color{0, 0, 0, 255}, mark_rim{255, 255, 255, 255};   // black: no colour map has it
@@ -194,7 +200,7 @@ std::vector<Image> draw_framed(const Surface& surface, std::span<const View> vie
         const ProjectionPainter painter(scenes[p], boundary, options, palette, pictures);
         tbb::parallel_for(0, lists.columns() * lists.rows(), [&](int tile) { painter.paint(lists, p, tile, places.local()); });
         for (const auto& picture : pictures) {
-            picture->finish();
+            picture->finish(maker.openness());
             draw_marks(scenes[p], options.marked_vertices, *picture);
             images[picture->placement().view] = std::move(picture->image());
         }

@@ -153,6 +153,11 @@ std::vector<Piece> pieces_of(const uint8_t* bytes, size_t size, size_t period) {
     const auto repeating = [&](size_t i) {
         return static_cast<size_t>(std::countr_zero(load8(bytes + i) ^ load8(bytes + i - period))) / 8;
     };
+    const auto repeats_32 = [&](size_t i) {
+        uint64_t difference = 0;
+        for (size_t k = i; k < i + 32; k += 8) difference |= load8(bytes + k) ^ load8(bytes + k - period);
+        return difference == 0;
+    };
     size_t done = 0;
     for (size_t i = period; i + 8 <= size;) {
         if (repeating(i) < 8) {
@@ -162,6 +167,7 @@ std::vector<Piece> pieces_of(const uint8_t* bytes, size_t size, size_t period) {
         size_t begin = i, end = i + 8;
         while (begin > std::max(done, period) && repeats(begin - 1)) --begin;
         const size_t limit = std::min(begin + longest_run, size);
+        while (end + 32 <= size && end < limit && repeats_32(end)) end += 32;
         for (size_t more = 8; more == 8 && end + 8 <= size && end < limit; end += more) more = repeating(end);
         end = std::min(end, limit);
         pieces.push_back({static_cast<uint32_t>(begin - done), static_cast<uint32_t>(end - begin)});
@@ -261,10 +267,17 @@ void DeflateStream::add(const DeflatedBlock& block) {
     const size_t begin = out_.size();
     out_.resize(begin + block.bits_.size() + 9);
     BitWriter writer{reinterpret_cast<uint8_t*>(out_.data()) + begin, pending_, pending_count_};
-    for (size_t i = 0; i < block.bits_.size(); i += 4) {
+    const auto* const bits = reinterpret_cast<const uint8_t*>(block.bits_.data());
+    size_t i = 0;
+    for (; i + 8 < block.bits_.size(); i += 8, writer.at += 8) {   // the last byte may be less than one: it is left over
+        const uint64_t some = load8(bits + i), joined = writer.bits | some << writer.count;
+        std::memcpy(writer.at, &joined, 8);
+        writer.bits = writer.count > 0 ? some >> (64 - writer.count) : 0;
+    }
+    for (; i < block.bits_.size(); i += 4) {
         const size_t count = std::min<size_t>(4, block.bits_.size() - i);
         uint32_t some = 0;
-        std::memcpy(&some, block.bits_.data() + i, count);
+        std::memcpy(&some, bits + i, count);
         writer.put({some, static_cast<uint32_t>(8 * count)});
         if (i + count == block.bits_.size()) writer.count -= block.spare_;
         writer.flush();

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <cstring>
@@ -99,54 +100,47 @@ void subtract_paeth(const Byte* row, const Byte* above, std::size_t size, std::s
     }
 }
 
-/// Rows of the picture on their way through the filter, from `y` on: this one and the one above, each with an empty pixel to its left.
-class RowFilter {
-public:
-    RowFilter(const Image& image, std::size_t channels, int y)
-        : image_(image),
-          channels_(channels),
-          size_(channels * static_cast<std::size_t>(image.width)),
-          y_(y),
-          row_(size_ + 8),
-          above_(size_ + 8) {
-        if (y > 0) copy_row(y - 1, above_);
+/// Row y less its prediction, after the number of the filter. Stretches that repeat the row above, as the ground does, leave only zeros.
+/// False where another shows something through.
+bool filter_row(const Image& image, std::size_t channels, int y, Byte* line) {
+    constexpr int stretch = 64;
+    const auto copy = [&](int x, int row, int count, Byte* bytes) {
+        channels == 4 ? void(std::memcpy(bytes, &image.at(x, row), 4 * static_cast<std::size_t>(count)))
+                      : copy_rgb(&image.at(x, row), static_cast<std::size_t>(count), bytes);
+    };
+    Byte opacity = 255;
+    *line++ = 4;
+    for (int x = 0; x < image.width; x += stretch) {
+        const int left = x > 0 ? 1 : 0, count = std::min(stretch, image.width - x);   // a pixel to the left, empty at the margin
+        const std::size_t bytes = channels * static_cast<std::size_t>(count), begin = channels * static_cast<std::size_t>(1 - left);
+        if (y > 0 && std::memcmp(&image.at(x - left, y), &image.at(x - left, y - 1), 4 * static_cast<std::size_t>(left + count)) == 0) {
+            std::memset(line, 0, bytes);
+        } else {
+            std::array<Byte, 4 * (stretch + 2)> row{}, above{};
+            copy(x - left, y, left + count, &row[begin]);
+            for (int k = 0; k < count; ++k) opacity &= image.at(x + k, y).a;
+            if (y > 0) copy(x - left, y - 1, left + count, &above[begin]);
+            subtract_paeth(&row[channels], &above[channels], bytes, channels, line);
+        }
+        line += bytes;
     }
-
-    /// The next row, after the number of the filter.
-    void next(Byte* line) {
-        copy_row(y_++, row_);
-        line[0] = 4;
-        subtract_paeth(row_.data() + 4, above_.data() + 4, size_, channels_, line + 1);
-        std::swap(row_, above_);
-    }
-
-private:
-    void copy_row(int y, std::vector<Byte>& row) const {
-        if (channels_ == 4)
-            std::memcpy(row.data() + 4, &image_.at(0, y), size_);
-        else
-            copy_rgb(&image_.at(0, y), static_cast<std::size_t>(image_.width), row.data() + 4);
-    }
-
-    const Image& image_;
-    std::size_t channels_, size_;
-    int y_;
-    std::vector<Byte> row_, above_;
-};
+    return opacity == 255;
+}
 
 /// Some 256 kB of filtered rows.
 struct Band {
     DeflatedBlock block;
     std::uint32_t checksum;
     std::size_t size;
+    bool opaque;
 };
 
 Band band_of(const Image& image, std::size_t channels, int begin, int end) {
     const std::size_t line = 1 + channels * static_cast<std::size_t>(image.width), size = line * static_cast<std::size_t>(end - begin);
     std::vector<Byte> lines(size);
-    RowFilter filter(image, channels, begin);
-    for (std::size_t i = 0; i < size; i += line) filter.next(&lines[i]);
-    return {{lines.data(), size, channels, end == image.height}, libdeflate_adler32(1, lines.data(), size), size};
+    bool opaque = true;
+    for (int y = begin; y < end; ++y) opaque &= filter_row(image, channels, y, &lines[line * static_cast<std::size_t>(y - begin)]);
+    return {{lines.data(), size, channels, end == image.height}, libdeflate_adler32(1, lines.data(), size), size, opaque};
 }
 
 /// The checksum (RFC 1950, 8.2) of what has the checksum `first`, followed by `size` bytes that have `second`.
@@ -157,14 +151,19 @@ std::uint32_t joined_checksum(std::uint32_t first, std::uint32_t second, std::si
     return static_cast<std::uint32_t>(sums % base << 16 | sum % base);
 }
 
-/// The zlib stream (RFC 1950) of the filtered rows. Bands are made on all processors; the bytes do not depend on how many there are.
-void append_compressed(std::string& png, const Image& image, std::size_t channels) {
+/// Made on all processors; the bytes do not depend on how many there are.
+std::vector<std::optional<Band>> bands_of(const Image& image, std::size_t channels) {
     const std::size_t line = 1 + channels * static_cast<std::size_t>(image.width);
     const int rows = static_cast<int>(1 + (std::size_t{1} << 18) / line), count = (image.height - 1) / rows + 1;
     std::vector<std::optional<Band>> bands(static_cast<std::size_t>(count));
     tbb::parallel_for(0, count, [&](int i) {
         bands[static_cast<std::size_t>(i)] = band_of(image, channels, i * rows, std::min(image.height, (i + 1) * rows));
     });
+    return bands;
+}
+
+/// The zlib stream (RFC 1950) of the filtered rows.
+void append_compressed(std::string& png, const std::vector<std::optional<Band>>& bands) {
     std::size_t most = png.size() + 64;   // and what stands around the blocks
     for (const std::optional<Band>& band : bands) most += band->block.largest_size();
     png.reserve(most);
@@ -182,14 +181,18 @@ void append_compressed(std::string& png, const Image& image, std::size_t channel
 
 std::string encode_png(const Image& image) {
     check_size(image, largest_png, "encode_png");
-    const std::size_t channels = is_opaque(image) ? 3 : 4;
+    // Without alpha if all is opaque, which is found on the way.
+    std::size_t channels = image.pixels.front().a == 255 ? 3 : 4;
+    std::vector<std::optional<Band>> bands = bands_of(image, channels);
+    if (channels == 3 && !std::ranges::all_of(bands, [](const std::optional<Band>& band) { return band->opaque; }))
+        bands = bands_of(image, channels = 4);
     std::string png = "\x89PNG\r\n\x1a\n";
     std::size_t begin = open_chunk(png, "IHDR");
     png += big_endian(static_cast<std::size_t>(image.width)) + big_endian(static_cast<std::size_t>(image.height));
     png += {8, channels == 3 ? '\2' : '\6', 0, 0, 0};   // 8 bits, RGB or RGBA, the only compression and filters there are, not interlaced
     close_chunk(png, begin);
     begin = open_chunk(png, "IDAT");
-    append_compressed(png, image, channels);
+    append_compressed(png, bands);
     close_chunk(png, begin);
     close_chunk(png, open_chunk(png, "IEND"));
     return png;

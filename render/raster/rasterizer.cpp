@@ -30,8 +30,7 @@ using FloatLanes = std::array<float, block_samples>;
 struct alignas(64) SmallTriangles {
     enum Kind : std::int32_t { unseen, small, wide };
     Lanes kind;
-    std::array<FloatLanes, 3> dx, dy;
-    std::array<Lanes, 3> start, across, down;   // the latter two: from a block to the next
+    std::array<Lanes, 3> dx, dy, start, across, down;   // the latter two: from a block to the next
     FloatLanes depth, depth1, depth2;
     Lanes first_column, last_column, first_row, last_row;   // blocks
 };
@@ -90,28 +89,27 @@ HWY_INLINE IntVector orient(TileCorner& a, TileCorner& b, TileCorner& c, IntVect
 HWY_INLINE void set_edge(const TileCorner& from, const TileCorner& to, IntVector x, IntVector y, int shift, std::size_t k, std::size_t lane,
                          SmallTriangles& result) {
     const Ints d;
-    const Floats f;
     const IntVector dx = hn::Sub(to.x, from.x), dy = hn::Sub(to.y, from.y), zero = hn::Zero(d);
     // Top and left edges own the samples on them.
     const auto owns_samples = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
     const IntVector start = hn::Sub(hn::Mul(dx, hn::Sub(y, from.y)), hn::Mul(dy, hn::Sub(x, from.x)));
-    hn::StoreU(hn::ConvertTo(f, dx), f, result.dx[k].data() + lane);
-    hn::StoreU(hn::ConvertTo(f, dy), f, result.dy[k].data() + lane);
+    hn::StoreU(dx, d, result.dx[k].data() + lane);
+    hn::StoreU(dy, d, result.dy[k].data() + lane);
     hn::StoreU(hn::Sub(start, hn::IfThenElse(owns_samples, zero, hn::Set(d, 1))), d, result.start[k].data() + lane);
     hn::StoreU(hn::ShiftLeftSame(hn::Neg(dy), shift), d, result.across[k].data() + lane);
     hn::StoreU(hn::ShiftLeftSame(dx, shift), d, result.down[k].data() + lane);
 }
 
-/// First and last block that hold a sample line between low and high; there is none where `first_line` > `last_line`.
+/// First and last block that hold a sample line between low and high.
 struct BlockSpan {
-    IntVector first_line, last_line, first, last;
+    IntVector first, last;
 
     BlockSpan(IntVector low, IntVector high, const SampleTile& tile) {
         const Ints d;
         const SamplePattern& pattern = tile.pattern();
         const int pitch = pattern.pitch_shift(), lines = pattern.block_shift() - pitch;
-        first_line = hn::ShiftRightSame(hn::Add(low, hn::Set(d, pattern.pitch - 1 - pattern.first)), pitch);
-        last_line = hn::ShiftRightSame(hn::Sub(high, hn::Set(d, pattern.first)), pitch);
+        const IntVector first_line = hn::ShiftRightSame(hn::Add(low, hn::Set(d, pattern.pitch - 1 - pattern.first)), pitch);
+        const IntVector last_line = hn::ShiftRightSame(hn::Sub(high, hn::Set(d, pattern.first)), pitch);
         first = hn::Max(hn::ShiftRightSame(first_line, lines), hn::Zero(d));
         last = hn::Min(hn::ShiftRightSame(last_line, lines), hn::Set(d, tile.blocks_on_side() - 1));
     }
@@ -119,26 +117,6 @@ struct BlockSpan {
         hn::StoreU(first, Ints(), to_first), hn::StoreU(last, Ints(), to_last);
     }
 };
-
-/// Where no sample lies in the box of a triangle, told for boxes of one or two rows of samples and up to eight columns. Rows and columns
-/// repeat after two pixels: bit c of byte r is set where column c of row r has a sample.
-HWY_INLINE hn::Mask<Ints> holds_no_sample(const BlockSpan& columns, const BlockSpan& rows, const SamplePattern& pattern) {
-    const Ints d;
-    const hn::RebindToUnsigned<Ints> u;
-    const auto byte_of = [&](IntVector row) HWY_ATTR {
-        const auto upper = hn::Ne(hn::And(row, hn::Set(d, 4)), hn::Zero(d));
-        const IntVector four = hn::IfThenElse(upper, hn::Set(d, pattern.columns_of_rows[1]), hn::Set(d, pattern.columns_of_rows[0]));
-        const IntVector shift = hn::ShiftLeft<3>(hn::And(row, hn::Set(d, 3)));
-        return hn::And(hn::Shr(hn::BitCast(u, four), hn::BitCast(u, shift)), hn::Set(u, 255));
-    };
-    const auto some = hn::Or(byte_of(rows.first_line), byte_of(rows.last_line));
-    const auto from = hn::BitCast(u, hn::And(columns.first_line, hn::Set(d, 7)));
-    const IntVector wide = hn::Sub(columns.last_line, columns.first_line), high = hn::Sub(rows.last_line, rows.first_line);
-    const auto is_small = hn::And(hn::Lt(wide, hn::Set(d, 8)), hn::Lt(high, hn::Set(d, 2)));
-    const auto behind = hn::Shl(hn::Set(u, 2), hn::BitCast(u, hn::Min(hn::Max(wide, hn::Zero(d)), hn::Set(d, 7))));   // the first bit after
-    const auto seen = hn::And(hn::Shr(hn::Or(some, hn::ShiftLeft<8>(some)), from), hn::Sub(behind, hn::Set(u, 1)));
-    return hn::And(is_small, hn::Eq(hn::BitCast(d, seen), hn::Zero(d)));
-}
 
 /// Sets up the triangles in as many lanes as a vector has, from `lane` on.
 HWY_INLINE void set_up(const TileCornerFetcher& fetch, const std::int32_t* ids, const SampleTile& tile, std::size_t lane,
@@ -167,23 +145,18 @@ HWY_INLINE void set_up(const TileCornerFetcher& fetch, const std::int32_t* ids, 
     hn::StoreU(slope(b), f, result.depth1.data() + lane);
     hn::StoreU(slope(c), f, result.depth2.data() + lane);
 
-    const auto misses_lines = hn::Or(hn::Gt(columns.first_line, columns.last_line), hn::Gt(rows.first_line, rows.last_line));
-    const auto no_sample = hn::Or(misses_lines, holds_no_sample(columns, rows, tile.pattern()));
-    const auto is_unseen = hn::Or(no_sample, hn::Eq(area, hn::Zero(d)));
-    const IntVector kind = hn::IfThenElse(is_unseen, hn::Set(d, SmallTriangles::unseen), hn::Set(d, SmallTriangles::small));
+    const IntVector kind = hn::IfThenElse(hn::Eq(area, hn::Zero(d)), hn::Set(d, SmallTriangles::unseen), hn::Set(d, SmallTriangles::small));
     hn::StoreU(hn::IfThenElse(hn::Or(is_far, is_large), hn::Set(d, SmallTriangles::wide), kind), d, result.kind.data() + lane);
 }
 
-/// An edge function at a vector of samples, and how it changes from block to block. dx·y and dy·x are products of at most 14 by 10
-/// bits, multiples of 32 and so exact in float, which multiplies faster.
+/// An edge function at a vector of samples, and how it changes from block to block.
 struct EdgeAtSamples {
     IntVector row, across, down;
 
-    EdgeAtSamples(const SmallTriangles& t, std::size_t k, std::size_t i, FloatVector x, FloatVector y) {
+    EdgeAtSamples(const SmallTriangles& t, std::size_t k, std::size_t i, IntVector x, IntVector y) {
         const Ints d;
-        const Floats f;
-        const FloatVector to_sample = hn::Sub(hn::Mul(hn::Set(f, t.dx[k][i]), y), hn::Mul(hn::Set(f, t.dy[k][i]), x));
-        row = hn::Add(hn::Set(d, t.start[k][i]), hn::ConvertTo(d, to_sample));
+        const IntVector to_sample = hn::Sub(hn::Mul(hn::Set(d, t.dx[k][i]), y), hn::Mul(hn::Set(d, t.dy[k][i]), x));
+        row = hn::Add(hn::Set(d, t.start[k][i]), to_sample);
         across = hn::Set(d, t.across[k][i]), down = hn::Set(d, t.down[k][i]);
     }
 };
@@ -204,8 +177,7 @@ HWY_INLINE void draw(const SmallTriangles& t, std::size_t i, std::int32_t id, Sa
     const IntVector ids = hn::Set(d, id), minus_one = hn::Set(d, -1);
     const FloatVector depth = hn::Set(f, t.depth[i]), depth1 = hn::Set(f, t.depth1[i]), depth2 = hn::Set(f, t.depth2[i]);
     for (std::size_t s = 0; s < block_samples; s += hn::Lanes(d)) {
-        const FloatVector x = hn::ConvertTo(f, hn::LoadU(d, pattern.x.data() + s)),
-                          y = hn::ConvertTo(f, hn::LoadU(d, pattern.y.data() + s));
+        const IntVector x = hn::LoadU(d, pattern.x.data() + s), y = hn::LoadU(d, pattern.y.data() + s);
         EdgeAtSamples edge0(t, 0, i, x, y), edge1(t, 1, i, x, y), edge2(t, 2, i, x, y);
         for (int row = t.first_row[i]; row <= t.last_row[i]; ++row) {
             IntVector e0 = edge0.row, e1 = edge1.row, e2 = edge2.row;
@@ -226,12 +198,12 @@ HWY_INLINE void draw(const SmallTriangles& t, std::size_t i, std::int32_t id, Sa
     }
 }
 
-/// Prefetches the corners of the next batch, which lie anywhere in memory, and the triangles of the one after it.
+/// Prefetches the corners of the batch after the next, which lie anywhere in memory, and the triangles of the second one after that.
 HWY_INLINE void prefetch(const ProjectedScene& scene, std::span<const std::int32_t> ids, std::size_t begin) {
     const std::span<const glm::ivec3> triangles = scene.scene.surface.triangles;
-    if (begin + 3 * std::size_t{block_samples} > ids.size()) return;
-    for (std::size_t i = begin + block_samples; i < begin + 2 * std::size_t{block_samples}; ++i) {
-        hwy::Prefetch(&triangles[static_cast<std::size_t>(ids[i + block_samples])]);
+    if (begin + 5 * std::size_t{block_samples} > ids.size()) return;
+    for (std::size_t i = begin + 2 * std::size_t{block_samples}; i < begin + 3 * std::size_t{block_samples}; ++i) {
+        hwy::Prefetch(&triangles[static_cast<std::size_t>(ids[i + 2 * std::size_t{block_samples}])]);
         const glm::ivec3& t = triangles[static_cast<std::size_t>(ids[i])];
         for (int k = 0; k < 3; ++k) hwy::Prefetch(scene.vertices + t[k]);
     }

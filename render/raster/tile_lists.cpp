@@ -7,6 +7,8 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "raster/tile_lists.h"
 #include "raster/vectors-inl.h"
@@ -16,13 +18,18 @@
 
 namespace render {
 
-/// In place of a tile's number: the triangle meets several tiles, or the grid does not hold its corners. Number `tiles`: it meets none.
-inline constexpr std::int32_t several_tiles = -1;
+/// Which tiles a triangle meets: the number of one tile, or, negative, the first of several and how many more there are across and down,
+/// or that exact coordinates must tell. Number `tiles`: it covers no sample.
+struct TileCode {
+    static constexpr int across_shift = 16, down_shift = 23, most_more = 127;
+    static constexpr std::int32_t several = std::numeric_limits<std::int32_t>::min(), exact = several | 1 << 30;
+};
 
 /// How many samples, in rows or in columns, lie up to where; and which tiles they belong to.
 struct SampleLines {
-    int first, pitch, pitch_shift, tile_shift;   // log2 of the lines of a tile
-    std::int32_t columns, rows;                  // of tiles
+    int first, pitch, pitch_shift, tile_shift;     // log2 of the lines of a tile
+    std::array<std::int32_t, 2> columns_of_rows;   // see SamplePattern
+    std::int32_t columns, rows;                    // of tiles
 };
 
 }   // namespace render
@@ -52,35 +59,59 @@ struct Boxes {
     }
 };
 
-/// First and last tile with a sample line in [low, high].
-struct TileSpan {
-    IntVector first, last;
+/// First and last sample line in [low, high], and their tiles; the former come after the latter where there is none.
+struct LineSpan {
+    IntVector begin, end, first, last;
     hn::Mask<Ints> is_empty;
 
-    TileSpan(IntVector low, IntVector high, const SampleLines& lines, std::int32_t tiles) {
+    LineSpan(IntVector low, IntVector high, const SampleLines& lines, std::int32_t tiles) {
         const Ints d;
-        const IntVector begin = hn::ShiftRightSame(hn::Add(low, hn::Set(d, lines.pitch - 1 - lines.first)), lines.pitch_shift);
-        const IntVector end = hn::ShiftRightSame(hn::Sub(high, hn::Set(d, lines.first)), lines.pitch_shift);
+        begin = hn::ShiftRightSame(hn::Add(low, hn::Set(d, lines.pitch - 1 - lines.first)), lines.pitch_shift);
+        end = hn::ShiftRightSame(hn::Sub(high, hn::Set(d, lines.first)), lines.pitch_shift);
         first = hn::Max(hn::ShiftRightSame(begin, lines.tile_shift), hn::Zero(d));
         last = hn::Min(hn::ShiftRightSame(end, lines.tile_shift), hn::Set(d, tiles - 1));
         is_empty = hn::Or(hn::Gt(begin, end), hn::Gt(first, last));
     }
 };
 
-/// One code for each of as many triangles as a vector has lanes.
+/// Where no sample lies in a box, told for boxes of one or two rows of samples and up to eight columns. Rows and columns repeat after two
+/// pixels: bit c of byte r is set where column c of row r has a sample.
+HWY_INLINE hn::Mask<Ints> holds_no_sample(const LineSpan& columns, const LineSpan& rows, const SampleLines& lines) {
+    const Ints d;
+    const hn::RebindToUnsigned<Ints> u;
+    const auto byte_of = [&](IntVector row) HWY_ATTR {
+        const auto upper = hn::Ne(hn::And(row, hn::Set(d, 4)), hn::Zero(d));
+        const IntVector four = hn::IfThenElse(upper, hn::Set(d, lines.columns_of_rows[1]), hn::Set(d, lines.columns_of_rows[0]));
+        const IntVector shift = hn::ShiftLeft<3>(hn::And(row, hn::Set(d, 3)));
+        return hn::And(hn::Shr(hn::BitCast(u, four), hn::BitCast(u, shift)), hn::Set(u, 255));
+    };
+    const auto some = hn::Or(byte_of(rows.begin), byte_of(rows.end));
+    const auto from = hn::BitCast(u, hn::And(columns.begin, hn::Set(d, 7)));
+    const IntVector wide = hn::Sub(columns.end, columns.begin), high = hn::Sub(rows.end, rows.begin);
+    const auto is_small = hn::And(hn::Lt(wide, hn::Set(d, 8)), hn::Lt(high, hn::Set(d, 2)));
+    const auto behind = hn::Shl(hn::Set(u, 2), hn::BitCast(u, hn::Min(hn::Max(wide, hn::Zero(d)), hn::Set(d, 7))));   // the first bit after
+    const auto seen = hn::And(hn::Shr(hn::Or(some, hn::ShiftLeft<8>(some)), from), hn::Sub(behind, hn::Set(u, 1)));
+    return hn::And(is_small, hn::Eq(hn::BitCast(d, seen), hn::Zero(d)));
+}
+
+/// A TileCode for each of as many triangles as a vector has lanes.
 HWY_INLINE IntVector tile_codes(const Boxes& box, const ProjectedScene& projected, const SampleLines& lines) {
     const Ints d;
     const auto across = static_cast<std::size_t>(projected.component[0]), up = static_cast<std::size_t>(projected.component[1]);
     const IntVector middle_x = hn::Set(d, projected.scene.width * (subpixels / 2)),
                     middle_y = hn::Set(d, projected.scene.height * (subpixels / 2));
-    const TileSpan x(hn::Add(middle_x, box.low[across]), hn::Add(middle_x, box.high[across]), lines, lines.columns);
-    const TileSpan y(hn::Sub(middle_y, box.high[up]), hn::Sub(middle_y, box.low[up]), lines, lines.rows);
-    const IntVector tile = hn::Add(hn::Mul(y.first, hn::Set(d, lines.columns)), x.first);
-    const auto is_one = hn::And(hn::Eq(x.first, x.last), hn::Eq(y.first, y.last));
-    const IntVector nowhere = hn::Set(d, lines.columns * lines.rows), several = hn::Set(d, several_tiles);
-    const IntVector code = hn::IfThenElse(hn::Or(x.is_empty, y.is_empty), nowhere, hn::IfThenElse(is_one, tile, several));
+    const LineSpan x(hn::Add(middle_x, box.low[across]), hn::Add(middle_x, box.high[across]), lines, lines.columns);
+    const LineSpan y(hn::Sub(middle_y, box.high[up]), hn::Sub(middle_y, box.low[up]), lines, lines.rows);
+    const IntVector tile = hn::Add(hn::Mul(y.first, hn::Set(d, lines.columns)), x.first), most = hn::Set(d, TileCode::most_more);
+    const IntVector more_x = hn::Sub(x.last, x.first), more_y = hn::Sub(y.last, y.first);
+    const IntVector more = hn::Or(hn::ShiftLeft<TileCode::across_shift>(more_x), hn::ShiftLeft<TileCode::down_shift>(more_y));
+    const IntVector several = hn::Or(hn::Set(d, TileCode::several), hn::Or(tile, more)), exact = hn::Set(d, TileCode::exact);
+    const IntVector met = hn::IfThenElse(hn::Eq(more, hn::Zero(d)), tile, several);
     const auto off_grid = hn::Lt(box.low[0], hn::Set(d, GridVertex::far_off + 1));
-    return hn::IfThenElse(box.is_known, hn::IfThenElse(off_grid, several, code), nowhere);
+    const auto is_nowhere = hn::Or(hn::Or(x.is_empty, y.is_empty), holds_no_sample(x, y, lines));
+    const IntVector nowhere = hn::Set(d, lines.columns * lines.rows);
+    const IntVector near = hn::IfThenElse(is_nowhere, nowhere, hn::IfThenElse(hn::Gt(hn::Max(more_x, more_y), most), exact, met));
+    return hn::IfThenElse(box.is_known, hn::IfThenElse(off_grid, exact, near), nowhere);
 }
 
 /// Prefetches corners, which lie anywhere in memory.
@@ -167,10 +198,11 @@ public:
             for (std::size_t p = 0; p < projections_.size(); ++p)
                 for (std::size_t i = 0; i < count; ++i) {
                     const std::int32_t code = codes[p * stride + i], id = static_cast<std::int32_t>(begin + i);
-                    if (code != several_tiles)
+                    if (code >= 0)
                         visit(p * lists_ + static_cast<std::size_t>(code), id);
                     else
-                        for_each_tile(range_of(projections_[p], id, lines_), [&](std::size_t tile) { visit(p * lists_ + tile, id); });
+                        for_each_tile(code == TileCode::exact ? range_of(projections_[p], id, lines_) : range_in(code),
+                                      [&](std::size_t tile) { visit(p * lists_ + tile, id); });
                 }
         };
         for_each_entry([&](std::size_t list, std::int32_t) { ++part.start[list + 2]; });
@@ -181,6 +213,10 @@ public:
     }
 
 private:
+    TileRange range_in(std::int32_t code) const {
+        const std::int32_t tile = code & 0xffff, x = tile % lines_.columns, y = tile / lines_.columns;
+        return {x, x + (code >> TileCode::across_shift & TileCode::most_more), y, y + (code >> TileCode::down_shift & TileCode::most_more)};
+    }
     template <class Visit>
     void for_each_tile(const TileRange& range, const Visit& visit) const {
         for (std::int64_t y = range.y0; y <= range.y1; ++y)
@@ -199,8 +235,8 @@ TileLists::TileLists(std::span<const ProjectedScene> projections, const SamplePa
     const std::size_t part_size =
         std::max(smallest_part, triangles_per_list * projections.size() * static_cast<std::size_t>(columns_ * rows_));
     parts_.resize((count + part_size - 1) / part_size);
-    const PartSorter sorter(projections,
-                            {pattern.first, pattern.pitch, pattern.pitch_shift(), 14 - pattern.pitch_shift(), columns_, rows_});
+    const PartSorter sorter(projections, {pattern.first, pattern.pitch, pattern.pitch_shift(), 14 - pattern.pitch_shift(),
+                                          pattern.columns_of_rows, columns_, rows_});
     tbb::parallel_for(std::size_t{0}, parts_.size(),
                       [&](std::size_t i) { parts_[i] = sorter.sorted(i * part_size, std::min(count, (i + 1) * part_size)); });
 }

@@ -10,7 +10,8 @@
 
 namespace render {
 
-/// The triangles of every tile of every projection, ascending. Memory: 4 bytes for each tile that a triangle meets, and one more.
+/// The triangles of every tile of every projection, ascending; most of those that cover no sample are left out. Memory: 4 bytes for each
+/// tile that a triangle meets, or one.
 class TileLists {
 public:
     TileLists(std::span<const ProjectedScene> projections, const SamplePattern& pattern);

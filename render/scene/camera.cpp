@@ -1,10 +1,14 @@
 #include "scene/camera.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -62,6 +66,50 @@ const Bounds nothing{glm::dvec3(infinity), glm::dvec3(-infinity)};
 
 Bounds joined(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
+/// What is known of a vertex: a byte each, which the cache holds where positions, that lie anywhere in memory, would be waited for.
+enum class Corner : std::uint8_t { not_finite, unused, drawn };
+
+/// Of each vertex whether a triangle that can be drawn has it for a corner.
+std::vector<Corner> drawn_corners(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
+    std::vector<Corner> corners(positions.size());
+    const auto in_parts = [](std::size_t count, const auto& body) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16384), [&](const auto& part) {
+            for (std::size_t i = part.begin(); i < part.end(); ++i) body(i);
+        });
+    };
+    in_parts(positions.size(), [&](std::size_t i) { corners[i] = is_finite(positions[i]) ? Corner::unused : Corner::not_finite; });
+    in_parts(triangles.size(), [&](std::size_t i) {
+        const glm::ivec3& t = triangles[i];
+        bool known = true;
+        for (int k = 0; k < 3; ++k) known &= t[k] >= 0 && static_cast<std::size_t>(t[k]) < positions.size();
+        if (!known) return;
+        const std::array at{std::atomic_ref(corners[index(t.x)]), std::atomic_ref(corners[index(t.y)]),
+                            std::atomic_ref(corners[index(t.z)])};
+        std::array<Corner, 3> now;
+        for (std::size_t k = 0; k < 3; ++k) now[k] = at[k].load(std::memory_order_relaxed);
+        if (std::ranges::find(now, Corner::not_finite) != now.end()) return;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (now[k] != Corner::drawn) at[k].store(Corner::drawn, std::memory_order_relaxed);
+    });
+    return corners;
+}
+
+/// Of place(position) of all corners that are drawn; a point at the origin where there is none.
+template <class Place>
+Bounds bounds_of_corners(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles, const Place& place) {
+    const std::vector<Corner> corners = drawn_corners(positions, triangles);
+    const auto with_corners = [&](const auto& part, Bounds box) {
+        for (std::size_t i = part.begin(); i < part.end(); ++i) {
+            if (corners[i] != Corner::drawn) continue;
+            const glm::dvec3 p = place(positions[i]);
+            box = joined(box, {p, p});
+        }
+        return box;
+    };
+    const Bounds box = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, corners.size(), 16384), nothing, with_corners, joined);
+    return box.low.x <= box.high.x ? box : Bounds{};
+}
+
 bool points_backwards(const glm::dvec3& v) {
     for (int k = 0; k < 3; ++k)
         if (v[k] != 0) return v[k] < 0;
@@ -74,18 +122,7 @@ glm::dvec3 forwards(const glm::dvec3& v) { return (points_backwards(v) ? -v : v)
 }   // namespace
 
 Bounds bounds_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
-    const auto with_triangles = [&](const auto& part, Bounds box) {
-        for (std::size_t i = part.begin(); i < part.end(); ++i) {
-            if (!can_be_drawn(triangles[i], positions)) continue;
-            for (int k = 0; k < 3; ++k) {
-                const glm::dvec3& p = positions[index(triangles[i][k])];
-                box = joined(box, {p, p});
-            }
-        }
-        return box;
-    };
-    const Bounds box = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, triangles.size(), 16384), nothing, with_triangles, joined);
-    return box.low.x <= box.high.x ? box : Bounds{};
+    return bounds_of_corners(positions, triangles, [](const glm::dvec3& p) { return p; });
 }
 
 Frame frame_of(const Bounds& bounds, int width, int height, double fill) {
@@ -102,18 +139,10 @@ Frame frame_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3
     const Bounds box = bounds_of(positions, triangles);
     const Frame along_axes = frame_of(box, width, height, fill);
     // In pixels of that frame, so that no size of the model overflows.
-    Bounds seen = nothing;
-    const auto on_screen = [&](const glm::dvec3& p) {
+    const Bounds seen = bounds_of_corners(positions, triangles, [&](const glm::dvec3& p) {
         const glm::dvec3 pixels = (p - along_axes.centre) * along_axes.pixels_per_unit;
         return glm::dvec3(glm::dot(pixels, view.right()), glm::dot(pixels, view.up), 0);
-    };
-    for (const glm::ivec3& t : triangles) {
-        if (!can_be_drawn(t, positions)) continue;
-        for (int k = 0; k < 3; ++k) {
-            const glm::dvec3 p = on_screen(positions[static_cast<std::size_t>(t[k])]);
-            seen = joined(seen, {p, p});
-        }
-    }
+    });
     const glm::dvec3 extent = seen.high - seen.low, middle = 0.5 * (seen.low + seen.high);
     if (!(extent.x >= 0) || std::max(extent.x, extent.y) == 0) return along_axes;
     const double scale = fill * std::min(width / extent.x, height / extent.y);

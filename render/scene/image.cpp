@@ -1,5 +1,6 @@
 #include "scene/image.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -102,17 +103,25 @@ private:
 
 }   // namespace
 
+Image::Image(int w, int h, Rgba fill) : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {
+    tbb::parallel_for(tbb::blocked_range<Rgba*>(pixels.data(), pixels.data() + pixels.size(), 1 << 17),
+                      [fill](const auto& part) { std::fill(part.begin(), part.end(), fill); });
+}
+
 void paste(Image& target, const Image& source, int x, int y) {
     const int x0 = std::max(0, -x), x1 = std::min(source.width, target.width - x);
     const int y0 = std::max(0, -y), y1 = std::min(source.height, target.height - y);
-    for (int v = y0; v < y1 && x0 < x1; ++v) {
-        const Rgba* from = &source.at(x0, v);
-        Rgba* to = &target.at(x + x0, y + v);
-        if (all_opaque(from, x1 - x0))
-            std::copy_n(from, x1 - x0, to);
-        else
-            std::transform(from, from + (x1 - x0), to, to, over);
-    }
+    if (x0 >= x1 || y0 >= y1) return;
+    tbb::parallel_for(tbb::blocked_range<int>(y0, y1, 64), [&](const auto& rows) {
+        for (int v = rows.begin(); v < rows.end(); ++v) {
+            const Rgba* from = &source.at(x0, v);
+            Rgba* to = &target.at(x + x0, y + v);
+            if (all_opaque(from, x1 - x0))
+                std::copy_n(from, x1 - x0, to);
+            else
+                std::transform(from, from + (x1 - x0), to, to, over);
+        }
+    });
 }
 
 Image shrink(const Image& image, int width, int height) {

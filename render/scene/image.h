@@ -3,7 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+
+#include "scene/large_array.h"
 
 namespace render {
 
@@ -14,11 +15,10 @@ struct Rgba {
 
 struct Image {
     int width = 0, height = 0;
-    std::vector<Rgba> pixels;   // width × height
+    LargeArray<Rgba> pixels;   // width × height
 
     Image() = default;
-    Image(int w, int h, Rgba fill = {255, 255, 255, 255})
-        : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
+    Image(int w, int h, Rgba fill = {255, 255, 255, 255});
 
     Rgba& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
     const Rgba& at(int x, int y) const {

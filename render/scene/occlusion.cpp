@@ -56,6 +56,8 @@ void Openness(const float* heights, std::size_t count, float reach, const Looks&
                 ahead = hn::Max(ahead, hn::Mul(scale, rise(d, from, heights + x + look.step, twice_reach)));
                 behind = hn::Max(behind, hn::Mul(scale, rise(d, from, heights + x - look.step, twice_reach)));
             }
+            // Nothing where the tangents add up to less: sines add up to less than these, or to less than 0.
+            if (hn::AllTrue(d, hn::Lt(hn::Add(ahead, behind), hn::Set(d, 0.99F * least_bend)))) continue;
             hidden = hn::Add(hidden, hn::Max(zero, hn::Sub(hn::Add(sine(d, ahead), sine(d, behind)), hn::Set(d, least_bend))));
         }
         // Squared: what reaches a hollow has been reflected off its walls less often than the sky it sees would let one think.

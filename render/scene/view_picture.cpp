@@ -14,8 +14,10 @@ constexpr float occlusion_on_plain = 0.9F, occlusion_on_values = 0.75F;
 
 }   // namespace
 
-ViewBuffers::ViewBuffers(const DrawOptions& options) : heights(options.width, options.height), openness(options.width, options.height) {
-    if (options.occlusion) layers.resize(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
+ViewBuffers::ViewBuffers(const DrawOptions& options) : heights(options.width, options.height) {
+    if (!options.occlusion) return;
+    layers.resize(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
+    shown.resize(static_cast<std::size_t>(((options.width - 1) / tile_side + 1) * options.height));
 }
 
 ViewPicture::ViewPicture(const DrawOptions& options, const Placement& placement, bool has_values, ViewBuffers* buffers)
@@ -44,7 +46,7 @@ void ViewPicture::add(const SampleTile& tile, int block_row, const Fragments& fr
         const std::span row_colors = std::span(colors).subspan(static_cast<std::size_t>(y) * tile_side, static_cast<std::size_t>(columns));
         mirror(row_colors);
         if (with_occlusion_)
-            pack(row_colors, layers(left, row(top + y), columns));
+            shown(tile.x(), row(top + y)) = 1, pack(row_colors, layers(left, row(top + y), columns));
         else
             resolve(row_colors, background_, {&image_.at(left, row(top + y)), row_colors.size()});
     }
@@ -55,7 +57,7 @@ void ViewPicture::leave_empty(int left, int top, int rows) {
     if (buffers_ == nullptr) return;
     const int columns = std::min(tile_side, image_.width - left);
     for (int y = top; y < std::min(top + rows, image_.height); ++y) {
-        if (with_occlusion_) std::ranges::fill(layers(column(left, columns), row(y), columns), Layer{});
+        if (with_occlusion_) shown(left, row(y)) = 0;
         buffers_->heights.clear(column(left, columns), row(y), columns);
     }
 }
@@ -72,21 +74,21 @@ void ViewPicture::set_heights(const SampleTile& tile, int block_row) {
     }
 }
 
-void ViewPicture::finish() {
+void ViewPicture::finish(HeightField& openness) {
     if (!with_occlusion_) return;
     const Sky sky(buffers_->heights);
-    for_each_stretch([&](int x, int y, std::span<const Layer>) {
+    for_each_stretch([&](int x, int y, std::span<const Layer> row_layers) {
         std::array<float, tile_side> open;
-        const std::span row_open = std::span(open).first(static_cast<std::size_t>(std::min(tile_side, image_.width - x)));
+        const std::span row_open = std::span(open).first(row_layers.size());
         sky.openness(x, y, row_open);
-        buffers_->openness.set(x, y, row_open);
+        openness.set(x, y, row_open);
     });
     for_each_stretch([&](int x, int y, std::span<const Layer> row_layers) {
         std::array<float, tile_side> open;
         std::array<LinearColor, tile_side> colors;
         const std::span row_open = std::span(open).first(row_layers.size());
         const std::span row_colors = std::span(colors).first(row_layers.size());
-        smooth(buffers_->heights, buffers_->openness, x, y, row_open);
+        smooth(buffers_->heights, openness, x, y, row_open);
         unpack(row_layers, row_open, occlusion_strength_, row_colors);
         resolve(row_colors, background_, {&image_.at(x, y), row_colors.size()});
     });
@@ -96,8 +98,8 @@ template <class Visit>
 void ViewPicture::for_each_stretch(const Visit& visit) {
     tbb::parallel_for(0, image_.height, [&](int y) {
         for (int x = 0; x < image_.width; x += tile_side) {
-            const std::span row_layers = layers(x, y, std::min(tile_side, image_.width - x));
-            if (std::any_of(row_layers.begin(), row_layers.end(), [](const Layer& l) { return l.coverage > 0; })) visit(x, y, row_layers);
+            const int count = std::min(tile_side, image_.width - x), left = column(x, count);
+            if (shown(x, y) != 0) visit(left, y, layers(left, y, count));
         }
     });
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "draw_mesh.h"
 #include "raster/fragments.h"
@@ -14,8 +15,9 @@ namespace render {
 
 /// What a view needs besides its picture, with occlusion or marks: large, so the next view takes it over.
 struct ViewBuffers {
-    HeightField heights, openness;   // where a picture shows nothing, openness may be that of the view before: it counts for nothing
-    LargeArray<Layer> layers;        // one a pixel, with occlusion
+    HeightField heights;
+    LargeArray<Layer> layers;   // one a pixel, with occlusion, where `shown` says so
+    std::vector<char> shown;    // row by row, of each tile that the row crosses
 
     ViewBuffers(const DrawOptions& options);
 };
@@ -31,8 +33,8 @@ public:
     /// Rows of a tile show nothing. Every row of every tile is either added or left empty: what the buffers hold of another view goes.
     void leave_empty(int left, int top, int rows);
 
-    /// Darkens what is occluded, where that is wanted.
-    void finish();
+    /// Darkens what is occluded, where that is wanted. @param openness  to work with; whatever it holds counts for nothing
+    void finish(HeightField& openness);
 
     const Placement& placement() const { return placement_; }
     const HeightField& heights() const { return buffers_->heights; }
@@ -46,6 +48,10 @@ private:
         return std::span(buffers_->layers)
             .subspan(static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(x),
                      static_cast<std::size_t>(count));
+    }
+    /// Of a row of the picture that crosses the tile at x.
+    char& shown(int x, int y) {
+        return buffers_->shown[static_cast<std::size_t>(y * ((image_.width - 1) / tile_side + 1) + x / tile_side)];
     }
     /// Calls visit(x, y, layers) for stretches of rows that show something, in parallel.
     template <class Visit>

@@ -143,15 +143,18 @@ HWY_INLINE void interpolate(const CornerFetcher& fetch, float handedness, const 
     const FloatVector wc = hn::Min(clamped(hn::Mul(cross(ab.x, ab.y, px, py), one_over_area)), hn::Sub(set(1), wb));
     const FloatVector wa = hn::Sub(hn::Sub(set(1), wb), wc);
 
-    const Vector3 face{cross(ab.y, ab.z, ac.y, ac.z), cross(ab.z, ab.x, ac.z, ac.x), area};
-    const FloatVector length = hn::Sqrt(dot(face, face));
     const FloatMask faces_away = hn::Lt(hn::Mul(area, set(handedness * style.towards_viewer)), set(0));
     const FloatVector sign = hn::IfThenElse(faces_away, set(-1), set(1));
-    const Vector3 face_normal = scaled(hn::Div(set(handedness), hn::Max(length, set(1e-30F))), face);
-    const FloatVector trust = hn::Min(set(1), hn::Mul(length, set(1 / trusted_area)));
-    const auto part = [&](FloatVector w, const Corner& p)
-                          HWY_ATTR { return scaled(hn::Mul(sign, w), corner_normal(p, face_normal, trust)); };
-    const Vector3 normal = sum(part(wa, a), sum(part(wb, b), part(wc, c)));
+    Vector3 na = a.normal, nb = b.normal, nc = c.normal;
+    if (!hn::AllTrue(f, hn::Eq(hn::Max(a.sharpness, hn::Max(b.sharpness, c.sharpness)), set(0)))) {
+        const Vector3 face{cross(ab.y, ab.z, ac.y, ac.z), cross(ab.z, ab.x, ac.z, ac.x), area};
+        const FloatVector length = hn::Sqrt(dot(face, face));
+        const Vector3 face_normal = scaled(hn::Div(set(handedness), hn::Max(length, set(1e-30F))), face);
+        const FloatVector trust = hn::Min(set(1), hn::Mul(length, set(1 / trusted_area)));
+        na = corner_normal(a, face_normal, trust), nb = corner_normal(b, face_normal, trust), nc = corner_normal(c, face_normal, trust);
+    }
+    const auto part = [&](FloatVector w, const Vector3& n) HWY_ATTR { return scaled(hn::Mul(sign, w), n); };
+    const Vector3 normal = sum(part(wa, na), sum(part(wb, nb), part(wc, nc)));
     hn::Store(normal.x, f, fragments.normal_x.data() + i);
     hn::Store(normal.y, f, fragments.normal_y.data() + i);
     hn::Store(normal.z, f, fragments.normal_z.data() + i);

@@ -91,17 +91,13 @@ std::string file_name(const std::string& view, bool in_words) {
     return view.substr(1) + (view[0] == '+' ? "-pos.png" : "-neg.png");
 }
 
-/// Encodes the sheet first, as it takes longer than all views together.
-void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::path>& paths, const render::ContactSheet& sheet, bool bare) {
-    const std::vector<render::Image>& pictures = sheet.pictures;
-    for_each_task(1 + pictures.size(), [&](std::size_t task) {
-        if (task == 0) {
-            files.add(paths.back(), render::encode_png(composed(sheet, bare)));
-            return;
-        }
-        render::Image picture = pictures[task - 1];
-        if (!bare) output::label_view(picture, sheet.view_names[task - 1]);
-        files.add(paths[task - 1], render::encode_png(picture));
+/// Encodes the sheet first, as it takes longer than all views together; these get their labels when it has them.
+void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::path>& paths, render::ContactSheet& sheet, bool bare) {
+    const render::Image whole = composed(sheet, bare);
+    for_each_task(1 + sheet.pictures.size(), [&](std::size_t task) {
+        const render::Image& picture = task == 0 ? whole : sheet.pictures[task - 1];
+        if (task > 0 && !bare) output::label_view(sheet.pictures[task - 1], sheet.view_names[task - 1]);
+        files.add(task == 0 ? paths.back() : paths[task - 1], render::encode_png(picture));
     });
 }
 
@@ -163,7 +159,7 @@ ExitCode run_render(const RenderFlags& options) {
 
     PictureRequest request{.draw = given, .views = views, .colormap = options.colormap, .range = range};
     request.title = std::filesystem::path(prepared.file).filename().string();
-    const MeshPictures drawn = draw_pictures(prepared, field, request);
+    MeshPictures drawn = draw_pictures(prepared, field, request);
     if (!show_something(drawn.sheet.pictures, given.background))
         warn("nothing of the mesh is seen: it is thinner than the samples of a picture lie apart");
 

@@ -91,11 +91,16 @@ public:
         if (checks_ == Checks::all)
             measure();
         else
-            measure_shapes();
+            count_shapes();
         return std::move(prepared_);
     }
 
 private:
+    /// Of a block of triangles.
+    struct Tally {
+        int zero_area = 0, first_zero_area = -1, needles = 0;
+    };
+
     Preflight& counts() { return prepared_.preflight; }
     TriangleMesh& mesh() { return prepared_.mesh; }
     MeshTopology& topology() { return prepared_.topology; }
@@ -140,7 +145,9 @@ private:
     }
 
     void orient() {
-        const Orientation orientation = consistent_orientation(mesh(), topology());
+        tallies_.resize(at(block_count(mesh().face_count())));
+        const Orientation orientation = consistent_orientation(
+            mesh(), topology(), [&](int begin, int end) { tallies_[at(begin / block_length)] = shapes_of(begin, end); });
         for_each_index(mesh().face_count(), [&](int t) {
             if (orientation.flip[at(t)] != 0) std::swap(mesh().F(t, 1), mesh().F(t, 2));
         });
@@ -192,12 +199,25 @@ private:
     }
 
     void look_at_vertices() {
-        const std::vector<int>& start = topology().vertex_faces.start;
+        struct Seen {
+            int in_use = 0;
+            Eigen::Array3d low = Eigen::Array3d::Constant(HUGE_VAL), high = -low;
+        };
         counts().vertices = mesh().vertex_count();
-        for (std::size_t v = 0; v + 1 < start.size(); ++v) counts().vertices_in_use += start[v] < start[v + 1] ? 1 : 0;
-        const Box box = bounding_box(mesh());
-        counts().box_low = box.low;
-        counts().box_high = box.high;
+        const auto blocks = of_blocks(mesh().vertex_count(), [&](int begin, int end) {
+            Seen seen;
+            for (int v = begin; v < end; ++v) {
+                if (topology().vertex_faces.size(v) == 0) continue;
+                const Eigen::Array3d x = mesh().X.row(v).transpose();
+                ++seen.in_use, seen.low = seen.low.min(x), seen.high = seen.high.max(x);
+            }
+            return seen;
+        });
+        Seen all;
+        for (const auto& block : blocks)
+            all = {all.in_use + block.value.in_use, all.low.min(block.value.low), all.high.max(block.value.high)};
+        counts().vertices_in_use = all.in_use;
+        counts().box_low = all.low, counts().box_high = all.high;
     }
 
     /// Of the vertices in use, those with the coordinates of an earlier one.
@@ -217,25 +237,23 @@ private:
         p.area = surface_area(mesh());
         p.volume = signed_volume(mesh(), Box{p.box_low, p.box_high}.centre());
         p.mean_edge = mean_edge_length(mesh(), topology().edges);
-        measure_shapes();
+        count_shapes();
     }
 
-    void measure_shapes() {
-        struct Tally {
-            int zero_area = 0, first_zero_area = -1, needles = 0;
-        };
-        const auto tallies = of_blocks(mesh().face_count(), [&](int begin, int end) {
-            Tally tally;
-            for (int t = begin; t < end; ++t) {
-                prefetch_corners(mesh(), t);
-                const TriangleKind kind = kind_of(mesh(), t);
-                if (kind == TriangleKind::zero_area && tally.zero_area++ == 0) tally.first_zero_area = t;
-                if (kind == TriangleKind::needle) ++tally.needles;
-            }
-            return tally;
-        });
+    /// Turning a triangle changes nothing of it.
+    Tally shapes_of(int begin, int end) {
+        Tally tally;
+        for (int t = begin; t < end; ++t) {
+            const TriangleKind kind = kind_of(mesh(), t);
+            if (kind == TriangleKind::zero_area && tally.zero_area++ == 0) tally.first_zero_area = t;
+            if (kind == TriangleKind::needle) ++tally.needles;
+        }
+        return tally;
+    }
+
+    void count_shapes() {
         int first = -1;
-        for (const auto& [tally] : tallies) {
+        for (const Tally& tally : tallies_) {
             if (counts().zero_area_faces == 0) first = tally.first_zero_area;
             counts().zero_area_faces += tally.zero_area;
             counts().needle_faces += tally.needles;
@@ -247,6 +265,7 @@ private:
     Checks checks_;
     std::vector<long> lines_;   // of each triangle; may be empty
     PreparedMesh prepared_;
+    std::vector<Tally> tallies_;
 };
 
 }   // namespace

@@ -170,7 +170,7 @@ void orient(const TriangleMesh& mesh, Piece& piece, Orientation& result) {
 
 /// Where all triangles agree the pieces are the components, and just those inside out are left to find. `render` of 776 k triangles
 /// takes 1.25 times as long without (0.64 s of processor time instead of 0.52 s).
-Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology& topology) {
+Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology& topology, const std::function<void(int, int)>& also) {
     struct Component {
         Vector3 origin;   // a corner of its first triangle
         int first_face;
@@ -194,6 +194,7 @@ Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology
             if (parts.empty() || parts.back().component != topology.component[at(t)]) parts.push_back({topology.component[at(t)]});
             if (component_of(t).closed) parts.back().volume.add(six_volumes(mesh, t, component_of(t).origin));
         }
+        also(begin, end);
         return parts;
     });
     for (const auto& block : blocks)
@@ -225,8 +226,10 @@ Orientation consistent_orientation(const TriangleMesh& mesh) {
     return result;
 }
 
-Orientation consistent_orientation(const TriangleMesh& mesh, const MeshTopology& topology) {
-    return topology.oriented_manifold ? orientation_of_manifold(mesh, topology) : consistent_orientation(mesh);
+Orientation consistent_orientation(const TriangleMesh& mesh, const MeshTopology& topology, const std::function<void(int, int)>& also) {
+    if (topology.oriented_manifold) return orientation_of_manifold(mesh, topology, also);
+    for_blocks(mesh.face_count(), [&](int, int begin, int end) { also(begin, end); });
+    return consistent_orientation(mesh);
 }
 
 }   // namespace meshfolio

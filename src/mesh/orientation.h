@@ -2,6 +2,7 @@
 /// One orientation for each piece of a surface: the sign of mean curvature hangs on it.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "mesh/mesh_topology.h"
@@ -23,6 +24,7 @@ struct Orientation {
 /// it shares with other pieces, normals point out of the volume it encloses. Every triangle must name three different vertices.
 Orientation consistent_orientation(const TriangleMesh& mesh);
 /// The same where the topology is known, which takes a fraction of the time when it is that of an oriented manifold.
-Orientation consistent_orientation(const TriangleMesh& mesh, const MeshTopology& topology);
+/// @param also  called for blocks (begin, end) of all triangles, by several threads; often while their corners are in the cache
+Orientation consistent_orientation(const TriangleMesh& mesh, const MeshTopology& topology, const std::function<void(int, int)>& also);
 
 }   // namespace meshfolio

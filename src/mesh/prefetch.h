@@ -18,7 +18,11 @@ inline void prefetch([[maybe_unused]] const void* address) {
 inline void prefetch_corners(const TriangleMesh& mesh, int t) {
     constexpr int ahead = 24;
     const int later = std::min(t, mesh.face_count() - 1 - ahead) + ahead;
-    for (int k = 0; k < 3 && later >= 0; ++k) prefetch(mesh.X.data() + 3 * static_cast<std::size_t>(mesh.F(later, k)));
+    for (int k = 0; k < 3 && later >= 0; ++k) {
+        const double* const corner = mesh.X.data() + 3 * static_cast<std::size_t>(mesh.F(later, k));
+        prefetch(corner);
+        prefetch(corner + 2);   // every fourth lies on two cache lines
+    }
 }
 
 }   // namespace meshfolio

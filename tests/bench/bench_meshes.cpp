@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "mesh/decimation.h"
 #include "mesh/io/mesh_files.h"
 
 namespace bench {
@@ -44,14 +45,15 @@ double BenchMesh::bytes() const {
     return static_cast<double>(positions.size() * (sizeof positions[0] + sizeof values[0]) + triangles.size() * sizeof triangles[0]);
 }
 
-BenchMesh read_bench_mesh(const std::string& file) {
-    const meshfolio::TriangleMesh read = meshfolio::read_mesh(file).mesh;
+BenchMesh bench_mesh(const meshfolio::TriangleMesh& read) {
     BenchMesh mesh;
     for (const auto& p : read.X.rowwise()) mesh.positions.push_back({p[0], p[1], p[2]});
     for (const auto& t : read.F.rowwise()) mesh.triangles.push_back({t[0], t[1], t[2]});
     set_values(mesh);
     return mesh;
 }
+
+BenchMesh read_bench_mesh(const std::string& file) { return bench_mesh(meshfolio::read_mesh(file).mesh); }
 
 meshfolio::TriangleMesh triangle_mesh(const BenchMesh& mesh) {
     meshfolio::TriangleMesh result;
@@ -82,6 +84,10 @@ BenchMesh subdivided(const BenchMesh& mesh) {
     }
     set_values(fine);
     return fine;
+}
+
+BenchMesh quartered(const BenchMesh& mesh) {
+    return bench_mesh(meshfolio::decimated(triangle_mesh(mesh), static_cast<int>(mesh.positions.size() / 4)));
 }
 
 const BenchMesh& mesh_at_level(int level) {

@@ -38,6 +38,9 @@ meshfolio::TriangleMesh triangle_mesh(const BenchMesh& mesh);
 /// Every triangle into four through its edge midpoints. Midpoints are numbered by the edges' vertices.
 BenchMesh subdivided(const BenchMesh& mesh);
 
+/// With a quarter of the vertices, and so about a quarter of the triangles.
+BenchMesh quartered(const BenchMesh& mesh);
+
 /// The file named by MESHFOLIO_BENCH_MESH, or else a bundled shape, subdivided `level` times.
 const BenchMesh& mesh_at_level(int level);
 

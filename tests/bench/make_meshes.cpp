@@ -40,10 +40,11 @@ int main(int count, char** arguments) try {
     int reached = 0;
     for (int i = 3; i < count; ++i) {
         const int level = std::stoi(arguments[i]);
-        if (level < reached) throw std::invalid_argument("make_meshes: levels must ascend");
+        if (level < reached && level != -1) throw std::invalid_argument("make_meshes: levels must ascend, after -1");
         for (; reached < level; ++reached) mesh = bench::subdivided(mesh);
-        write(std::string(arguments[2]) + "/" + std::to_string(level) + ".ply", float_ply(mesh));
-        std::printf("%zu\n", mesh.triangles.size());
+        const bench::BenchMesh written = level == -1 ? bench::quartered(mesh) : mesh;
+        write(std::string(arguments[2]) + "/" + std::to_string(level) + ".ply", float_ply(written));
+        std::printf("%zu\n", written.triangles.size());
     }
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

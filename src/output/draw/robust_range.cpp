@@ -3,24 +3,16 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <iterator>
+#include <limits>
 #include <numeric>
-
-#include "base/large_pages.h"
+#include <utility>
 
 namespace meshfolio::output {
 
 namespace {
-
-/// The value below which a share q of the sorted values lies, interpolated between neighbours.
-double percentile(const std::vector<double>& sorted, double q) {
-    const double at = q * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 /// At most 8192 places, in the middles of as many equal parts: enough for a bin of 96 to be right within 1 %.
 std::vector<std::size_t> sample_places(std::size_t size) {
@@ -29,30 +21,49 @@ std::vector<std::size_t> sample_places(std::size_t size) {
     return places;
 }
 
-/// `values` as if they were sorted, at `places` (ascending) and where the percentiles lie: they are counted into equal parts of their
-/// range, of which those that hold such a place are sorted. Halves: the width may overflow.
-std::vector<double> sorted_at(std::vector<std::size_t> places, const std::vector<double>& values,
-                              std::initializer_list<double> percentiles) {
+std::size_t place_below(double q, std::size_t size) { return size > 0 ? static_cast<std::size_t>(q * static_cast<double>(size - 1)) : 0; }
+
+/// What would stand at `places` (ascending) if `values` were sorted: they are counted into equal parts of their range, and only the parts
+/// that hold such a place are gathered and sorted. Halves: the width may overflow.
+std::vector<double> sorted_at(const std::vector<std::size_t>& places, const std::vector<double>& values) {
     const std::size_t parts = std::min<std::size_t>(values.size() / 16 + 1, 65536);
     const auto [low, high] = std::ranges::minmax(values);
     const double half = high / 2 - low / 2, scale = half > 1e-290 ? static_cast<double>(parts - 1) / half : 0;
-    const auto part_of = [&, least = low](double v) { return static_cast<std::size_t>((v / 2 - least / 2) * scale); };
-    std::vector<std::size_t> end(parts + 1, 0);
-    for (const double v : values) ++end[part_of(v) + 1];
-    std::partial_sum(end.begin(), end.end(), end.begin());
-    std::vector<double> result = large_vector<double>(values.size());
-    for (const double v : values) result[end[part_of(v)]++] = v;
+    constexpr std::size_t threads = 2, nowhere = std::numeric_limits<std::size_t>::max();
+    std::array<std::vector<std::size_t>, threads> next;   // of each part: how many values, then where the next one goes
+    next.fill(std::vector<std::size_t>(parts, 0));
+    const auto for_each_value = [&, least = low](const auto& visit) {
+        tbb::parallel_for(std::size_t{0}, threads, [&](std::size_t t) {
+            for (std::size_t i = t * values.size() / threads; i < (t + 1) * values.size() / threads; ++i)
+                visit(next[t][static_cast<std::size_t>((values[i] / 2 - least / 2) * scale)], values[i]);
+        });
+    };
+    for_each_value([](std::size_t& count, double) { ++count; });
 
-    for (const double q : percentiles) {
-        const auto below = static_cast<std::size_t>(q * static_cast<double>(values.size() - 1));
-        places.insert(places.end(), {below, below + 1});
+    struct Gathered {
+        std::size_t begin, size, rank;   // rank: place of its first value
+    };
+    std::vector<Gathered> gathered;
+    std::size_t rank = 0, end = 0;
+    for (std::size_t p = 0; p < parts; ++p) {
+        const std::size_t size = next[0][p] + next[1][p];
+        const auto place = std::ranges::lower_bound(places, rank);
+        const bool wanted = place != places.end() && *place < rank + size;
+        next[1][p] = wanted ? end + next[0][p] : nowhere;
+        next[0][p] = wanted ? end : nowhere;
+        if (wanted) gathered.push_back({std::exchange(end, end + size), size, rank});
+        rank += size;
     }
-    std::ranges::sort(places);
-    tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t p) {
-        const std::size_t begin = p == 0 ? 0 : end[p - 1];
-        const auto place = std::ranges::lower_bound(places, begin);
-        if (place != places.end() && *place < end[p])
-            std::sort(result.begin() + static_cast<std::ptrdiff_t>(begin), result.begin() + static_cast<std::ptrdiff_t>(end[p]));
+    std::vector<double> sorted(end), result(places.size());
+    for_each_value([&](std::size_t& to, double v) {
+        if (to != nowhere) sorted[to++] = v;
+    });
+    tbb::parallel_for(std::size_t{0}, gathered.size(), [&](std::size_t g) {
+        const Gathered& part = gathered[g];
+        const auto begin = sorted.begin() + static_cast<std::ptrdiff_t>(part.begin);
+        std::sort(begin, begin + static_cast<std::ptrdiff_t>(part.size));
+        for (auto place = std::ranges::lower_bound(places, part.rank); place != places.end() && *place < part.rank + part.size; ++place)
+            result[static_cast<std::size_t>(place - places.begin())] = sorted[part.begin + *place - part.rank];
     });
     return result;
 }
@@ -95,18 +106,28 @@ void enter_clipped(ColorRange& range, const std::vector<double>& values) {
 ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, std::string quantity, std::string unit, double floor,
                         double clip) {
     ColorRange range{std::move(colormap), 0, 0, std::move(quantity), std::move(unit), 0, 0};
-    std::vector<double> values = finite_values(panels);
+    const std::vector<double> values = finite_values(panels);
     const std::vector<std::size_t> sample = sample_places(values.size());
-    if (!values.empty()) {
-        values = sorted_at(sample, values, {clip, 0.5, 1 - clip});
-        range.low = percentile(values, clip);
-        range.high = percentile(values, 1 - clip);
-    }
+    std::vector<std::size_t> places = sample;
+    for (const double q : {clip, 0.5, 1 - clip})
+        places.insert(places.end(), {place_below(q, values.size()), place_below(q, values.size()) + 1});
+    std::ranges::sort(places);
+    const std::vector<double> sorted = values.empty() ? values : sorted_at(places, values);
+    const auto value_at = [&](std::size_t place) {
+        return sorted[static_cast<std::size_t>(std::ranges::lower_bound(places, place) - places.begin())];
+    };
+    // The value below which a share q lies, interpolated between neighbours.
+    const auto percentile = [&](double q) {
+        const std::size_t below = place_below(q, values.size());
+        const double from = value_at(below), to = value_at(std::min(below + 1, values.size() - 1));
+        return from + (q * static_cast<double>(values.size() - 1) - static_cast<double>(below)) * (to - from);
+    };
+    if (!values.empty()) range.low = percentile(clip), range.high = percentile(1 - clip);
     const bool diverging = range.colormap == "diverging";
     const bool from_zero = range.colormap == "pale" && range.low >= 0;
     if (from_zero) range.low = 0;
     if (diverging) {
-        const double median = values.empty() ? 0 : percentile(values, 0.5);
+        const double median = values.empty() ? 0 : percentile(0.5);
         range.high = std::max({std::abs(range.low), std::abs(range.high), 1.25 * std::abs(median)});
         range.low = -range.high;
     }
@@ -117,7 +138,7 @@ ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, 
     }
     if (!values.empty()) {
         enter_clipped(range, values);
-        std::ranges::transform(sample, std::back_inserter(range.sample), [&](std::size_t place) { return values[place]; });
+        std::ranges::transform(sample, std::back_inserter(range.sample), value_at);
     }
     return range;
 }

@@ -46,7 +46,7 @@ void add_settings(LabMesh& lab, const Spectrum& spectrum, const std::map<std::st
 /// Without boundary, and with an inside: on a Klein bottle a volume means nothing.
 bool encloses_volume(const TriangleMesh& mesh) {
     const MeshTopology topology = topology_of(mesh);
-    return topology.boundary_edge_count() == 0 && consistent_orientation(mesh, topology).unorientable_components == 0;
+    return topology.boundary_edge_count() == 0 && consistent_orientation(mesh, topology, [](int, int) {}).unorientable_components == 0;
 }
 
 void quantise(LabMesh& lab, const Spectrum& spectrum) {

@@ -60,6 +60,9 @@ MeshPictures sheet_for(const PictureRequest& request, const std::vector<output::
 std::vector<render::Image> pictures_of(const PreparedMesh& prepared, const Field& field, const MeshPictures& sheet,
                                        render::DrawOptions draw, std::span<const render::View> views) {
     if (sheet.range) draw.range = output::value_range(*sheet.range);
+    const Vector3 &low = prepared.preflight.box_low, &high = prepared.preflight.box_high;
+    if (!draw.frame && std::ranges::all_of(views, &render::View::is_along_axis))   // what draw_views would find by itself
+        draw.frame = render::frame_of({{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}}, draw.width, draw.height, draw.fill);
     return render::draw_views(output::surface_of(prepared.mesh, sheet.range ? &field.values : nullptr), views, draw);
 }
 
