@@ -17,26 +17,34 @@ function gapBefore(block) {
     return block.getClientRects()[0].left === last.left ? 0 : (page.bottom - last.bottom) / page.height;
 }
 
-/// The next block of text behind a float and those that follow it; a heading comes with the paragraph below it. Empty: there is none.
-function textBehind(float) {
-    let next = float;
-    while (next && isFloat(next)) next = next.nextElementSibling;
-    const text = [];
-    for (; isHeading(next); next = next.nextElementSibling) text.push(next);
-    return next && !isFloat(next) ? [...text, next] : [];
+/// With the margin below it.
+function heightOf(block) {
+    return [...block.getClientRects()].reduce((sum, { height }) => sum + height, parseFloat(getComputedStyle(block).marginBottom));
 }
 
-/// Brings text before the float, block by block, as long as that leaves less empty.
+/// Brings text from behind a float before it, as much as fills the page; all at once, for a look at what has moved costs a layout.
 function fillPageBefore(float) {
-    for (let gap = gapBefore(float); gap > tolerated;) {
-        const text = textBehind(float), back = text.at(-1)?.nextElementSibling ?? null, parent = float.parentElement;
-        float.before(...text);
-        const now = gapBefore(float);
-        if (text.length === 0 || now >= gap) {
-            for (const block of text) parent.insertBefore(block, back);
-            return;
-        }
-        gap = now;
+    let room = (gapBefore(float) - tolerated) * main.clientHeight, block = float.previousElementSibling;
+    if (room <= 0) return;
+    for (; isHeading(block); block = block.previousElementSibling) room -= heightOf(block);   // it comes before the text
+    const text = [];
+    for (block = float.nextElementSibling; block && !(isFloat(block) && isHeading(text.at(-1))); block = block.nextElementSibling) {
+        if (isFloat(block)) continue;
+        text.push(block);
+        room -= heightOf(block);
+        if (room <= 0 && !isHeading(block)) break;
+    }
+    while (isHeading(text.at(-1))) text.pop();   // it stays with what is below it
+    float.before(...text);
+}
+
+/// One section after the other, those that follow left out meanwhile: they need no layout yet.
+function fillPages() {
+    const sections = [...document.querySelectorAll("main > section")];
+    for (const section of sections) section.style.display = "none";
+    for (const section of sections) {
+        section.style.display = "";
+        section.querySelectorAll(":scope > figure").forEach(fillPageBefore);
     }
 }
 
@@ -95,7 +103,7 @@ if (location.hash === "#print") document.documentElement.classList.add("printing
 addEventListener("load", () => {
     main = document.querySelector("main");
     main.classList.add("paged");
-    document.querySelectorAll("main > section > figure").forEach(fillPageBefore);
+    fillPages();
     if (main.matches(".paper")) growFigures();   // in the long appendix it would take too long
     fillInPageNumbers();
     main.classList.remove("paged");

@@ -1,5 +1,7 @@
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "base/available_memory.h"
 #include "base/file_bytes.h"
@@ -56,20 +58,11 @@ report::Document document_of(const ReportSettings& settings, const std::vector<Q
     return document;
 }
 
-struct FigureRequests {
-    std::vector<output::FigureRequest> of_appendix, others;
-    std::size_t count() const { return of_appendix.size() + others.size(); }
-};
-
-FigureRequests requests_of(const std::vector<QuestionResult>& results, const std::optional<Cover>& cover,
-                           const report::Document& document) {
-    const std::set<std::string> in_appendix = report::figures_in(document, report::Volume::appendix);
-    FigureRequests requests;
-    for (const QuestionResult& result : results) {
-        for (const output::FigureRequest& request : result.answer.figures)
-            (in_appendix.contains(request.id) ? requests.of_appendix : requests.others).push_back(request);
-    }
-    if (cover && cover->request) requests.others.push_back(*cover->request);
+std::vector<output::FigureRequest> requests_of(const std::vector<QuestionResult>& results, const std::optional<Cover>& cover) {
+    std::vector<output::FigureRequest> requests;
+    for (const QuestionResult& result : results)
+        requests.insert(requests.end(), result.answer.figures.begin(), result.answer.figures.end());
+    if (cover && cover->request) requests.push_back(*cover->request);
     return requests;
 }
 
@@ -78,31 +71,6 @@ output::DrawSettings draw_settings(const ReportSettings& settings) {
             .height = settings.size.height,
             .view_files = settings.view_files,
             .sheets_only = settings.sheets_only};
-}
-
-struct Drawn {
-    report::DrawnFigures figures;
-    Printing appendix;
-};
-
-/// The long appendix takes longest to print: `begin_appendix` begins that while the other figures are drawn.
-template <class Begin>
-Drawn drawn(const FigureRequests& requests, const output::DrawSettings& settings, const fs::path& folder, ProgressDisplay& display,
-            const Begin& begin_appendix) {
-    display.step("drawing");
-    double before = 0;
-    const auto draw = [&](const std::vector<output::FigureRequest>& some) {
-        const double share = double(some.size()) / double(requests.count());
-        auto figures =
-            output::draw_figures(some, folder, settings, [&](double part) { display.advance(0.7 + 0.25 * (before + share * part)); });
-        before += share;
-        return figures;
-    };
-    report::DrawnFigures figures = draw(requests.of_appendix);
-    Printing appendix = begin_appendix(figures);
-    figures.merge(draw(requests.others));
-    display.milestone(std::to_string(requests.count()) + " figures drawn");
-    return {std::move(figures), std::move(appendix)};
 }
 
 /// Refuses work that needs more memory than there is. Prints the plan if --time was given, and warns if the time cannot be kept.
@@ -158,12 +126,19 @@ ExitCode run_report(const ReportFlags& flags) {
         document.timings.push_back({"all questions", seconds_since(whole)});
         const Clock::time_point drawing_began = Clock::now();
         const fs::path& folder = publication.folder();
-        Drawn drawing =
-            drawn(requests_of(results, cover, document), draw_settings(settings), folder, display, [&](report::DrawnFigures& of_appendix) {
-                add_stored_figures(results, cover, of_appendix);
-                return paper.begin(report::Volume::appendix, document, of_appendix, store.get(), folder);
-            });
-        const report::DrawnFigures& figures = drawing.figures;
+        display.step("drawing");
+        const std::vector<output::FigureRequest> requests = requests_of(results, cover);
+        std::optional<Printing> appendix;   // begins while the other figures are drawn, for it takes longest
+        output::DrawEvents events;
+        events.progress = [&](double share) { display.advance(0.7 + 0.25 * share); };
+        events.early = report::figures_in(document, report::Volume::appendix);
+        events.early_drawn = [&](report::DrawnFigures of_appendix) {
+            add_stored_figures(results, cover, of_appendix);
+            appendix.emplace(paper.begin(report::Volume::appendix, document, std::move(of_appendix), store.get(), folder));
+        };
+        report::DrawnFigures figures = output::draw_figures(requests, folder, draw_settings(settings), events);
+        add_stored_figures(results, cover, figures);
+        display.milestone(std::to_string(requests.size()) + " figures drawn");
         document.timings.push_back({"drawing", seconds_since(drawing_began)});
         document.timings.push_back({"up to writing", seconds_since(whole)});
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
@@ -176,7 +151,7 @@ ExitCode run_report(const ReportFlags& flags) {
                 write_report_files(document, figures, templates, options, answers_of(results), stored_sections(results), folder);
             },
             [&] { write_file(folder / "src.txt", own_source().text()); });
-        notes = {own_paper.warning(), drawing.appendix.warning()};
+        notes = {own_paper.warning(), appendix->warning()};
         const auto digests = stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr);
         published = publish_report(publication, document, digests, settings, flags.junit);
         display.milestone("report written in " + plain_text(seconds_since(whole), 3) + " s");

@@ -29,4 +29,7 @@ std::string url_path(const std::string& path);
 /// RFC 4648, with padding.
 std::string base64(std::string_view bytes);
 
+/// The bytes; empty where the text is not base64.
+std::string from_base64(std::string_view text);
+
 }   // namespace meshfolio::report

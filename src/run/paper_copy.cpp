@@ -61,17 +61,15 @@ std::string printed(const report::Document& document, const report::DrawnFigures
     // again is printed as it was.
     const auto quick = document.provenance.settings.find("quick");
     const bool first_look = quick != document.provenance.settings.end() && quick->second == "yes";
-    report::PrintPage page =
-        report::print_page(document, figures, templates, {.volume = volume, .mathml = mathml, .page_numbers = !first_look});
     const bool is_report = volume == report::Volume::report;   // the results are attached to it, once
-    const report::PrintJob job{std::move(page.html),
-                               std::move(page.files),
-                               is_report ? document.title : "Appendix to " + document.title,
-                               document.author,
-                               "meshfolio " + document.provenance.version,
-                               report::pdf_date(environment("SOURCE_DATE_EPOCH")),
-                               is_report ? "results.json" : "",
-                               is_report ? report::write_json(document, figures, {.timings = false}) : ""};
+    const report::PrintJob job{
+        report::print_page(document, figures, templates, {.volume = volume, .mathml = mathml, .page_numbers = !first_look}),
+        is_report ? document.title : "Appendix to " + document.title,
+        document.author,
+        "meshfolio " + document.provenance.version,
+        report::pdf_date(environment("SOURCE_DATE_EPOCH")),
+        is_report ? "results.json" : "",
+        is_report ? report::write_json(document, figures, {.timings = false}) : ""};
     const output::Temporary scratch = scratch_folder();
     return report::print_pdf(job, engine, scratch.path());
 }

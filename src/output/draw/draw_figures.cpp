@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -228,43 +229,56 @@ struct Piece {
     std::size_t figure, panel;
 };
 
+void prepare(FigureJob& job, const FigureRequest& request, const DrawSettings& settings) {
+    job.request = &request;
+    job.three_quarters = three_quarter_frames(request, scaled(three_quarter_side(request), settings));
+    if (has_six_views(request)) job.six = six_frames(request, scaled(request.panels.size() == 1 ? small : small_in_a_block, settings));
+    job.pictures.resize(request.panels.size());
+    job.panels_left = static_cast<int>(request.panels.size());
+}
+
 }   // namespace
 
 report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const std::filesystem::path& folder,
-                                  const DrawSettings& settings, const std::function<void(double)>& progress) {
+                                  const DrawSettings& settings, const DrawEvents& events) {
     require_good_names(requests);
     make_folder(folder / "images");
+    std::map<std::string, std::vector<report::DrawnModel>> models = write_models(requests, folder);
 
     std::vector<FigureJob> figures(requests.size());
     std::vector<Piece> pieces;
     for (std::size_t f = 0; f < requests.size(); ++f) {
-        figures[f].request = &requests[f];
-        figures[f].three_quarters = three_quarter_frames(requests[f], scaled(three_quarter_side(requests[f]), settings));
-        if (has_six_views(requests[f]))
-            figures[f].six = six_frames(requests[f], scaled(requests[f].panels.size() == 1 ? small : small_in_a_block, settings));
-        figures[f].pictures.resize(requests[f].panels.size());
-        figures[f].panels_left = static_cast<int>(requests[f].panels.size());
+        prepare(figures[f], requests[f], settings);
+        figures[f].drawn.models = std::move(models[requests[f].id]);
         for (std::size_t p = 0; p < requests[f].panels.size(); ++p) pieces.push_back({f, p});
     }
+    const auto is_early = [&](const FigureRequest& request) { return events.early.contains(request.id); };
+    const auto others = std::stable_partition(pieces.begin(), pieces.end(), [&](Piece piece) { return is_early(requests[piece.figure]); });
+    const auto drawn_figures = [&](bool all) {
+        report::DrawnFigures drawn;
+        for (const FigureJob& job : figures)
+            if (all || is_early(*job.request)) drawn.emplace(job.request->id, job.drawn);
+        return drawn;
+    };
+    std::atomic<std::ptrdiff_t> next = 0, early_left = others - pieces.begin();
+    if (early_left == 0 && events.early_drawn) events.early_drawn({});
     std::mutex telling;
     std::size_t drawn = 0;
-    const auto draw_piece = [&](std::size_t i) {
+    // Handed out one by one, in their order.
+    for_each_task(pieces.size(), [&](std::size_t) {
+        const auto piece = pieces.begin() + next++;
+        FigureJob& job = figures[piece->figure];
         // Isolated: a thread that waits for the views of this panel does not begin another one, so that at most one panel a thread is
         // in memory at full size.
         tbb::this_task_arena::isolate([&] {
-            FigureJob& job = figures[pieces[i].figure];
-            draw_panel(job, pieces[i].panel, folder, settings);
+            draw_panel(job, piece->panel, folder, settings);
             if (--job.panels_left == 0) finish_figure(job, folder, settings);
         });
+        if (piece < others && --early_left == 0 && events.early_drawn) events.early_drawn(drawn_figures(false));
         const std::lock_guard lock(telling);
-        if (progress) progress(static_cast<double>(++drawn) / static_cast<double>(pieces.size()));
-    };
-    for_each_task(pieces.size(), draw_piece);
-
-    report::DrawnFigures all;
-    for (FigureJob& job : figures) all.emplace(job.request->id, std::move(job.drawn));
-    add_models(requests, folder, all);
-    return all;
+        if (events.progress) events.progress(static_cast<double>(++drawn) / static_cast<double>(pieces.size()));
+    });
+    return drawn_figures(true);
 }
 
 }   // namespace meshfolio::output

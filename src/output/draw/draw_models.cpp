@@ -58,7 +58,8 @@ std::vector<report::DrawnModel> models_of(const FigureRequest& request) {
 
 }   // namespace
 
-void add_models(std::span<const FigureRequest> requests, const fs::path& folder, report::DrawnFigures& figures) {
+std::map<std::string, std::vector<report::DrawnModel>> write_models(std::span<const FigureRequest> requests, const fs::path& folder) {
+    std::map<std::string, std::vector<report::DrawnModel>> written;
     std::size_t total = 0;
     for (const FigureRequest& request : requests) {
         std::vector<report::DrawnModel> models = models_of(request);
@@ -68,8 +69,9 @@ void add_models(std::span<const FigureRequest> requests, const fs::path& folder,
         total += bytes;
         make_folder(folder / "models");
         for (const report::DrawnModel& model : models) write_file(folder / model.file, model.glb);
-        figures.at(request.id).models = std::move(models);
+        written[request.id] = std::move(models);
     }
+    return written;
 }
 
 }   // namespace meshfolio::output

@@ -4,20 +4,25 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "output/draw/figure_request.h"
 #include "report/document.h"
 
 namespace meshfolio::output {
 
-/// Limits that keep a page small: triangles of one model, and bytes of the GLB files that one call writes (at most 8 MB of base64 in its
+/// Limits that keep a page small: triangles of one model, and bytes of all GLB files (at most 8 MB of base64 in the
 /// page). A figure beyond has pictures only.
 inline constexpr int most_model_triangles = 60'000;
 inline constexpr std::size_t most_model_bytes = 6'000'000;
 
-/// Writes models/<panel>.glb below `folder` for the figures that ask to be turned, in their order, and names them in `figures`.
+/// Writes models/<panel>.glb below `folder` for the figures that ask to be turned, in their order.
+/// @return by the id of the figure
 /// @throws OutputError
-void add_models(std::span<const FigureRequest> requests, const std::filesystem::path& folder, report::DrawnFigures& figures);
+std::map<std::string, std::vector<report::DrawnModel>> write_models(std::span<const FigureRequest> requests,
+                                                                    const std::filesystem::path& folder);
 
 }   // namespace meshfolio::output

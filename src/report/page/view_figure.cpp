@@ -38,7 +38,6 @@ struct PictureOf {
 
     std::string source(std::size_t p, std::size_t i) const {
         const DrawnPicture& picture = drawn.panels[p].pictures[i];
-        if (context.options.print_files) return url_path(print_file(figure.id, p, i));
         if (context.options.pictures && !picture.jpeg.empty()) return "data:image/jpeg;base64," + base64(picture.jpeg);
         return url_path(picture.file.empty() ? drawn.sheet : picture.file);
     }
@@ -173,10 +172,6 @@ json cover_view(const Figure& cover, const ViewContext& context) {
                     {"height", "of the picture [pixels]", std::to_string(picture.height)},
                     {"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend) : ""},
                     {"has_legend", "there are colours", drawn.legend.has_value()}});
-}
-
-std::string print_file(const std::string& figure, std::size_t panel, std::size_t picture) {
-    return "figures/" + figure + "_" + std::to_string(panel) + "_" + std::to_string(picture) + ".jpg";
 }
 
 }   // namespace meshfolio::report

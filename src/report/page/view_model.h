@@ -17,7 +17,6 @@ struct ViewOptions {
     std::string other_page = {};   // of the other volume, for links; empty: what is there is called by its number alone
     bool timings = true;
     bool pictures = true;              // pictures and plots inside, for a page of one file
-    bool print_files = false;          // pictures are print_file(…), beside the page
     bool page_numbers = false;         // "@page:ID@" in the page becomes the number of the printed page that ID is on (print_pdf.h)
     bool plain_formulas = false;       // for readers without MathML
     bool plot_files = false;           // images/<plot>.svg are there to link to
@@ -29,9 +28,6 @@ struct ViewOptions {
     std::size_t table_rows = 200;      // longer tables show their first and last rows,
     std::size_t fewest_left_out = 1;   // unless fewer than these would be left out
 };
-
-/// File of a picture for the printed page.
-std::string print_file(const std::string& figure, std::size_t panel, std::size_t picture);
 
 /// @throws std::logic_error naming an id that a text refers to and nothing has, or the name of an unknown formula
 nlohmann::json view_model(const Document& document, const DrawnFigures& figures, const Templates& templates, const ViewOptions& options);

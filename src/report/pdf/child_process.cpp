@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,7 +27,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t most_output = 1 << 16, drain_step = 4096;
+constexpr std::size_t most_output = 1 << 16, step = 1 << 16;   // [bytes]
 
 /// The groups that run, so that a signal can end them.
 struct Registry {
@@ -76,16 +77,19 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
     return pointers;
 }
 
-/// What the child begins with: its own group, no signal blocked or ignored, no input, both streams into `output`.
+/// What the child begins with: its own group, no signal blocked or ignored, no input, both streams into `output`, and `channel` if it has
+/// one.
 struct SpawnRules {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t attributes;
 
-    SpawnRules(const ChildTask& task, int output) {
+    SpawnRules(const ChildTask& task, int output, int channel) {
         posix_spawn_file_actions_init(&files);
         posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&files, output, STDERR_FILENO);
+        for (const int number : {3, 4})
+            if (channel >= 0) posix_spawn_file_actions_adddup2(&files, channel, number);
         posix_spawn_file_actions_addchdir_np(&files, task.folder.c_str());
         posix_spawnattr_init(&attributes);
         sigset_t none, all;
@@ -105,11 +109,11 @@ struct SpawnRules {
 };
 
 /// @return errno, or 0 with the number of the process
-int start(const ChildTask& task, int output, pid_t& process) {
+int start(const ChildTask& task, int output, int channel, pid_t& process) {
     std::vector<std::string> words{task.program.string()};
     words.insert(words.end(), task.arguments.begin(), task.arguments.end());
     std::vector<std::string> environment = environment_with(task.environment);
-    const SpawnRules rules(task, output);
+    const SpawnRules rules(task, output, channel);
     const std::lock_guard lock(registry().mutex);
     if (registry().abandoned) return ECANCELED;
     const int error = ::posix_spawn(&process, task.program.c_str(), &rules.files, &rules.attributes, pointers_to(words).data(),
@@ -118,17 +122,48 @@ int start(const ChildTask& task, int output, pid_t& process) {
     return error;
 }
 
-/// Takes what there is to read. @return false at its end
-bool drain(int descriptor, std::string& output) {
-    char buffer[drain_step];
+/// Takes what there is to read; twice `most` of it are kept. @return false at its end
+bool drain(int descriptor, std::string& text, std::size_t most = most_output) {
+    char buffer[step];
     for (;;) {
         const ssize_t got = ::read(descriptor, buffer, sizeof buffer);
         if (got == 0) return false;
         if (got < 0) return errno == EAGAIN || errno == EINTR;
-        output.append(buffer, static_cast<std::size_t>(got));
-        if (output.size() > 2 * most_output) output.erase(0, output.size() - most_output);
+        text.append(buffer, static_cast<std::size_t>(got));
+        if (text.size() / 2 > most) text.erase(0, text.size() - most);
     }
 }
+
+/// What is said with a child.
+class Conversation {
+public:
+    Conversation(const ChildTask& task, int channel) : answer_(task.answer), channel_(channel) {
+        if (channel_ >= 0) say("");
+    }
+    int channel() const { return is_open_ ? channel_ : -1; }
+    bool is_over() const { return is_over_; }
+    void listen() {
+        is_open_ = drain(channel_, heard_, std::string::npos);
+        std::size_t begin = 0;
+        for (std::size_t end; !is_over_ && (end = heard_.find('\0', std::max(begin, searched_))) != std::string::npos; begin = end + 1)
+            say(std::string_view(heard_).substr(begin, end - begin));
+        heard_.erase(0, begin);
+        searched_ = heard_.size();
+    }
+
+private:
+    const std::function<std::optional<std::string>(std::string_view)>& answer_;
+    int channel_;
+    bool is_open_ = true, is_over_ = false;
+    std::string heard_;
+    std::size_t searched_ = 0;   // no message ends before
+
+    void say(std::string_view message) {
+        const std::optional<std::string> words = answer_(message);
+        is_over_ = !words;
+        if (words && !words->empty()) (void)::send(channel_, words->c_str(), words->size() + 1, MSG_NOSIGNAL);
+    }
+};
 
 /// It is not collected.
 bool has_ended(pid_t process) {
@@ -136,18 +171,45 @@ bool has_ended(pid_t process) {
     return ::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0;
 }
 
-/// Reads along until the process itself has ended. @return false when the limit came first
-bool wait_until(Clock::time_point limit, pid_t process, int output, std::string& text) {
+/// Reads along until the process itself has ended or all is said. @return false when the limit came first
+bool wait_until(Clock::time_point limit, pid_t process, int output, std::string& text, Conversation& conversation) {
     const Descriptor end(descriptor_of(process));
     const int most = end.number() >= 0 ? std::numeric_limits<int>::max() : 20;   // [ms], to ask again
     bool open = true;
     for (;;) {
-        pollfd watched[2] = {{end.number(), POLLIN, 0}, {open ? output : -1, POLLIN, 0}};
+        pollfd watched[3] = {{end.number(), POLLIN, 0}, {open ? output : -1, POLLIN, 0}, {conversation.channel(), POLLIN, 0}};
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(limit - Clock::now()).count();
         if (left <= 0) return false;
-        if (::poll(watched, 2, static_cast<int>(std::min<std::int64_t>(left, most))) < 0 && errno != EINTR) return false;
+        if (::poll(watched, 3, static_cast<int>(std::min<std::int64_t>(left, most))) < 0 && errno != EINTR) return false;
         if (watched[1].revents != 0) open = drain(output, text);
+        if (watched[2].revents != 0) conversation.listen();
+        if (conversation.is_over()) return true;
         if (watched[0].revents != 0 || (end.number() < 0 && has_ended(process))) return true;
+    }
+}
+
+/// A child that runs. In the end its group is killed, and it is collected.
+class Running {
+public:
+    explicit Running(pid_t process) : process_(process) {}
+    ~Running() {
+        // While the leader is not collected its number cannot be another's.
+        const std::lock_guard lock(registry().mutex);
+        ::kill(-process_, SIGKILL);
+        registry().groups.erase(process_);
+        ::waitpid(process_, nullptr, 0);
+    }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+
+private:
+    pid_t process_;
+};
+
+/// Until all processes of a killed group have closed it, and write no more files either.
+void await_end_of(int output, std::string& text) {
+    pollfd watched{output, POLLIN, 0};
+    while (::poll(&watched, 1, 1000) > 0 && drain(output, text)) {
     }
 }
 
@@ -155,35 +217,44 @@ bool wait_until(Clock::time_point limit, pid_t process, int output, std::string&
 
 ChildEnd run_child(const ChildTask& task) {
     ChildEnd end;
-    int pipe[2];
+    int pipe[2], channel[2] = {-1, -1};
     if (::pipe2(pipe, O_CLOEXEC | O_NONBLOCK) != 0) {
         end.code = errno;
         return end;
     }
-    end.output.reserve(2 * most_output + drain_step);   // nothing is thrown while the program runs
     const Descriptor reading(pipe[0]);
     Descriptor writing(pipe[1]);
     ::fcntl(writing.number(), F_SETFL, 0);   // the child's end waits for its reader
+    if (task.answer && ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, channel) != 0) {
+        end.code = errno;
+        return end;
+    }
+    const Descriptor ours(channel[0]);
+    Descriptor theirs(channel[1]);
+    if (task.answer) ::fcntl(ours.number(), F_SETFL, O_NONBLOCK);
     pid_t process = 0;
-    end.code = start(task, writing.number(), process);
+    end.code = start(task, writing.number(), theirs.number(), process);
     if (end.code != 0) return end;
-    writing.close();
-
-    const bool ended = wait_until(Clock::now() + task.limit, process, reading.number(), end.output);
+    bool ended = false, dismissed = false;
     siginfo_t info{};
-    if (!ended) ::kill(-process, SIGKILL);
-    while (::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
-    }
     {
-        // While the leader is not collected its number cannot be another's.
-        const std::lock_guard lock(registry().mutex);
-        ::kill(-process, SIGKILL);
-        registry().groups.erase(process);
-        ::waitpid(process, nullptr, 0);
+        const Running running(process);
+        writing.close();
+        theirs.close();
+        Conversation conversation(task, ours.number());
+        ended = wait_until(Clock::now() + task.limit, process, reading.number(), end.output, conversation);
+        dismissed = conversation.is_over();
+        if (!ended || dismissed) ::kill(-process, SIGKILL);
+        while (::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
+        }
     }
+    if (dismissed) await_end_of(reading.number(), end.output);
     drain(reading.number(), end.output);
     if (end.output.size() > most_output) end.output.erase(0, end.output.size() - most_output);
-    end.kind = !ended ? ChildEnd::Kind::timed_out : info.si_code == CLD_EXITED ? ChildEnd::Kind::exited : ChildEnd::Kind::killed;
+    end.kind = !ended                       ? ChildEnd::Kind::timed_out
+               : dismissed                  ? ChildEnd::Kind::dismissed
+               : info.si_code == CLD_EXITED ? ChildEnd::Kind::exited
+                                            : ChildEnd::Kind::killed;
     end.code = info.si_status;
     return end;
 }
@@ -207,6 +278,9 @@ std::string words_of(const ChildEnd& end) {
             break;
         case ChildEnd::Kind::timed_out:
             words = "did not end in time";
+            break;
+        case ChildEnd::Kind::dismissed:
+            words = "was dismissed";
             break;
         case ChildEnd::Kind::not_started:
             words = std::string("could not be started (") + std::strerror(end.code) + ")";

@@ -4,8 +4,11 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace meshfolio::report {
@@ -17,10 +20,13 @@ struct ChildTask {
     std::filesystem::path folder = "/";               // where it runs
     std::chrono::milliseconds limit = std::chrono::seconds(120);
     bool tidies_up = false;   // end_children() asks it to end, by SIGTERM, before it kills
+    /// For a program that is talked with: it hears by its descriptor 3 and speaks by 4, each message ended by a zero byte. Called first
+    /// with nothing, then with each message. @return what to say, perhaps nothing; nullopt: all is said, and the program is killed
+    std::function<std::optional<std::string>(std::string_view message)> answer = {};
 };
 
 struct ChildEnd {
-    enum class Kind { exited, killed, timed_out, not_started } kind = Kind::not_started;
+    enum class Kind { exited, killed, timed_out, not_started, dismissed } kind = Kind::not_started;
     int code = 0;         // exit code, signal, or errno of what could not be started
     std::string output;   // the last of what it wrote to both streams
 };

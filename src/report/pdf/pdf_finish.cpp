@@ -14,6 +14,7 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
+#include "report/pdf/pdf_packing.h"
 
 namespace meshfolio::report {
 
@@ -177,23 +178,16 @@ void attach(QPDF& pdf, const PdfDetails& details) {
     pdf.getRoot().replaceKey("/AF", QPDFObjectHandle::newArray({file.getObjectHandle()}));
 }
 
-std::string written(QPDF& pdf, qpdf_object_stream_e streams) {
+/// Objects are numbered as they are reached: those the engine gave have no effect.
+std::string written(QPDF& pdf) {
     QPDFWriter writer(pdf);
     writer.setOutputMemory();
     writer.setDeterministicID(true);
-    writer.setObjectStreamMode(streams);
+    writer.setObjectStreamMode(qpdf_o_disable);
+    writer.setMinimumPDFVersion("1.5");
     writer.write();
     const auto buffer = writer.getBufferSharedPointer();
-    return {reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()};
-}
-
-/// Objects are numbered as they are reached, then packed by their numbers: those the engine gave have no effect.
-std::string written(QPDF& pdf) {
-    const std::string numbered = written(pdf, qpdf_o_disable);
-    QPDF again;
-    open(again, numbered);
-    again.getTrailer().removeKey("/ID");
-    return written(again, qpdf_o_generate);
+    return packed_pdf({reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()});
 }
 
 }   // namespace

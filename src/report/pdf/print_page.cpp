@@ -6,7 +6,6 @@
 #include "report/escape.h"
 #include "report/page/page_design.h"
 #include "report/page/template_render.h"
-#include "report/page/volumes.h"
 
 namespace meshfolio::report {
 
@@ -39,24 +38,11 @@ std::string text_of(const std::string& html) {
     return text;
 }
 
-std::map<std::string, std::string> pictures_for(const Document& document, const DrawnFigures& figures, Volume volume) {
-    std::map<std::string, std::string> files;
-    for (const std::string& id : figures_in(document, volume)) {
-        const auto drawn = figures.find(id);
-        if (drawn == figures.end()) continue;
-        const std::vector<DrawnPanel>& panels = drawn->second.panels;
-        for (std::size_t p = 0; p < panels.size(); ++p)
-            for (std::size_t i = 0; i < panels[p].pictures.size(); ++i) files[print_file(id, p, i)] = panels[p].pictures[i].jpeg;
-    }
-    return files;
-}
-
 }   // namespace
 
-PrintPage print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options) {
+std::string print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options) {
     ViewOptions view;
     view.timings = false;
-    view.print_files = true;
     view.page_numbers = options.page_numbers;
     view.plain_formulas = !options.mathml;
     view.single_views = false;
@@ -66,7 +52,7 @@ PrintPage print_page(const Document& document, const DrawnFigures& figures, cons
     view.fewest_left_out = table_rows / 2;   // a gap in a table hardly longer spares nothing
     nlohmann::json model = view_model(document, figures, templates, view);
     add_design(model, templates, "print");
-    return {render(templates, "print.html", model, xml_escape), pictures_for(document, figures, options.volume)};
+    return render(templates, "print.html", model, xml_escape);
 }
 
 std::vector<PageHeading> headings_of(const std::string& html) {

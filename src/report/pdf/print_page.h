@@ -1,9 +1,7 @@
 /// @file
-/// The report as a page to be printed: set by templates/print.html for A4, its pictures in files beside it.
+/// The report as a page to be printed: set by templates/print.html for A4, its pictures inside.
 #pragma once
 
-#include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -12,19 +10,14 @@
 
 namespace meshfolio::report {
 
-struct PrintPage {
-    std::string html;                           // "@page:ID@" stands for the number of the page that the heading ID is on
-    std::map<std::string, std::string> files;   // by their paths relative to the page
-};
-
 struct PrintOptions {
     Volume volume = Volume::report;
     bool mathml = true;         // the engine sets it; else formulas are plain text
     bool page_numbers = true;   // in the contents, which takes a second pass of the engine
 };
 
-/// Nothing in it depends on the time.
-PrintPage print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options);
+/// The page; nothing in it depends on the time. "@page:ID@" stands for the number of the page that the heading ID is on.
+std::string print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options);
 
 struct PageHeading {
     std::string id, title;

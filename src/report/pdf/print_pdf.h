@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 
 #include "report/pdf/pdf_engine.h"
@@ -11,8 +10,7 @@
 namespace meshfolio::report {
 
 struct PrintJob {
-    std::string html;                           // refers to nothing but `files` and to itself
-    std::map<std::string, std::string> files;   // by their paths relative to the page
+    std::string html;   // refers to nothing but itself
     std::string title, author, creator;
     std::string date;                          // as pdf_date() writes it
     std::string attachment_name, attachment;   // empty name: none

@@ -36,7 +36,7 @@ report::DrawnFigures models_of(const std::vector<FigureRequest>& requests) {
     const TemporaryFolder folder;
     report::DrawnFigures figures;
     for (const FigureRequest& request : requests) figures[request.id];
-    add_models(requests, folder.path(), figures);
+    for (auto& [id, models] : write_models(requests, folder.path())) figures.at(id).models = models;
     std::size_t named = 0, written = 0;
     for (const auto& [id, figure] : figures) {
         for (const report::DrawnModel& model : figure.models) {

@@ -78,6 +78,29 @@ TEST(ChildProcess, KeepsTheLastOfMuchOutput) {
     EXPECT_TRUE(end.output.ends_with("last\n"));
 }
 
+TEST(ChildProcess, IsTalkedWithAndDismissed) {
+    const auto began = std::chrono::steady_clock::now();
+    ChildTask task{"/bin/sh", {"-c", "printf 'ready\\0' >&4; printf \"$(head -c 5 <&3) again\\0and more\\0\" >&4; sleep 300"}, {}};
+    std::vector<std::string> heard;
+    task.answer = [&](std::string_view message) -> std::optional<std::string> {
+        heard.emplace_back(message);
+        if (message == "ready") return "hello";
+        if (message == "hello again") return {};
+        return "";
+    };
+    EXPECT_EQ(run_child(task).kind, ChildEnd::Kind::dismissed);
+    EXPECT_EQ(heard, (std::vector<std::string>{"", "ready", "hello again"}));
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
+}
+
+TEST(ChildProcess, MayEndInTheMiddleOfATalk) {
+    ChildTask task{"/bin/sh", {"-c", "printf 'unfinished' >&4; exit 3"}, {}};
+    task.answer = [](std::string_view) { return std::string(100000, 'x'); };
+    const ChildEnd end = run_child(task);
+    EXPECT_EQ(end.kind, ChildEnd::Kind::exited);
+    EXPECT_EQ(end.code, 3);
+}
+
 TEST(ChildProcess, BlocksNoSignalOfTheChild) {
     sigset_t blocked, before;
     sigemptyset(&blocked);
