@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/linear/dense_eigenpairs.h"
 #include "geometry/linear/panel_kernels.h"
 #include "geometry/linear/random_numbers.h"
 
@@ -226,12 +227,12 @@ RitzPairs BlockLanczos::ritz_pairs() {
         T.block<8, 8>(at, at) = diagonal_[j];
         if (j + 1 < steps) T.block<8, 8>(at + 8, at) = below_[j];   // only the lower triangle is read
     }
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> small(T);
+    const DenseEigenpairs small = dense_eigenpairs(T);
     std::vector<int> order(static_cast<std::size_t>(m));
     std::iota(order.begin(), order.end(), 0);
-    const Vector mu = setting_.sigma + small.eigenvalues().array().inverse();
+    const Vector mu = setting_.sigma + small.values.array().inverse();
     std::sort(order.begin(), order.end(), [&](int a, int b) { return mu[a] < mu[b]; });
-    RitzPairs pairs{mu(order), small.eigenvalues()(order), Vector(m), small.eigenvectors()(Eigen::all, order)};
+    RitzPairs pairs{mu(order), small.values(order), Vector(m), small.vectors(Eigen::all, order)};
     const DenseMatrix beyond = below_.back() * pairs.S.bottomRows<8>();
     const Vector distance = pairs.theta.cwiseInverse();
     pairs.residual = beyond.colwise().norm().transpose().array() * distance.array().square() / pairs.mu.array().abs();
