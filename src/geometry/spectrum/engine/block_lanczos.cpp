@@ -103,7 +103,7 @@ Small BlockLanczos::orthogonalise_with_last(EightColumns& W) {
 }
 
 bool BlockLanczos::keep_orthogonal(EightColumns& W, Small& gram) {
-    constexpr double allowed = 1e-8;   // Lanczos loses no digit of an eigenvalue before the root of the rounding unit (Simon 1984)
+    constexpr double allowed = 1e-9;   // as much of the others may an eigenvector have in it; none where it is to be polished
     if (locked_count_ > 0 || setting_.refine_with != nullptr) {
         gram = orthogonalise(W);
         return true;
