@@ -64,7 +64,7 @@ int descriptor_of(pid_t process) { return ::pidfd_open(process, 0); }
 void ask_for_signal_of_parent(int signal) { static_cast<void>(::prctl(PR_SET_PDEATHSIG, signal)); }
 
 void prefer_large_pages(void* begin, std::size_t bytes) {
-    constexpr std::size_t page = 4096, worth_it = std::size_t{8} << 20;
+    constexpr std::size_t page = 4096, worth_it = std::size_t{2} << 20;
     if (bytes < worth_it) return;
     const std::size_t to_page = (page - reinterpret_cast<std::uintptr_t>(begin) % page) % page;
     ::madvise(static_cast<char*>(begin) + to_page, (bytes - to_page) / page * page, MADV_HUGEPAGE);

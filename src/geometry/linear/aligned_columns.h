@@ -19,9 +19,10 @@ public:
 
     AlignedColumns() = default;
     /// Not initialised.
-    explicit AlignedColumns(Eigen::Index rows) : rows_(rows), numbers_(static_cast<double*>(std::aligned_alloc(line, bytes_of(rows)))) {
+    explicit AlignedColumns(Eigen::Index rows)
+        : rows_(rows), numbers_(static_cast<double*>(std::aligned_alloc(alignment_for(rows), bytes_of(rows)))) {
         if (rows > 0 && numbers_ == nullptr) throw std::bad_alloc();
-        prefer_large_pages(data(), bytes_of(rows));
+        prefer_large_pages(data(), numbers_bytes(rows));   // what is behind them stays untouched
     }
 
     Eigen::Index rows() const { return rows_; }
@@ -31,9 +32,12 @@ public:
     const double* row(Eigen::Index i) const { return numbers_.get() + width * i; }
 
 private:
-    static constexpr std::size_t line = 64;   // bytes
+    static constexpr std::size_t line = 64, large_page = std::size_t{2} << 20;   // bytes
+    static std::size_t numbers_bytes(Eigen::Index rows) { return sizeof(double) * width * static_cast<std::size_t>(rows); }
+    static std::size_t alignment_for(Eigen::Index rows) { return numbers_bytes(rows) < large_page ? line : large_page; }
     static std::size_t bytes_of(Eigen::Index rows) {
-        return (sizeof(double) * width * static_cast<std::size_t>(rows) + line - 1) / line * line;
+        const std::size_t unit = alignment_for(rows);
+        return (numbers_bytes(rows) + unit - 1) / unit * unit;
     }
     struct Free {
         void operator()(double* p) const { std::free(p); }

@@ -122,9 +122,10 @@ void EliminateBlock(double* W, Eigen::Index rows, double* pivots) {
     }
 }
 
-/// X := L⁻¹ X within one panel of w columns and below it.
-template <int w, int columns, int stride>
-HWY_INLINE void ForwardPanel(const double* values, const int* rows, Eigen::Index row_count, double* X, double* top) {
+/// X := L⁻¹ X within one panel of w columns and in the rows [0, inside) below it; what the others lose is subtracted from Y.
+template <int w, int columns>
+HWY_INLINE void ForwardPanel(const double* values, const int* rows, Eigen::Index inside, Eigen::Index row_count, double* X, double* Y,
+                             double* top) {
     const hn::CappedTag<double, columns> d;
     using Row = hn::Vec<hn::CappedTag<double, columns>>;
     const int lanes = static_cast<int>(hn::Lanes(d));
@@ -132,23 +133,27 @@ HWY_INLINE void ForwardPanel(const double* values, const int* rows, Eigen::Index
         Row x[w];
         HWY_UNROLL(8)
         for (int i = 0; i < w; ++i) {
-            x[i] = hn::Load(d, top + stride * i + c);
+            x[i] = hn::Load(d, top + columns * i + c);
             for (int j = 0; j < i; ++j) x[i] = hn::NegMulAdd(hn::Set(d, values[w * i + j]), x[j], x[i]);
-            hn::Store(x[i], d, top + stride * i + c);
+            hn::Store(x[i], d, top + columns * i + c);
         }
         const double* l = values + w * w;
-        for (Eigen::Index r = 0; r < row_count; ++r, l += w) {
-            double* const at = X + static_cast<std::ptrdiff_t>(stride) * rows[r] + c;
-            Row y = hn::Load(d, at);
-            HWY_UNROLL(8)
-            for (int i = 0; i < w; ++i) y = hn::NegMulAdd(hn::Set(d, l[i]), x[i], y);
-            hn::Store(y, d, at);
-        }
+        const auto subtract = [&](Eigen::Index begin, Eigen::Index end, double* from) HWY_ATTR {
+            for (Eigen::Index r = begin; r < end; ++r, l += w) {
+                double* const at = from + static_cast<std::ptrdiff_t>(columns) * rows[r] + c;
+                Row y = hn::Load(d, at);
+                HWY_UNROLL(8)
+                for (int i = 0; i < w; ++i) y = hn::NegMulAdd(hn::Set(d, l[i]), x[i], y);
+                hn::Store(y, d, at);
+            }
+        };
+        subtract(0, inside, X);
+        subtract(inside, row_count, Y);
     }
 }
 
 /// X := L⁻ᵀ D⁻¹ X within one panel, what lies below it being solved already.
-template <int w, int columns, int stride>
+template <int w, int columns>
 HWY_INLINE void BackwardPanel(const double* values, const int* rows, Eigen::Index row_count, const double* pivots, const double* X,
                               double* top) {
     const hn::CappedTag<double, columns> d;
@@ -157,17 +162,17 @@ HWY_INLINE void BackwardPanel(const double* values, const int* rows, Eigen::Inde
     for (int c = 0; c < columns; c += lanes) {
         Row x[w];
         HWY_UNROLL(8)
-        for (int i = 0; i < w; ++i) x[i] = hn::Div(hn::Load(d, top + stride * i + c), hn::Set(d, pivots[i]));
+        for (int i = 0; i < w; ++i) x[i] = hn::Div(hn::Load(d, top + columns * i + c), hn::Set(d, pivots[i]));
         const double* l = values + w * w;
         for (Eigen::Index r = 0; r < row_count; ++r, l += w) {
-            const Row y = hn::Load(d, X + static_cast<std::ptrdiff_t>(stride) * rows[r] + c);
+            const Row y = hn::Load(d, X + static_cast<std::ptrdiff_t>(columns) * rows[r] + c);
             HWY_UNROLL(8)
             for (int i = 0; i < w; ++i) x[i] = hn::NegMulAdd(hn::Set(d, l[i]), y, x[i]);
         }
         HWY_UNROLL(8)
         for (int i = w - 1; i >= 0; --i) {
             for (int j = i + 1; j < w; ++j) x[i] = hn::NegMulAdd(hn::Set(d, values[w * j + i]), x[j], x[i]);
-            hn::Store(x[i], d, top + stride * i + c);
+            hn::Store(x[i], d, top + columns * i + c);
         }
     }
 }
@@ -183,30 +188,43 @@ HWY_INLINE void WithWidth(int w, const Visit& visit) {
     visit(std::integral_constant<int, most>());
 }
 
-/// Columns of a row of X are `stride` numbers from those of the next.
-template <int columns, int stride = columns>
-HWY_INLINE void SolveColumns(const LdltPanels& factor, double* X) {
-    const auto visit = [&](int p, bool forward) HWY_ATTR {
+template <int columns>
+HWY_INLINE void SolveForward(const LdltPanels& factor, int first, int end, const OutsideRows* outside, double* X) {
+    for (int p = first; p < end; ++p) {
         const auto panel = static_cast<std::size_t>(p);
         const int column = factor.first[panel];
-        const double* const values = factor.values.data() + factor.value_start[panel];
-        const int* const rows = factor.rows.data() + factor.row_start[panel];
+        const int* const rows = (outside ? outside->rows : factor.rows).data() + factor.row_start[panel];
         const auto count = static_cast<Eigen::Index>(factor.row_start[panel + 1] - factor.row_start[panel]);
-        double* const top = X + static_cast<std::ptrdiff_t>(stride) * column;
         WithWidth(factor.first[panel + 1] - column, [&](auto w) HWY_ATTR {
-            if (forward)
-                ForwardPanel<w(), columns, stride>(values, rows, count, X, top);
-            else
-                BackwardPanel<w(), columns, stride>(values, rows, count, factor.pivots.data() + column, X, top);
+            ForwardPanel<w(), columns>(factor.values.data() + factor.value_start[panel], rows, outside ? outside->inside[panel] : count,
+                                       count, X, outside ? outside->sums : nullptr, X + static_cast<std::ptrdiff_t>(columns) * column);
         });
-    };
-    for (int p = 0; p < factor.panels(); ++p) visit(p, true);
-    for (int p = factor.panels() - 1; p >= 0; --p) visit(p, false);
+    }
 }
 
-void SolveInPlace(const LdltPanels& factor, double* X) { SolveColumns<EightColumns::width>(factor, X); }
-void SolveHalfInPlace(const LdltPanels& factor, double* X) { SolveColumns<EightColumns::width / 2, EightColumns::width>(factor, X); }
-void SolveFourInPlace(const LdltPanels& factor, double* X) { SolveColumns<FourColumns::width>(factor, X); }
+template <int columns>
+HWY_INLINE void SolveBackward(const LdltPanels& factor, int first, int end, double* X) {
+    for (int p = end - 1; p >= first; --p) {
+        const auto panel = static_cast<std::size_t>(p);
+        const int column = factor.first[panel];
+        const auto count = static_cast<Eigen::Index>(factor.row_start[panel + 1] - factor.row_start[panel]);
+        WithWidth(factor.first[panel + 1] - column, [&](auto w) HWY_ATTR {
+            BackwardPanel<w(), columns>(factor.values.data() + factor.value_start[panel], factor.rows.data() + factor.row_start[panel],
+                                        count, factor.pivots.data() + column, X, X + static_cast<std::ptrdiff_t>(columns) * column);
+        });
+    }
+}
+
+void SolveEightForward(const LdltPanels& factor, int first, int end, const OutsideRows* outside, double* X) {
+    SolveForward<EightColumns::width>(factor, first, end, outside, X);
+}
+void SolveEightBackward(const LdltPanels& factor, int first, int end, double* X) {
+    SolveBackward<EightColumns::width>(factor, first, end, X);
+}
+void SolveFour(const LdltPanels& factor, double* X) {
+    SolveForward<FourColumns::width>(factor, 0, factor.panels(), nullptr, X);
+    SolveBackward<FourColumns::width>(factor, 0, factor.panels(), X);
+}
 
 }   // namespace meshfolio::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -218,9 +236,9 @@ HWY_EXPORT(AddProducts);
 HWY_EXPORT(SubtractCombination);
 HWY_EXPORT(MultiplyRows);
 HWY_EXPORT(EliminateBlock);
-HWY_EXPORT(SolveInPlace);
-HWY_EXPORT(SolveHalfInPlace);
-HWY_EXPORT(SolveFourInPlace);
+HWY_EXPORT(SolveEightForward);
+HWY_EXPORT(SolveEightBackward);
+HWY_EXPORT(SolveFour);
 
 void add_products(Blocks V, const double* W, Eigen::Index first, Eigen::Index last, double* G) {
     HWY_DYNAMIC_DISPATCH(AddProducts)(V, W, first, last, G);
@@ -236,9 +254,20 @@ void multiply_rows(const double* T, Eigen::Index first, Eigen::Index last, doubl
 
 void eliminate_block(double* W, Eigen::Index rows, double* pivots) { HWY_DYNAMIC_DISPATCH(EliminateBlock)(W, rows, pivots); }
 
-void solve_in_place(const LdltPanels& factor, double* X) { HWY_DYNAMIC_DISPATCH(SolveInPlace)(factor, X); }
-void solve_half_in_place(const LdltPanels& factor, double* X) { HWY_DYNAMIC_DISPATCH(SolveHalfInPlace)(factor, X); }
-void solve_in_place(const LdltPanels& factor, FourColumns& X) { HWY_DYNAMIC_DISPATCH(SolveFourInPlace)(factor, X.data()); }
+void solve_forward(const LdltPanels& factor, int first, int end, const OutsideRows* outside, double* X) {
+    HWY_DYNAMIC_DISPATCH(SolveEightForward)(factor, first, end, outside, X);
+}
+
+void solve_backward(const LdltPanels& factor, int first, int end, double* X) {
+    HWY_DYNAMIC_DISPATCH(SolveEightBackward)(factor, first, end, X);
+}
+
+void solve_in_place(const LdltPanels& factor, double* X) {
+    solve_forward(factor, 0, factor.panels(), nullptr, X);
+    solve_backward(factor, 0, factor.panels(), X);
+}
+
+void solve_in_place(const LdltPanels& factor, FourColumns& X) { HWY_DYNAMIC_DISPATCH(SolveFour)(factor, X.data()); }
 
 }   // namespace meshfolio
 #endif

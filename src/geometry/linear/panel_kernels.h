@@ -14,7 +14,7 @@ namespace meshfolio {
 using Blocks = std::span<const double* const>;   // the first row of each n × 8 block
 
 /// The rows that are worked on together: a panel of W stays in the fastest cache while all of V streams past it.
-constexpr Eigen::Index panel_rows = 512;
+constexpr Eigen::Index panel_rows = 256;
 
 /// G_j += V_jᵀ W over the rows [first, last) for each block V_j. G: one 8 × 8 matrix a block, row-major.
 void add_products(Blocks V, const double* W, Eigen::Index first, Eigen::Index last, double* G);
@@ -30,8 +30,18 @@ void multiply_rows(const double* T, Eigen::Index first, Eigen::Index last, doubl
 void eliminate_block(double* W, Eigen::Index rows, double* pivots);
 
 /// X := (LDLᵀ)⁻¹ X in the order of elimination.
-void solve_in_place(const LdltPanels& factor, double* X);        // n × 8
-void solve_half_in_place(const LdltPanels& factor, double* X);   // the four columns at X of n × 8: the other four may be solved meanwhile
+void solve_in_place(const LdltPanels& factor, double* X);   // n × 8
 void solve_in_place(const LdltPanels& factor, FourColumns& X);
+
+/// Where some panels take from rows that others take from meanwhile: these are gathered.
+struct OutsideRows {
+    const std::vector<int>& rows;     // of the factor, those outside numbered as the sums are
+    const std::vector<int>& inside;   // rows of each panel that come before them
+    double* sums;                     // 8 numbers a row
+};
+
+/// X := L⁻¹ X and X := L⁻ᵀD⁻¹ X as far as the panels [first, end) go, X n × 8.
+void solve_forward(const LdltPanels& factor, int first, int end, const OutsideRows* outside, double* X);
+void solve_backward(const LdltPanels& factor, int first, int end, double* X);
 
 }   // namespace meshfolio

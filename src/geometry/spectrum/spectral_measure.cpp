@@ -1,6 +1,5 @@
 #include "geometry/spectrum/spectral_measure.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <string>
@@ -8,6 +7,7 @@
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "base/parallel_tasks.h"
+#include "geometry/linear/dense_eigenpairs.h"
 #include "geometry/operators/vertices_with_mass.h"
 
 namespace meshfolio {
@@ -22,10 +22,9 @@ struct Quadrature {
 /// The eigenvalues of the leading n × n block of the tridiagonal matrix, and the squared first entries of its eigenvectors.
 void nodes_and_weights(const Vector& diagonal, const Vector& beside, int n, double total, Vector& nodes, Vector& weights) {
     const double unit = diagonal.maxCoeff();   // the solver takes numbers far below 1 for zeros
-    Eigen::SelfAdjointEigenSolver<DenseMatrix> eigen;
-    eigen.computeFromTridiagonal(diagonal.head(n) / unit, beside.head(n - 1) / unit);
-    nodes = unit * eigen.eigenvalues().cwiseMax(0);
-    weights = total * eigen.eigenvectors().row(0).transpose().cwiseAbs2();
+    const DenseEigenpairs pairs = tridiagonal_eigenpairs(diagonal.head(n) / unit, beside.head(n - 1) / unit);
+    nodes = unit * pairs.values.cwiseMax(0);
+    weights = total * pairs.vectors.row(0).transpose().cwiseAbs2();
 }
 
 void append(Vector& all, const Vector& more) {

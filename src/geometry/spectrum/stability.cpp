@@ -1,12 +1,12 @@
 #include "geometry/spectrum/stability.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
 #include "base/number_text.h"
+#include "geometry/linear/dense_eigenpairs.h"
 #include "geometry/spectrum/eigenvalue_enclosure.h"
 #include "geometry/spectrum/top_lanczos.h"
 
@@ -17,9 +17,8 @@ namespace {
 constexpr int dense_up_to = 200;
 
 TopPair dense_top(const SparseMatrix& B) {
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver{DenseMatrix(B)};
-    if (solver.info() != Eigen::Success) throw SolverError("largest eigenvalue: the dense eigensolver did not converge");
-    return {solver.eigenvalues().tail(1)[0], solver.eigenvectors().rightCols(1), 0, 0};
+    const DenseEigenpairs pairs = dense_eigenpairs(B);
+    return {pairs.values.tail(1)[0], pairs.vectors.rightCols(1), 0, 0};
 }
 
 }   // namespace

@@ -29,7 +29,7 @@ double work_of(std::string_view id, const QuestionTable& table, bool small);
 
 /// Beside the sections: the program; reading the meshes; making decimated copies; printing.
 inline constexpr CostModel base_cpu{0.2, 0}, reading_cpu{0, 0.25}, copies_cpu{0, 2.3}, printing_cpu{8, 0};   // [s]
-inline constexpr CostModel base_memory{35, 0}, reading_memory{0, 25}, copies_memory{0, 80};                  // [MB]
+inline constexpr CostModel base_memory{60, 0}, reading_memory{0, 25}, copies_memory{0, 80};                  // [MB]
 
 inline constexpr int cores = 2;             // those that a time is promised for
 inline constexpr double busy_share = 0.8;   // of the cores, over a whole report

@@ -192,17 +192,24 @@ double Plan::cpu_seconds() const {
 
 double Plan::seconds() const { return cpu_seconds() / (cores * busy_share); }
 
-/// The largest sections beside all meshes, or one mesh being decimated.
+/// Beside all meshes the largest sections, or one mesh being decimated and the largest sections that work on no copy of it. What decimating
+/// took in small pieces is not given back.
 double Plan::memory(int at_a_time) const {
-    std::vector<double> memories;
-    for (const PlannedSection& section : sections) memories.push_back(section.memory());
-    std::ranges::sort(memories, std::greater());
-    memories.resize(static_cast<std::size_t>(at_a_time));
     double copies = 0;
     if (std::ranges::any_of(sections, &PlannedSection::works_on_copies))
         for (const PlannedMesh& mesh : meshes) copies = std::max(copies, megabyte * copies_memory.per_mesh(mesh.vertices));
-    return megabyte * (base_memory.fixed + sum_over(reading_memory, meshes)) +
-           std::max(copies, std::accumulate(memories.begin(), memories.end(), 0.0));
+    std::vector<double> of_sections, while_copied{copies};
+    for (const PlannedSection& section : sections) {
+        of_sections.push_back(section.memory());
+        if (!section.works_on_copies()) while_copied.push_back(section.memory());
+    }
+    const auto largest = [&](std::vector<double>& memories) {
+        std::ranges::sort(memories, std::greater());
+        memories.resize(static_cast<std::size_t>(at_a_time));
+        return std::accumulate(memories.begin(), memories.end(), 0.0);
+    };
+    const double kept = std::min(1.25 * copies, 110 * megabyte);
+    return megabyte * (base_memory.fixed + sum_over(reading_memory, meshes)) + std::max(largest(of_sections) + kept, largest(while_copied));
 }
 
 std::map<std::string, Effort> Plan::efforts() const {

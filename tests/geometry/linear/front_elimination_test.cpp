@@ -77,16 +77,3 @@ TEST(FrontElimination, ThreadsChangeNoBit) {
         }
     }
 }
-
-TEST(FrontElimination, HalvesOfEightColumnsAreSolvedAsAll) {
-    const SparseMatrix A = -laplace_beltrami(irregular_sphere(3)).C;
-    const LdltPanels factor = factor_by_fronts(A, 0.3, front_tree(A, sparse_order(A)), false);
-    const DenseMatrix random = DenseMatrix::Random(8, A.rows());
-    EightColumns X(A.rows()), Y(A.rows());
-    std::copy_n(random.data(), random.size(), X.data());
-    std::copy_n(random.data(), random.size(), Y.data());
-    solve_in_place(factor, X.data());
-    solve_half_in_place(factor, Y.data());
-    solve_half_in_place(factor, Y.data() + 4);
-    EXPECT_TRUE(std::equal(X.data(), X.data() + random.size(), Y.data()));
-}

@@ -1,13 +1,13 @@
 #include "geometry/spectrum/engine/block_lanczos.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "geometry/linear/dense_eigenpairs.h"
 #include "geometry/linear/panel_kernels.h"
 #include "geometry/linear/random_numbers.h"
 
@@ -46,6 +46,7 @@ SpectrumTimes& SpectrumTimes::operator+=(const SpectrumTimes& other) {
 BlockLanczos::BlockLanczos(const LdltPanels& factor, const ZeroModes& zeros, const std::vector<const EightColumns*>& locked,
                            const Setting& setting)
     : factor_(factor), zeros_(zeros), setting_(setting), n_(factor.size), locked_count_(locked.size()) {
+    if (setting.parallel) subtrees_.emplace(factor);
     for (const EightColumns* block : locked) all_.push_back(block->data());
     // Drawn by the matrix's rows, not by the order of elimination.
     EightColumns W(n_);
@@ -53,18 +54,20 @@ BlockLanczos::BlockLanczos(const LdltPanels& factor, const ZeroModes& zeros, con
     for (std::size_t i = 0; i < place.size(); ++i) place[static_cast<std::size_t>(factor.order[i])] = static_cast<int>(i);
     std::uint64_t state = 0x9e3779b97f4a7c15ULL * (setting.seed + 1);
     for (const int i : place) std::generate_n(W.row(i), width, [&] { return uniform_number(state); });
-    zeros_.project_out(W);
-    normalise(W, orthogonalise(W));
+    zeros_.project_out(W, setting_.parallel);
+    normalise(W, orthogonalise(W), {}, nullptr);
     V_.push_back(std::move(W));
     all_.push_back(V_.back().data());
 }
 
-std::vector<double> BlockLanczos::sweep(std::span<double* const> W, Blocks S, const double* G, Blocks P) const {
+std::vector<double> BlockLanczos::sweep(std::span<double* const> W, Blocks S, const double* G, Blocks P, const Small* T) const {
     const std::size_t size = 64 * P.size() * W.size();
     const auto chunks = static_cast<std::size_t>((n_ + chunk_rows - 1) / chunk_rows);
     EightColumns parts(static_cast<Eigen::Index>(chunks * size / width));   // aligned
     EightColumns coefficients(static_cast<Eigen::Index>(width * S.size() * W.size()));
     std::copy_n(G, 64 * S.size() * W.size(), coefficients.data());
+    alignas(64) double transform[64];
+    if (T != nullptr) std::copy_n(T->data(), 64, transform);
     for_each_chunk(n_, setting_.parallel, [&](Eigen::Index c, Eigen::Index first, Eigen::Index last) {
         double* const part = parts.data() + static_cast<std::size_t>(c) * size;
         std::fill_n(part, size, 0.0);
@@ -72,6 +75,7 @@ std::vector<double> BlockLanczos::sweep(std::span<double* const> W, Blocks S, co
             const Eigen::Index end = std::min(last, r + panel_rows);
             for (std::size_t t = 0; t < W.size(); ++t) {
                 if (!S.empty()) subtract_combination(S, coefficients.data() + 64 * S.size() * t, r, end, W[t]);
+                if (T != nullptr) multiply_rows(transform, r, end, W[t]);
                 if (!P.empty()) add_products(P, W[t], r, end, part + 64 * P.size() * t);
             }
         }
@@ -80,15 +84,6 @@ std::vector<double> BlockLanczos::sweep(std::span<double* const> W, Blocks S, co
     for (std::size_t c = 0; c < chunks; ++c)
         for (std::size_t i = 0; i < size; ++i) sums[i] += parts.data()[c * size + i];
     return sums;
-}
-
-Small BlockLanczos::transform(EightColumns& W, const Small& T) const {
-    alignas(64) double aligned[64];
-    std::copy_n(T.data(), 64, aligned);
-    for_each_chunk(n_, setting_.parallel,
-                   [&](Eigen::Index, Eigen::Index first, Eigen::Index last) { multiply_rows(aligned, first, last, W.data()); });
-    const double* const block = W.data();
-    return small_at(sweep(W.data(), {}, nullptr, {&block, 1}), 0);
 }
 
 Small BlockLanczos::orthogonalise(EightColumns& W) const {
@@ -107,16 +102,19 @@ Small BlockLanczos::orthogonalise_with_last(EightColumns& W) {
     return small_at(sweep(W.data(), {&last, 1}, A.data() + 64, {&next, 1}), 0);
 }
 
-Small BlockLanczos::keep_orthogonal(EightColumns& W, const Small& gram) {
-    constexpr double allowed = 1e-10;   // as much of the others may an eigenvector have in it; none where it is to be polished
-    if (locked_count_ > 0 || setting_.refine_with != nullptr) return orthogonalise(W);
+bool BlockLanczos::keep_orthogonal(EightColumns& W, Small& gram) {
+    constexpr double allowed = 1e-9;   // as much of the others may an eigenvector have in it; none where it is to be polished
+    if (locked_count_ > 0 || setting_.refine_with != nullptr) {
+        gram = orthogonalise(W);
+        return true;
+    }
     const Eigen::SelfAdjointEigenSolver<Small> spectral(gram);
     std::vector<Small> below = below_;
     below.push_back(spectral.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() * spectral.eigenvectors().transpose());
     const bool lost = watch_.expect(diagonal_, below) > allowed && V_.size() > 1;
-    Small kept = lost ? orthogonalise_with_last(W) : gram;
+    if (lost) gram = orthogonalise_with_last(W);
     watch_.advance(lost);
-    return kept;
+    return lost;
 }
 
 /// Random columns, orthogonal to everything, where the Krylov space has no more to offer.
@@ -135,9 +133,10 @@ void BlockLanczos::fill_up(EightColumns& W, const Eigen::Array<bool, 8, 1>& lost
 }
 
 /// By the eigenvectors of WᵀW, again until rounding alone is left; directions that are rounding only are replaced.
-Small BlockLanczos::normalise(EightColumns& W, Small gram) {
+Small BlockLanczos::normalise(EightColumns& W, Small gram, Blocks S, const double* G) {
     constexpr double lost_below = 1e-14, weak_below = 1e-5, orthonormal = 1e-13;
     Small R = Small::Identity();
+    double* const to = W.data();
     for (int pass = 0; pass < 3; ++pass) {
         const Eigen::SelfAdjointEigenSolver<Small> spectral(0.5 * (gram + gram.transpose()));
         const Eigen::Array<double, 8, 1> length = spectral.eigenvalues().array().max(0).sqrt();
@@ -151,7 +150,8 @@ Small BlockLanczos::normalise(EightColumns& W, Small gram) {
             T = T * Q.transpose();
             step = Q * step;
         }
-        gram = transform(W, T);
+        const double* const block = W.data();
+        gram = small_at(sweep({&to, 1}, pass == 0 ? S : Blocks(), G, {&block, 1}, &T), 0);
         R = (step * R).eval();
         if (pass == 0 && lost.any()) fill_up(W, lost);
         if (pass == 0 && (lost.any() || length[0] < weak_below * std::max(scale_, length[7])))
@@ -163,15 +163,14 @@ Small BlockLanczos::normalise(EightColumns& W, Small gram) {
 
 void BlockLanczos::invert(EightColumns& W) const {
     const auto solve = [&](EightColumns& X) {
-        if (setting_.parallel)
-            tbb::parallel_invoke([&] { solve_half_in_place(factor_, X.data()); },
-                                 [&] { solve_half_in_place(factor_, X.data() + width / 2); });
+        if (subtrees_)
+            subtrees_->solve_in_place(X.data());
         else
             solve_in_place(factor_, X.data());
     };
     if (setting_.refine_with == nullptr) {
         solve(W);
-        zeros_.project_out(W);
+        zeros_.project_out(W, setting_.parallel);
         return;
     }
     EightColumns rest(n_);   // W − (B − σI)X, then what is added to X
@@ -185,7 +184,7 @@ void BlockLanczos::invert(EightColumns& W) const {
     });
     solve(rest);
     for (Eigen::Index i = 0; i < n_; ++i) EightRow(W.row(i)) += EightRow(rest.row(i));
-    zeros_.project_out(W);
+    zeros_.project_out(W, setting_.parallel);
 }
 
 void BlockLanczos::advance() {
@@ -199,17 +198,20 @@ void BlockLanczos::advance() {
     const double solved = seconds();
     times.solve += solved - start;
 
-    // Against the two blocks that the recurrence names, twice, for what rounding brought back; against all where it must be.
-    const double *const named[] = {V_[j > 0 ? j - 1 : j].data(), V_[j].data()}, *const next = W.data();
+    // Against the two blocks that the recurrence names, twice, for what rounding brought back, the second time when W is normalised;
+    // against all where it must be.
+    const double* const named[] = {V_[j > 0 ? j - 1 : j].data(), V_[j].data(), W.data()};
     const Small before = j > 0 ? Small(below_[j - 1].transpose()) : Small::Zero();
     Small A = small_at(sweep(W.data(), {named, 1}, before.data(), {named + 1, 1}), 0);
     const Blocks local(named + (j > 0 ? 0 : 1), named + 2);
-    const std::vector<double> G = sweep(W.data(), {named + 1, 1}, A.data(), local);
-    const Small gram = small_at(sweep(W.data(), local, G.data(), {&next, 1}), 0);
+    const std::vector<double> G = sweep(W.data(), {named + 1, 1}, A.data(), {local.data(), local.size() + 1});
+    Small gram = small_at(G, local.size());
+    for (std::size_t i = 0; i < local.size(); ++i) gram -= small_at(G, i).transpose() * small_at(G, i);
     A += small_at(G, local.size() - 1);
     diagonal_.push_back(0.5 * (A + A.transpose()));
     scale_ = std::max(scale_, A.norm());
-    below_.push_back(normalise(W, keep_orthogonal(W, gram)));
+    const bool clean = keep_orthogonal(W, gram);
+    below_.push_back(normalise(W, gram, clean ? Blocks() : local, G.data()));
     V_.push_back(std::move(W));
     all_.push_back(V_.back().data());
     times.orthogonalise += seconds() - solved;
@@ -225,12 +227,12 @@ RitzPairs BlockLanczos::ritz_pairs() {
         T.block<8, 8>(at, at) = diagonal_[j];
         if (j + 1 < steps) T.block<8, 8>(at + 8, at) = below_[j];   // only the lower triangle is read
     }
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> small(T);
+    const DenseEigenpairs small = dense_eigenpairs(T);
     std::vector<int> order(static_cast<std::size_t>(m));
     std::iota(order.begin(), order.end(), 0);
-    const Vector mu = setting_.sigma + small.eigenvalues().array().inverse();
+    const Vector mu = setting_.sigma + small.values.array().inverse();
     std::sort(order.begin(), order.end(), [&](int a, int b) { return mu[a] < mu[b]; });
-    RitzPairs pairs{mu(order), small.eigenvalues()(order), Vector(m), small.eigenvectors()(Eigen::all, order)};
+    RitzPairs pairs{mu(order), small.values(order), Vector(m), small.vectors(Eigen::all, order)};
     const DenseMatrix beyond = below_.back() * pairs.S.bottomRows<8>();
     const Vector distance = pairs.theta.cwiseInverse();
     pairs.residual = beyond.colwise().norm().transpose().array() * distance.array().square() / pairs.mu.array().abs();

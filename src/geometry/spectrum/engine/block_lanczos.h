@@ -6,12 +6,13 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "geometry/linear/aligned_columns.h"
 #include "geometry/linear/ldlt_panels.h"
-#include "geometry/linear/panel_kernels.h"
+#include "geometry/linear/subtree_solves.h"
 #include "geometry/spectrum/engine/orthogonality_watch.h"
 #include "geometry/spectrum/engine/zero_modes.h"
 #include "geometry/spectrum/laplace_spectrum.h"
@@ -55,22 +56,21 @@ public:
 private:
     using Small = EightColumns::Small;
     void invert(EightColumns& W) const;   // W := (B − σI)⁻¹ W, away from the zero modes
-    /// W −= Σ S_j G_j for each W, then the products PᵀW of what is left, all in one sweep over the rows.
+    /// W := (W − Σ S_j G_j) T for each W, then the products PᵀW of what is left, all in one sweep over the rows.
     /// @param G  an 8 × 8 matrix for each block of S, those of the first W first; the products are returned alike
-    std::vector<double> sweep(std::span<double* const> W, Blocks S, const double* G, Blocks P) const;
+    std::vector<double> sweep(std::span<double* const> W, Blocks S, const double* G, Blocks P, const Small* T = nullptr) const;
     std::vector<double> sweep(double* W, Blocks S, const double* G, Blocks P) const { return sweep({&W, 1}, S, G, P); }
-    /// W := W T; returns WᵀW.
-    Small transform(EightColumns& W, const Small& T) const;
-    /// W = V R, where gram = WᵀW; W becomes V, and R is returned.
-    Small normalise(EightColumns& W, Small gram);
+    /// W − Σ S_j G_j = V R; gram is its square. W becomes V, and R is returned.
+    Small normalise(EightColumns& W, Small gram, Blocks S, const double* G);
     Small orthogonalise(EightColumns& W) const;   // against all; returns WᵀW
     /// W against all, and the last block against all before it; returns WᵀW.
     Small orthogonalise_with_last(EightColumns& W);
-    /// W, WᵀW = gram, against the blocks before it where rounding has brought it too near to them; returns WᵀW.
-    Small keep_orthogonal(EightColumns& W, const Small& gram);
+    /// W, WᵀW = gram, against the blocks before it where rounding has brought it too near to them: then `gram` follows.
+    bool keep_orthogonal(EightColumns& W, Small& gram);
     void fill_up(EightColumns& W, const Eigen::Array<bool, 8, 1>& lost);
 
     const LdltPanels& factor_;
+    std::optional<SubtreeSolves> subtrees_;   // where one block is shared out
     const ZeroModes& zeros_;
     Setting setting_;
     Eigen::Index n_;

@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,6 +9,7 @@
 #include "base/errors.h"
 #include "geometry/distributed/ranks.h"
 #include "geometry/linear/aligned_columns.h"
+#include "geometry/linear/dense_eigenpairs.h"
 #include "geometry/spectrum/engine/slice_limits.h"
 #include "geometry/spectrum/engine/zero_modes.h"
 
@@ -155,14 +155,13 @@ std::optional<Inertia> trusted_between(const SparseMatrix& A, const Vector& M, c
 
 SymmetricPairs dense_pairs(const SparseMatrix& A, const Vector& M) {
     const ZeroModes zero_modes(A, M);
-    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver{DenseMatrix(symmetric_form(A, M))};
-    if (solver.info() != Eigen::Success) throw SolverError("the dense eigensolver did not converge");
+    const DenseEigenpairs pairs = dense_eigenpairs(symmetric_form(A, M));
     const Eigen::Index n = A.rows(), others = n - zero_modes.count();
-    if (solver.eigenvalues()[0] < -1e-10 * std::abs(solver.eigenvalues()[n - 1])) {
+    if (pairs.values[0] < -1e-10 * std::abs(pairs.values[n - 1])) {
         throw SolverError("−C has negative eigenvalues, so it is no Laplacian",
                           "repair triangles of zero area, and sum the opposite cotangents of an edge instead of averaging them");
     }
-    SymmetricPairs nonzero{solver.eigenvalues().tail(others), solver.eigenvectors().rightCols(others)};
+    SymmetricPairs nonzero{pairs.values.tail(others), pairs.vectors.rightCols(others)};
     for (Eigen::Index j = 0; j < others; ++j) {
         zero_modes.project_out(nonzero.Y.col(j));
         nonzero.Y.col(j).normalize();

@@ -1,5 +1,8 @@
 #include "geometry/spectrum/engine/zero_modes.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace meshfolio {
@@ -26,12 +29,26 @@ void ZeroModes::project_out(Eigen::Ref<Vector> y) const {
     for (Eigen::Index i = 0; i < y.size(); ++i) y[i] -= y_[i] * part[components_.label[static_cast<std::size_t>(i)]];
 }
 
-void ZeroModes::project_out(EightColumns& Y) const {
-    std::vector<Eight> part(static_cast<std::size_t>(components_.count), Eight::Zero());
-    for (Eigen::Index i = 0; i < Y.rows(); ++i)
-        part[static_cast<std::size_t>(components_.label[static_cast<std::size_t>(i)])] += y_[i] * ConstEightRow(Y.row(i));
-    for (Eigen::Index i = 0; i < Y.rows(); ++i)
-        EightRow(Y.row(i)) -= y_[i] * part[static_cast<std::size_t>(components_.label[static_cast<std::size_t>(i)])];
+void ZeroModes::project_out(EightColumns& Y, bool parallel) const {
+    constexpr Eigen::Index chunk = 4096;   // rows; the sums are the same for any number of threads
+    const Eigen::Index chunks = (Y.rows() + chunk - 1) / chunk;
+    const auto components = static_cast<std::size_t>(components_.count);
+    std::vector<Eight> parts(components * static_cast<std::size_t>(chunks), Eight::Zero());
+    const auto for_each_row = [&](const auto& visit) {   // (row, its share)
+        const auto one = [&](Eigen::Index c) {
+            for (Eigen::Index i = c * chunk; i < std::min(Y.rows(), (c + 1) * chunk); ++i)
+                visit(i, parts[components * static_cast<std::size_t>(c) +
+                               static_cast<std::size_t>(components_.label[static_cast<std::size_t>(i)])]);
+        };
+        if (parallel)
+            tbb::parallel_for(Eigen::Index{0}, chunks, one);
+        else
+            for (Eigen::Index c = 0; c < chunks; ++c) one(c);
+    };
+    for_each_row([&](Eigen::Index i, Eight& part) { part += y_[i] * ConstEightRow(Y.row(i)); });
+    for (std::size_t i = components; i < parts.size(); ++i) parts[i % components] += parts[i];
+    for (std::size_t i = components; i < parts.size(); ++i) parts[i] = parts[i % components];
+    for_each_row([&](Eigen::Index i, const Eight& part) { EightRow(Y.row(i)) -= y_[i] * part; });
 }
 
 ZeroModes ZeroModes::reordered(const std::vector<int>& order) const {

@@ -14,7 +14,7 @@ public:
     /// n × count: M^½ on a component, normalised.
     DenseMatrix first(int count) const;
     void project_out(Eigen::Ref<Vector> y) const;
-    void project_out(EightColumns& Y) const;
+    void project_out(EightColumns& Y, bool parallel = false) const;   // parallel: by several threads
     /// The same with row order[i] as row i.
     ZeroModes reordered(const std::vector<int>& order) const;
 

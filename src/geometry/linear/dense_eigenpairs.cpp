@@ -1,0 +1,27 @@
+#include "geometry/linear/dense_eigenpairs.h"
+
+#include <Eigen/Eigenvalues>
+
+#include "base/errors.h"
+
+namespace meshfolio {
+
+namespace {
+
+using Solver = Eigen::SelfAdjointEigenSolver<DenseMatrix>;
+
+DenseEigenpairs pairs_of(const Solver& solver) {
+    if (solver.info() != Eigen::Success) throw SolverError("the dense eigensolver did not converge");
+    return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+}   // namespace
+
+DenseEigenpairs dense_eigenpairs(const DenseMatrix& A) { return pairs_of(Solver(A)); }
+
+DenseEigenpairs tridiagonal_eigenpairs(const Vector& diagonal, const Vector& beside) {
+    Solver solver;
+    return pairs_of(solver.computeFromTridiagonal(diagonal, beside));
+}
+
+}   // namespace meshfolio
