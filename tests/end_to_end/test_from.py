@@ -3,22 +3,17 @@
 import json
 import unittest
 
+from folders import tree
 from program import run, temporary_folder
-from test_report import tree
 
 
 class From(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.case = cls("test_every_file_is_the_same")
-        cls.folder = temporary_folder(cls.case)
+        cls.folder = temporary_folder(cls)
         cls.out = cls.folder / "out"
         cls.process = run("report", "--quick", "--size", 64, "--only", "q2,q5", "--out", cls.out)
         assert cls.process.returncode == 0, cls.process.stderr
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.case.doCleanups()
 
     def again(self, *options, source=None, expected=0):
         target = temporary_folder(self) / "again"

@@ -82,17 +82,12 @@ def shown(text):
 class HostileNames(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.case = cls("test_the_pages")
-        cls.folder = temporary_folder(cls.case)
+        cls.folder = temporary_folder(cls)
         plain = ["mesh%d" % i for i in range(len(MESHES))]
         cls.plain = cls.report("plain", plain, "Title", "Author", "Course", "Said")
         cls.hostile = cls.report("hostile", MESHES, TITLE, AUTHOR, COURSE, SAID)
         cls.out = cls.folder / "hostile" / "out"
         cls.results = json.loads((cls.out / "results.json").read_text(), parse_constant=cls.refuse, object_pairs_hook=cls.unique)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.case.doCleanups()
 
     @staticmethod
     def refuse(constant):

@@ -5,9 +5,9 @@ import shutil
 import unittest
 from pathlib import Path
 
+from folders import tree
 from in_folder import InFolder
 from program import run, temporary_folder
-from test_report import tree
 
 QUICK = ["report", "--quick", "--size", 64, "--only", "q2", "--alone"]
 BROKEN = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"

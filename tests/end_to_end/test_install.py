@@ -3,14 +3,12 @@
 import gzip
 import json
 import os
-import pathlib
 import re
 import shutil
 import subprocess
-import tempfile
 import unittest
 
-from program import PROGRAM, SOURCE, run
+from program import PROGRAM, SOURCE, run, temporary_folder
 
 BUILD = os.path.dirname(PROGRAM)
 
@@ -20,9 +18,7 @@ class Install(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix='meshfolio-test-')
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
+        cls.folder = temporary_folder(cls)
         cls.prefix = cls.folder / 'usr'
         done = subprocess.run(['cmake', '--install', BUILD, '--prefix', cls.prefix], capture_output=True, text=True)
         assert done.returncode == 0, done.stderr

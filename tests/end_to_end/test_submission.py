@@ -1,6 +1,5 @@
 """A quick report handed in: what the archive holds, that it can be checked, and each reason to refuse one."""
 
-import hashlib
 import json
 import re
 import shutil
@@ -9,9 +8,11 @@ import subprocess
 import tempfile
 import unittest
 import zipfile
+from hashlib import sha256
 from pathlib import Path
 
 import file_readers
+from folders import tree
 from program import PROGRAM, SOURCE, run, temporary_folder
 from quick_report import quick_report
 
@@ -19,18 +20,9 @@ AUTHOR = "Ada Lovelace"
 PAPERS = ("report.pdf", "appendix.pdf")
 
 
-def digest(data):
-    return hashlib.sha256(data).hexdigest()
-
-
-def tree(folder):
-    return {str(p.relative_to(folder)): digest(p.read_bytes()) for p in sorted(folder.rglob("*")) if p.is_file()}
-
-
 def renew_sums(out):
     """SHA256SUMS as if the report had been written so."""
-    paths = sorted(str(p.relative_to(out)) for p in out.rglob("*") if p.is_file() and p.name != "SHA256SUMS")
-    (out / "SHA256SUMS").write_text("".join(f"{digest((out / p).read_bytes())}  {p}\n" for p in paths))
+    (out / "SHA256SUMS").write_text("".join(f"{value}  {path}\n" for path, value in sorted(tree(out).items()) if path != "SHA256SUMS"))
 
 
 KEPT = tempfile.TemporaryDirectory(prefix="meshfolio-test-")
@@ -75,14 +67,14 @@ class Archive(Reported):
     def test_the_report_is_in_it_whole_and_unchanged(self):
         for path, value in tree(REPORT).items():
             if path not in (".meshfolio", "SHA256SUMS"):
-                self.assertEqual(digest(self.files[path]), value, path)
+                self.assertEqual(sha256(self.files[path]).hexdigest(), value, path)
         self.assertTrue(any(re.fullmatch(r"meshes/q4_\w+_k5\.ply", name) for name in self.files))
 
     def test_the_manifest_names_every_other_file(self):
         lines = self.files["MANIFEST.sha256"].decode().splitlines()
         listed = {line[66:]: line[:64] for line in lines}
         self.assertEqual(len(listed), len(lines))
-        self.assertEqual(listed, {name: digest(data) for name, data in self.files.items() if name != "MANIFEST.sha256"})
+        self.assertEqual(listed, {name: sha256(data).hexdigest() for name, data in self.files.items() if name != "MANIFEST.sha256"})
 
     def test_sha256sum_and_unzip_agree(self):
         folder = temporary_folder(self)
