@@ -144,7 +144,7 @@ class HostileNames(unittest.TestCase):
                     self.assertTrue(value.startswith(inside) or re.match(r"(index|appendix)\.html(#|$)", value), (tag, name, value[:80]))
             self.assertIsNone(RAW.search((self.out / file).read_text()))
 
-    def test_a_failure_tells_of_the_file(self):
+    def test_a_failure_names_the_file(self):
         page = self.page("hostile", "bad")
         self.assertEqual(page.markup - self.page("plain", "bad").markup, set())
         bad = json.loads((self.folder / "hostile" / "bad" / "results.json").read_text(), parse_constant=self.refuse)

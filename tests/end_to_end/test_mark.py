@@ -260,7 +260,7 @@ class Mark(unittest.TestCase):
         test = self.results_of(out, "noisy")["cotan"]
         self.assertEqual((test["score"], test["extra_data"]["verdict"]), (0, "wrong"))
 
-    def test_a_right_table_is_right_in_any_dress(self):
+    def test_separators_quotes_and_line_ends_change_nothing(self):
         q1, q4 = self.right["q1_lily.csv"], self.right["q4_saddle.csv"]
         cells = [line.split(",") for line in q1.splitlines()]
         one = lambda column: [row[cells[0].index(column)] for row in cells]
@@ -347,7 +347,7 @@ class Mark(unittest.TestCase):
         self.assertTrue(all((out / row["student"] / "index.html").is_file() for row in rows))
         self.assertFalse([value for row in rows for value in row.values() if value.startswith("=")])
 
-    def test_no_submission_can_keep_the_class(self):
+    def test_no_submission_delays_the_class(self):
         """Each within the limits of what is read; long ago each took hours."""
         folder = temporary_folder(self)
         many = lambda text, n=7 << 20: (text * (n // len(text)))[:n]
@@ -382,7 +382,7 @@ class Mark(unittest.TestCase):
 
     # ---- exit codes
 
-    def test_what_is_missing_is_told_before_any_work(self):
+    def test_missing_files_are_reported_before_any_work(self):
         folder = temporary_folder(self)
         good, out = self.zipped(folder / "good.zip", self.right), folder / "marks"
         (folder / "bad.toml").write_text("[[item]]\nid = 3\n")

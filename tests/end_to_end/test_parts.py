@@ -90,7 +90,7 @@ class Parts(unittest.TestCase):
         mesh.write_text(mesh.read_text() + "# changed\n")
         self.assertIn("another cube8.obj", self.ended(0, *small, "q2", "--size", 64, "--out", out, mesh).stderr)
 
-    def test_of_a_report_that_is_scaled_down(self):
+    def test_a_report_that_is_scaled_down_is_renewed_and_merged(self):
         """Renewed in part and made in parts it is the same; what it leaves out is there once it is named."""
         folder = temporary_folder(self)
         words = ["report", sample(folder, "creature"), "--quick", "--size", 64, "--time", 2]

@@ -265,7 +265,7 @@ class Refusals(Reported):
         self.edit_results(out, lambda r: r["questions"].pop(3))
         self.refuse(1, "q4 is missing", out)
 
-    def test_failed_and_undecided_checks_are_told_apart_and_do_not_stand_in_the_way(self):
+    def test_failed_and_undecided_checks_are_counted_apart_and_do_not_prevent_a_submission(self):
         out = self.copy()
 
         def change(results):
@@ -301,7 +301,7 @@ class Refusals(Reported):
         renew_sums(out)
         self.refuse(3, "the report is of another version", out)
 
-    def test_no_pdf(self):
+    def test_a_missing_or_false_pdf(self):
         out = self.copy()
         self.refuse(3, "--without-pdf", out, pdf=True)
         for name, other in (PAPERS, PAPERS[::-1]):
@@ -340,7 +340,7 @@ class Refusals(Reported):
         renew_sums(out)
         self.refuse(3, "is not what a report leaves", out)
 
-    def test_anything_executable(self):
+    def test_executable_files_are_refused(self):
         out = self.copy()
         for name, data, expected in (
             ("tool", Path("/proc/self/exe").read_bytes()[:4096], "is an ELF program"),

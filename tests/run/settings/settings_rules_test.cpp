@@ -100,7 +100,7 @@ std::vector<Rule> rules() {
          "question = [{id = \"q9\"}, 3]",
          {"1: unknown question 'q9'", "1: question[1] is an integer, not a table; write [[question]] above each"}},
         {"empty list of questions", "question = []", {"1: question is not a list of tables"}},
-        // a list tells of every element, each on its own line
+        // every wrong element of a list is reported on its own line
         {"sections",
          "[report]\nsections = [\"q1\", \"q9\", 3]",
          {"2: [report] sections: no question 'q9'; did you mean '", "2: [report] sections[2] is an integer, not a text"}},
@@ -252,8 +252,8 @@ TEST(SettingsRules, ProblemsOfTheCommandLineAndTheFileAreReportedTogether) {
     }
 }
 
-// The smallest and largest good value of each number pass, their neighbours do not.
-TEST(SettingsRules, LimitsAreWhereTheyAreSaidToBe) {
+// The smallest and the largest value of each number are accepted, their neighbours are not.
+TEST(SettingsRules, LimitsAreThoseOfTheMessages) {
     const std::vector<std::pair<std::string, std::pair<std::vector<std::string>, std::vector<std::string>>>> keys{
         {"threads = ", {{"0", "1024"}, {"-1", "1025"}}},
         {"seed = ", {{"0", "9223372036854775807"}, {"-1"}}},
