@@ -2,6 +2,8 @@
 // usage and no setting is taken.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "questions/core/chapter.h"
 #include "run/settings/report_settings.h"
 #include "run/settings/settings_problems.h"
@@ -196,8 +198,9 @@ TEST(SettingsRules, EachTextHasExactlyTheseProblems) {
         const std::vector<std::string> said = said_of(rule.text);
         std::string all;
         for (const std::string& line : said) all += "\n  " + line;
-        ASSERT_EQ(said.size(), rule.said.size()) << rule.name << all;
-        for (std::size_t i = 0; i < said.size(); ++i) EXPECT_TRUE(said[i].starts_with(rule.said[i])) << rule.name << ": " << said[i];
+        EXPECT_EQ(said.size(), rule.said.size()) << rule.name << all;
+        for (std::size_t i = 0; i < std::min(said.size(), rule.said.size()); ++i)
+            EXPECT_TRUE(said[i].starts_with(rule.said[i])) << rule.name << ": " << said[i];
     }
 }
 
