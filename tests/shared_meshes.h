@@ -15,7 +15,7 @@ inline std::filesystem::path shared_mesh_folder() {
     return std::filesystem::path(MESHFOLIO_SOURCE_DIR).parent_path() / "shared" / "meshes";
 }
 
-/// All OBJ and OFF files, sorted; none where the folder is not there.
+/// All OBJ and OFF files, sorted; none if there is no such folder.
 inline std::vector<std::filesystem::path> shared_meshes() {
     std::vector<std::filesystem::path> files;
     if (!std::filesystem::exists(shared_mesh_folder())) return files;

@@ -1,5 +1,5 @@
 /// @file
-/// What tests that write files share: a folder of their own, the number of a process that is no more.
+/// Helpers for tests that write files: a folder of their own, the number of a process that has ended.
 #pragma once
 
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-// Includes point downwards only. The allowed ones are listed here; whoever needs another changes this table, and says why.
+// Includes point downwards only. This table lists the allowed ones; a change to it needs a reason.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -7,7 +7,7 @@ from program import run, temporary_folder
 
 
 class InFolder(unittest.TestCase):
-    """A test in an empty folder of its own."""
+    """Each test works in an empty folder of its own."""
 
     def setUp(self):
         self.folder = str(temporary_folder(self))

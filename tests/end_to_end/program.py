@@ -5,6 +5,8 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+from folders import temporary_folder  # noqa: F401: most tests want both
+
 PROGRAM = os.path.abspath(os.environ["MESHFOLIO"])
 SOURCE = Path(__file__).resolve().parents[2]
 
@@ -18,13 +20,6 @@ def run(*arguments, cwd=None, **environment):
         return subprocess.run(
             words, cwd=cwd, env=variables, capture_output=True, text=True, timeout=280, stdin=subprocess.DEVNULL
         )
-
-
-def temporary_folder(test):
-    """A folder that goes with the test case."""
-    folder = tempfile.TemporaryDirectory(prefix="meshfolio-test-")
-    test.addCleanup(folder.cleanup)
-    return Path(folder.name)
 
 
 def sample(folder, name, ending="obj", subdivide=0):

@@ -5,7 +5,6 @@ import json
 import os
 import signal
 import subprocess
-import tempfile
 import time
 import unittest
 import xml.etree.ElementTree
@@ -44,8 +43,7 @@ def processes_about(text):
 class Batches(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.place = tempfile.TemporaryDirectory(prefix="meshfolio-batch-")
-        cls.folder = Path(cls.place.name)
+        cls.folder = temporary_folder(cls)
         cls.meshes = cls.folder / "meshes"
         (cls.meshes / "more").mkdir(parents=True)
         sample(cls.meshes, "cube8")
@@ -53,10 +51,6 @@ class Batches(unittest.TestCase):
         sample(cls.meshes / "more", "cube8", "off")
         cls.out = cls.folder / "one"
         cls.process = run("batch", cls.meshes, "--out", cls.out, "--jobs", 1, "--no-timings", *LIGHT)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.place.cleanup()
 
     def ended(self, code, *words, **environment):
         process = run("batch", *words, **environment)

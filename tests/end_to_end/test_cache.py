@@ -3,8 +3,8 @@
 import json
 import unittest
 
+from folders import tree
 from program import SOURCE, run, sample, temporary_folder
-from test_report import tree
 
 
 def is_cached(process, question):

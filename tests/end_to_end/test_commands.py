@@ -154,7 +154,7 @@ class Usage(InFolder):
 
 class Manners(InFolder):
 
-    def test_alone_it_says_what_it_can_do_and_how_to_begin(self):
+    def test_without_arguments_it_says_what_it_can_do_and_how_to_begin(self):
         told = self.succeed()
         self.assertEqual(told, self.succeed('--help'))
         for words in ('meshfolio report --quick', *COMMANDS):
@@ -171,7 +171,7 @@ class Manners(InFolder):
             self.assertNotIn(' TEXT', told)
         self.assertIn("'render'", self.refuse(2, 'help', 'rendr'))
 
-    def test_what_is_misspelt_gets_a_suggestion(self):
+    def test_misspelt_words_get_a_suggestion(self):
         for words, meant in ((['report', '--qick'], '--quick'), (['render', '--fild', 'x', 'a.obj'], '--field'), (['rendre', 'a.obj'], 'render'),
                              (['smooth', 'a.obj', '--outptu=b.ply'], '--output'), (['smooth', 'a.obj', '-o', 'b', '--scheme', 'implict'], 'implicit'),
                              (['render', 'a.obj', '--colormap', 'virids'], 'viridis'), (['curvature', 'a.obj', '--area', 'mixd'], 'mixed'),
@@ -649,7 +649,7 @@ class Render(InFolder):
         self.assertEqual(png_size(self.path('large', '+x.png')), (2500, 300))
         self.assertLess(png_size(self.path('large', 'sheet.png'))[0], 2 * 2048 + 400)
 
-    def test_a_mesh_that_is_too_thin_to_be_seen_is_told(self):
+    def test_a_mesh_too_thin_to_be_seen_is_reported(self):
         needle = self.write('needle.obj', 'v 0 0 0\nv 1 1e-9 0\nv 1 0 1e-9\nv 0.5 1e-9 1e-9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n')
         told = subprocess.run([PROGRAM, 'render', needle, '--size', '64', '--views', '+y,+z', '--plain', '--out', 'thin'],
                               cwd=self.folder, capture_output=True, text=True)

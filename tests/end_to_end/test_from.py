@@ -3,22 +3,18 @@
 import json
 import unittest
 
+from folders import tree
 from program import run, temporary_folder
-from test_report import QUESTIONS, tree
+from test_report import QUESTIONS
 
 
 class From(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.case = cls("test_every_file_is_the_same")
-        cls.folder = temporary_folder(cls.case)
+        cls.folder = temporary_folder(cls)
         cls.out = cls.folder / "out"
         cls.process = run("report", "--quick", "--size", 64, "--only", "q2,q5", "--out", cls.out)
         assert cls.process.returncode == 0, cls.process.stderr
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.case.doCleanups()
 
     def again(self, *options, source=None, expected=0):
         target = temporary_folder(self) / "again"
@@ -57,14 +53,14 @@ class From(unittest.TestCase):
         changed = {name for name in before if before[name] != after.get(name)}
         self.assertEqual(changed, {"index.html", "appendix.html", "report.md", "appendix.md", "summary.md", "results.json", "SHA256SUMS"})
 
-    def test_templates_of_ones_own(self):
+    def test_custom_templates(self):
         templates = temporary_folder(self)
         (templates / "report.md").write_text("{{{title}}}\n{{#sections}}{{id}} {{/sections}}\n")
         target, _ = self.again("--templates", templates)
         self.assertEqual((target / "report.md").read_text().splitlines()[-1].split(), QUESTIONS)
         self.assertEqual((target / "appendix.md").read_text().splitlines()[-1].split()[-1], "preflight")   # of both volumes
 
-    def test_a_missing_picture_is_told_and_boxed(self):
+    def test_a_missing_picture_is_reported_and_boxed(self):
         copy = self.copy()
         results = json.loads((copy / "results.json").read_text())
         sheet = results["questions"][4]["figures"][0]["sheet"]
@@ -102,7 +98,7 @@ class From(unittest.TestCase):
         _, process = self.again(source=folder / "failed" / "results.json", expected=1)
         self.assertIn("q2 failed", process.stderr)
 
-    def test_an_undecided_check_is_told_and_is_no_failure(self):
+    def test_an_undecided_check_is_reported_and_is_no_failure(self):
         copy = self.copy()
         results = json.loads((copy / "results.json").read_text())
         check = next(q for q in results["questions"] if q["id"] == "q2")["checks"][0]
@@ -177,7 +173,7 @@ class Templates(unittest.TestCase):
         self.assertEqual(run("templates", folder, "--force").returncode, 0)
         self.assertNotEqual((folder / "report.md").read_text(), "mine")
 
-    def test_tags_are_told(self):
+    def test_tags_are_listed(self):
         process = run("templates", "--tags")
         self.assertIn("sections.blocks.caption", process.stdout)
         self.assertEqual(run("templates").returncode, 2)

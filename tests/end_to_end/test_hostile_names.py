@@ -82,17 +82,12 @@ def shown(text):
 class HostileNames(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.case = cls("test_the_pages")
-        cls.folder = temporary_folder(cls.case)
+        cls.folder = temporary_folder(cls)
         plain = ["mesh%d" % i for i in range(len(MESHES))]
         cls.plain = cls.report("plain", plain, "Title", "Author", "Course", "Said")
         cls.hostile = cls.report("hostile", MESHES, TITLE, AUTHOR, COURSE, SAID)
         cls.out = cls.folder / "hostile" / "out"
         cls.results = json.loads((cls.out / "results.json").read_text(), parse_constant=cls.refuse, object_pairs_hook=cls.unique)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.case.doCleanups()
 
     @staticmethod
     def refuse(constant):
@@ -149,7 +144,7 @@ class HostileNames(unittest.TestCase):
                     self.assertTrue(value.startswith(inside) or re.match(r"(index|appendix)\.html(#|$)", value), (tag, name, value[:80]))
             self.assertIsNone(RAW.search((self.out / file).read_text()))
 
-    def test_a_failure_tells_of_the_file(self):
+    def test_a_failure_names_the_file(self):
         page = self.page("hostile", "bad")
         self.assertEqual(page.markup - self.page("plain", "bad").markup, set())
         bad = json.loads((self.folder / "hostile" / "bad" / "results.json").read_text(), parse_constant=self.refuse)

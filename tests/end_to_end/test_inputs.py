@@ -5,9 +5,9 @@ import shutil
 import unittest
 from pathlib import Path
 
+from folders import tree
 from in_folder import InFolder
 from program import run, temporary_folder
-from test_report import tree
 
 QUICK = ["report", "--quick", "--size", 64, "--only", "q2", "--alone"]
 BROKEN = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"
@@ -81,13 +81,13 @@ class Failed(unittest.TestCase):
         self.report(0)
         self.assertEqual((tree(self.out), sorted(p.name for p in self.folder.iterdir())), (good, ["out"]))
 
-    def test_rendered_again_too(self):
+    def test_a_good_report_stays_when_a_failed_one_is_rendered_again(self):
         self.report(0)
         self.report(1, "q2", self.folder / "bad")
         process = run("report", "--from", self.folder / "bad" / "results.json", "--out", f"{self.out}/")
         self.assertEqual((process.returncode, self.status(self.out), self.status(self.failed)), (1, "ok", "failed"), process.stderr)
 
-    def test_what_is_not_ours_is_left_alone(self):
+    def test_a_foreign_folder_is_left_alone(self):
         self.failed.mkdir()
         (self.failed / "thesis.tex").write_text("precious")
         self.report(0)

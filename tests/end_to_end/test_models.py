@@ -120,8 +120,7 @@ def unpacked(text):
 class ReportModels(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        case = type("Cleanup", (), {"addCleanup": staticmethod(cls.addClassCleanup)})
-        folder = temporary_folder(case)
+        folder = temporary_folder(cls)
         process = run("report", "--quick", "--only", "q1,q2", "--size", 64, "--out", folder / "out", "--no-timings")
         assert process.returncode == 0, process.stderr
         cls.out = folder / "out"

@@ -6,13 +6,12 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 from collections import Counter
 from pathlib import Path
 
 from pdf_text_sizes import shown_in, too_small
-from program import run
+from program import run, temporary_folder
 from test_pdf import output_of, reason_to_skip
 
 MOST_PAGES = 20
@@ -49,7 +48,7 @@ class Paper(unittest.TestCase):
         cls.why = reason_to_skip()
         if cls.why:
             print("SKIPPED what is about report.pdf: " + cls.why, file=sys.stderr)
-        cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="meshfolio-test-")))
+        cls.folder = temporary_folder(cls)
         cls.out = cls.folder / "out"
         process = run("report", "--pdf", "off" if cls.why else "require", "--out", cls.out)
         assert process.returncode == 0, process.stderr

@@ -5,11 +5,10 @@ import shutil
 import unittest
 import xml.etree.ElementTree
 
+from folders import tree
 from program import run, sample, temporary_folder
 from quick_report import WORDS as QUICK
 from quick_report import quick_report
-from test_report import tree
-
 
 
 def sections(out):
@@ -24,8 +23,7 @@ def status(out):
 class Parts(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.case = cls("test_a_section_is_renewed_and_the_others_stay")
-        cls.folder = temporary_folder(cls.case)
+        cls.folder = temporary_folder(cls)
         _, cls.whole, made = quick_report(cls.folder)
         cls.cache = cls.folder / "cache"   # has every section, for tests that ask how they are put together
         shutil.copytree(made, cls.cache)
@@ -35,10 +33,6 @@ class Parts(unittest.TestCase):
         for part, some in zip(cls.parts, (["q1", "q5", *ids[8:]], ["q4", "q3"], ["q7", "q6", "q2", ids[7]])):
             process = run("report", "--quick", "--size", 64, "--part", part, "--only", ",".join(some))
             assert process.returncode == 0, process.stderr
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.case.doCleanups()
 
     def copy(self):
         out = temporary_folder(self) / "out"
@@ -96,7 +90,7 @@ class Parts(unittest.TestCase):
         mesh.write_text(mesh.read_text() + "# changed\n")
         self.assertIn("another cube8.obj", self.ended(0, *small, "q2", "--size", 64, "--out", out, mesh).stderr)
 
-    def test_of_a_report_that_is_scaled_down(self):
+    def test_a_report_that_is_scaled_down_is_renewed_and_merged(self):
         """Renewed in part and made in parts it is the same; what it leaves out is there once it is named."""
         folder = temporary_folder(self)
         words = ["report", sample(folder, "creature"), "--quick", "--size", 64, "--time", 2]

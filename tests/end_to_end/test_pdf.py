@@ -8,7 +8,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 from pathlib import Path
@@ -57,7 +56,7 @@ class Printed(unittest.TestCase):
         if why:
             print("SKIPPED test_pdf: " + why, file=sys.stderr)
             raise unittest.SkipTest(why)
-        cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="meshfolio-test-")))
+        cls.folder = temporary_folder(cls)
         cls.home = cls.folder / "home"
         cls.home.mkdir()
         process = report(cls.folder / "out", HOME=str(cls.home))

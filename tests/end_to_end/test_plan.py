@@ -80,7 +80,7 @@ class Plans(unittest.TestCase):
         self.assertIn("would fit", process.stderr)
         self.assertFalse(out.exists())
 
-    def test_what_makes_no_sense_is_refused(self):
+    def test_impossible_options_are_refused(self):
         for words in (["--time", "0"], ["--time", "-3"], ["--time", "soon"], ["--json"], ["--from", "results.json", "--plan"]):
             self.assertEqual(run("report", *words).returncode, 2, words)
 

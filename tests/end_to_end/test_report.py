@@ -1,7 +1,6 @@
 """A quick report, end to end: every promised file, well-formed, linked, the same bytes again; failures shown and told."""
 
 import csv
-import hashlib
 import html.parser
 import json
 import re
@@ -10,6 +9,7 @@ import urllib.parse
 import xml.etree.ElementTree
 
 from file_readers import png_size
+from folders import tree
 from program import SOURCE, run, sample, temporary_folder
 from quick_report import quick_report
 
@@ -53,25 +53,12 @@ def words_in(value):
         yield from words_in(part)
 
 
-def digest(path):
-    return hashlib.sha256(path.read_bytes()).hexdigest()
-
-
-def tree(folder):
-    return {str(p.relative_to(folder)): digest(p) for p in sorted(folder.rglob("*")) if p.is_file()}
-
-
 class QuickReport(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.case = cls("test_all_questions_are_complete")
-        cls.folder = temporary_folder(cls.case)
+        cls.folder = temporary_folder(cls)
         cls.process, cls.out, _ = quick_report(cls.folder)
         cls.results = json.loads((cls.out / "results.json").read_text())
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.case.doCleanups()
 
     def test_ends_well_and_names_the_page_on_stdout(self):
         self.assertEqual(self.process.returncode, 0, self.process.stderr)

@@ -2,7 +2,6 @@
 The program's path comes from the environment variable MESHFOLIO; with FAULTS_WHOLE every moment is tried instead of some."""
 
 import collections
-import hashlib
 import json
 import os
 import random
@@ -10,10 +9,14 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "end_to_end"))
+from folders import temporary_folder, tree  # noqa: E402: lies in another folder
 
 SOURCE = Path(__file__).resolve().parents[2]
 PROGRAM = os.path.abspath(os.environ.get("MESHFOLIO", SOURCE / "build" / "release" / "meshfolio"))
@@ -57,16 +60,6 @@ def of_each_kind(calls):
     return sorted({*chosen, calls[-1]}, key=calls.index)
 
 
-def digest(path):
-    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
-
-
-def tree(folder):
-    """Relative path → SHA-256 of all files below; None where there is no folder."""
-    folder = Path(folder)
-    return {str(p.relative_to(folder)): digest(p) for p in folder.rglob("*") if p.is_file()} if folder.is_dir() else None
-
-
 def below(files, folder):
     """Of a tree, what is in that folder."""
     return {name.removeprefix(folder + "/"): value for name, value in files.items() if name.startswith(folder + "/")}
@@ -87,9 +80,7 @@ class Faults(unittest.TestCase):
     """A test in an empty folder, with a cache and a folder for temporary files of its own."""
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="meshfolio-faults-")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name).resolve()
+        self.folder = temporary_folder(self).resolve()
         self.random = random.Random(self.id())   # the same moments at every run, as far as clocks allow
         for name in ("place", "tmp", "cache"):
             (self.folder / name).mkdir()

@@ -115,7 +115,7 @@ class Signals(Faults):
         words = self.report_words()
         points = [c for c in self.calls(CREATIONS, *words) if c.name != "openat" or "O_CREAT" in c.line]
         folders = [c for c in points if c.name in ("mkdir", "mkdirat", "renameat2")]
-        for number, call in enumerate([*some(points, 6), *some(folders, 5)]):
+        for number, call in enumerate([*some(points, 4), *some(folders, 4)]):
             which = list(CODES)[number % len(CODES)]
             end = self.interrupt_at(self.restore_old, call, which, *words)
             self.require_ended(end, which, old, new, call.line)

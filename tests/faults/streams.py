@@ -43,7 +43,7 @@ class Streams(Faults):
             self.assertEqual(result.read_bytes(), expected, states)
             self.assertEqual([p.name for p in self.place.iterdir()], ["x.ply"])
 
-    def test_a_report_is_there_although_its_name_could_not_be_told(self):
+    def test_a_report_is_written_although_its_path_cannot_be_printed(self):
         expected = self.report_tree(64)
         combinations = list(itertools.product(STATES, repeat=3))
         for states in combinations if WHOLE else [("closed",) * 3, ("open", "full", "closed"), ("full", "open", "full"), ("closed", "open", "closed")]:
@@ -51,7 +51,7 @@ class Streams(Faults):
             self.assertEqual(code, 0 if states[1] == "open" else 4, states)
             self.assertEqual((tree(self.out), self.beside()), (expected, []), states)
 
-    def test_a_failure_is_told_by_the_exit_code_alone(self):
+    def test_a_failure_shows_in_the_exit_code_alone(self):
         for states in itertools.product(STATES, repeat=3):
             self.assertEqual(self.run_with_streams(states, "inspect", self.folder / "missing.obj"), 3, states)
 

@@ -1,4 +1,4 @@
-// What gzip has packed: any bytes are refused with one line, or are a mesh that is the same when written and read.
+// Files packed by gzip: any bytes are refused with one line, or give a mesh that is the same after writing and reading.
 #include "fuzz/mesh_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

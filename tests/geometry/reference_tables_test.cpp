@@ -179,7 +179,7 @@ TEST_P(ReferenceTables, Eigenvalues) {
     }
 }
 
-// The tables themselves: what must hold of them whoever made them.
+// Laws that the tables themselves must obey.
 TEST(ReferenceTablesThemselves, CoverEveryBundledMesh) {
     const std::vector<std::string> known = reference_meshes();
     for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(MESHFOLIO_SOURCE_DIR) / "data")) {

@@ -5,9 +5,12 @@ import re
 import resource
 import shutil
 import subprocess
-import tempfile
+import sys
 import unittest
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "end_to_end"))
+from folders import temporary_folder  # noqa: E402: lies in another folder
 
 PROGRAM = os.path.abspath(os.environ["MESHFOLIO"])
 MEGABYTES = 2000
@@ -42,9 +45,7 @@ class Hostile(unittest.TestCase):
     """A test in an empty folder of its own, in which nothing may appear that was not asked for."""
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="meshfolio-hostile-")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        self.folder = temporary_folder(self)
 
     def write(self, name, content=TETRAHEDRON):
         path = os.path.join(os.fsencode(self.folder), os.fsencode(name))
@@ -61,10 +62,9 @@ class Hostile(unittest.TestCase):
 
     def copy_of_the_program(self):
         """One that everybody may run: the folders above the build may be closed."""
-        folder = tempfile.TemporaryDirectory(prefix="meshfolio-hostile-program-")
-        self.addCleanup(folder.cleanup)
-        os.chmod(folder.name, 0o755)
-        return shutil.copy(PROGRAM, folder.name)
+        folder = temporary_folder(self)
+        os.chmod(folder, 0o755)
+        return shutil.copy(PROGRAM, folder)
 
     def judge(self, codes, *words, says=None, as_nobody=False):
         """The run ends with one of the exit codes and tells of it in a few harmless lines, one if it is an error of a single file."""

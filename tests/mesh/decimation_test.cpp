@@ -40,7 +40,7 @@ TEST(Decimation, ReachesTheNumberAskedFor) {
     EXPECT_EQ(decimated(make_sample("fandisk_noisy"), 500).vertex_count(), 500);
 }
 
-TEST(Decimation, WhatIsClosedStaysClosedAndManifoldWithItsEulerNumber) {
+TEST(Decimation, AClosedManifoldStaysOneAndKeepsItsEulerCharacteristic) {
     for (const TriangleMesh& mesh : {icosphere(3), torus_mesh(40, 20, 2, 0.7), make_sample("creature"), make_sample("fandisk_like")}) {
         const TriangleMesh small = decimated(mesh, 300);
         const MeshTopology topology = topology_of(small);
@@ -108,7 +108,7 @@ TEST(Decimation, LeavesASmallMeshAloneAndRefusesTooFew) {
     EXPECT_THROW(static_cast<void>(decimated(mesh, 3)), MeshError);
 }
 
-TEST(Decimation, VerticesThatAreNoManifoldStay) {
+TEST(Decimation, NonManifoldVerticesStay) {
     // Two fans of a shaken sphere that touch in one point: the point is where it was.
     TriangleMesh sphere = icosphere(2);
     const int n = sphere.vertex_count(), m = sphere.face_count();

@@ -162,7 +162,7 @@ TEST(MeshChecks, OrientationHoldsFarFromTheOriginAndAtAnyScale) {
     }
 }
 
-TEST(MeshChecks, AMoebiusStripIsLeftAloneAndSaidSo) {
+TEST(MeshChecks, AMoebiusStripIsKeptAndReported) {
     const PreparedMesh result = prepared(moebius_strip(12));
     EXPECT_FALSE(result.preflight.orientable);
     EXPECT_EQ(result.mesh.F, moebius_strip(12).F);
@@ -204,7 +204,7 @@ TEST(MeshChecks, KeepsAndCountsBadShapes) {
     }
 }
 
-TEST(MeshChecks, RefusesWhatCannotBeWorkedWith) {
+TEST(MeshChecks, RefusesUnusableMeshes) {
     TriangleMesh mesh = tetrahedron();
     EXPECT_THROW(prepared(moved_to(mesh, Positions::Ones(4, 3))), InputError);
     mesh.X(3, 2) = 1.1e100;
@@ -275,7 +275,7 @@ TEST(MeshChecks, CoincidentVerticesAreCountedAsASetCountsThem) {
 }
 
 // Just on either side of the limits, at any scale: the shortcut in squares must not decide what rounding could.
-TEST(MeshChecks, NeedlesAreToldByTheirAngleAtAnyScale) {
+TEST(MeshChecks, NeedlesAreFoundByTheirAngleAtAnyScale) {
     const double degree = std::numbers::pi / 180;
     for (const double scale : {1e-99, 1e-81, 1e-30, 1e-9, 1.0, 1e20, 1e95}) {
         for (const double off : {-1e-6, -1e-12, 1e-12, 1e-6}) {

@@ -187,7 +187,7 @@ TEST(BoundaryLoops, OneForEachHole) {
     EXPECT_EQ(boundary_loops(moebius_strip(9))[0].size(), 18U);
 }
 
-TEST(BoundaryLoops, TouchingLoopsAreToldApart) {
+TEST(BoundaryLoops, TouchingLoopsAreDistinguished) {
     EXPECT_EQ(boundary_loops(faces_only(5, {{0, 1, 2}, {0, 3, 4}})), (std::vector<std::vector<int>>{{0, 1, 2}, {0, 3, 4}}));
 }
 

@@ -210,7 +210,7 @@ TEST(NoiseKinds, NoNoiseMovesNothing) {
     EXPECT_EQ(moved_rows(with_impulsive_noise(mesh.X, mesh.vertex_count(), 1, 1) - mesh.X), mesh.vertex_count());
 }
 
-TEST(NoiseKinds, ImpossibleAsksAreRefused) {
+TEST(NoiseKinds, ImpossibleSettingsAreRefused) {
     const Positions X = Positions::Zero(4, 3);
     EXPECT_THROW(with_impulsive_noise(X, 5, 1, 1), MeshError);
     EXPECT_THROW(with_impulsive_noise(X, -1, 1, 1), MeshError);

@@ -11,7 +11,7 @@ namespace {
 
 Numbering sample_numbering() { return Numbering(sample_document(), bibliography_of(Templates())); }
 
-/// What a logic_error says; empty when none is thrown.
+/// The message of the logic_error; empty if none is thrown.
 template <class Action>
 std::string complaint(Action action) {
     try {

@@ -10,10 +10,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <mutex>
+#include <new>
 #include <thread>
 
 #include "base/errors.h"
@@ -36,9 +38,10 @@ struct Registry {
     bool abandoned = false;
 };
 
-/// Never destroyed: a signal may come while the program ends.
+/// Never destroyed: a signal may come while the program ends. Not on the heap: the first call may be made when no memory is left.
 Registry& registry() {
-    static auto* const instance = new Registry;
+    alignas(Registry) static std::byte place[sizeof(Registry)];
+    static auto* const instance = ::new (place) Registry;
     return *instance;
 }
 

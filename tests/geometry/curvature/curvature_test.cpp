@@ -293,7 +293,7 @@ TEST(Curvature, AngleDeficitIsThatOfTheCornerAngles) {
     }
 }
 
-// Sums over triangles are made in their order, whoever computes the terms.
+// Sums run over the triangles in their order, whichever thread computes the terms.
 TEST(Curvature, SameForAnyNumberOfThreads) {
     const TriangleMesh mesh = with_shuffled_vertices(irregular_sphere(6)).mesh;
     const MeshTopology topology = topology_of(mesh);

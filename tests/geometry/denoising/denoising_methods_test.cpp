@@ -246,7 +246,7 @@ TEST(ConformalFlow, LeadsToASphereAsTheTrianglesGetFinerWhereTheRebuiltFlowColla
         EXPECT_NEAR(surface_area(moved_to(mesh, run.X)) / surface_area(mesh), 1, 1e-12);
         return roundness_defect(moved_to(mesh, run.X));
     };
-    // What is left is the triangles' doing: it falls with the square of their size.
+    // The remaining error comes from the size of the triangles: it falls with its square.
     const double coarse_cube = defect(cube_mesh(5)), fine_cube = defect(cube_mesh(10));
     EXPECT_LT(fine_cube, 0.02);
     EXPECT_NEAR(coarse_cube / fine_cube, 4, 0.6);
@@ -283,7 +283,7 @@ TEST(DenoisingMethods, StopWhenTold) {
     }
 }
 
-TEST(DenoisingMethods, ImpossibleAsksAreRefused) {
+TEST(DenoisingMethods, ImpossibleSettingsAreRefused) {
     const TriangleMesh mesh = icosphere(1);
     const MeshTopology topology = topology_of(mesh);
     for (const DenoisingEntry& entry : denoising_list()) {

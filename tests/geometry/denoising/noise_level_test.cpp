@@ -55,7 +55,7 @@ TEST(NoiseLevel, CreasesAreLeftOut) {
     EXPECT_GT(level.kept, 0.5 * level.patches);
 }
 
-// Where every patch crosses an edge nothing tells shape from noise.
+// If every patch crosses an edge, shape and noise cannot be distinguished.
 TEST(NoiseLevel, TakesTheShapeOfACoarseMeshForNoise) {
     EXPECT_GT(ratio(cube_mesh(3), 0.02), 3);
     EXPECT_GT(ratio(icosphere(1), 0.001), 2);

@@ -125,7 +125,7 @@ TEST(RiskEstimate, ChoosesByResidualAndDivergence) {
     EXPECT_EQ(estimate.best(0.1), 0);
 }
 
-// Triangles that collapse pass noise on without limit: what comes after is not to be trusted, even when it seems small.
+// Collapsing triangles amplify noise without limit: later estimates are unreliable even if they are small.
 TEST(RiskEstimate, StopsWhereTheDivergenceRises) {
     RiskEstimate estimate;
     estimate.numbers = 100;

@@ -185,7 +185,7 @@ TEST(DirichletEnergy, OfThePositionsIsTheArea) {
     }
 }
 
-TEST(ShapeDistances, CountWhatLeavesTheSurfaceAlone) {
+TEST(ShapeDistances, IgnoreMotionWithinTheSurface) {
     const TriangleMesh mesh = cube_mesh(4);
     EXPECT_EQ(shape_rms(mesh, mesh.X), 0);
     Positions X = mesh.X;
@@ -209,7 +209,7 @@ TEST(ShapeDistances, CountWhatLeavesTheSurfaceAlone) {
     EXPECT_THROW(shape_rms(mesh, noisy.topRows(3)), MeshError);
 }
 
-TEST(ShapeDistances, AreTheLeastOfThoseToTheTrianglesAround) {
+TEST(ShapeDistances, AreTheLeastDistancesToTheTrianglesAround) {
     TriangleMesh mesh = icosphere(2);
     mesh.X.topRows(20).rightCols(1) *= 1e-7;   // needles
     mesh.X.row(30) = mesh.X.row(31);           // and triangles without area

@@ -17,7 +17,7 @@ namespace {
 PreparedMesh prepared(const TriangleMesh& mesh) { return prepare_mesh({mesh, "m.obj", {}, {}}); }
 
 /// A mesh far away and at another scale, and the same mesh back home. Moving rounds the coordinates once; both have them rounded, so
-/// that whatever differs is lost by the formulas.
+/// that every difference is an error of the formulas.
 struct FarAndNear {
     TriangleMesh far, near;
     double scale;
@@ -90,7 +90,7 @@ TEST(MeshFacts, NothingChangesWhenMoved) {
 }
 
 // A scale that is no power of two rounds every coordinate of one of the two meshes anew: the change must show.
-TEST(MeshFacts, AChangeShows) { EXPECT_GT(change_when_moved(prepared(lopsided_ellipsoid(3)), 3e5), 1e-12); }
+TEST(MeshFacts, AChangedMeshHasOtherFacts) { EXPECT_GT(change_when_moved(prepared(lopsided_ellipsoid(3)), 3e5), 1e-12); }
 
 TEST(PlaceAndScale, OperatorsAndCurvature) {
     for (const auto& [far, near, scale] : pairs()) {

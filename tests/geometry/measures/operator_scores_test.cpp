@@ -102,7 +102,7 @@ TEST(OperatorScores, LinearPrecisionIsThatOfFlatVertices) {
                 precision(OperatorKind::clamped) / 10, 1e-10);
 }
 
-// Coordinates that are exact in either place: what is left is the rounding of the operator.
+// The coordinates are exact in both places: the difference is the rounding of the operator.
 TEST(OperatorScores, LinearPrecisionDoesNotDependOnThePlace) {
     TriangleMesh here = irregular_plane(12);
     here.X = ((here.X * 1048576).array().round() / 1048576).eval();

@@ -91,7 +91,7 @@ TEST(SurfaceDistance, BetweenConcentricSpheresTendsToTheDifferenceOfTheirRadii) 
     }
 }
 
-// Corners of both lie on the other surface: only what is inside tells.
+// The corners of both lie on the other surface: only interior points have a distance.
 TEST(SurfaceDistance, FindsWhatIsFarBetweenTheVertices) {
     TriangleMesh frame = grid_mesh(4, 4, 3, 3);
     Faces ring(16, 3);

@@ -32,7 +32,7 @@ TEST(LaplaceOperator, NamesRoundTrip) {
     EXPECT_EQ(operator_list().front().kind, OperatorKind::cotan) << "the default comes first";
 }
 
-TEST(LaplaceOperator, UnknownNamesAreAnsweredWithTheNearest) {
+TEST(LaplaceOperator, UnknownNamesAreRefusedWithTheNearest) {
     for (const char* name : {"", "Cotan", "cotangent", "unifrom"}) EXPECT_THROW(operator_named(name), UsageError) << name;
     try {
         operator_named("clampd");

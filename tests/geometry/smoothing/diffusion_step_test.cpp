@@ -10,7 +10,7 @@
 using namespace meshfolio;
 using namespace meshfolio::testing;
 
-TEST(ExplicitDiffusion, KeepsConstantsToTheLastBitAndTellsWhatRunsAway) {
+TEST(ExplicitDiffusion, KeepsConstantsToTheLastBitAndReportsDivergence) {
     const ExplicitDiffusion diffusion(operator_with_mass(laplace_beltrami(irregular_sphere(3))));
     const auto n = static_cast<Eigen::Index>(diffusion.vertex().size());
     Positions constant(n, 3);

@@ -37,7 +37,7 @@ TEST(CsvColumn, HasAsManyRowsAsAreAskedFor) {
     EXPECT_EQ(csv_column(csv, "f.csv", {"a"}, 1, MoreRows::left_out).values, Vector::Ones(1));
 }
 
-TEST(CsvColumn, TheDressOfATableChangesNothing) {
+TEST(CsvColumn, SeparatorsQuotesAndLineEndsChangeNothing) {
     const std::string mark = "\xef\xbb\xbf";
     for (const std::string table : {"K,H\n0,1.5\n0,-2\n",
                                     "K;H\n0;1.5\n0;-2\n",
@@ -70,7 +70,7 @@ TEST(CsvColumn, TheDressOfATableChangesNothing) {
     }
 }
 
-TEST(CsvColumn, TheFirstNameThatIsThereIsTakenAsItIsWrittenBeforeAnotherCase) {
+TEST(CsvColumn, TheFirstNameFoundIsTakenAndItsOwnCaseBeforeAnother) {
     const auto read = [](const std::string& header, const std::vector<std::string>& names) {
         return csv_column(header + "\n1,2,3\n", "f.csv", names, 1).values[0];
     };
@@ -97,7 +97,7 @@ TEST(CsvColumn, WhereThereIsNoNumberThereIsNone) {
         EXPECT_THROW(values_of(table, "H", 1), InputError) << table;
 }
 
-TEST(CsvColumn, DigitsSayHowFarTheNumberMayBeAway) {
+TEST(CsvColumn, DecimalsGiveTheRoundingOfANumber) {
     const auto rounding = [](const std::string& cell) { return csv_column("H\n" + cell + "\n", "f.csv", {"H"}, 1).rounding[0]; };
     EXPECT_DOUBLE_EQ(rounding("0.001234"), 0.5e-6);
     EXPECT_DOUBLE_EQ(rounding("-1.5e-3"), 0.5e-4);

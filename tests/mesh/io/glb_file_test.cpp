@@ -107,7 +107,7 @@ TEST(Glb, QuantizedPositionsAndSmallIndices) {
     EXPECT_EQ(mesh_in(glb_of(text, data)).X, tetrahedron().X);
 }
 
-TEST(Glb, ColoursAndValuesOfOnesOwnAreColumns) {
+TEST(Glb, CustomColoursAndValuesAreColumns) {
     const TriangleMesh mesh = tetrahedron();
     std::string data = glb_data(mesh);
     for (int v = 0; v < 4; ++v) {

@@ -21,7 +21,7 @@ bool says(const std::string& text, const std::string& part) { return text.find(p
 
 }   // namespace
 
-TEST(Losses, RoundingIsToldWhereItSpoilsTheSurface) {
+TEST(Losses, RoundingIsReportedWhereItDamagesTheSurface) {
     const TriangleMesh mesh = torus(9, 7), far = moved_to(mesh, moved(mesh.X, Vector3(1e8, 0, 0)));
     for (const std::string ending : {".obj", ".off", ".ply", ".vtp"}) EXPECT_EQ(told(far, "m" + ending), "") << ending;
     for (const std::string ending : {".stl", ".glb"}) {
@@ -36,7 +36,7 @@ TEST(Losses, RoundingIsToldWhereItSpoilsTheSurface) {
     EXPECT_TRUE(says(told(sheets, "m.stl"), "4 of 8 vertices fall onto others and 0 of 8 faces"));
 }
 
-TEST(Losses, GlbTellsWhatFloatsOfGltfCannotBe) {
+TEST(Losses, GlbReportsValuesThatFloatsCannotHold) {
     const double infinity = std::numeric_limits<double>::infinity(), nothing = std::nan("");
     Attributes attributes{.columns = {{"h", (Vector(4) << nothing, 1, infinity, 2).finished()},
                                       {"k", (Vector(4) << nothing, 0.1, 1e300, -1e-300).finished()},

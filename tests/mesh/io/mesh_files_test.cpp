@@ -84,7 +84,7 @@ TEST(MeshFiles, StlHoldsTheSameTriangles) {
     EXPECT_EQ(encode_mesh(mesh, "a.stl").size(), 84U + 50U * static_cast<unsigned>(mesh.face_count()));
 }
 
-TEST(MeshFiles, StandardInputIsToldByItsContent) {
+TEST(MeshFiles, TheFormatOfStandardInputIsFoundByItsContent) {
     for (const char* file : {"m.obj", "m.off", "m.ply", "m.stl"}) {
         const std::string bytes = encode_mesh(tetrahedron(), file);
         EXPECT_EQ(parse_mesh(bytes, standard_input).mesh.X.colwise().sum(), tetrahedron().X.colwise().sum()) << file;

@@ -89,7 +89,7 @@ TEST(ObjFile, WarnsOnceAKindWithTheFirstLine) {
               "116: line continuation at the end of the file\n");
 }
 
-TEST(ObjFile, WarnsOfUnusedIndicesThatMiss) {
+TEST(ObjFile, WarnsOfUnusedIndicesOutOfRange) {
     EXPECT_EQ(warnings_of(parse_obj(obj_points + "vt 0 0\nf 1/1 2/0 3/-2\n", "m.obj")), "6: 2 texture indices ignored (first 0)\n");
     EXPECT_EQ(warnings_of(parse_obj(obj_points + "f 1//1 2//2 3//3\nf 1//9 2//2 4//3\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\n", "m.obj")),
               "6: normal index ignored (9, the file has 3 normals)\n");

@@ -31,7 +31,7 @@ TEST(OffFile, TheSameTetrahedronInManySpellings) {
     expect_in_off("COFF\n4 4 6\n0 0 0 255 0 0 255\n1 0 0 0 0 0 1\n0 1 0 0 0 0 1\n0 0 1 0 0 0 1\n" + off_faces);
 }
 
-TEST(OffFile, WarnsOfWhatItTakesAnyway) {
+TEST(OffFile, WarnsOfDefectsThatItAccepts) {
     expect_in_off("4 4 6\n" + off_points + off_faces, "1: no OFF keyword, assumed\n");
     expect_in_off("OFF\n4 4\n" + off_points + off_faces, "2: edge count missing\n");
     expect_in_off(off_tet + "3 0 1 2\n", "11: text after the last face ignored\n");

@@ -1,4 +1,4 @@
-// Meshes that gzip has packed, whatever their names say.
+// Meshes packed by gzip are recognised by their content, not by their names.
 #include <gtest/gtest.h>
 #include <libdeflate.h>
 

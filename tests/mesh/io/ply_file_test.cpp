@@ -87,7 +87,7 @@ TEST(PlyFile, BinaryOfEveryTypeInBothOrders) {
     }
 }
 
-// Triangles are read at once, but not where some face is none.
+// A file of triangles alone is read in one step; one face of another size makes it the general case.
 TEST(PlyFile, AFaceOfAnotherSizeMayStandAnywhere) {
     for (const int quad : {0, 1, 2}) {
         Bytes bytes(false);

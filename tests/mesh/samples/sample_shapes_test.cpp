@@ -304,7 +304,7 @@ TEST(Samples, NoiseHasTheStatedSizeAndNothingElseChanges) {
     EXPECT_NEAR(step.sum() / n / sigma, 0, 4 / std::sqrt(n));
 }
 
-TEST(Samples, AnUnknownNameIsAnsweredWithTheNearest) {
+TEST(Samples, AnUnknownNameIsRefusedWithTheNearest) {
     try {
         make_sample("fandisk_nosy");
         FAIL();

@@ -141,7 +141,7 @@ TEST(ReplaceFile, NamesTheFileThatCannotBeWritten) {
     EXPECT_FALSE(fs::is_regular_file("/dev/null"));
 }
 
-// Its target may come later, or never; what was asked for is a file of this name.
+// The target of the link may never exist; the user asked for a file of this name.
 TEST(ReplaceFile, ReplacesADanglingLink) {
     const TemporaryFolder folder;
     fs::create_symlink("nowhere", folder.path() / "x");

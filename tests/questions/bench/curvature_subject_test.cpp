@@ -46,7 +46,7 @@ TEST(CurvatureSubject, SharedRangeReportsWhatEachFigureClips) {
     EXPECT_EQ(range.clipped_above, 0.25);
 }
 
-TEST(CurvatureSubject, LabelsTellWhatLiesBeyondTheirOwnRange) {
+TEST(CurvatureSubject, LabelsReportValuesBeyondTheirRange) {
     Vector values(5);
     values << -2, 0, 0.5, 3, std::nan("");
     EXPECT_EQ(share_beyond(values, 1), 0.5);
@@ -87,7 +87,7 @@ TEST(CurvatureSubject, WhatIsUndefinedIsCalledWhatItIs) {
     EXPECT_NE(both.find("boundary"), std::string::npos) << both;
 }
 
-TEST(CurvatureSubject, RoundedCoordinatesAreToldFromUnevenRings) {
+TEST(CurvatureSubject, RoundedCoordinatesAreDistinguishedFromUnevenRings) {
     TriangleMesh grid = grid_mesh(9, 9, 1, 1);
     grid.X /= 3;
     EXPECT_EQ(coordinate_step(grid), 0);

@@ -340,7 +340,7 @@ TEST(ClaimsSection, BundledMeshes) {
     for (const char* source : {"S0", "S1", "S2", "S3", "report"}) EXPECT_EQ(first.find(source), std::string::npos) << first;
 }
 
-TEST(ClaimsSection, MeshesOfOnesOwn) {
+TEST(ClaimsSection, MeshesOfTheUser) {
     TriangleMesh one{Positions(3, 3), Faces(1, 3)};
     one.X << 0, 0, 0, 1, 0, 0, 0, 1, 0;
     one.F << 0, 1, 2;

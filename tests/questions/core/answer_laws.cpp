@@ -76,7 +76,7 @@ void expect_checks_pass(const report::Section& section) {
 
 namespace {
 
-/// Does an id belong to another section of the report? That it is there is seen to where the report is written.
+/// Does the id belong to another section of the report? Its existence is checked when the report is written.
 bool is_of_another_section(const std::string& id, const std::string& own) {
     const std::vector<std::string> all = section_ids();
     const std::string section = id.substr(0, id.find('_'));

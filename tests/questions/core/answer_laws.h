@@ -1,5 +1,5 @@
 /// @file
-/// What every answer must satisfy, whatever the meshes.
+/// Laws of every answer, for all meshes.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ inline QuestionSettings quick_settings() {
     return settings;
 }
 
-/// Everything a reader is told, joined.
+/// All text of an answer, joined.
 std::string prose_of(const report::Section& section);
 
 void expect_checks_pass(const report::Section& section);

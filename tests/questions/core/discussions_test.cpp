@@ -1,4 +1,4 @@
-// The discussions of questions 5 to 7 say what the numbers say: a number is changed in a study, and the words change with it.
+// The discussions of questions 5 to 7 follow their numbers: each test changes a number of a study and expects other words.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -149,7 +149,7 @@ TEST(ExplicitDiscussion, TheLimitsOfMeshesAreComparedInTheirOwnEdges) {
     EXPECT_TRUE(has(report::plain(q5_explicit::lead(studies)), " on ball_told and ")) << report::plain(q5_explicit::lead(studies));
 }
 
-TEST(ExplicitDiscussion, TellsWhatTheEnergyHidesOnlyWhereItDoes) {
+TEST(ExplicitDiscussion, ReportsWhatTheEnergyHidesOnlyWhereItHidesIt) {
     ExplicitStudy study = explicit_study(cube, quick_settings());
     const std::size_t beyond = study.first_beyond();
     ASSERT_LT(beyond, study.runs.size());

@@ -133,7 +133,7 @@ TEST(MeshLibrary, FilesAreFoundBesideTheSettingsThenInDataThenBundled) {
 }
 
 // Another mesh in its place, unsaid, would be worse than none.
-TEST(MeshLibrary, AFileThatIsThereButCannotBeReadIsNotPassedOver) {
+TEST(MeshLibrary, AnUnreadableFileIsNotSkipped) {
     const TemporaryFolder folder;
     const fs::path data = folder.path() / "data";
     fs::create_directories(data / "curvatures");
@@ -173,7 +173,7 @@ TEST(MeshLibrary, MessagesNameTheFileAsItWasAskedFor) {
     }
 }
 
-TEST(MeshLibrary, IsReadOnceWhoeverAsks) {
+TEST(MeshLibrary, EachMeshIsReadOnce) {
     const MeshLibrary library({}, {});
     std::vector<std::shared_ptr<const LibraryMesh>> seen(4);
     {

@@ -148,7 +148,7 @@ TEST(WordsOfQuestions, NoSentenceIsLeftInTheSources) {
 }
 
 TEST(WordsOfQuestions, NoPluralIsWrittenByHand) {
-    // "{{vertices}} vertices" is wrong for one. A mean edge is a unit, whatever the number.
+    // "{{vertices}} vertices" is wrong for 1. "Mean edge" is a unit and has no plural.
     static const std::regex by_hand(
         "\\{\\{\\w+\\}\\}\\s+(?:explicit |implicit |random |such |open )?(?:vertices|triangles|faces|edges|meshes|modes|iterations|steps|"
         "operators|surfaces|estimators|refinements|rings|checks|components|eigenvalues|kinds|points|methods|seeds|runs|claims)\\b");

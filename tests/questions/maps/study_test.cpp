@@ -195,7 +195,7 @@ TEST(SmoothingMapsSection, TakesTheStepsAndIterationsOfTheSettings) {
     EXPECT_EQ(maps.iterations.back(), 5);
 }
 
-TEST(SmoothingMapsSection, StandsMeshesThatAreHardlyAny) {
+TEST(SmoothingMapsSection, AnswersForDegenerateMeshes) {
     TriangleMesh triangle;
     triangle.X.resize(3, 3);
     triangle.X << 0, 0, 0, 1, 0, 0, 0, 1, 0;

@@ -167,7 +167,7 @@ TEST(Methods, TheUsualReportPassesItsChecks) {
 }
 
 // A method that only rescales what another leaves turns the normals as that does.
-TEST(Methods, ATieInNormalsIsNoOtherWinner) {
+TEST(Methods, ATieInNormalsNamesNoSecondWinner) {
     DenoisingLaboratory laboratory = laboratory_of(cube_mesh(4), with_noise_of({0.01}));
     const auto told_with_angle = [&](double angle_of_the_second) {
         for (NoiseTrial& trial : laboratory.meshes.front().trials) {
@@ -206,7 +206,7 @@ TEST(Methods, TheTableIsTheStudy) {
     }
 }
 
-TEST(Methods, OddMeshesAreBorne) {
+TEST(Methods, OddMeshesAreAnswered) {
     TriangleMesh triangle;
     triangle.X.resize(3, 3);
     triangle.X << 0, 0, 0, 1, 0, 0, 0, 1, 0;

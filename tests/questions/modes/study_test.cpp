@@ -134,8 +134,8 @@ TEST(CostModel, OperationsAreFactorisationAndSteps) {
     EXPECT_NEAR(way.operations, way.steps * 3.0 * double(egg_study().subject.laplacian.C.nonZeros()), 1e-6);
 }
 
-// What was said of energies beforehand is what runs of the solvers have.
-TEST(ModeStudy, RunsHaveTheEnergiesThatWereSaid) {
+// Runs of the solvers have the predicted energies.
+TEST(ModeStudy, RunsHaveThePredictedEnergies) {
     ASSERT_FALSE(egg_study().tried.empty());
     for (const TriedWay& run : egg_study().tried) EXPECT_NEAR(run.energy / run.way.energy, 1, 1e-8);
 }
@@ -179,7 +179,7 @@ TEST(ModesSection, WellFormedAndPassesItsChecks) {
     expect_checks_pass(answer.section);
 }
 
-TEST(ModesSection, StandsMeshesThatAreHardlyAny) {
+TEST(ModesSection, AnswersForDegenerateMeshes) {
     TriangleMesh triangle;
     triangle.X.resize(3, 3);
     triangle.X << 0, 0, 0, 1, 0, 0, 0, 1, 0;

@@ -122,7 +122,7 @@ TEST(PredictionStudy, TheFormulaIsTheMeasuredMeanAndAWrongSigmaIsNot) {
     }
 }
 
-// Its own operator follows the noise: where that is small the derivative of the run foresees the error, and the formula does not.
+// A rebuilt operator follows the noise: for small noise the derivative of the run predicts the error, the formula does not.
 TEST(PredictionStudy, TheDerivativeHoldsForSmallNoise) {
     const PredictionStudy study = prediction_study_on(grid_mesh(14, 14, 1, 1), "flat", {0.001});
     const OperatorStudy& own = study.levels.front().of(FlowOperator::noisy);

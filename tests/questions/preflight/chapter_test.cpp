@@ -71,7 +71,7 @@ TEST(PreflightSection, SoundMeshesHaveNoTableOfDefects) {
     EXPECT_NE(prose_of(answer.section).find("Nothing is wrong with pre_sound"), std::string::npos);
 }
 
-TEST(PreflightSection, AMeshThatCannotBeReadIsToldAndTheRestIsThere) {
+TEST(PreflightSection, AnUnreadableMeshIsReportedAndTheRestIsAnswered) {
     const testing_tools::TemporaryFolder data;
     const std::filesystem::path folder = data.path() / "decompose";
     std::filesystem::create_directories(folder);

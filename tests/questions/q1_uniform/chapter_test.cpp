@@ -57,7 +57,7 @@ TEST(Q1, BundledMeshesPassTheirOwnChecks) {
 }
 
 // The caption speaks of rings only where there are some, and names the meshes that have them where others have none.
-TEST(Q1, RingsAreToldOfTheMeshesThatHaveThem) {
+TEST(Q1, RingsAreReportedForTheMeshesThatHaveThem) {
     const auto caption_of = [](const Answer& answer) {
         for (const report::Block& block : answer.section.blocks)
             if (const auto* figure = std::get_if<report::Figure>(&block); figure && figure->id == "q1_k") return figure->caption;
@@ -99,8 +99,8 @@ TEST(Q1, EachMeshHasARangeOfItsOwn) {
     }
 }
 
-// No sentence of the discussion is about another mesh's figure, and there is none of the drift where there is no curved mesh.
-TEST(Q1, TheMapOfTheDriftIsOfTheMeshThatDriftsMost) {
+// No sentence is about the figure of another mesh, and without a curved mesh no sentence is about the drift.
+TEST(Q1, TheDriftMapShowsTheMeshWithTheLargestDrift) {
     TriangleMesh uneven = icosphere(3);
     uneven.X = jittered(uneven, topology_of(uneven), 0.2, 1, [](const Vector3& p) { return p.normalized(); });
     const Answer ball = answer_for(uneven, "uneven1");

@@ -136,7 +136,7 @@ TriangleMesh grid_with_a_slit() {
     return mesh;
 }
 
-// Its rings do not close, and no operator can help it: that is no failure of the cotangents.
+// Its rings do not close, which no operator can repair: the cotangent operator has not failed.
 TEST(Q3, TrianglesWithoutAreaLeaveTheFlatCheckUndecided) {
     const Answer answer = answer_for(grid_with_a_slit(), "slit3");
     const auto flat =

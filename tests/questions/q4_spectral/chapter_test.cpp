@@ -130,7 +130,7 @@ TEST(Q4, PanelsAreTheOriginalAndEveryKInOrder) {
     }
 }
 
-TEST(Q4, InertiaIsToldOnlyWhereModesMayBeMissing) {
+TEST(Q4, InertiaIsReportedOnlyWhereModesMayBeMissing) {
     const auto told = [](int level) {
         const report::Section section = answer_on(icosphere(level), "ball_extent" + std::to_string(level), {5}).section;
         return std::pair(section.extent.find("inertia") != std::string::npos, prose_of(section).find("Sylvester") != std::string::npos);

@@ -68,7 +68,7 @@ TEST(SpectralUseDiscussion, TheAnswerHasTheErrorsOfTheKAskedFor) {
     EXPECT_NE(said({162}).find("gives ball_answer162 back to rounding"), std::string::npos) << said({162});
 }
 
-// What a marker saw in the assignment's armadillo is not said of another mesh.
+// Observations about the assignment's armadillo are made of no other mesh.
 TEST(SpectralUseDiscussion, PartsOfTheBodyAreThoseOfOneMesh) {
     const SpectralStudy study = spectral_study_on(icosphere(2), "armadillo", {5, 15});
     EXPECT_EQ(report::plain(what_is_seen({study, {}, 0, true})).find("spikes"), std::string::npos);
@@ -106,7 +106,7 @@ TEST(SpectralUseDiscussion, ARoughReconstructionIsNotCalledClose) {
     EXPECT_FALSE(close(5.1));
 }
 
-TEST(SpectralUseDiscussion, TheSolverToldIsTheOneThatWasRun) {
+TEST(SpectralUseDiscussion, TheNamedSolverIsTheOneThatRan) {
     SpectralStudy study = spectral_study_on(icosphere(2), "ball_solver", {5});
     const auto said = [&](bool dense) {
         study.spectrum.dense = dense;

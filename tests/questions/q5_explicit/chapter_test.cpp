@@ -15,7 +15,7 @@ TEST(Q5, BundledMeshesPassTheirOwnChecks) {
     const Answer answer = chapter_of_id("q5").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
     expect_well_formed(answer);
     expect_checks_pass(answer.section);
-    // Beyond the limit something must be told about growth.
+    // Beyond the limit the answer must mention growth.
     EXPECT_NE(prose_of(answer.section).find("Too large a step amplifies"), std::string::npos);
     EXPECT_FALSE(answer.section.answer.empty());
     EXPECT_GT(answer.section.appendix_from, 0);
@@ -69,7 +69,7 @@ TEST(Q5, TheTablesAreTheStudy) {
     expect_near(numbers(sweep, "top mode ×, predicted"), predicted, 1e-9);
     expect_near(numbers(sweep, "measured"), predicted, 1e-4);
     EXPECT_EQ(numbers(sweep, "iterations"), (std::vector<double>{20, 20, 20, 20, double(study.runs.back().result.iterations)}));
-    // Of what blew up nothing is told but when.
+    // Of a run that blew up, only the time is reported.
     EXPECT_TRUE(study.runs.back().result.blew_up);
     expect_near(finite_numbers(steps, "energy"), energy);
     expect_near(finite_numbers(steps, "size"), volume, 1e-9);

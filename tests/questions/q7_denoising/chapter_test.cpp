@@ -23,7 +23,7 @@ TEST(Q7, TheSeedDecidesTheNoise) {
     EXPECT_NE(noisy(1), noisy(2));
 }
 
-TEST(Q7, WhereNothingHelpsTheReportSaysSo) {
+TEST(Q7, TheReportSaysWhereNothingHelps) {
     QuestionSettings settings = quick_settings();
     settings.noise = {1e-6};
     const Answer answer = chapter_of_id("q7").answer(library_of(cube_mesh(6), "nearly_clean"), settings, no_progress);
@@ -69,7 +69,7 @@ TEST(Q7, TheTablesAreTheStudy) {
     expect_near(numbers(remains, "clean: volume"), {100 * grid.pictured().taken.volume});
 }
 
-TEST(Q7, ABestIterationThatIsTheLastIsToldAsSuch) {
+TEST(Q7, ABestIterationThatIsTheLastIsReportedAsSuch) {
     QuestionSettings settings = quick_settings();
     const auto is_told = [&](double noise) {
         settings.noise = {noise};

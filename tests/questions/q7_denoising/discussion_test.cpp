@@ -1,4 +1,4 @@
-// The discussion of question 7 says what the numbers say: a number is changed in a study, and the words change with it.
+// The discussion of question 7 follows its numbers: each test changes a number of a study and expects other words.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -264,7 +264,7 @@ TEST(DenoisingDiscussion, NoNoiseIsTooStrongWhereTheStrongestGainsMost) {
     EXPECT_FALSE(has(told(grid), "too strong")) << told(grid);
 }
 
-TEST(DenoisingDiscussion, NoiseAlongTheSurfaceIsToldByWhatSmoothingRemoves) {
+TEST(DenoisingDiscussion, NoiseAlongTheSurfaceIsRecognisedByWhatSmoothingRemoves) {
     DenoisingGrid grid = denoising_grid(library_mesh(icosphere(2), "ball_along"), quick_settings());
     const auto with = [&](double across, double along) {   // the shares of the squared errors that are left
         for (NoisyTrial& trial : grid.trials) {
@@ -284,7 +284,7 @@ TEST(DenoisingDiscussion, NoiseAlongTheSurfaceIsToldByWhatSmoothingRemoves) {
     EXPECT_FALSE(has(grown, "removes less")) << grown;
 }
 
-TEST(DenoisingDiscussion, OtherSamplesAreToldWhereTheyWereTaken) {
+TEST(DenoisingDiscussion, OtherSamplesAreReportedWhereTheyWereTaken) {
     DenoisingGrid grid = denoising_grid(ball, quick_settings());
     EXPECT_FALSE(has(told(grid), "samples of the noise")) << "a quick run has one alone";
     for (NoisyTrial& trial : grid.trials) {

@@ -73,7 +73,7 @@ TEST(Reproductions, EachKindIsWellFormedOnItsStandIn) {
     EXPECT_TRUE(answer.section.warnings.empty());
 }
 
-TEST(Reproductions, EachKindIsWellFormedOnAnOpenMeshOfOnesOwn) {
+TEST(Reproductions, EachKindIsWellFormedOnAnOpenMeshOfTheUser) {
     QuestionSettings settings = settings_with(one_of_each());
     settings.bundled_experiments.clear();
     const TriangleMesh plane = make_sample("plane");
@@ -83,7 +83,7 @@ TEST(Reproductions, EachKindIsWellFormedOnAnOpenMeshOfOnesOwn) {
     EXPECT_NE(prose_of(answer.section).find("my_plane"), std::string::npos);
 }
 
-TEST(Reproductions, WhatCannotBeDoneIsToldAndTheOthersGoOn) {
+TEST(Reproductions, AnImpossibleExperimentIsReportedAndTheOthersRun) {
     Experiment impossible = experiment_of(ExperimentKind::smoothing, 21);
     impossible.methods = {{SmoothingScheme::taubin, false}};
     impossible.lambda = {1e6};   // no Taubin step inflates again after it

@@ -44,7 +44,7 @@ TEST(ExperimentNames, RoundTripAndRefuse) {
     EXPECT_THROW(smoothing_method_named("explict"), UsageError);
 }
 
-TEST(ExperimentMeshes, StandInsAreSaidToBeAndSharedOnesAreOne) {
+TEST(ExperimentMeshes, StandInsAreReportedAndSharedOnesAppearOnce) {
     Experiment e = experiment_of(ExperimentKind::curvature);
     OriginalMesh other = missing_ball;
     other.name = "globe";
@@ -82,7 +82,7 @@ TEST(ExperimentMeshes, AWholePathWinsOverABareNameInAnEarlierFolder) {
     EXPECT_EQ(library.original("a", "b.obj", "cube8.obj", {})->mesh().vertex_count(), 8);
 }
 
-TEST(ExperimentMeshes, AMeshAndTheStandInOfAnotherAreToldApart) {
+TEST(ExperimentMeshes, AMeshAndTheStandInOfAnotherAreDistinguished) {
     const TemporaryFolder folder;
     write_mesh(folder.path() / "cube.obj", ellipsoid_mesh(1, {1, 1, 1}));
     Experiment e = experiment_of(ExperimentKind::curvature);
@@ -93,7 +93,7 @@ TEST(ExperimentMeshes, AMeshAndTheStandInOfAnotherAreToldApart) {
     EXPECT_EQ(meshes[1].name(), "cube_2");
 }
 
-TEST(ExperimentMeshes, OnesOwnMeshTakesEveryPlace) {
+TEST(ExperimentMeshes, TheUsersMeshTakesEveryPlace) {
     Experiment e = experiment_of(ExperimentKind::smoothing);
     e.meshes.push_back({"block", "", "cube.obj", 0, 0, 0});
     const MeshLibrary own = library_of(ellipsoid_mesh(1, {1, 1, 1}), "mine");

@@ -23,7 +23,7 @@ TEST(StabilitySection, BundledMeshesPassTheirOwnChecks) {
     }
 }
 
-TEST(StabilitySection, WellFormedOnAMeshOfOnesOwn) {
+TEST(StabilitySection, WellFormedOnAMeshOfTheUser) {
     const Answer answer =
         chapter_of_id("stability").answer(library_of(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_stab"), quick_settings(), no_progress);
     expect_well_formed(answer);
@@ -107,7 +107,7 @@ TEST(StabilityStudy, AFrozenRunBeyondTheLimitBlowsUpAtTheVertexThatSetsIt) {
               std::string::npos);
 }
 
-TEST(StabilitySection, AFlowThatCollapsesIsTold) {
+TEST(StabilitySection, ACollapsingFlowIsReported) {
     TriangleMesh one{Positions(3, 3), Faces(1, 3)};
     one.X << 0, 0, 0, 1, 0, 0, 0, 1, 0;
     one.F << 0, 1, 2;

@@ -336,7 +336,7 @@ TEST(ReadJson, HostileBytesAreRefusedAndDoNoHarm) {
     for (std::size_t size = 0; size + 2 < whole.size(); size += 997) refuses(whole.substr(0, size));
 }
 
-// What fuzzing begins with: where the first thing wrong is its version, nothing behind that is ever tried.
+// The seeds of the fuzzer must be readable: if the version is refused, the fuzzer never reaches the rest of the reader.
 TEST(ReadJson, SeedsOfFuzzingAreRead) {
     for (const char* name : {"no_questions", "sample"}) {
         const std::string file = std::string(MESHFOLIO_SOURCE_DIR "/tests/fuzz/seeds/results/") + name + ".json";

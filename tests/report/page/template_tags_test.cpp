@@ -1,4 +1,4 @@
-// What is documented is there, what is there is documented.
+// Every documented tag exists, and every existing tag is documented.
 #include "report/writers.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Texts are alike wherever they stand: what they hold is named from the last "runs" on.
+/// A text has the same parts everywhere, so its tags are named from the last "runs" on.
 std::string short_path(const std::string& path) {
     const std::size_t runs = path.rfind(".runs");
     const bool whole_word = runs != std::string::npos && (runs + 5 == path.size() || path[runs + 5] == '.');

@@ -53,7 +53,7 @@ TEST(ViewTable, UndefinedIsADashAndNeverZero) {
 
 TEST(ViewTable, OnePowerOfTenBringsTheOthersWithIt) {
     EXPECT_EQ(numbers_of(view_of(column({3.59e-5, 1.795e-4, 0.5}))), (Words{"3.59\u202f×\u202f10⁻⁵", "1.79\u202f×\u202f10⁻⁴", "0.500"}));
-    // What is long to read as a power and short as it is stays as it is, as in the columns beside it.
+    // A number that is shorter without a power of ten is written without one, as in the columns beside it.
     EXPECT_EQ(numbers_of(view_of(column({1.5e7, 1208.4, 0.5}))), (Words{"1.50\u202f×\u202f10⁷", "1208", "0.500"}));
 }
 
@@ -110,7 +110,7 @@ TEST(ViewTable, LongTablesShowTheirEnds) {
     EXPECT_EQ(view_of(column(cells), 100)["rows"].size(), 100u);
 }
 
-// What a script sorts by is the number itself, not what is printed of it.
+// Scripts sort by the number itself, not by its printed digits.
 TEST(ViewTable, ValuesKeepEveryDigit) {
     Table table = column({1.0 / 3, 1e-7, Cell(), std::nan("")});
     table.sortable = true;

@@ -285,7 +285,7 @@ TEST(SvgPlot, MarkersStandInTheirPanel) {
     EXPECT_EQ(count_of(svg, ">nowhere</text>"), 0u);
 }
 
-// Names stand in the colours of their curves; the sample beside them tells them apart in grey.
+// Names have the colours of their curves; the sample of the line beside them distinguishes them in grey.
 TEST(SvgPlot, CurvesAreNamedAtTheirEnds) {
     Plot plot = plot_of({1, 2, 3}, {1, 2, 3});
     plot.series.push_back({"falling", {1, 2, 3}, {3, 2, 1}, {}, {}});

@@ -118,7 +118,7 @@ TEST(Plan, APartIsDoneAsInTheWhole) {
     EXPECT_EQ(part.sections.front().rung, section(whole, "q6").rung);
 }
 
-TEST(Plan, WhatIsNamedIsNotLeftOutAndTheOthersAreTold) {
+TEST(Plan, NamedSectionsAreKeptAndOmittedOnesAreReported) {
     ReportSettings settings = settings_with(5, true);
     const std::vector<PlannedMesh> meshes{{"a.obj", 2e5}};
     const Plan whole = plan_for(settings, meshes);
@@ -181,7 +181,7 @@ TEST(Plan, EffortsArePartOfWhatAnAnswerIsStoredUnder) {
     EXPECT_EQ(identity_of(settings, "q5"), identity_of(ReportSettings(), "q5")) << "of this question alone";
 }
 
-TEST(Plan, TooLittleMemoryIsRefusedWithWhatWouldFit) {
+TEST(Plan, TooLittleMemoryIsRefusedWithASizeThatFits) {
     const ReportSettings settings = settings_with(unlimited);
     const Plan plan = plan_for(settings, {{"a.obj", 2.8e6}});
     EXPECT_NO_THROW(require_memory(plan, settings, {1e12, "MemAvailable"}));

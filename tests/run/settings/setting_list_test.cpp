@@ -1,4 +1,4 @@
-// What is listed is documented: keys and variables in data/report.toml, flags in the help of `meshfolio report`.
+// Every listed setting is documented: keys and variables in data/report.toml, flags in the help of `meshfolio report`.
 #include "run/settings/setting_list.h"
 
 #include <gtest/gtest.h>

@@ -17,6 +17,7 @@ inline std::vector<std::string> problems_of(const std::string& text, const std::
         run::parse_settings(text, file);
         return {};
     } catch (const run::SettingsErrors& errors) {
+        EXPECT_EQ(errors.exit_code(), ExitCode::usage);
         std::vector<std::string> messages;
         for (const UsageError& error : errors.problems()) messages.emplace_back(error.what());
         return messages;

@@ -1,9 +1,12 @@
-// The rules of settings files, row by row: a text, and all that must be said of it. A text is never partly taken: whatever is said, the
-// exit code is that of wrong usage, and there are no settings.
+// The rules of settings files, one row each: a text, and every message about it. If there is any message, the exit code is that of wrong
+// usage and no setting is taken.
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "questions/core/chapter.h"
 #include "run/settings/report_settings.h"
+#include "run/settings/settings_problems.h"
 #include "run/settings/settings_reader.h"
 #include "temporary_folder.h"
 
@@ -12,20 +15,14 @@ using namespace meshfolio::run;
 
 namespace {
 
-/// "12: what is wrong; what to do", one a problem; the file's name is taken off.
+/// Each message without the file's name: "12: what is wrong; what to do".
 std::vector<std::string> said_of(const std::string& text) {
-    constexpr std::string_view file = "my.toml";
-    std::vector<std::string> said;
-    try {
-        parse_settings(text, std::string(file));
-    } catch (const SettingsErrors& errors) {
-        EXPECT_EQ(errors.exit_code(), ExitCode::usage);
-        for (const UsageError& problem : errors.problems()) {
-            const std::string line = problem.what();
-            EXPECT_TRUE(line.starts_with("my.toml:")) << line;
-            EXPECT_EQ(line.find('\n'), std::string::npos) << line;
-            said.push_back(line.substr(std::min(line.size(), file.size() + 1)));
-        }
+    constexpr std::string_view file = "my.toml:";
+    std::vector<std::string> said = testing_tools::problems_of(text);
+    for (std::string& line : said) {
+        EXPECT_TRUE(line.starts_with(file)) << line;
+        EXPECT_EQ(line.find_first_of("\n\x1b"), std::string::npos) << line;
+        line.erase(0, file.size());
     }
     return said;
 }
@@ -44,8 +41,17 @@ std::string times(int count, std::string_view part) {
 
 const std::string q4 = "[[question]]\nid = \"q4\"\n";
 
+/// Values of `output` that are refused, with the reason.
+void add_outputs(std::vector<Rule>& rules) {
+    for (const std::string name : {"..", "../x", "/tmp/x", "a/b", ".hidden", "", "a b", "-o", "x\\\\y"})
+        rules.push_back({"output", q4 + "output = \"" + name + "\"", {"3: [[question]] output '" + name.substr(0, 2)}});
+    for (const std::string name : {"images", "tables", "index.html", "SHA256SUMS", "results.json"})
+        rules.push_back(
+            {"output", q4 + "output = \"" + name + "\"", {"3: [[question]] output '" + name + "' collides with a part of the report"}});
+}
+
 std::vector<Rule> rules() {
-    return {
+    std::vector<Rule> rules{
         {"nothing", "", {}},
         {"comment", "# only a comment", {}},
         // unknown keys and tables, with the nearest known one of their kind
@@ -70,12 +76,33 @@ std::vector<Rule> rules() {
         {"date", q4 + "noise = 2001-01-01", {"3: [[question]] noise is a date or time, not a number"}},
         {"table for a value", "seed = {}", {"1: seed is a table, not an integer"}},
         {"value for a table", "render = 3", {"1: render is not a table; write [render]"}},
+        {"value for [report]", "report = 1", {"1: report is not a table; write [report]"}},
+        {"[[report]]", "[[report]]\ntitle = \"x\"", {"1: report is not a table; write [report]"}},
+        {"value for questions", "question = 1", {"1: question is not a list of tables; write [[question]] above each"}},
+        {"list for a text", "[report]\nauthor = [\"a\"]", {"2: [report] author is a list, not a text"}},
+        {"list for a number", "seed = [1]", {"1: seed is a list, not an integer"}},
+        {"number for a truth", "laboratory = 1", {"1: laboratory is an integer, not true or false"}},
+        {"number for a template", "[report]\ntemplate = 1", {"2: [report] template is an integer, not a text"}},
+        {"number for a colour map", "[render]\ncolormap = 1", {"2: [render] colormap is an integer, not a text"}},
+        {"text for a size", "[render]\nsize = \"large\"", {"2: [render] size is a text, not an integer"}},
+        {"number for an id", "[[question]]\nid = 4", {"2: [[question]] id is an integer, not a text"}},
+        {"number for an output", q4 + "output = 1", {"3: [[question]] output is an integer, not a text"}},
+        {"number among meshes", q4 + "mesh = [\"a\", 4]", {"3: [[question]] mesh[1] is an integer, not a text"}},
+        {"fraction for k", q4 + "k = 5.5", {"3: [[question]] k is a number with a fraction, not an integer"}},
+        {"text for k", q4 + "k = \"five\"", {"3: [[question]] k is a text, not an integer"}},
+        {"text for iterations", q4 + "iterations = \"many\"", {"3: [[question]] iterations is a text, not an integer"}},
+        {"text among steps", q4 + "lambda = [1, \"a\"]", {"3: [[question]] lambda[1] is a text, not a number"}},
+        {"truth among noises", q4 + "noise = [0.1, true]", {"3: [[question]] noise[1] is a truth value, not a number"}},
+        {"seed and threads of a question",
+         q4 + "seed = 1.5\nthreads = -1",
+         {"3: [[question]] seed is a number with a fraction, not an integer",
+          "4: [[question]] threads = -1 is out of range; it may be from 0 to 1024"}},
         {"[question]", "[question]\nid = \"q9\"", {"1: question is not a list of tables", "2: unknown question 'q9'"}},
         {"mixed list of questions",
          "question = [{id = \"q9\"}, 3]",
          {"1: unknown question 'q9'", "1: question[1] is an integer, not a table; write [[question]] above each"}},
         {"empty list of questions", "question = []", {"1: question is not a list of tables"}},
-        // a list tells of every element, each on its own line
+        // every wrong element of a list is reported on its own line
         {"sections",
          "[report]\nsections = [\"q1\", \"q9\", 3]",
          {"2: [report] sections: no question 'q9'; did you mean '", "2: [report] sections[2] is an integer, not a text"}},
@@ -86,7 +113,14 @@ std::vector<Rule> rules() {
          "[render]\nsize = [8, \"x\", 64]",
          {"2: [render] size[0] = 8 is out of range", "2: [render] size[1] is a text, not an integer", "2: [render] size has 3 values"}},
         {"one side in a list", "[render]\nsize = [64]", {"2: [render] size has one value in a list; write N or [W, H]"}},
-        {"empty list", q4 + "k = []", {"3: [[question]] k is an empty list"}},
+        {"no sections", "[report]\nsections = []", {"2: [report] sections is an empty list"}},
+        {"no size", "[render]\nsize = []", {"2: [render] size is an empty list"}},
+        {"no k", q4 + "k = []", {"3: [[question]] k is an empty list"}},
+        {"no meshes", q4 + "mesh = []", {"3: [[question]] mesh is an empty list"}},
+        {"no steps", q4 + "lambda = []", {"3: [[question]] lambda is an empty list"}},
+        {"no iterations", q4 + "iterations = []", {"3: [[question]] iterations is an empty list"}},
+        {"no noise", q4 + "noise = []", {"3: [[question]] noise is an empty list"}},
+        {"no mesh", q4 + "mesh = \"\"", {"3: [[question]] mesh is an empty path"}},
         {"long list", q4 + "k = [1" + times(100, ", 1") + "]", {"3: [[question]] k has 101 values; at most 100 are allowed"}},
         {"k",
          q4 + "k = [0, 5, \"x\"]",
@@ -108,16 +142,16 @@ std::vector<Rule> rules() {
         {"title of 200 bytes", "[report]\ntitle = \"" + std::string(200, 'x') + "\"", {}},
         {"title", "[report]\ntitle = \"" + std::string(201, 'x') + "\"", {"2: [report] title has 201 bytes; at most 200 are allowed"}},
         {"control character", "[report]\nauthor = \"a\\u001bb\"", {"2: [report] author has a control character"}},
+        {"second line", "[report]\ntitle = \"a\\nb\"", {"2: [report] title has a control character"}},
+        {"delete", "[report]\ncourse = \"a\\u007fb\"", {"2: [report] course has a control character"}},
+        {"control character in a key", "\"\\u001b[31mred\" = 1", {"1: unknown key '\\x1b[31mred'"}},
         {"colour map", "[render]\ncolormap = \"vridis\"", {"2: unknown colour map 'vridis'; did you mean 'viridis'?"}},
         // questions
         {"twice", q4 + q4, {"4: question 'q4' is given twice"}},
         {"no id", "[[question]]\nk = 5", {"1: [[question]] has no id"}},
         {"no id, other things too", "[[question]]\nk = 0", {"1: [[question]] has no id", "2: [[question]] k = 0"}},
         // outputs
-        {"output leaves", q4 + "output = \"../x\"", {"3: [[question]] output '../x' is not a plain name inside the output folder"}},
-        {"output absolute", q4 + "output = \"/tmp/x\"", {"3: [[question]] output '/tmp/x' is not a plain name"}},
         {"output with NUL", q4 + "output = \"a\\u0000\"", {"3: [[question]] output 'a\\x00' is not a plain name"}},
-        {"output of the report", q4 + "output = \"tables\"", {"3: [[question]] output 'tables' collides with a part of the report"}},
         {"same output",
          q4 + "output = \"a\"\n[[question]]\nid = \"q5\"\noutput = \"a\"",
          {"6: [[question]] output 'a' collides with that of line 3"}},
@@ -136,16 +170,25 @@ std::vector<Rule> rules() {
           "1: [[experiment]] has no kind"}},
         // TOML itself
         {"same key twice", "seed = 1\nseed = 2", {"2: "}},
+        {"no value", "seed = 1\nthreads = \n", {"2: "}},
+        {"no digits", "seed = 1\nthreads = 0x_1\n", {"2: "}},
         {"unclosed text", "[report]\ntitle = \"x\n", {"2: "}},
+        {"unclosed key", "seed = 1\n\"unclosed\n", {"2: "}},
+        {"unclosed list", "[render]\nsize = [1, 2\n", {"2: "}},
+        {"text that is not UTF-8", "[report]\ntitle = \"\xff\"", {"2: "}},
         {"not UTF-8", "# \xff", {"1: "}},
         {"UTF-16", std::string("\xff\xfes\0e\0", 6), {"1: "}},
         {"NUL", std::string("seed = 1\n\0", 10), {"2: "}},
-        {"nested values", "x = " + std::string(100, '[') + std::string(100, ']'), {"1: "}},
+        {"nested values",
+         "x = " + times(5000, "[") + times(5000, "]"),
+         {"1: Error while parsing value: exceeded maximum nested value depth of 64"}},
         {"nested keys",
          "[report]\n" + std::string(200000, 'a') + "= 1\nx" + times(100000, ".x") + " = 1",
          {"3: a key has more than 16 parts between dots"}},
         {"nested tables", "[a.b . c.d.e.\"f.g\".h.i.j.'k'.l.m.n.o.p.q.r.s]", {"1: a key has more than 16 parts"}},
     };
+    add_outputs(rules);
+    return rules;
 }
 
 }   // namespace
@@ -155,8 +198,9 @@ TEST(SettingsRules, EachTextHasExactlyTheseProblems) {
         const std::vector<std::string> said = said_of(rule.text);
         std::string all;
         for (const std::string& line : said) all += "\n  " + line;
-        ASSERT_EQ(said.size(), rule.said.size()) << rule.name << all;
-        for (std::size_t i = 0; i < said.size(); ++i) EXPECT_TRUE(said[i].starts_with(rule.said[i])) << rule.name << ": " << said[i];
+        EXPECT_EQ(said.size(), rule.said.size()) << rule.name << all;
+        for (std::size_t i = 0; i < std::min(said.size(), rule.said.size()); ++i)
+            EXPECT_TRUE(said[i].starts_with(rule.said[i])) << rule.name << ": " << said[i];
     }
 }
 
@@ -211,8 +255,8 @@ TEST(SettingsRules, ProblemsOfTheCommandLineAndTheFileAreReportedTogether) {
     }
 }
 
-// The smallest and largest good value of each number pass, their neighbours do not.
-TEST(SettingsRules, LimitsAreWhereTheyAreSaidToBe) {
+// The smallest and the largest value of each number are accepted, their neighbours are not.
+TEST(SettingsRules, LimitsAreThoseOfTheMessages) {
     const std::vector<std::pair<std::string, std::pair<std::vector<std::string>, std::vector<std::string>>>> keys{
         {"threads = ", {{"0", "1024"}, {"-1", "1025"}}},
         {"seed = ", {{"0", "9223372036854775807"}, {"-1"}}},
