@@ -15,7 +15,7 @@ constexpr std::array models_of_sections{
     SectionModel{"q1", "bumpy_cube lilium sphere plane", {1.7, 2}, {1.5, 0.5, 0.8}, {40, 42}, {10, 42}},
     SectionModel{"q2", "", {0.15, 0}, {0.04, 0}, {9, 0}, {1, 0}},
     SectionModel{"q3", "lilium plane", {1.6, 1, 2.6}, {1.5, 0, 2.6}, {40, 42}, {9, 42}},
-    SectionModel{"q4", "armadillo", {1.8, 22, 10}, {0.3, 7.6}, {42, 1000, 230}, {6, 410}},
+    SectionModel{"q4", "armadillo", {1.8, 22, 10}, {0.3, 7.6}, {42, 1000, 230}, {6, 430}},
     SectionModel{"q5", "cube plane_ns fandisk_ns", {0.3, 24, 0}, {0.05, 17.8}, {13, 250}, {6, 180}},
     SectionModel{"q6", "cube plane_ns fandisk_ns", {0.05, 25, 30}, {0.2, 8, 14}, {16, 300}, {6, 250}},
     SectionModel{"q7", "cube fandisk armadillo", {0.2, 50, 20}, {0.3, 9, 8.5}, {14, 250}, {10, 250}},
