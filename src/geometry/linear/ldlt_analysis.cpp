@@ -1,14 +1,8 @@
 #include "geometry/linear/ldlt_analysis.h"
 
 #include <Eigen/OrderingMethods>
-#include <algorithm>
 #include <cmath>
-#include <deque>
-#include <memory>
-#include <mutex>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/number_text.h"
@@ -21,53 +15,10 @@ namespace meshfolio {
 namespace {
 
 std::vector<int> minimum_degree_order(const SparseMatrix& A) {
+    if (A.rows() != A.cols() || A.rows() == 0) throw SolverError("LDLᵀ factorisation: the matrix is empty or not square");
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
     Eigen::AMDOrdering<int>()(A, order);
     return {order.indices().begin(), order.indices().end()};
-}
-
-/// The trees of the last patterns asked for, where they are small: a report comes back to the same mesh many times.
-class KnownTrees {
-public:
-    using Tree = std::shared_ptr<const FrontTree>;
-
-    Tree find(const SparseMatrix& A) {
-        const std::lock_guard lock(mutex_);
-        const auto found = std::ranges::find_if(known_, [&](const Known& known) {
-            return std::ranges::equal(known.start, starts(A)) && std::ranges::equal(known.index, indices(A));
-        });
-        if (found == known_.end()) return nullptr;
-        std::rotate(known_.begin(), found, found + 1);   // the last comes first
-        return known_.front().tree;
-    }
-    void keep(const SparseMatrix& A, const Tree& tree) {
-        constexpr std::size_t most = 16;
-        const std::lock_guard lock(mutex_);
-        if (known_.size() == most) known_.pop_back();
-        known_.push_front({{starts(A).begin(), starts(A).end()}, {indices(A).begin(), indices(A).end()}, tree});
-    }
-
-private:
-    struct Known {
-        std::vector<int> start, index;   // the pattern
-        Tree tree;
-    };
-    static std::span<const int> starts(const SparseMatrix& A) { return {A.outerIndexPtr(), static_cast<std::size_t>(A.cols()) + 1}; }
-    static std::span<const int> indices(const SparseMatrix& A) { return {A.innerIndexPtr(), static_cast<std::size_t>(A.nonZeros())}; }
-
-    std::mutex mutex_;
-    std::deque<Known> known_;
-};
-
-KnownTrees::Tree analysed(const SparseMatrix& A) {
-    constexpr Eigen::Index small = 20000;   // rows: sixteen such trees take some 50 MB
-    static KnownTrees known;
-    if (A.rows() != A.cols() || A.rows() == 0) throw SolverError("LDLᵀ factorisation: the matrix is empty or not square");
-    KnownTrees::Tree tree = A.rows() <= small ? known.find(A) : nullptr;
-    if (tree) return tree;
-    tree = std::make_shared<const FrontTree>(front_tree(A, minimum_degree_order(A)));
-    if (A.rows() <= small) known.keep(A, tree);
-    return tree;
 }
 
 void check_finite(const SparseMatrix& A) {
@@ -97,7 +48,7 @@ LdltPanels checked_factor(const SparseMatrix& A, double sigma, const FrontTree& 
 
 }   // namespace
 
-LdltAnalysis::LdltAnalysis(const SparseMatrix& A) : tree_(analysed(A)) {}
+LdltAnalysis::LdltAnalysis(const SparseMatrix& A) : tree_(front_tree(A, minimum_degree_order(A))) {}
 
 double LdltAnalysis::memory() const {
     constexpr double bytes_per_entry = 14;   // of the panels, and of what fronts leave to their parents
@@ -106,15 +57,13 @@ double LdltAnalysis::memory() const {
 }
 
 LdltPanels LdltAnalysis::factor(const SparseMatrix& A, double sigma, bool parallel) const {
-    LdltPanels panels = checked_factor(A, sigma, *tree_, false, parallel);
+    LdltPanels panels = checked_factor(A, sigma, tree_, false, parallel);
     const Vector diagonal = A.diagonal().array() - sigma;
     panels.growth = (panels.pivots.array() / diagonal(panels.order).array()).abs().maxCoeff();
     return panels;
 }
 
-LdltPanels LdltAnalysis::factor_definite(const SparseMatrix& A, bool parallel) const {
-    return checked_factor(A, 0, *tree_, true, parallel);
-}
+LdltPanels LdltAnalysis::factor_definite(const SparseMatrix& A, bool parallel) const { return checked_factor(A, 0, tree_, true, parallel); }
 
 Inertia LdltAnalysis::count_below(const SparseMatrix& A, double sigma, bool parallel) const {
     const LdltPanels panels = factor(A, sigma, parallel);

@@ -2,8 +2,6 @@
 /// One symbolic analysis for LDLᵀ of all A − σI of one pattern. Private to the layer.
 #pragma once
 
-#include <memory>
-
 #include "geometry/linear/front_tree.h"
 #include "geometry/linear/inertia.h"
 #include "geometry/linear/ldlt_panels.h"
@@ -12,17 +10,16 @@ namespace meshfolio {
 
 class LdltAnalysis {
 public:
-    /// Ordered by approximate minimum degree (Amestoy, Davis & Duff 1996). Those of the last small patterns are kept for whoever asks
-    /// again.
+    /// Ordered by approximate minimum degree (Amestoy, Davis & Duff 1996).
     /// @param A  whose pattern counts: compressed, symmetric, both triangles and every diagonal entry stored
     /// @throws SolverError if A is empty or not square
     explicit LdltAnalysis(const SparseMatrix& A);
 
     /// Row order()[i] is eliminated as the i-th: neighbours on the surface are mostly near each other in this order.
-    const std::vector<int>& order() const { return tree_->order; }
-    const std::vector<int>& place() const { return tree_->place; }   // its inverse
-    long long nonzeros() const { return tree_->nonzeros; }           // of a factor, diagonal included
-    long long entries() const { return tree_->entries(); }           // that it stores
+    const std::vector<int>& order() const { return tree_.order; }
+    const std::vector<int>& place() const { return tree_.place; }   // its inverse
+    long long nonzeros() const { return tree_.nonzeros; }           // of a factor, diagonal included
+    long long entries() const { return tree_.entries(); }           // that it stores
     /// What making and keeping a factor takes at most. [bytes]
     double memory() const;
 
@@ -37,7 +34,7 @@ public:
     Inertia count_below(const SparseMatrix& A, double sigma, bool parallel = false) const;
 
 private:
-    std::shared_ptr<const FrontTree> tree_;
+    FrontTree tree_;
 };
 
 }   // namespace meshfolio
