@@ -139,7 +139,7 @@ int largest_subject(const QuestionSettings& settings, std::size_t meshes) {
 }
 
 SearchBudget search_budget(const QuestionSettings& settings) {
-    return settings.quick ? SearchBudget{3, 4} : settings.laboratory ? SearchBudget{6, 6} : SearchBudget{4, 4};
+    return settings.quick ? SearchBudget{3, 4} : settings.laboratory ? SearchBudget{6, 6} : SearchBudget{4, 5};
 }
 
 DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSettings& settings) {

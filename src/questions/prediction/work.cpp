@@ -59,7 +59,7 @@ Extent extent_of(const QuestionSettings& settings, int vertices) {
     const int most = last_or(settings.iterations, settings.laboratory ? 80 : settings.quick ? 10 : 40);
     extent.iterations = std::clamp(600'000 / vertices, std::min(8, most), most);
     extent.rebuilt_iterations = std::clamp(30'000 / vertices, std::min(4, most), most);
-    extent.rule_seeds = settings.quick ? 4 : vertices > 3000 ? 8 : 12;
+    extent.rule_seeds = settings.quick ? 4 : vertices > 3000 ? 8 : 20;
     extent.rebuilt_rule_seeds = settings.quick ? 2 : 8;
     if (settings.quick) extent.modes_up_to = 300;   // beyond, all modes take longer than all the rest
     if (settings.quick) extent.derivative_probes = 2;

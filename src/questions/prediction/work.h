@@ -15,7 +15,7 @@ struct Extent {
     std::vector<double> levels;           // σ [box diagonals]
     int iterations, rebuilt_iterations;   // at most
     int modes_up_to = 1000;
-    int seeds = 12, rule_seeds, rebuilt_rule_seeds;
+    int seeds = 20, rule_seeds, rebuilt_rule_seeds;
     int draws = 4, derivative_probes = 3;
 };
 

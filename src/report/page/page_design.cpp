@@ -83,16 +83,14 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
 
 std::string_view viewer_program() { return meshfolio_embedded::embedded_viewer().front().bytes; }
 
-std::string packed(std::string_view bytes) { return base64(zlib_of(bytes)); }
-
-std::string zlib_of(std::string_view bytes) {
+std::string packed(std::string_view bytes) {
     constexpr int level = 9;   // of 12: beyond it takes several times as long for a percent
     const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(libdeflate_alloc_compressor(level),
                                                                                                    &libdeflate_free_compressor);
     if (!compressor) throw std::bad_alloc();
     std::string zlib(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
     zlib.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), zlib.data(), zlib.size()));
-    return zlib;
+    return base64(zlib);
 }
 
 }   // namespace meshfolio::report

@@ -25,6 +25,4 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
 /// Packs bytes for a page: zlib, then base64. The browser unpacks them itself (atob, DecompressionStream).
 std::string packed(std::string_view bytes);
 
-std::string zlib_of(std::string_view bytes);
-
 }   // namespace meshfolio::report

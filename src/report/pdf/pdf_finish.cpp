@@ -14,7 +14,6 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
-#include "report/pdf/pdf_packing.h"
 
 namespace meshfolio::report {
 
@@ -178,16 +177,23 @@ void attach(QPDF& pdf, const PdfDetails& details) {
     pdf.getRoot().replaceKey("/AF", QPDFObjectHandle::newArray({file.getObjectHandle()}));
 }
 
-/// Objects are numbered as they are reached: those the engine gave have no effect.
-std::string written(QPDF& pdf) {
+std::string written(QPDF& pdf, qpdf_object_stream_e streams) {
     QPDFWriter writer(pdf);
     writer.setOutputMemory();
     writer.setDeterministicID(true);
-    writer.setObjectStreamMode(qpdf_o_disable);
-    writer.setMinimumPDFVersion("1.5");
+    writer.setObjectStreamMode(streams);
     writer.write();
     const auto buffer = writer.getBufferSharedPointer();
-    return packed_pdf({reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()});
+    return {reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()};
+}
+
+/// Objects are numbered as they are reached, then packed by their numbers: those the engine gave have no effect.
+std::string written(QPDF& pdf) {
+    const std::string numbered = written(pdf, qpdf_o_disable);
+    QPDF again;
+    open(again, numbered);
+    again.getTrailer().removeKey("/ID");
+    return written(again, qpdf_o_generate);
 }
 
 }   // namespace

@@ -163,7 +163,7 @@ TEST(Methods, TheUsualReportPassesItsChecks) {
     const report::Table& gains = table_named(answer.section, "methods_methods_ball_gains");
     EXPECT_EQ(gains.rows.size(), 7u) << "four levels of Gaussian noise, two other kinds, and 20 % of the box";
     EXPECT_EQ(answer.figures.front().panels.size(), 2 + denoising_list().size());
-    EXPECT_NE(prose_of(answer.section).find("20 % of the box"), std::string::npos);
+    EXPECT_NE(prose_of(answer.section).find("20\u202f% of the box"), std::string::npos);
 }
 
 // A method that only rescales what another leaves turns the normals as that does.

@@ -117,7 +117,7 @@ TEST(PredictionStudy, TheFormulaIsTheMeasuredMeanAndAWrongSigmaIsNot) {
             EXPECT_LT(right.mass, 4);
             EXPECT_GT(standard_distance(study, level, 1.3).vertices, 5);
             EXPECT_GT(standard_distance(study, level, 0.7).mass, 5);
-            EXPECT_EQ(level.of(FlowOperator::clean).measured.seeds, 12);
+            EXPECT_EQ(level.of(FlowOperator::clean).measured.seeds, 20);
         }
     }
 }
