@@ -3,7 +3,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <optional>
 #include <set>
@@ -11,7 +10,6 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/sha256.h"
-#include "embedded_data.h"
 #include "geometry/measures/closest_point.h"
 #include "mesh/decimation.h"
 #include "mesh/io/mesh_files.h"
@@ -26,45 +24,7 @@ namespace {
 constexpr int largest_copy = 100000;   // vertices
 constexpr int most_measured = 20000;   // vertices whose distance to a copy is taken
 
-constexpr std::array<MeshRole, 13> roles{{
-    {"plane", "curvatures/plane.obj", "plane.obj"},
-    {"lilium", "curvatures/lilium_s.obj", "lily.obj"},
-    {"armadillo", "decompose/armadillo.obj", "creature.obj"},
-    {"plane_ns", "smoothing/plane_ns.obj", "plane_noisy.obj"},
-    {"fandisk_ns", "smoothing/fandisk_ns.obj", "fandisk_noisy.obj"},
-    {"cube", "", "cube.obj"},
-    {"cube8", "", "cube8.obj"},
-    {"sphere", "", "sphere.obj"},
-    {"ellipsoid", "", "ellipsoid.obj"},
-    {"torus", "", "torus.obj"},
-    {"bumpy_cube", "", "bumpy_cube.obj"},
-    {"saddle", "", "saddle.obj"},
-    {"fandisk", "", "fandisk_like.obj"},
-}};
-
 constexpr const char* own_role = "your mesh";
-
-const MeshRole& role_named(const std::string& name) {
-    const auto it = std::find_if(roles.begin(), roles.end(), [&](const MeshRole& role) { return role.role == name; });
-    if (it == roles.end()) throw UsageError("no mesh has the role '" + name + "'");
-    return *it;
-}
-
-std::optional<std::string_view> bundled(std::string_view file) {
-    for (const auto& entry : meshfolio_embedded::embedded_data())
-        if (entry.name == file) return entry.bytes;
-    return {};
-}
-
-/// The bundled mesh that stands for a path: by the assignment's path, the file's name, or a bare stem such as "torus".
-const MeshRole* role_of_path(const std::string& path) {
-    const auto stands_for = [&](const MeshRole& role) {
-        return path == role.asked || path == role.bundled || path + ".obj" == role.bundled ||
-               (!role.asked.empty() && fs::path(path).filename() == fs::path(role.asked).filename());
-    };
-    const auto it = std::find_if(roles.begin(), roles.end(), stands_for);
-    return it == roles.end() ? nullptr : &*it;
-}
 
 std::optional<fs::path> first_that_exists(const std::vector<fs::path>& candidates) {
     const auto it = std::ranges::find_if(candidates, may_be_there);
@@ -101,13 +61,11 @@ std::string bytes_of(const fs::path& path, const std::string& label) try { retur
 std::string_view bytes_of(const std::optional<fs::path>& path, std::string_view bundled_file, const std::string& label,
                           std::string& from_file) {
     if (path) return from_file = bytes_of(*path, label);
-    if (const auto embedded = bundled(bundled_file)) return *embedded;
+    if (const auto embedded = bundled_mesh(bundled_file)) return *embedded;
     throw InputError({std::string(bundled_file)}, "is not among the bundled meshes of this build");
 }
 
 }   // namespace
-
-std::span<const MeshRole> mesh_role_list() { return roles; }
 
 std::string short_name(const fs::path& path) {
     std::string name;
@@ -339,7 +297,7 @@ bool MeshLibrary::still_has(const report::Input& input, const fs::path& base) co
     if (input.stand_in && is_asked && (in_folders(folders_, input.asked) || may_be_there(base / input.asked))) return false;
     std::vector<fs::path> names{input.file}, candidates;
     if (is_asked) names.emplace_back(input.asked);
-    for (const MeshRole& role : roles)
+    for (const MeshRole& role : mesh_role_list())
         if (!role.asked.empty() && fs::path(role.asked).filename() == input.file) names.emplace_back(role.asked);
     for (const auto& [path, name] : names_)   // the user's own, those of the settings
         if (fs::path(path).filename() == input.file) names.emplace_back(path);
@@ -351,7 +309,7 @@ bool MeshLibrary::still_has(const report::Input& input, const fs::path& base) co
         std::error_code error;
         return fs::is_regular_file(path, error) && sha256_of_file(path) == input.sha256;
     };
-    const auto embedded = bundled(input.file);
+    const auto embedded = bundled_mesh(input.file);
     return (own_.empty() && embedded && sha256(*embedded) == input.sha256) || std::ranges::any_of(candidates, is_it);
 }
 

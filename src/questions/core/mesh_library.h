@@ -1,5 +1,5 @@
 /// @file
-/// Which file stands for which mesh of the assignment.
+/// The meshes of a report, each read once.
 #pragma once
 
 #include <filesystem>
@@ -8,22 +8,14 @@
 #include <mutex>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "mesh/mesh_checks.h"
+#include "questions/core/mesh_roles.h"
 #include "report/document.h"
 
 namespace meshfolio {
-
-struct MeshRole {
-    std::string_view role;      // "armadillo"
-    std::string_view asked;     // "decompose/armadillo.obj"; empty: not of the assignment
-    std::string_view bundled;   // "creature.obj" in data/
-};
-std::span<const MeshRole> mesh_role_list();
 
 struct LibraryMesh {
     report::Input input;

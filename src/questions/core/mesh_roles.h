@@ -1,0 +1,27 @@
+/// @file
+/// Which bundled file stands for which mesh of the assignment.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace meshfolio {
+
+struct MeshRole {
+    std::string_view role;      // "armadillo"
+    std::string_view asked;     // "decompose/armadillo.obj"; empty: not of the assignment
+    std::string_view bundled;   // "creature.obj" in data/
+};
+std::span<const MeshRole> mesh_role_list();
+
+/// @throws UsageError if there is none
+const MeshRole& role_named(const std::string& name);
+/// The role that a path stands for: by the assignment's path, the file's name, or a bare stem such as "torus"; null: none.
+const MeshRole* role_of_path(const std::string& path);
+
+/// The bytes of a file of data/ as compiled into the program.
+std::optional<std::string_view> bundled_mesh(std::string_view file);
+
+}   // namespace meshfolio
