@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,8 +19,7 @@
 
 #include "base/errors.h"
 #include "base/linux_only.h"
-
-extern char** environ;
+#include "report/pdf/spawn.h"
 
 namespace meshfolio::report {
 
@@ -30,6 +28,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_output = 1 << 16, step = 1 << 16;   // [bytes]
+constexpr std::size_t most_heard = 1 << 28;                    // [bytes] of one message
 
 /// The groups that run, so that a signal can end them.
 struct Registry {
@@ -62,109 +61,65 @@ private:
     int number_;
 };
 
-/// As `environ`, with what is to take its place.
-std::vector<std::string> environment_with(const std::map<std::string, std::string>& changes) {
-    std::vector<std::string> words;
-    for (char** entry = environ; *entry != nullptr; ++entry) {
-        const std::string word = *entry;
-        if (!changes.contains(word.substr(0, word.find('=')))) words.push_back(word);
-    }
-    for (const auto& [name, value] : changes) words.push_back(name + "=" + value);
-    return words;
-}
-
-std::vector<char*> pointers_to(std::vector<std::string>& words) {
-    std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    return pointers;
-}
-
-/// What the child begins with: its own group, no signal blocked or ignored, no input, both streams into `output`, and `channel` if it has
-/// one.
-struct SpawnRules {
-    posix_spawn_file_actions_t files;
-    posix_spawnattr_t attributes;
-
-    SpawnRules(const ChildTask& task, int output, int channel) {
-        posix_spawn_file_actions_init(&files);
-        posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
-        posix_spawn_file_actions_adddup2(&files, output, STDERR_FILENO);
-        for (const int number : {3, 4})
-            if (channel >= 0) posix_spawn_file_actions_adddup2(&files, channel, number);
-        posix_spawn_file_actions_addchdir_np(&files, task.folder.c_str());
-        posix_spawnattr_init(&attributes);
-        sigset_t none, all;
-        sigemptyset(&none);
-        sigfillset(&all);
-        posix_spawnattr_setsigmask(&attributes, &none);
-        posix_spawnattr_setsigdefault(&attributes, &all);
-        posix_spawnattr_setpgroup(&attributes, 0);
-        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-    }
-    ~SpawnRules() {
-        posix_spawn_file_actions_destroy(&files);
-        posix_spawnattr_destroy(&attributes);
-    }
-    SpawnRules(const SpawnRules&) = delete;
-    SpawnRules& operator=(const SpawnRules&) = delete;
-};
-
 /// @return errno, or 0 with the number of the process
 int start(const ChildTask& task, int output, int channel, pid_t& process) {
-    std::vector<std::string> words{task.program.string()};
-    words.insert(words.end(), task.arguments.begin(), task.arguments.end());
-    std::vector<std::string> environment = environment_with(task.environment);
-    const SpawnRules rules(task, output, channel);
     const std::lock_guard lock(registry().mutex);
     if (registry().abandoned) return ECANCELED;
-    const int error = ::posix_spawn(&process, task.program.c_str(), &rules.files, &rules.attributes, pointers_to(words).data(),
-                                    pointers_to(environment).data());
+    const int error = spawn(task, output, channel, process);
     if (error == 0) registry().groups[process] = task.tidies_up;
     return error;
 }
 
-/// Takes what there is to read; twice `most` of it are kept. @return false at its end
+/// Takes what there is to read, but no more at once than leaves the caller time for its limits; twice `most` of it are kept.
+/// @return false at its end
 bool drain(int descriptor, std::string& text, std::size_t most = most_output) {
     char buffer[step];
-    for (;;) {
+    for (int round = 0; round < 16; ++round) {
         const ssize_t got = ::read(descriptor, buffer, sizeof buffer);
         if (got == 0) return false;
         if (got < 0) return errno == EAGAIN || errno == EINTR;
         text.append(buffer, static_cast<std::size_t>(got));
         if (text.size() / 2 > most) text.erase(0, text.size() - most);
     }
+    return true;
 }
 
-/// What is said with a child.
+/// What is said with a child. It is over when all is said, or when a message has no end.
 class Conversation {
 public:
     Conversation(const ChildTask& task, int channel) : answer_(task.answer), channel_(channel) {
         if (channel_ >= 0) say("");
     }
-    int channel() const { return is_open_ ? channel_ : -1; }
     bool is_over() const { return is_over_; }
-    void listen() {
+    pollfd watched() const { return {is_open_ ? channel_ : -1, static_cast<short>(unsent_.empty() ? POLLIN : POLLIN | POLLOUT), 0}; }
+    void go_on() {
+        send();
         is_open_ = drain(channel_, heard_, std::string::npos);
         std::size_t begin = 0;
         for (std::size_t end; !is_over_ && (end = heard_.find('\0', std::max(begin, searched_))) != std::string::npos; begin = end + 1)
             say(std::string_view(heard_).substr(begin, end - begin));
         heard_.erase(0, begin);
         searched_ = heard_.size();
+        is_over_ = is_over_ || heard_.size() > most_heard;
     }
 
 private:
     const std::function<std::optional<std::string>(std::string_view)>& answer_;
     int channel_;
     bool is_open_ = true, is_over_ = false;
-    std::string heard_;
+    std::string heard_, unsent_;
     std::size_t searched_ = 0;   // no message ends before
 
     void say(std::string_view message) {
         const std::optional<std::string> words = answer_(message);
         is_over_ = !words;
-        if (words && !words->empty()) (void)::send(channel_, words->c_str(), words->size() + 1, MSG_NOSIGNAL);
+        if (!words || words->empty()) return;
+        unsent_.append(*words).push_back('\0');
+        send();
+    }
+    void send() {
+        const ssize_t sent = ::send(channel_, unsent_.data(), unsent_.size(), MSG_NOSIGNAL);
+        if (sent > 0) unsent_.erase(0, static_cast<std::size_t>(sent));
     }
 };
 
@@ -180,12 +135,12 @@ bool wait_until(Clock::time_point limit, pid_t process, int output, std::string&
     const int most = end.number() >= 0 ? std::numeric_limits<int>::max() : 20;   // [ms], to ask again
     bool open = true;
     for (;;) {
-        pollfd watched[3] = {{end.number(), POLLIN, 0}, {open ? output : -1, POLLIN, 0}, {conversation.channel(), POLLIN, 0}};
+        pollfd watched[3] = {{end.number(), POLLIN, 0}, {open ? output : -1, POLLIN, 0}, conversation.watched()};
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(limit - Clock::now()).count();
         if (left <= 0) return false;
         if (::poll(watched, 3, static_cast<int>(std::min<std::int64_t>(left, most))) < 0 && errno != EINTR) return false;
         if (watched[1].revents != 0) open = drain(output, text);
-        if (watched[2].revents != 0) conversation.listen();
+        if (watched[2].revents != 0) conversation.go_on();
         if (conversation.is_over()) return true;
         if (watched[0].revents != 0 || (end.number() < 0 && has_ended(process))) return true;
     }
@@ -196,11 +151,14 @@ class Running {
 public:
     explicit Running(pid_t process) : process_(process) {}
     ~Running() {
-        // While the leader is not collected its number cannot be another's.
-        const std::lock_guard lock(registry().mutex);
-        ::kill(-process_, SIGKILL);
-        registry().groups.erase(process_);
-        ::waitpid(process_, nullptr, 0);
+        {
+            // While the leader is not collected its number cannot be another's.
+            const std::lock_guard lock(registry().mutex);
+            ::kill(-process_, SIGKILL);
+            registry().groups.erase(process_);
+        }
+        while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+        }
     }
     Running(const Running&) = delete;
     Running& operator=(const Running&) = delete;
@@ -209,10 +167,11 @@ private:
     pid_t process_;
 };
 
-/// Until all processes of a killed group have closed it, and write no more files either.
+/// Until all processes of a killed group have closed it, and write no more files either. One that has left the group is not waited for.
 void await_end_of(int output, std::string& text) {
+    const auto limit = Clock::now() + std::chrono::seconds(2);
     pollfd watched{output, POLLIN, 0};
-    while (::poll(&watched, 1, 1000) > 0 && drain(output, text)) {
+    while (Clock::now() < limit && ::poll(&watched, 1, 1000) > 0 && drain(output, text)) {
     }
 }
 

@@ -21,7 +21,8 @@ struct ChildTask {
     std::chrono::milliseconds limit = std::chrono::seconds(120);
     bool tidies_up = false;   // end_children() asks it to end, by SIGTERM, before it kills
     /// For a program that is talked with: it hears by its descriptor 3 and speaks by 4, each message ended by a zero byte. Called first
-    /// with nothing, then with each message. @return what to say, perhaps nothing; nullopt: all is said, and the program is killed
+    /// with nothing, then with each message. @return what to say, perhaps nothing; nullopt: all is said, and the program is killed, as it
+    /// is when a message exceeds 256 MB
     std::function<std::optional<std::string>(std::string_view message)> answer = {};
 };
 

@@ -93,6 +93,29 @@ TEST(ChildProcess, IsTalkedWithAndDismissed) {
     EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
 }
 
+TEST(ChildProcess, HearsMoreThanAPipeHolds) {
+    ChildTask task{"/bin/sh", {"-c", "sleep 0.3; head -c 1000000 <&3 | wc -c >&4; printf '\\0' >&4; sleep 300"}, {}};
+    std::string heard;
+    task.answer = [&](std::string_view message) -> std::optional<std::string> {
+        if (message.empty()) return std::string(1000000, 'x');
+        heard = message;
+        return {};
+    };
+    EXPECT_EQ(run_child(task).kind, ChildEnd::Kind::dismissed);
+    EXPECT_EQ(heard, "1000000\n");
+}
+
+TEST(ChildProcess, IsHeldByNoDescendantThatLeftItsGroupAndWritesOn) {
+    const auto began = std::chrono::steady_clock::now();
+    ChildTask task{"/bin/sh", {"-c", "setsid yes & sleep 0.3; printf 'ready\\0' >&4; sleep 300"}, {}};
+    task.answer = [&](std::string_view message) -> std::optional<std::string> {
+        if (message.empty()) return "";
+        return {};
+    };
+    EXPECT_EQ(run_child(task).kind, ChildEnd::Kind::dismissed);
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
+}
+
 TEST(ChildProcess, MayEndInTheMiddleOfATalk) {
     ChildTask task{"/bin/sh", {"-c", "printf 'unfinished' >&4; exit 3"}, {}};
     task.answer = [](std::string_view) { return std::string(100000, 'x'); };
