@@ -3,17 +3,14 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "mesh/mesh_checks.h"
-#include "questions/core/mesh_roles.h"
-#include "report/document.h"
+#include "questions/core/mesh_finder.h"
 
 namespace meshfolio {
 
@@ -38,16 +35,6 @@ struct OnMesh {
     const TriangleMesh& mesh() const { return source->mesh(); }
     const MeshTopology& topology() const { return source->topology(); }
     const Preflight& preflight() const { return source->preflight(); }
-};
-
-/// A mesh as it is asked for, before anyone knows which file that is.
-struct MeshLookup {
-    enum class By { role, file, original, in_data, own };
-    By by = By::role;
-    std::string name = {};             // of the role or the original
-    std::filesystem::path path = {};   // as in the settings
-    std::string stand_in = {};         // bundled, for an original
-    auto operator<=>(const MeshLookup&) const = default;
 };
 
 /// Everything a question looked up, each once; thread-safe.
@@ -88,7 +75,7 @@ public:
     void open_own_meshes() const;
 
     /// Does what an earlier report read still stand where this run would find it? @param base  folder of the settings file
-    bool still_has(const report::Input& input, const std::filesystem::path& base) const;
+    bool still_has(const report::Input& input, const std::filesystem::path& base) const { return finder_.still_has(input, base); }
 
     /// The same library with the same meshes, which enters into `record` what it is asked for from now on. `record` must outlive it.
     MeshLibrary recorded_in(LookupRecord& record) const;
@@ -101,27 +88,15 @@ public:
 
 private:
     struct Shelf;   // what has been read, shared by copies
-    std::vector<std::filesystem::path> folders_, own_;
-    std::map<std::string, std::string> names_;   // path as given → name
+    MeshFinder finder_;
     std::shared_ptr<Shelf> shelf_;
     LookupRecord* record_ = nullptr;
     int most_vertices_ = 0;   // 0: any number
 
-    struct Found;
     void note(const MeshLookup& lookup) const;
-    std::optional<Found> found(const MeshLookup& lookup, const std::filesystem::path& base) const;
-    Found found_role(const MeshRole& role) const;
-    Found found_file(const std::filesystem::path& path, const std::filesystem::path& base) const;
-    Found found_original(const MeshLookup& lookup, const std::filesystem::path& base) const;
-    std::optional<Found> found_in_data(const std::filesystem::path& file) const;
-    Found found_own(const std::filesystem::path& path) const;
     SharedMesh loaded(const MeshLookup& lookup, const std::filesystem::path& base) const;
     SharedMesh whole(const MeshLookup& lookup, const std::filesystem::path& base) const;
     SharedMesh read(const MeshLookup& lookup, const std::filesystem::path& base) const;
-    std::string name_of(const std::filesystem::path& path) const;
 };
-
-/// The stem of a file name made safe for ids: [a-z0-9_], at most 40 characters, never empty.
-std::string short_name(const std::filesystem::path& path);
 
 }   // namespace meshfolio

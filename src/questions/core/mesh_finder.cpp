@@ -1,0 +1,175 @@
+#include "questions/core/mesh_finder.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "base/sha256.h"
+#include "mesh/io/mesh_files.h"
+#include "questions/core/mesh_roles.h"
+
+namespace meshfolio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* own_role = "your mesh";
+
+std::optional<fs::path> first_that_exists(const std::vector<fs::path>& candidates) {
+    const auto it = std::ranges::find_if(candidates, may_be_there);
+    return it == candidates.end() ? std::nullopt : std::optional(*it);
+}
+
+/// How the report enters a file, before it is read.
+report::Input input_of(std::string_view role, std::string_view asked, const fs::path& file, bool stand_in = false) {
+    return {std::string(role), std::string(asked), file.filename().string(), stand_in, "", 0, 0};
+}
+
+/// `path` in the first of `folders` that has it, by the path itself or by the bare file name.
+std::optional<fs::path> in_folders(const std::vector<fs::path>& folders, const fs::path& path) {
+    std::vector<fs::path> candidates;
+    for (const fs::path& folder : folders) {
+        candidates.push_back(folder / path);
+        candidates.push_back(folder / path.filename());
+    }
+    return first_that_exists(candidates);
+}
+
+}   // namespace
+
+std::string short_name(const fs::path& path) {
+    std::string name;
+    for (const char c : mesh_name(path.string())) {
+        const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        const bool good = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
+        if (good) name += lower;
+        if (!good && !name.empty() && name.back() != '_') name += '_';
+    }
+    name.resize(std::min<std::size_t>(name.size(), 40));
+    while (name.ends_with('_')) name.pop_back();
+    return name.empty() ? "mesh" : name;
+}
+
+MeshFinder::MeshFinder(std::vector<fs::path> data_folders, std::vector<fs::path> own_meshes, const std::vector<fs::path>& listed)
+    : folders_(std::move(data_folders)), own_(std::move(own_meshes)) {
+    for (const fs::path& folder : folders_) {
+        std::error_code error;
+        if (fs::is_directory(folder, error)) continue;
+        const std::string meant = near_names(folder);
+        throw InputError({folder.string()}, "is not a folder of meshes", meant.empty() ? "correct --data" : meant);
+    }
+    std::set<std::string> taken;
+    for (const std::vector<fs::path>& paths : {own_, listed})
+        for (const fs::path& path : paths) {
+            if (names_.contains(path.string())) continue;
+            std::string name = short_name(path);
+            for (int number = 2; !taken.insert(name).second; ++number) name = short_name(path) + "_" + std::to_string(number);
+            names_[path.string()] = name;
+        }
+}
+
+std::string MeshFinder::name_of(const fs::path& path) const {
+    const auto it = names_.find(path.string());
+    return it == names_.end() ? short_name(path) : it->second;
+}
+
+FoundMesh MeshFinder::found_role(const MeshRole& role) const {
+    const auto path = role.asked.empty() ? std::nullopt : in_folders(folders_, role.asked);
+    const fs::path file = path.value_or(role.bundled);
+    const std::string label = path ? std::string(role.asked) : file.filename().string();
+    return {path, role.bundled, label, short_name(file), input_of(role.role, role.asked, file, !path && !role.asked.empty())};
+}
+
+FoundMesh MeshFinder::found_file(const fs::path& path, const fs::path& base) const {
+    const std::string name = name_of(path);
+    const auto file = may_be_there(base / path) ? base / path : in_folders(folders_, path);
+    if (file) return {file, {}, path.string(), name, input_of(name, "", path)};
+    const MeshRole* role = role_of_path(path.string());
+    if (role == nullptr)
+        throw InputError({path.string()}, "no such mesh beside the settings file, in the data folders or among the bundled meshes",
+                         "`meshfolio list` names the bundled ones");
+    const bool stand_in = path.filename() != role->bundled && path.string() + ".obj" != role->bundled;
+    return {{}, role->bundled, std::string(role->bundled), name, input_of(name, stand_in ? path.string() : "", role->bundled, stand_in)};
+}
+
+FoundMesh MeshFinder::found_original(const MeshLookup& lookup, const fs::path& base) const {
+    std::vector<fs::path> candidates;
+    if (!lookup.path.empty()) {
+        candidates.push_back(base / lookup.path);
+        for (const fs::path& folder : folders_) candidates.push_back(folder / lookup.path);
+        for (const fs::path& folder : folders_) candidates.push_back(folder / lookup.path.filename());
+    }
+    const auto path = first_that_exists(candidates);
+    const std::string file = path ? path->filename().string() : lookup.stand_in;
+    const std::string asked = lookup.path.empty() ? lookup.name : lookup.path.generic_string();
+    return {path, lookup.stand_in, file, short_name(file), input_of(lookup.name, asked, file, !path)};
+}
+
+std::optional<FoundMesh> MeshFinder::found_in_data(const fs::path& file) const {
+    const auto path = in_folders(folders_, file);
+    if (!path) return {};
+    const std::string name = name_of(file);
+    return FoundMesh{path, {}, file.string(), name, input_of(name, file.string(), file)};
+}
+
+FoundMesh MeshFinder::found_own(const fs::path& path) const {
+    return {path, {}, path.filename().string(), name_of(path), input_of(own_role, "", path)};
+}
+
+std::optional<FoundMesh> MeshFinder::found(const MeshLookup& lookup, const fs::path& base) const {
+    switch (lookup.by) {
+        case MeshLookup::By::role:
+            return found_role(role_named(lookup.name));
+        case MeshLookup::By::file:
+            return found_file(lookup.path, base);
+        case MeshLookup::By::original:
+            return found_original(lookup, base);
+        case MeshLookup::By::in_data:
+            return found_in_data(lookup.path);
+        default:
+            return found_own(lookup.path);
+    }
+}
+
+bool MeshFinder::still_has(const report::Input& input, const fs::path& base) const {
+    if (own_.empty() == (input.role == own_role)) return false;
+    const bool is_asked = !input.asked.empty();
+    if (input.stand_in && is_asked && (in_folders(folders_, input.asked) || may_be_there(base / input.asked))) return false;
+    std::vector<fs::path> names{input.file}, candidates;
+    if (is_asked) names.emplace_back(input.asked);
+    for (const MeshRole& role : mesh_role_list())
+        if (!role.asked.empty() && fs::path(role.asked).filename() == input.file) names.emplace_back(role.asked);
+    for (const auto& [path, name] : names_)   // the user's own, those of the settings
+        if (fs::path(path).filename() == input.file) names.emplace_back(path);
+    for (const fs::path& name : names) {
+        candidates.push_back(own_.empty() ? base / name : name);
+        for (const fs::path& folder : folders_) candidates.push_back(folder / name);
+    }
+    const auto is_it = [&](const fs::path& path) {
+        std::error_code error;
+        return fs::is_regular_file(path, error) && sha256_of_file(path) == input.sha256;
+    };
+    const auto embedded = bundled_mesh(input.file);
+    return (own_.empty() && embedded && sha256(*embedded) == input.sha256) || std::ranges::any_of(candidates, is_it);
+}
+
+InputError renamed(const Error& error, const std::string& before, const std::string& after) {
+    const std::string message = error.what(), where = printable(before);
+    return InputError({}, message.starts_with(where) ? after + message.substr(where.size()) : message);
+}
+
+std::string_view FoundMesh::bytes(std::string& from_file) const {
+    if (path) {
+        try {
+            return from_file = read_file(*path);
+        } catch (const InputError& error) {   // not where the machine keeps it: messages end up in the report
+            throw renamed(error, path->string(), label);
+        }
+    }
+    if (const auto embedded = bundled_mesh(bundled_file)) return *embedded;
+    throw InputError({std::string(bundled_file)}, "is not among the bundled meshes of this build");
+}
+
+}   // namespace meshfolio
