@@ -49,18 +49,13 @@ ComponentSizes component_sizes(const TriangleMesh& mesh, const MeshTopology& top
     const int count = topology.component_count;
     const Vector areas = face_areas(mesh);
     const Positions centres = face_centroids(mesh);
-    ComponentSizes sizes{Vector::Zero(count), Vector::Zero(count), Positions::Zero(count, 3)};
+    ComponentSizes sizes{Vector::Zero(count), component_volumes(mesh.F, mesh.X, topology), Positions::Zero(count, 3)};
     for (int t = 0; t < mesh.face_count(); ++t) {
         const int c = topology.component[static_cast<std::size_t>(t)];
         sizes.area[c] += areas[t];
         sizes.centroid.row(c) += areas[t] * centres.row(t);
     }
     for (int c = 0; c < count; ++c) sizes.centroid.row(c) /= sizes.area[c] > 0 ? sizes.area[c] : 1;
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        const int c = topology.component[static_cast<std::size_t>(t)];
-        const auto corner = [&](int k) -> Vector3 { return mesh.X.row(mesh.F(t, k)) - sizes.centroid.row(c); };
-        sizes.volume[c] += corner(0).dot(corner(1).cross(corner(2))) / 6;
-    }
     const std::vector<char> closed = closed_components(mesh, topology);
     for (int c = 0; c < count; ++c)
         if (!closed[static_cast<std::size_t>(c)]) sizes.volume[c] = std::numeric_limits<double>::quiet_NaN();

@@ -14,7 +14,7 @@ struct ComponentSizes {
 /// Components as `topology` counts them: triangles joined by shared vertices.
 ComponentSizes component_sizes(const TriangleMesh& mesh, const MeshTopology& topology);
 
-/// Signed volumes alone, on other positions, each measured from a corner of its own; they mean something where it is closed. [length³]
+/// Signed volume of each component on these positions, measured from a corner of its own; it means something where it is closed. [length³]
 Vector component_volumes(const Faces& F, const Positions& X, const MeshTopology& topology);
 
 /// Does each component enclose a volume, so that it can be kept?

@@ -29,13 +29,14 @@ std::vector<double> sorted_at(const std::vector<std::size_t>& places, const std:
     const std::size_t parts = std::min<std::size_t>(values.size() / 16 + 1, 65536);
     const auto [low, high] = std::ranges::minmax(values);
     const double half = high / 2 - low / 2, scale = half > 1e-290 ? static_cast<double>(parts - 1) / half : 0;
-    constexpr std::size_t threads = 2, nowhere = std::numeric_limits<std::size_t>::max();
-    std::array<std::vector<std::size_t>, threads> next;   // of each part: how many values, then where the next one goes
+    constexpr std::size_t shares = 2, nowhere = std::numeric_limits<std::size_t>::max();
+    // Of each part, in each share of the values: how many values there are, then where the next one goes.
+    std::array<std::vector<std::size_t>, shares> next;
     next.fill(std::vector<std::size_t>(parts, 0));
     const auto for_each_value = [&, least = low](const auto& visit) {
-        tbb::parallel_for(std::size_t{0}, threads, [&](std::size_t t) {
-            for (std::size_t i = t * values.size() / threads; i < (t + 1) * values.size() / threads; ++i)
-                visit(next[t][static_cast<std::size_t>((values[i] / 2 - least / 2) * scale)], values[i]);
+        tbb::parallel_for(std::size_t{0}, shares, [&](std::size_t s) {
+            for (std::size_t i = s * values.size() / shares; i < (s + 1) * values.size() / shares; ++i)
+                visit(next[s][static_cast<std::size_t>((values[i] / 2 - least / 2) * scale)], values[i]);
         });
     };
     for_each_value([](std::size_t& count, double) { ++count; });

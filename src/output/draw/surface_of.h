@@ -15,8 +15,8 @@ render::Surface surface_of(const TriangleMesh& mesh, const Vector* values = null
 
 render::Bounds bounds_of(const TriangleMesh& mesh);
 
-/// Are all positions inside the axis-aligned pictures that are framed on `mesh`? False if one is not finite.
-bool fit_frame_of(const TriangleMesh& mesh, const Positions& X);
+/// Are all positions inside the axis-aligned pictures that are framed on these bounds? False if one is not finite.
+bool fit_frame_of(const render::Bounds& bounds, const Positions& X);
 
 /// @throws UsageError for an unknown colour map, naming the known ones
 render::ValueRange value_range(const ColorRange& range);

@@ -107,7 +107,7 @@ SmoothingSubject smoothing_subject(SharedMesh source, OperatorKind kind, AreaFor
     return subject;
 }
 
-std::shared_ptr<const Spectrum> all_modes(const SmoothingSubject& subject) {
+std::shared_ptr<const Spectrum> all_modes(const OnMesh& subject) {
     static std::mutex mutex;
     static std::map<std::weak_ptr<const PreparedMesh>, std::shared_ptr<const Spectrum>, std::owner_less<>> known;
     const std::lock_guard lock(mutex);   // another chapter waits instead of solving the same
@@ -116,7 +116,8 @@ std::shared_ptr<const Spectrum> all_modes(const SmoothingSubject& subject) {
     if (!spectrum) {
         tbb::this_task_arena::isolate([&] {   // or a loop inside might begin the other chapter, which would wait for itself
             const int all = subject.preflight().vertices_in_use;
-            spectrum = std::make_shared<const Spectrum>(smallest_eigenpairs(subject.laplacian, all, {.dense_below = all_modes_at_most}));
+            const LaplaceBeltrami laplacian = laplace_beltrami(subject.mesh());
+            spectrum = std::make_shared<const Spectrum>(smallest_eigenpairs(laplacian, all, {.dense_below = all_modes_at_most}));
         });
     }
     return spectrum;
@@ -154,6 +155,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     run.in_view = subject.mesh().X;
     const bool closed = subject.preflight().closed();
     const SizeWatch sizes(subject, subject.topology());
+    const render::Bounds bounds = output::bounds_of(subject.mesh());
     const double first_volume = sizes.left(subject.mesh().X).volume;
     if (closed) run.volume = {1};
     run.size = {1};
@@ -166,7 +168,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
         const SizeWatch::Left left = sizes.left(X);
         if (closed) run.volume.push_back(left.volume / first_volume);
         run.size.push_back(left.size);
-        if (iteration == run.in_view_iteration + 1 && output::fit_frame_of(subject.mesh(), X)) {
+        if (iteration == run.in_view_iteration + 1 && output::fit_frame_of(bounds, X)) {
             run.in_view = X;
             run.in_view_iteration = iteration;
         }
@@ -179,7 +181,6 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
 
     const TriangleMesh smoothed = moved_to(subject.mesh(), run.result.X);
     run.moved = compare_meshes(subject.mesh(), smoothed);
-    run.volume_ratio = closed ? run.volume.back() : std::nan("");
     run.smallest_angle = smallest_angle(smoothed);
     return run;
 }

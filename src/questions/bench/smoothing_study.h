@@ -32,9 +32,9 @@ struct SmoothingSubject : OnMesh {
 };
 SmoothingSubject smoothing_subject(SharedMesh source, OperatorKind kind = OperatorKind::cotan, AreaForm area = AreaForm::barycentric);
 
-/// All eigenpairs of −C on a mesh of at most so many vertices, with the operator that smooths by default; found once for all chapters.
+/// All eigenpairs of −C on a mesh of at most so many vertices, with barycentric areas; found once for all chapters.
 inline constexpr int all_modes_at_most = 1000;
-std::shared_ptr<const Spectrum> all_modes(const SmoothingSubject& subject);
+std::shared_ptr<const Spectrum> all_modes(const OnMesh& subject);
 
 /// What a factor of the implicit scheme costs, whatever λ.
 FactorOperations implicit_operations_of(const SmoothingSubject& subject);
@@ -52,7 +52,6 @@ struct SmoothingRun {
     int iterations = 0;   // asked for
     Smoothed result;
     MeshDifference moved;                  // the input against the result
-    double volume_ratio = 0;               // NaN when open
     double smallest_angle = 0;             // of the result [rad]
     std::vector<double> energy;            // Dirichlet energy after t = 0, 1, … iterations, over that of the input
     std::vector<double> energy_rounding;   // by how much rounding may have raised it in step t, likewise; 0 for t = 0
