@@ -192,7 +192,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     std::vector<Inspected> meshes;
     for (const auto& source : meshes_of_report(library, settings, section)) {
         progress("preflight of " + source->name);
-        meshes.push_back({source, mesh_facts(*source->prepared)});
+        meshes.push_back({{source}, mesh_facts(*source->prepared)});
     }
     if (meshes.empty()) throw InputError({}, "no mesh can be used", "see the warnings");
     const std::vector<Occurrence> occurrences = occurrences_in(meshes);
