@@ -165,8 +165,9 @@ std::vector<MapPlace> places_of(const SmoothingMaps& maps) {
     }
     std::size_t left = last;   // while something is left to be seen
     const std::size_t largest = maps.lambdas.size() - 1;
-    while (left > 0 && !(maps.implicit_map.size[maps.index(largest, left)] > 0.05)) --left;
-    add(SmoothingScheme::implicit_euler, largest, left, words.line("place.largest"));
+    const auto is_left = [&](std::size_t row) { return maps.implicit_map.size[maps.index(largest, row)] > 0.05; };
+    while (left > 0 && !is_left(left)) --left;
+    add(SmoothingScheme::implicit_euler, largest, left, words.line(is_left(left) ? "place.largest" : "place.largest.at_once"));
     for (const SchemeMap* map : maps.maps())
         if (const auto best = maps.best(*map))
             add(map->scheme, maps.step_of(*best), maps.row_of(*best), words.line("place.best", "scheme"_a = map->name()));

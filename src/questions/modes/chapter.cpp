@@ -26,12 +26,14 @@ report::Text seen_in_a_picture(double of_box) {
 }
 
 report::Text about_gap(const ModeStudy& study) {
-    const SchemeGap* largest = nullptr;
+    const SchemeGap* largest = nullptr;   // by share of the motion
+    double widest = 0;                    // of the box
     double worst = 0, worst_leading = 0;
     int compared = 0;
     for (const SchemeGap& gap : study.gaps) {
         if (gap.lambda > study.subject.critical || !(gap.motion > 0)) continue;
         if (!largest || gap.measured / gap.motion > largest->measured / largest->motion) largest = &gap;
+        widest = std::max(widest, gap.measured);
         if (!study.seen(gap)) continue;
         ++compared;
         worst = std::max(worst, std::abs(gap.predicted / gap.measured - 1));
@@ -41,7 +43,7 @@ report::Text about_gap(const ModeStudy& study) {
     report::Text t = words.say("same", "mesh"_a = study.name(), "step"_a = readable(largest->lambda / study.subject.critical, 2),
                                "steps"_a = largest->steps, "gap"_a = readable_percent(largest->measured, 2),
                                "share"_a = readable_percent(largest->measured / largest->motion, 2));
-    go_on(t, seen_in_a_picture(largest->measured));
+    go_on(t, seen_in_a_picture(widest));
     if (compared > 0)
         go_on(t, words.say("same.predicted", "worst"_a = readable(worst, 1), "first_order"_a = readable_percent(worst_leading, 2)));
     return t;

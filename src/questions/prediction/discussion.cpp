@@ -140,7 +140,9 @@ report::Text about_rebuilt_operator(const Studies& studies) {
     }
     return paragraph_of({words.say("rebuilt", "formula"_a = reach_of(studies, FlowOperator::rebuilt, by_formula),
                                    "derivative"_a = reach_of(studies, FlowOperator::rebuilt, by_derivative)),
-                         cases > 0 ? words.say("rebuilt.better", "better"_a = better, "cases"_a = cases) : report::Text()});
+                         better > 0  ? words.say("rebuilt.better", "better"_a = better, "cases"_a = cases)
+                         : cases > 0 ? words.say("rebuilt.not_better")
+                                     : report::Text()});
 }
 
 /// How good σ̂ is, and where it is too large.
@@ -159,7 +161,8 @@ report::Text about_estimate(const Studies& studies) {
     if (cases == 0) return words.say("estimate.impossible");
     const std::string most = readable(high->mean_sigma_ratio(), 3);
     const std::string ratios = low == high ? most : "between " + readable(low->mean_sigma_ratio(), 3) + " and " + most;
-    report::Text t = words.say("estimate", "within"_a = within, "cases"_a = cases, "ratios"_a = ratios);
+    report::Text t = words.say("estimate", "ratios"_a = ratios);
+    if (cases > 1) go_on(t, words.say("estimate.within", "within"_a = within, "cases"_a = cases));
     go_on(t, high->mean_sigma_ratio() > 1.05
                  ? words.say(high->kept < 0.9 ? "estimate.largest_at_detail" : "estimate.largest", "mesh"_a = high_study->name(),
                              "sigma"_a = readable_percent(high->sigma, 2), "kept"_a = readable_percent(high->kept, 2))

@@ -140,11 +140,15 @@ constexpr double thin_below = 10;   // [°]
 
 report::Text about_meshes(const std::vector<Inspected>& meshes) {
     Names clean, repaired, open;
+    bool dropped = false, turned = false;
     for (const Inspected& mesh : meshes) {
         const Preflight& p = mesh.counts();
         if (defects_of(mesh.facts).empty()) clean.push_back(mesh.name());
-        if (p.dropped_degenerate_faces + p.dropped_duplicate_faces + p.flipped_faces + p.inside_out_components > 0)
-            repaired.push_back(mesh.name());
+        const bool dropped_here = p.dropped_degenerate_faces + p.dropped_duplicate_faces > 0;
+        const bool turned_here = p.flipped_faces + p.inside_out_components > 0;
+        if (dropped_here || turned_here) repaired.push_back(mesh.name());
+        dropped = dropped || dropped_here;
+        turned = turned || turned_here;
         if (!p.closed()) open.push_back(mesh.name());
     }
     report::Text t;
@@ -152,7 +156,10 @@ report::Text about_meshes(const std::vector<Inspected>& meshes) {
     report::extend(t,
                    repaired.empty()
                        ? words.say("not_repaired")
-                       : words.say(repaired.size() < meshes.size() ? "repaired" : "repaired.all", "meshes"_a = listed(repaired)),
+                       : words.say(repaired.size() < meshes.size() ? "repaired" : "repaired.all", "meshes"_a = listed(repaired),
+                                   "how"_a = words.line(!turned   ? "repaired.dropped"
+                                                        : dropped ? "repaired.either"
+                                                                  : "repaired.turned")),
                    " ");
     if (!open.empty()) report::extend(t, words.say("open", "meshes"_a = listed(open)));
     return t;

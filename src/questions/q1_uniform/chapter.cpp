@@ -54,12 +54,13 @@ report::Table error_table(const BenchRuns& runs) {
 
 /// L∞ errors of K on the finest meshes, one row an area form.
 report::Table area_table(const BenchRuns& runs) {
-    auto errors = table("q1_area_forms", words.line("area_forms"), area_forms);
+    const bool all_defined = std::ranges::all_of(area_forms, [&](AreaForm form) { return without_K(runs, form) == 0; });
+    const std::string caption = words.line("area_forms") + (all_defined ? "" : " " + words.line("area_forms.undefined"));
+    auto errors = table("q1_area_forms", caption, area_forms);
     errors.column("area form", area_name);
     for (const BenchRun& run : runs)
         errors.column(run.title(), {.unit = "%", .best = Best::smallest},
                       [&](AreaForm form) { return 100 * run.finest().error(K_with(form)).linf; });
-    const bool all_defined = std::ranges::all_of(area_forms, [&](AreaForm form) { return without_K(runs, form) == 0; });
     if (!all_defined)
         errors.column("without K", {.unit = "vertices", .best = Best::smallest}, [&](AreaForm form) { return without_K(runs, form); });
     return errors;

@@ -66,7 +66,7 @@ std::string times_to_halve(const PowerLaw& law) { return readable(std::pow(2, 1 
 
 report::Text rate(const SpectralStudy& study) {
     const auto law = fall_of_the_error(study);
-    if (!law) return {};
+    if (!law || law->deviation > 1.5) return {};
     const report::Text told = words.say("rate", "power"_a = readable(law->power, 2), "first"_a = law->first, "last"_a = law->last,
                                         "deviation"_a = readable_percent(law->deviation - 1, 2), "mesh"_a = study.name());
     // Twice as far on, the error would be 2^−power of that at the end of the law.

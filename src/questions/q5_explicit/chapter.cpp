@@ -172,7 +172,8 @@ void add_record(report::Section& section, const Studies& studies) {
                                                                                          study.subject.critical, "length²"};
     section.parameters["iterations"] = studies.front().runs.front().iterations;
     section.parameters["operator"] = smoothing_words.line("parameter.operator");
-    section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)));
+    const bool all = std::ranges::all_of(studies, [](const ExplicitStudy& study) { return study.recommended.has_value(); });
+    section.extent = words.line(all ? "extent" : "extent.not_all_recommended", "meshes"_a = listed(names_of(studies)));
 }
 
 void add_appendix(Answer& answer, const Studies& studies) {

@@ -34,7 +34,7 @@ report::Text strongest_noise(const Grids& grids) {
     for (const DenoisingGrid& grid : grids) {
         const auto gain = [](const NoisyTrial& trial) { return trial.gain(measures[0]); };
         const NoisyTrial& last = grid.trials.back();
-        if (grid.trials.size() < 2 || verdict_on(last) == "shrinks" ||
+        if (grid.trials.size() < 2 || !last.improved() || verdict_on(last) == "shrinks" ||
             !std::ranges::all_of(grid.trials, [&](const NoisyTrial& t) { return gain(t) <= gain(last); }))
             continue;
         meshes.push_back(grid.name());
@@ -216,6 +216,7 @@ report::Text without_clean(const Grids& grids) {
         if (stopped.gain < 1) harmed.push_back(words.line("samples.case", facts_of(c.whole, c.part)));
     }
     if (all == 0) return {};
+    if (std::ranges::all_of(cases, [](const Case& c) { return !(c.part.stopped.gain > 1.01); })) return words.say("stopped.nothing");
     report::Facts facts = facts_of((harmed.empty() ? least : worst)->whole, (harmed.empty() ? least : worst)->part);
     facts.insert(facts.end(), {"mean"_a = readable_percent(sum / all, 2), "worst"_a = readable_percent(least->part.stopped.share(), 2),
                                "middle"_a = readable(grids.front().middle_lambda(), 2), "harmed"_a = harmed.size(), "all"_a = all,

@@ -4,6 +4,8 @@ namespace meshfolio::stability {
 
 namespace {
 
+std::string at_most(double x) { return readable(rounded_up(x, 2), 2); }
+
 /// Counts the proved limits of all operators on all meshes.
 struct Proofs {
     double widest = 0, rounding = 0, below = 0;
@@ -30,13 +32,13 @@ Proofs proofs_of(const Studies& studies) {
 
 report::Text what_is_proved(const Studies& studies) {
     const Proofs proofs = proofs_of(studies);
-    const std::string width = readable(proofs.widest, 2);
+    const std::string width = at_most(proofs.widest);
     if (!proofs.all())
         return words.say("proved.not_all", "operators"_a = proofs.limits, "semidefinite"_a = proofs.semidefinite, "width"_a = width);
     return paragraph_of(
-        {words.say("proved", "limits"_a = proofs.named(), "width"_a = width, "rounding"_a = readable(proofs.rounding, 2)),
+        {words.say("proved", "limits"_a = proofs.named(), "width"_a = width, "rounding"_a = at_most(proofs.rounding)),
          proofs.refuted == 0 ? words.say("proved.at_once") : words.say("proved.after_breakdown", "cases"_a = proofs.refuted),
-         words.say("proved.semidefinite", "below"_a = readable(proofs.below, 2))});
+         words.say("proved.semidefinite", "below"_a = at_most(proofs.below))});
 }
 
 /// What makes that vertex fast: its rate is weights over area, and each takes its part of it on a logarithmic scale.
@@ -135,7 +137,7 @@ report::Text about_frozen(const RebuiltFlow& flow) {
 
 report::Text answer_of(const Studies& studies) {
     const Proofs proofs = proofs_of(studies);
-    return words.say(proofs.all() ? "answer" : "answer.not_all", "limits"_a = proofs.named(), "width"_a = readable(proofs.widest, 1),
+    return words.say(proofs.all() ? "answer" : "answer.not_all", "limits"_a = proofs.named(), "width"_a = at_most(proofs.widest),
                      "operators"_a = proofs.limits, "semidefinite"_a = proofs.semidefinite);
 }
 

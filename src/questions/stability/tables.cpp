@@ -130,8 +130,9 @@ report::Table certificate_table(const Studies& studies) {
                 [](auto& r) { return r.limit.certificate.lambda_low(); })
         .column("unstable beyond λ", {.unit = "length²", .digits = 10, .rounding = Rounding::up},
                 [](auto& r) { return r.limit.certificate.lambda_high(); })
-        .column("width", {.unit = "relative", .digits = 2}, [](auto& r) { return r.limit.certificate.relative_width(); })
-        .column("tries", [](auto& r) { return r.limit.certificate.factorisations; })
+        .column("width", {.unit = "relative", .digits = 2, .rounding = Rounding::up},
+                [](auto& r) { return r.limit.certificate.relative_width(); })
+        .column("factorisations", [](auto& r) { return r.limit.certificate.factorisations; })
         .column("below 0", {.unit = "of μ_max", .digits = 2, .rounding = Rounding::up},
                 [](auto& r) { return -r.limit.certificate.bottom.mu_low / r.limit.certificate.mu_high; })
         .column("safe λ", {.unit = "length²", .digits = 4, .rounding = Rounding::down},
@@ -150,7 +151,7 @@ report::Table unit_table(const Studies& studies) {
     return table("stability_units", words.line("units"), rows)
         .column("mesh", [](auto& r) { return r.study.name(); })
         .column("step", &UnitRow::name)
-        .column("λ", {.unit = "length²", .digits = 4}, [](auto& r) { return r.units().raw; })
+        .column("λ", {.unit = "length²", .digits = 4, .rounding = Rounding::down}, [](auto& r) { return r.units().raw; })
         .column("τ", {.digits = 4}, [](auto& r) { return r.units().tau; })
         .column("λ/h̄²", [](auto& r) { return r.units().h2; })
         .column("ten steps reach", {.unit = "% of box"}, [](auto& r) { return 100 * smoothing_strength(10 * r.lambda, r.study.diagonal); });

@@ -136,8 +136,8 @@ TEST(WriteMarkdown, ChecksThatPassedAreLeftOutWhereTheFileWouldBeTooLong) {
     EXPECT_EQ(text.find("passes x"), std::string::npos);
     EXPECT_NE(text.find("order of convergence on torus"), std::string::npos) << "what failed is still told";
     EXPECT_NE(text.find("count below σ"), std::string::npos) << "and what is undecided";
-    EXPECT_NE(text.find("Those that passed are listed in `appendix.html`"), std::string::npos);
-    EXPECT_EQ(sample_text({.volume = Volume::appendix}).find("Those that passed are listed"), std::string::npos);
+    EXPECT_NE(text.find("The checks that passed are listed in `appendix.html`"), std::string::npos);
+    EXPECT_EQ(sample_text({.volume = Volume::appendix}).find("The checks that passed are listed"), std::string::npos);
 }
 
 TEST(WriteSummary, HasEveryAnswerAndWhatDidNotPass) {
