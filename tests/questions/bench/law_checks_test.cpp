@@ -39,7 +39,6 @@ TEST(LawChecks, ACertificateHoldsExactlyWhereItsChecksPass) {
         return std::any_of(checks.begin(), checks.end(), [](const report::Check& check) { return check.failed(); });
     };
     EXPECT_TRUE(good_certificate().holds() && all_pass(good_certificate()));
-    const double infinity = std::numeric_limits<double>::infinity();
     for (void (*damage)(SpectrumCertificate&) :
          {+[](SpectrumCertificate& c) { c.residual = 2e-8; }, +[](SpectrumCertificate& c) { c.orthonormality_error = 1e-8; },
           +[](SpectrumCertificate& c) { c.parseval_gap = 1e-8; },
