@@ -22,17 +22,14 @@ namespace meshfolio::report {
 
 struct Heading {
     std::string title;   // "Method", "Results", "Discussion"
-    bool operator==(const Heading&) const = default;
 };
 
 struct Paragraph {
     Text text;
-    bool operator==(const Paragraph&) const = default;
 };
 
 struct BulletList {
     std::vector<Text> items;
-    bool operator==(const BulletList&) const = default;
 };
 
 /// A displayed equation by its name in templates/formulas.json, which keeps it as TeX, MathML and plain text.
@@ -55,14 +52,12 @@ struct Column {
     /// A heat map: cells are shaded on a logarithmic scale, not at all up to `low`, fully from `high` on.
     struct Heat {
         double low, high;
-        bool operator==(const Heat&) const = default;
     };
     std::optional<Heat> heat = {};
     /// Readers may filter the rows by a value of this column.
     bool filter = false;
     /// Texts are ids: people see "Figure 1.3" with a link; files keep the id.
     bool reference = false;
-    bool operator==(const Column&) const = default;
 };
 
 struct Table {
@@ -71,7 +66,6 @@ struct Table {
     std::vector<Column> columns = {};
     std::vector<std::vector<Cell>> rows = {};   // each as long as `columns`
     bool sortable = false;                      // readers of the page may sort it by any column
-    bool operator==(const Table&) const = default;
 };
 
 struct Series {
@@ -84,14 +78,12 @@ struct Series {
     int color = -1, pattern = -1;
     /// Series of one panel share a small plot of that name, beside the others on common axes: for more than five series. Empty: one plot.
     std::string panel = {};
-    bool operator==(const Series&) const = default;
 };
 
 struct Marker {
     double x = 0, y = 0;
     std::string label;        // "minimum, iteration 17"
     std::string panel = {};   // of the series it is on
-    bool operator==(const Marker&) const = default;
 };
 
 struct Plot {
@@ -105,10 +97,8 @@ struct Plot {
     struct VerticalLine {
         double x;
         std::string label;
-        bool operator==(const VerticalLine&) const = default;
     };
     std::vector<VerticalLine> vertical_lines = {};   // λ_crit, say
-    bool operator==(const Plot&) const = default;
 };
 
 /// Values over a plane as coloured cells: one panel or several beside each other, on common axes and one scale of colours.
@@ -123,7 +113,6 @@ struct Map {
     double middle = 0;   // where a diverging map is palest; a thin line keeps the two sides apart in grey
     struct Range {
         double low, high;
-        bool operator==(const Range&) const = default;
     };
     std::optional<Range> range = {};   // of the colours; values beyond get the end colours; empty: all finite values
     std::string undefined = {};        // what the hatched cells are: "blew up"
@@ -132,10 +121,8 @@ struct Map {
         std::vector<double> values;         // the row of y[0], that of y[1], …; NaN: undefined
         std::vector<Series> lines = {};     // drawn over the cells: a limit, a prediction
         std::vector<Marker> markers = {};   // places named by one letter or two
-        bool operator==(const Panel&) const = default;
     };
     std::vector<Panel> panels = {};
-    bool operator==(const Map&) const = default;
 };
 
 /// A drawn figure; the pictures themselves are made from the request of the same id (src/output/draw/figure_request.h).
@@ -143,7 +130,6 @@ struct Figure {
     std::string id;   // images/<id>_sheet.png and images/<panel>_<view>.png
     std::string caption;
     std::string alt;
-    bool operator==(const Figure&) const = default;
 };
 
 /// One of several texts of a kind that are numbered and referred to: "Claim A.3".
@@ -151,13 +137,11 @@ struct Entry {
     std::string id;
     Text title;
     std::vector<Text> paragraphs;
-    bool operator==(const Entry&) const = default;
 };
 
 struct EntryList {
     std::string kind;   // "Claim"
     std::vector<Entry> entries;
-    bool operator==(const EntryList&) const = default;
 };
 
 using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Diagram, Figure, EntryList>;
@@ -179,7 +163,6 @@ struct Check {
     std::string note = {};   // why a failure is expected, why nothing is decided, or what is compared
     bool passed() const { return status == Status::passed; }
     bool failed() const { return status == Status::failed; }
-    bool operator==(const Check&) const = default;
 };
 /// "measured 2.31, expected 2, tolerance 0.2"; "measured 3, expected at most 1"; "measured –" where there is no number.
 std::string words_of(const Check& check);
@@ -209,7 +192,6 @@ struct Input {
     bool stand_in = false;   // one of the bundled meshes in place of the one asked for
     std::string sha256;
     int vertices = 0, triangles = 0;
-    bool operator==(const Input&) const = default;
 };
 
 struct CodeReference {
@@ -217,13 +199,11 @@ struct CodeReference {
     std::string file;       // "src/geometry/operators/uniform_laplacian.cpp"
     std::string purpose;    // "Δ with uniform weights"
     int line = 0;           // of the function in src.txt; 0: not cited (yet)
-    bool operator==(const CodeReference&) const = default;
 };
 
 struct Timing {
     std::string what;
     double seconds = 0;
-    bool operator==(const Timing&) const = default;
 };
 
 /// A setting of a section: the words that are printed, and for programs a number or several in `unit`, or the words where it is none.
@@ -265,7 +245,6 @@ struct Section {
     std::vector<std::string> warnings;
     std::vector<std::string> output_meshes;   // "meshes/q4_armadillo_k5.ply"
     std::vector<Timing> timings;
-    bool operator==(const Section&) const = default;
 };
 
 /// Ids of its columns, unique in the document: "q5_limits-lambda-crit", from the table and the name.
@@ -282,7 +261,6 @@ struct Provenance {
     std::map<std::string, std::string> libraries;   // name → version
     std::map<std::string, std::string> settings;    // without threads and paths
     std::uint64_t seed = 0;
-    bool operator==(const Provenance&) const = default;
 };
 
 /// A picture for the first page, and what it is preferred by: reports that are joined have one.
@@ -290,7 +268,6 @@ struct Cover : Figure {
     std::string section = {};   // whose figure it is
     bool turnable = false;
     double worth = 0;   // 1 + how much its mesh is bent [rad]
-    bool operator==(const Cover&) const = default;
 };
 
 struct Document {
@@ -299,59 +276,6 @@ struct Document {
     std::optional<Cover> cover;
     std::vector<Section> sections;   // in order of the questions
     std::vector<Timing> timings;     // of the run as a whole
-    bool operator==(const Document&) const = default;
 };
-
-// ---- what the writers need of the pictures ------------------------------------------------------------------------------
-
-/// A mesh seen from one side: where it is in the sheet of its figure, which holds every picture of the page and of the paper.
-struct DrawnPicture {
-    std::string view;                               // "+x"; empty: from three quarters
-    int left = 0, top = 0, width = 0, height = 0;   // in the sheet [pixels]
-    std::string file = {};                          // of its own in full size; empty: none
-    std::string jpeg = {};                          // bytes, cut out of the sheet
-    bool operator==(const DrawnPicture&) const = default;
-};
-
-/// One mesh, from three quarters or from six directions or both.
-struct DrawnPanel {
-    std::string label = {};
-    std::vector<DrawnPicture> pictures = {};   // the one from three quarters first; none: an empty cell, the label says why
-    bool operator==(const DrawnPanel&) const = default;
-};
-
-/// What the colours of a figure mean.
-struct Legend {
-    std::string quantity = {}, unit = {};
-    double low = 0, high = 1;
-    std::vector<std::string> colours = {};         // "#rrggbb", evenly from low to high
-    double clipped_below = 0, clipped_above = 0;   // share of the values beyond
-    std::string undefined = {};                    // colour of what has no value; empty: everything has one
-    std::vector<double> histogram = {};            // share of the values in equal bins
-    bool log = false;                              // equal ratios are equally far apart
-    bool operator==(const Legend&) const = default;
-};
-
-/// A mesh that readers of the page can turn.
-struct DrawnModel {
-    std::string label;      // of the panel; empty where a figure has one
-    std::string file;       // "models/q3_creature.glb"
-    std::string glb;        // its bytes, binary glTF 2.0
-    std::string quantity;   // of the values at the vertices, with the unit: "H [1/length]"; empty: none
-    bool operator==(const DrawnModel&) const = default;
-};
-
-/// A figure once drawn. Paths are relative to the report's folder.
-struct DrawnFigure {
-    std::string sheet = {};                             // "images/q1_plane_h_sheet.png"
-    std::vector<std::string> columns = {}, rows = {};   // heads of a matrix; both empty: it is none
-    std::vector<DrawnPanel> panels = {};                // line by line
-    int in_a_line = 1;                                  // panels
-    std::optional<Legend> legend = {};
-    std::vector<DrawnModel> models = {};   // one, or before and after with linked cameras; empty: cannot be turned
-    bool is_matrix() const { return !columns.empty() || !rows.empty(); }
-    bool operator==(const DrawnFigure&) const = default;
-};
-using DrawnFigures = std::map<std::string, DrawnFigure>;   // by figure id
 
 }   // namespace meshfolio::report
