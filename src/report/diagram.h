@@ -23,6 +23,7 @@ struct Diagram {
         Style style = Style::line;
         bool closed = false;
         bool arrow = false;   // a head at its last point
+        bool operator==(const Path&) const = default;
     };
 
     enum class Side { centre, above, below, left, right, above_left, above_right, below_left, below_right };
@@ -33,14 +34,17 @@ struct Diagram {
         Side side = Side::above;
         bool dot = false;      // the point itself is marked
         bool accent = false;   // in the colour of the accents
+        bool operator==(const Label&) const = default;
     };
 
     struct Panel {
         std::string title = {};
         std::vector<Path> paths = {};   // drawn in order
         std::vector<Label> labels = {};
+        bool operator==(const Panel&) const = default;
     };
     std::vector<Panel> panels = {};
+    bool operator==(const Diagram&) const = default;
 };
 
 using DiagramPoint = std::array<double, 2>;

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "report/check.h"
 #include "report/diagram.h"
 #include "report/text.h"
 
@@ -22,14 +23,17 @@ namespace meshfolio::report {
 
 struct Heading {
     std::string title;   // "Method", "Results", "Discussion"
+    bool operator==(const Heading&) const = default;
 };
 
 struct Paragraph {
     Text text;
+    bool operator==(const Paragraph&) const = default;
 };
 
 struct BulletList {
     std::vector<Text> items;
+    bool operator==(const BulletList&) const = default;
 };
 
 /// A displayed equation by its name in templates/formulas.json, which keeps it as TeX, MathML and plain text.
@@ -52,12 +56,14 @@ struct Column {
     /// A heat map: cells are shaded on a logarithmic scale, not at all up to `low`, fully from `high` on.
     struct Heat {
         double low, high;
+        bool operator==(const Heat&) const = default;
     };
     std::optional<Heat> heat = {};
     /// Readers may filter the rows by a value of this column.
     bool filter = false;
     /// Texts are ids: people see "Figure 1.3" with a link; files keep the id.
     bool reference = false;
+    bool operator==(const Column&) const = default;
 };
 
 struct Table {
@@ -66,6 +72,7 @@ struct Table {
     std::vector<Column> columns = {};
     std::vector<std::vector<Cell>> rows = {};   // each as long as `columns`
     bool sortable = false;                      // readers of the page may sort it by any column
+    bool operator==(const Table&) const = default;
 };
 
 struct Series {
@@ -78,12 +85,14 @@ struct Series {
     int color = -1, pattern = -1;
     /// Series of one panel share a small plot of that name, beside the others on common axes: for more than five series. Empty: one plot.
     std::string panel = {};
+    bool operator==(const Series&) const = default;
 };
 
 struct Marker {
     double x = 0, y = 0;
     std::string label;        // "minimum, iteration 17"
     std::string panel = {};   // of the series it is on
+    bool operator==(const Marker&) const = default;
 };
 
 struct Plot {
@@ -97,8 +106,10 @@ struct Plot {
     struct VerticalLine {
         double x;
         std::string label;
+        bool operator==(const VerticalLine&) const = default;
     };
     std::vector<VerticalLine> vertical_lines = {};   // λ_crit, say
+    bool operator==(const Plot&) const = default;
 };
 
 /// Values over a plane as coloured cells: one panel or several beside each other, on common axes and one scale of colours.
@@ -113,6 +124,7 @@ struct Map {
     double middle = 0;   // where a diverging map is palest; a thin line keeps the two sides apart in grey
     struct Range {
         double low, high;
+        bool operator==(const Range&) const = default;
     };
     std::optional<Range> range = {};   // of the colours; values beyond get the end colours; empty: all finite values
     std::string undefined = {};        // what the hatched cells are: "blew up"
@@ -121,8 +133,10 @@ struct Map {
         std::vector<double> values;         // the row of y[0], that of y[1], …; NaN: undefined
         std::vector<Series> lines = {};     // drawn over the cells: a limit, a prediction
         std::vector<Marker> markers = {};   // places named by one letter or two
+        bool operator==(const Panel&) const = default;
     };
     std::vector<Panel> panels = {};
+    bool operator==(const Map&) const = default;
 };
 
 /// A drawn figure; the pictures themselves are made from the request of the same id (src/output/draw/figure_request.h).
@@ -130,6 +144,7 @@ struct Figure {
     std::string id;   // images/<id>_sheet.png and images/<panel>_<view>.png
     std::string caption;
     std::string alt;
+    bool operator==(const Figure&) const = default;
 };
 
 /// One of several texts of a kind that are numbered and referred to: "Claim A.3".
@@ -137,53 +152,18 @@ struct Entry {
     std::string id;
     Text title;
     std::vector<Text> paragraphs;
+    bool operator==(const Entry&) const = default;
 };
 
 struct EntryList {
     std::string kind;   // "Claim"
     std::vector<Entry> entries;
+    bool operator==(const EntryList&) const = default;
 };
 
 using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Diagram, Figure, EntryList>;
 
 // ---- what a section proves and says -----------------------------------------------------------------------------------
-
-/// passed ⇔ |measured − expected| ≤ tolerance, for kind `near`; measured ≤ expected + tolerance, for `at_most`; and so on.
-/// undecided: the number says nothing about what is checked (rounding is larger than the margin, or it was measured on something else);
-/// the note says why. It is no failure.
-struct Check {
-    enum class Kind { near, at_most, at_least };
-    enum class Status { passed, failed, undecided };
-    std::string name;   // "Gauss–Bonnet: Σ deficit / 2π on sphere"
-    double expected = 0;
-    double measured = 0;
-    double tolerance = 0;
-    Status status = Status::failed;
-    Kind kind = Kind::near;
-    std::string note = {};   // why a failure is expected, why nothing is decided, or what is compared
-    bool passed() const { return status == Status::passed; }
-    bool failed() const { return status == Status::failed; }
-};
-/// "measured 2.31, expected 2, tolerance 0.2"; "measured 3, expected at most 1"; "measured –" where there is no number.
-std::string words_of(const Check& check);
-Check check_near(std::string name, double expected, double measured, double tolerance, std::string note = "");
-Check check_at_most(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
-Check check_at_least(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
-/// The same check, which decides nothing, for a reason.
-Check undecided(Check check, std::string why);
-
-/// A check that failed, but by no more than rounding may have moved its number, decides nothing. The others stay as they are.
-Check within_rounding(Check check, double rounding);
-
-/// How many checks passed, failed, and decided nothing.
-struct Score {
-    std::size_t passed = 0, failed = 0, undecided = 0;
-    std::size_t total() const { return passed + failed + undecided; }
-    Score& operator+=(const Score& other);
-};
-Score score_of(const std::vector<Check>& checks);
-/// "456 of 458 checks passed, 1 failed, 1 undecided".
-std::string words_of(const Score& score);
 
 struct Input {
     std::string role;        // "armadillo"
@@ -192,6 +172,7 @@ struct Input {
     bool stand_in = false;   // one of the bundled meshes in place of the one asked for
     std::string sha256;
     int vertices = 0, triangles = 0;
+    bool operator==(const Input&) const = default;
 };
 
 struct CodeReference {
@@ -199,11 +180,13 @@ struct CodeReference {
     std::string file;       // "src/geometry/operators/uniform_laplacian.cpp"
     std::string purpose;    // "Δ with uniform weights"
     int line = 0;           // of the function in src.txt; 0: not cited (yet)
+    bool operator==(const CodeReference&) const = default;
 };
 
 struct Timing {
     std::string what;
     double seconds = 0;
+    bool operator==(const Timing&) const = default;
 };
 
 /// A setting of a section: the words that are printed, and for programs a number or several in `unit`, or the words where it is none.
@@ -245,6 +228,7 @@ struct Section {
     std::vector<std::string> warnings;
     std::vector<std::string> output_meshes;   // "meshes/q4_armadillo_k5.ply"
     std::vector<Timing> timings;
+    bool operator==(const Section&) const = default;
 };
 
 /// Ids of its columns, unique in the document: "q5_limits-lambda-crit", from the table and the name.
@@ -261,6 +245,7 @@ struct Provenance {
     std::map<std::string, std::string> libraries;   // name → version
     std::map<std::string, std::string> settings;    // without threads and paths
     std::uint64_t seed = 0;
+    bool operator==(const Provenance&) const = default;
 };
 
 /// A picture for the first page, and what it is preferred by: reports that are joined have one.
@@ -268,6 +253,7 @@ struct Cover : Figure {
     std::string section = {};   // whose figure it is
     bool turnable = false;
     double worth = 0;   // 1 + how much its mesh is bent [rad]
+    bool operator==(const Cover&) const = default;
 };
 
 struct Document {
@@ -276,6 +262,7 @@ struct Document {
     std::optional<Cover> cover;
     std::vector<Section> sections;   // in order of the questions
     std::vector<Timing> timings;     // of the run as a whole
+    bool operator==(const Document&) const = default;
 };
 
 }   // namespace meshfolio::report
