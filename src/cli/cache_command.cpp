@@ -2,8 +2,8 @@
 
 #include "base/number_text.h"
 #include "cli/commands.h"
-#include "run/cache_folder.h"
 #include "run/console.h"
+#include "run/question_cache.h"
 
 namespace meshfolio::cli {
 

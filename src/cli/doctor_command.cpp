@@ -10,9 +10,9 @@
 #include "cli/commands.h"
 #include "report/pdf/pdf_engine.h"
 #include "report/writers.h"
-#include "run/cache_folder.h"
 #include "run/console.h"
 #include "run/provenance.h"
+#include "run/question_cache.h"
 
 namespace meshfolio::cli {
 

@@ -57,7 +57,7 @@ std::string in_words(const StabilityCertificate& proved) {
     }
     if (!d.semidefinite()) {
         return line("largest stable lambda", "at most " + plain_text(limit, 8) + ", set at vertex " + std::to_string(proved.top.vertex)) +
-               line("proved", edge + "; no step is proved stable: " + interval + ", which cannot be in_words from 0 here");
+               line("proved", edge + "; no step is proved stable: " + interval + ", which cannot be told from 0 here");
     }
     return line("largest stable lambda", plain_text(limit, 8) + " (always safe: " + plain_text(rounded_down(proved.lambda_safe(), 4), 4) +
                                              "), set at vertex " + std::to_string(proved.top.vertex)) +

@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "run/from_results.h"
+#include "run/earlier_report.h"
 
 namespace meshfolio::cli {
 

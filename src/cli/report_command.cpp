@@ -15,7 +15,7 @@
 #include "run/arguments.h"
 #include "run/console.h"
 #include "run/cover.h"
-#include "run/from_results.h"
+#include "run/earlier_report.h"
 #include "run/kept_sections.h"
 #include "run/lab/report_labs.h"
 #include "run/paper_copy.h"

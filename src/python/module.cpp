@@ -16,7 +16,6 @@
 #include "build_info.h"
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/spectrum/spectrum_certificate.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
@@ -24,6 +23,7 @@
 #include "output/publish/file_group.h"
 #include "python/interruptible.h"
 #include "python/mesh_class.h"
+#include "python/operators.h"
 #include "run/arguments.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/inspection.h"
@@ -34,22 +34,6 @@
 namespace meshfolio::python {
 
 namespace {
-
-// ---- what is refused or warned of, in the words of the command line --------------------------------------------------------
-
-AreaForm area_of(const std::string& name) {
-    run::require_choice("area", name, {"barycentric", "voronoi", "mixed"});
-    return area_form_named(name);
-}
-
-OperatorKind operator_of(const std::string& name) {
-    run::require_choice("operator", name, run::operator_choices());
-    return operator_named(name);
-}
-
-void warn(const std::string& text) {
-    if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) throw py::error_already_set();
-}
 
 // ---- the functions behind the commands -------------------------------------------------------------------------------------
 
@@ -82,36 +66,6 @@ py::dict curvature(const Mesh& mesh, const std::string& area, const std::string&
     py::dict arrays;
     for (VertexColumn& column : columns) arrays[column.name.c_str()] = py::cast(std::move(column.values));
     return arrays;
-}
-
-py::tuple laplacian_of(const Mesh& mesh, const std::string& laplacian, const std::string& area) {
-    const AreaForm form = area_of(area);
-    const OperatorKind kind = operator_of(laplacian);
-    auto found = interruptible([=, of = mesh.prepared](const Stop&) { return laplace_operator(of->mesh, kind, form); });
-    return py::make_tuple(py::cast(std::move(found.C)), py::cast(std::move(found.M)));
-}
-
-struct CertifiedSpectrum : Spectrum {
-    std::string certificate;
-};
-
-CertifiedSpectrum spectrum(const Mesh& mesh, long long asked, const std::string& laplacian, const std::string& area) {
-    const AreaForm form = area_of(area);
-    const OperatorKind kind = operator_of(laplacian);
-    const auto k = static_cast<int>(run::integer_between("k", std::to_string(asked), 1, 100000));
-    CertifiedSpectrum spectrum = interruptible([=, of = mesh.prepared](const Stop& stop) {
-        const LaplaceBeltrami L = laplace_operator(of->mesh, kind, form);
-        SpectrumOptions options;
-        options.progress = [&stop](double) { stop.check(); };
-        CertifiedSpectrum found{smallest_eigenpairs(L, k, options), ""};
-        stop.check();
-        const Proof proof = certify_spectrum(of->mesh, L, found).verdict();
-        found.certificate = proof == Proof::proved ? "proved" : proof == Proof::refuted ? "refuted" : "undecided";
-        return found;
-    });
-    const auto modes = static_cast<int>(spectrum.eigenvalues.size());
-    if (modes < k) warn("the mesh has " + std::to_string(modes) + " modes, fewer than the " + std::to_string(k) + " asked for");
-    return spectrum;
 }
 
 struct ChosenStep {
@@ -241,27 +195,6 @@ void add_errors(py::module_& m) {
     py::register_exception<MeshError>(m, "MeshError", also("ValueError"));
     py::register_exception<SolverError>(m, "SolverError", also("ArithmeticError"));
     py::register_exception<OutputError>(m, "OutputError", also("OSError"));
-}
-
-void add_spectrum(py::module_& m) {
-    py::class_<CertifiedSpectrum>(m, "Spectrum", "The smallest eigenpairs of -C phi = mu M phi, ascending.")
-        .def_readonly("eigenvalues", &CertifiedSpectrum::eigenvalues, "k float64 [1/length^2]")
-        .def_readonly("eigenvectors", &CertifiedSpectrum::eigenvectors, "n x k float64, Phi^T M Phi = I [1/length]")
-        .def_readonly("residuals", &CertifiedSpectrum::residuals, "k float64, |-C phi - mu M phi| / (mu |M phi|)")
-        .def_readonly("certificate", &CertifiedSpectrum::certificate,
-                      "that the pairs are right and none is missing: proved, refuted or undecided")
-        .def(py::pickle(
-            [](const CertifiedSpectrum& found) {
-                return py::make_tuple(found.eigenvalues, found.eigenvectors, found.residuals, found.certificate);
-            },
-            [](const py::tuple& state) {
-                CertifiedSpectrum found;
-                found.eigenvalues = state[0].cast<Vector>();
-                found.eigenvectors = state[1].cast<DenseMatrix>();
-                found.residuals = state[2].cast<Vector>();
-                found.certificate = state[3].cast<std::string>();
-                return found;
-            }));
 }
 
 }   // namespace

@@ -9,16 +9,13 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "mesh/io/scalar_type.h"
+#include "mesh/io/mesh_encoders.h"
 
 namespace meshfolio::python {
 
 namespace py = pybind11;
 
-/// Normals are no attributes: they are computed anew when a mesh is written.
-inline bool is_normal(const VertexColumn& column) { return column.name == "nx" || column.name == "ny" || column.name == "nz"; }
-
-/// New arrays of the type in the file; float64 for integers with undefined values.
+/// New arrays of the type in the file; float64 for integers with undefined values. Normals are no attributes.
 inline py::dict dict_of(const std::vector<VertexColumn>& columns) {
     py::dict arrays;
     for (const VertexColumn& column : columns) {

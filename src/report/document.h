@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "report/check.h"
 #include "report/diagram.h"
 #include "report/text.h"
 
@@ -164,44 +165,6 @@ using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot,
 
 // ---- what a section proves and says -----------------------------------------------------------------------------------
 
-/// passed ⇔ |measured − expected| ≤ tolerance, for kind `near`; measured ≤ expected + tolerance, for `at_most`; and so on.
-/// undecided: the number says nothing about what is checked (rounding is larger than the margin, or it was measured on something else);
-/// the note says why. It is no failure.
-struct Check {
-    enum class Kind { near, at_most, at_least };
-    enum class Status { passed, failed, undecided };
-    std::string name;   // "Gauss–Bonnet: Σ deficit / 2π on sphere"
-    double expected = 0;
-    double measured = 0;
-    double tolerance = 0;
-    Status status = Status::failed;
-    Kind kind = Kind::near;
-    std::string note = {};   // why a failure is expected, why nothing is decided, or what is compared
-    bool passed() const { return status == Status::passed; }
-    bool failed() const { return status == Status::failed; }
-    bool operator==(const Check&) const = default;
-};
-/// "measured 2.31, expected 2, tolerance 0.2"; "measured 3, expected at most 1"; "measured –" where there is no number.
-std::string words_of(const Check& check);
-Check check_near(std::string name, double expected, double measured, double tolerance, std::string note = "");
-Check check_at_most(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
-Check check_at_least(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
-/// The same check, which decides nothing, for a reason.
-Check undecided(Check check, std::string why);
-
-/// A check that failed, but by no more than rounding may have moved its number, decides nothing. The others stay as they are.
-Check within_rounding(Check check, double rounding);
-
-/// How many checks passed, failed, and decided nothing.
-struct Score {
-    std::size_t passed = 0, failed = 0, undecided = 0;
-    std::size_t total() const { return passed + failed + undecided; }
-    Score& operator+=(const Score& other);
-};
-Score score_of(const std::vector<Check>& checks);
-/// "456 of 458 checks passed, 1 failed, 1 undecided".
-std::string words_of(const Score& score);
-
 struct Input {
     std::string role;        // "armadillo"
     std::string asked;       // path of the assignment, "decompose/armadillo.obj"; empty for meshes no one asked for
@@ -301,57 +264,5 @@ struct Document {
     std::vector<Timing> timings;     // of the run as a whole
     bool operator==(const Document&) const = default;
 };
-
-// ---- what the writers need of the pictures ------------------------------------------------------------------------------
-
-/// A mesh seen from one side: where it is in the sheet of its figure, which holds every picture of the page and of the paper.
-struct DrawnPicture {
-    std::string view;                               // "+x"; empty: from three quarters
-    int left = 0, top = 0, width = 0, height = 0;   // in the sheet [pixels]
-    std::string file = {};                          // of its own in full size; empty: none
-    std::string jpeg = {};                          // bytes, cut out of the sheet
-    bool operator==(const DrawnPicture&) const = default;
-};
-
-/// One mesh, from three quarters or from six directions or both.
-struct DrawnPanel {
-    std::string label = {};
-    std::vector<DrawnPicture> pictures = {};   // the one from three quarters first; none: an empty cell, the label says why
-    bool operator==(const DrawnPanel&) const = default;
-};
-
-/// What the colours of a figure mean.
-struct Legend {
-    std::string quantity = {}, unit = {};
-    double low = 0, high = 1;
-    std::vector<std::string> colours = {};         // "#rrggbb", evenly from low to high
-    double clipped_below = 0, clipped_above = 0;   // share of the values beyond
-    std::string undefined = {};                    // colour of what has no value; empty: everything has one
-    std::vector<double> histogram = {};            // share of the values in equal bins
-    bool log = false;                              // equal ratios are equally far apart
-    bool operator==(const Legend&) const = default;
-};
-
-/// A mesh that readers of the page can turn.
-struct DrawnModel {
-    std::string label;      // of the panel; empty where a figure has one
-    std::string file;       // "models/q3_creature.glb"
-    std::string glb;        // its bytes, binary glTF 2.0
-    std::string quantity;   // of the values at the vertices, with the unit: "H [1/length]"; empty: none
-    bool operator==(const DrawnModel&) const = default;
-};
-
-/// A figure once drawn. Paths are relative to the report's folder.
-struct DrawnFigure {
-    std::string sheet = {};                             // "images/q1_plane_h_sheet.png"
-    std::vector<std::string> columns = {}, rows = {};   // heads of a matrix; both empty: it is none
-    std::vector<DrawnPanel> panels = {};                // line by line
-    int in_a_line = 1;                                  // panels
-    std::optional<Legend> legend = {};
-    std::vector<DrawnModel> models = {};   // one, or before and after with linked cameras; empty: cannot be turned
-    bool is_matrix() const { return !columns.empty() || !rows.empty(); }
-    bool operator==(const DrawnFigure&) const = default;
-};
-using DrawnFigures = std::map<std::string, DrawnFigure>;   // by figure id
 
 }   // namespace meshfolio::report

@@ -92,6 +92,10 @@ std::vector<Message> messages_of(std::string_view text, const std::string& file)
 /// One paragraph of a message with its facts.
 /// @throws std::logic_error if a fact is missing, or a mark is not closed
 Text running_text(std::string_view paragraph, const Facts& facts);
+/// The same as a caption or a label: marks of markup stand for themselves.
+std::string running_line(std::string_view paragraph, const Facts& facts);
+/// Each of its paragraphs as what it is: a heading, a formula, a bullet or running text.
+std::vector<Block> blocks_of(const Message& message, const Facts& facts);
 /// The names between {{ and }} or |, each once, sorted.
 std::vector<std::string> facts_in(const Message& message);
 

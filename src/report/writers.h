@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "report/document.h"
+#include "report/drawn_figure.h"
 
 namespace meshfolio::report {
 

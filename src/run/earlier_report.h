@@ -9,9 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "output/publish/file_sums.h"
+#include "base/errors.h"
 #include "output/publish/publish.h"
 #include "report/writers.h"
+#include "run/settings/report_settings.h"
 
 namespace meshfolio::run {
 
@@ -60,5 +61,14 @@ struct JoinedReport {
 /// @param parts  at least one; their figures are moved from
 /// @throws InputError naming two parts, and what they do not have in common: inputs, settings, program, or what both say of one section
 JoinedReport joined(std::vector<EarlierReport>& parts);
+
+/// `meshfolio report --from results.json` and `meshfolio merge DIR…`: one earlier report, or the parts of one, rendered again from their
+/// own files and without computing anything.
+/// Title, author, course and template may be others (--config, --templates); pictures, models and meshes are those beside results.json,
+/// each checked against SHA256SUMS.
+/// @return failed when a section or a check of the earlier report has failed
+/// @throws InputError for a file that is not what it was, or parts that do not fit together; UsageError for options that would need
+/// computing, OutputError
+ExitCode report_from_results(const ReportFlags& flags);
 
 }   // namespace meshfolio::run

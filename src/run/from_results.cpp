@@ -1,4 +1,3 @@
-#include "run/from_results.h"
 
 #include <utility>
 #include <vector>

@@ -61,17 +61,18 @@ void require_alike(const EarlierReport& first, const EarlierReport& part) {
 
 bool is_there(const Section& section) { return section.status != Status::skipped; }
 
-/// For comparing: times differ between parts.
-Section without_timings(Section section) {
-    section.timings.clear();
-    return section;
+/// As results.json says it, where what is undefined is like itself; times differ between parts.
+std::string written(const Section& section) {
+    report::Document alone;
+    alone.sections = {section};
+    return report::write_json(alone, {}, {.timings = false});
 }
 
 void take_sections(report::Document& whole, const EarlierReport& first, const EarlierReport& part) {
     for (std::size_t i = 0; i < whole.sections.size(); ++i) {
         Section& section = whole.sections[i];
         const Section& other = part.document.sections.at(i);
-        if (is_there(section) && is_there(other) && without_timings(section) != without_timings(other))
+        if (is_there(section) && is_there(other) && written(section) != written(other))
             throw InputError({part.file}, "has another " + section.id + " than a part before it, the first of which is " + first.file,
                              "leave one of them out");
         if (!is_there(section)) section = other;

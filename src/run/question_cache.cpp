@@ -11,6 +11,8 @@
 #include "report/json/read_json.h"
 #include "report/words.h"
 #include "report/writers.h"
+#include "run/arguments.h"
+#include "run/console.h"
 #include "run/provenance.h"
 
 namespace meshfolio::run {
@@ -20,6 +22,9 @@ namespace fs = std::filesystem;
 namespace {
 
 using nlohmann::json;
+
+constexpr std::uintmax_t megabyte = 1'000'000;              // as `doctor` and `cache` tell sizes
+constexpr std::uintmax_t default_limit = 2048 * megabyte;   // some ten full reports
 
 constexpr const char* form = "meshfolio answer 2";   // of what is stored: another form, another key
 
@@ -201,6 +206,27 @@ std::map<std::string, std::string> QuestionCache::keep_cover(const std::string& 
     report::Section none;
     none.id = "nothing";   // not that of its figure
     return write(cover_key(answer_key), none, {{"cover", cover}}, {});
+}
+
+std::uintmax_t cache_limit() {
+    const std::string given = environment("MESHFOLIO_CACHE_LIMIT");
+    if (given.empty()) return default_limit;
+    return static_cast<std::uintmax_t>(integer_between("MESHFOLIO_CACHE_LIMIT", given, 1, 1000000)) * megabyte;
+}
+
+std::unique_ptr<output::ResultCache> usable_cache() {
+    const std::uintmax_t limit = cache_limit();
+    const auto folder = output::default_cache_folder();
+    if (!folder) {
+        warn("no cache is used: neither XDG_CACHE_HOME nor HOME names a folder");
+        return nullptr;
+    }
+    try {
+        return std::make_unique<output::ResultCache>(*folder, limit);
+    } catch (const OutputError& error) {
+        warn("no cache is used: " + std::string(error.what()));
+        return nullptr;
+    }
 }
 
 }   // namespace meshfolio::run

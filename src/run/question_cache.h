@@ -4,9 +4,11 @@
 /// its files, under these and the present results of the lookups. The key of a section without lookups leaves out the user's meshes.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,9 +18,16 @@
 #include "output/cache/result_cache.h"
 #include "questions/core/mesh_library.h"
 #include "report/document.h"
+#include "report/drawn_figure.h"
 #include "run/settings/report_settings.h"
 
 namespace meshfolio::run {
+
+/// [bytes]; MESHFOLIO_CACHE_LIMIT in the environment is in megabytes. @throws UsageError for what is no number from 1 to 1000000
+std::uintmax_t cache_limit();
+
+/// The cache in its default folder; null, with a warning, where it cannot be used: a report is made without.
+std::unique_ptr<output::ResultCache> usable_cache();
 
 /// The picture for the first page that an answer offers: the figure of one mesh with values that is most worth seeing.
 struct CoverOffer {

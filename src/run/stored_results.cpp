@@ -3,9 +3,9 @@
 #include "base/errors.h"
 #include "questions/core/section_tools.h"
 #include "run/arguments.h"
-#include "run/cache_folder.h"
 #include "run/console.h"
 #include "run/provenance.h"
+#include "run/question_cache.h"
 
 namespace meshfolio::run {
 

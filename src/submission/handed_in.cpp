@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/in_quotes.h"
+#include "mesh/io/mesh_files.h"
 
 namespace meshfolio::submission {
 
@@ -24,11 +25,7 @@ using namespace std::string_view_literals;
 
 constexpr std::array read_endings{".csv"sv, ".toml"sv, ".obj"sv, ".off"sv, ".ply"sv, ".stl"sv};
 
-bool has_read_ending(const std::string& path) {
-    std::string ending = fs::path(path).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return std::ranges::find(read_endings, ending) != read_endings.end();
-}
+bool has_read_ending(const std::string& path) { return std::ranges::find(read_endings, lower_case_ending(path)) != read_endings.end(); }
 
 /// Why a path is malicious; empty if it is not. Any alphabet is allowed.
 std::string trick_in(std::string_view path) {

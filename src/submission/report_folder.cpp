@@ -2,7 +2,6 @@
 
 #include "base/file_bytes.h"
 #include "base/sha256.h"
-#include "output/publish/file_sums.h"
 #include "output/publish/publish.h"
 #include "submission/suspicious_file.h"
 

@@ -1,7 +1,7 @@
 // SHA256SUMS: any bytes are refused with one line, or list the same files when written as sha256sum would.
 #include "base/errors.h"
 #include "fuzz/fuzz_input.h"
-#include "output/publish/file_sums.h"
+#include "output/publish/publish.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using namespace meshfolio;

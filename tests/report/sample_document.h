@@ -3,6 +3,7 @@
 #pragma once
 
 #include "report/document.h"
+#include "report/drawn_figure.h"
 
 namespace meshfolio::report {
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/joined.h"
+#include "mesh/io/mesh_encoders.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/point_table.h"
 #include "mesh/triangle_measures.h"
@@ -13,8 +14,6 @@ namespace meshfolio {
 namespace {
 
 using Strings = std::vector<std::string>;
-
-bool is_normal(const VertexColumn& column) { return column.name == "nx" || column.name == "ny" || column.name == "nz"; }
 
 Strings values_without_place(const std::string& format, const Attributes& attributes) {
     Strings names;

@@ -19,6 +19,12 @@ std::string vtp_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>&
 /// may hold no NaN and nothing infinite: 0 and the largest floats stand for them.
 std::string glb_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>& columns);
 
+/// A file of binary glTF 2.0: its JSON and its data, each filled up to a multiple of 4 bytes.
+std::string glb_container(std::string json, std::string data);
+
+/// Is the column a part of normals, which are no values: whoever writes them computes them anew?
+inline bool is_normal(const VertexColumn& column) { return column.name == "nx" || column.name == "ny" || column.name == "nz"; }
+
 /// The text of an OBJ file with the places of its vertices replaced. Texture coordinates, groups, materials, colours of vertices, lines,
 /// points, comments and all else stay as they are, but for commands. A polygon stays one where it falls into the triangles of the mesh
 /// again; else they are written with its corners. Normals are the means, by area, over the corners that shared both vertex and normal.

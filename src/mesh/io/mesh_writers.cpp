@@ -63,7 +63,6 @@ std::string property_name(std::string name, std::set<std::string>& taken) {
 
 /// A vertex without area has no normal, but viewers want one.
 std::vector<VertexColumn> with_normals_of(const TriangleMesh& mesh, std::vector<VertexColumn> columns) {
-    const auto is_normal = [](const VertexColumn& column) { return column.name == "nx" || column.name == "ny" || column.name == "nz"; };
     if (std::ranges::none_of(columns, is_normal)) return columns;
     const Positions normals = vertex_normals(mesh);
     for (VertexColumn& column : columns)

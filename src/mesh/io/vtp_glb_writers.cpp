@@ -180,15 +180,19 @@ std::string glb_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>&
                     {"buffers", {{{"byteLength", glb.data.size()}}}},
                     {"bufferViews", glb.views},
                     {"accessors", glb.accessors}};
-    std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    text.resize((text.size() + 3) / 4 * 4, ' ');
+    return glb_container(json.dump(-1, ' ', false, Json::error_handler_t::replace), std::move(glb.data));
+}
+
+std::string glb_container(std::string json, std::string data) {
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    data.resize((data.size() + 3) / 4 * 4, '\0');
     std::string bytes = "glTF";
     append_uint32(bytes, 2);
-    append_uint32(bytes, 28 + text.size() + glb.data.size());
-    append_uint32(bytes, text.size());
-    bytes += "JSON" + text;
-    append_uint32(bytes, glb.data.size());
-    return bytes.append("BIN\0", 4) + glb.data;
+    append_uint32(bytes, 28 + json.size() + data.size());
+    append_uint32(bytes, json.size());
+    bytes += "JSON" + json;
+    append_uint32(bytes, data.size());
+    return bytes.append("BIN\0", 4) + data;
 }
 
 }   // namespace meshfolio

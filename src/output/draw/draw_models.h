@@ -11,6 +11,7 @@
 
 #include "output/draw/figure_request.h"
 #include "report/document.h"
+#include "report/drawn_figure.h"
 
 namespace meshfolio::output {
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,16 @@ struct FigureRequest {
 /// narrower than `floor` (so that rounding noise is not stretched into colours); with the clipped shares and the sample filled in.
 ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, std::string quantity, std::string unit, double floor,
                         double clip = 0.02);
+
+/// The finite values, panel after panel.
+std::vector<double> finite_values(const std::vector<Panel>& panels);
+
+/// Enters the shares of `values` that lie below and above the range; 0 without values.
+void enter_clipped(ColorRange& range, const std::vector<double>& values);
+
+/// The share of `values` in each of 96 equal bins over [low, high]; 48 or 24 bins for fewer than 32 values a bin, which would show noise.
+/// Values outside count in the total but in no bin. Empty without values, or unless low < high.
+std::vector<double> histogram(std::span<const double> values, double low, double high);
 
 /// A mesh to be written into meshes/.
 struct MeshOutput {

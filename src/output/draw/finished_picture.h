@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "report/document.h"
+#include "report/drawn_figure.h"
 #include "scene/image.h"
 
 namespace meshfolio::output {

@@ -1,4 +1,4 @@
-#include "output/draw/robust_range.h"
+#include "output/draw/figure_request.h"
 
 #include <tbb/parallel_for.h>
 

@@ -9,7 +9,7 @@
 #include "base/in_quotes.h"
 #include "base/joined.h"
 #include "base/nearest_word.h"
-#include "output/draw/robust_range.h"
+#include "output/draw/figure_request.h"
 
 namespace meshfolio::output {
 

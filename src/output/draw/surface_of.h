@@ -6,6 +6,7 @@
 #include "mesh/triangle_mesh.h"
 #include "output/draw/figure_request.h"
 #include "report/document.h"
+#include "report/drawn_figure.h"
 #include "sheet/color_bar.h"
 
 namespace meshfolio::output {

@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "color/srgb.h"
 #include "draw_mesh.h"
+#include "mesh/io/mesh_encoders.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
 
@@ -30,8 +31,8 @@ void put(std::string& bytes, std::uint32_t number, int size) {
     for (int k = 0; k < size; ++k) bytes += static_cast<char>(number >> (8 * k) & 255);
 }
 
-void pad(std::string& bytes, char filler) {
-    while (bytes.size() % 4 != 0) bytes += filler;
+void pad(std::string& bytes) {
+    while (bytes.size() % 4 != 0) bytes += '\0';
 }
 
 /// Box of the corners of triangles.
@@ -69,7 +70,7 @@ public:
                 high[static_cast<std::size_t>(k)] = std::max(high[static_cast<std::size_t>(k)], at);
                 put(bytes_, at, 2);
             }
-            pad(bytes_, '\0');
+            pad(bytes_);
         }
         attribute("POSITION", {{"componentType", unsigned_short}, {"count", count_}, {"type", "VEC3"}, {"min", low}, {"max", high}});
     }
@@ -81,7 +82,7 @@ public:
         for (int v = 0; v < count_; ++v) {
             const Vector3 n = normals.row(v).isZero() ? Vector3(0, 0, 1) : Vector3(normals.row(v));
             for (int k = 0; k < 3; ++k) put(bytes_, static_cast<std::uint32_t>(std::lrint(127 * n[k])), 1);
-            pad(bytes_, '\0');
+            pad(bytes_);
         }
         attribute("NORMAL", {{"componentType", byte_type}, {"normalized", true}, {"count", count_}, {"type", "VEC3"}});
     }
@@ -92,7 +93,7 @@ public:
             const render::Rgba c = std::isnan(value) ? undefined : render::color_at(*range.colormap, range.position(value));
             for (const std::uint8_t channel : {c.r, c.g, c.b})
                 put(bytes_, static_cast<std::uint32_t>(std::lrint(65535 * double(render::linear_of(channel)))), 2);
-            pad(bytes_, '\0');
+            pad(bytes_);
         }
         attribute("COLOR_0", {{"componentType", unsigned_short}, {"normalized", true}, {"count", count_}, {"type", "VEC3"}});
     }
@@ -117,23 +118,14 @@ public:
         json["meshes"][0]["primitives"] = Json::array({{{"attributes", attributes_}, {"indices", indices_}, {"material", 0}, {"mode", 4}}});
         json["accessors"] = accessors_;
         json["bufferViews"] = views_;
-        pad(bytes_, '\0');
+        pad(bytes_);
         json["buffers"][0]["byteLength"] = bytes_.size();
-        std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-        pad(text, ' ');
-        std::string file = "glTF";
-        put(file, 2, 4);
-        put(file, static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + bytes_.size()), 4);
-        put(file, static_cast<std::uint32_t>(text.size()), 4);
-        file += "JSON" + text;
-        put(file, static_cast<std::uint32_t>(bytes_.size()), 4);
-        file.append("BIN\0", 4);
-        return file + bytes_;
+        return glb_container(json.dump(-1, ' ', false, Json::error_handler_t::replace), std::move(bytes_));
     }
 
 private:
     void begin(Target target, int stride) {
-        pad(bytes_, '\0');
+        pad(bytes_);
         views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", 0}});
         if (stride > 0) views_.back()["byteStride"] = stride;
         views_.back()["target"] = target;

@@ -23,6 +23,17 @@ bool is_marked(const std::filesystem::path& folder) noexcept;
 /// Digests of every other file, in the format of sha256sum.
 inline constexpr const char* sums_file = "SHA256SUMS";
 
+/// One line of it.
+struct FileSum {
+    std::string digest;   // SHA-256, 64 hexadecimal digits
+    long line = 0;        // in the list
+};
+
+/// By path. Paths are not checked: check them before writing to them.
+/// @param file  the list, for messages
+/// @throws InputError with the line that is not of the format
+std::map<std::string, FileSum> parse_sums(const std::string& text, const std::filesystem::path& file);
+
 /// `<target>.failed`, for a report that may not replace a better one.
 std::filesystem::path failed_beside(const std::filesystem::path& target);
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "report/document.h"
+#include "report/drawn_figure.h"
 
 namespace meshfolio::report {
 
@@ -90,7 +91,7 @@ struct ParameterEntry {
 
 /// A section as results.json keeps it: blocks of a kind together, and their order.
 struct SectionEntry {
-    Section section;   // without its blocks, checks and parameters
+    Section section;   // without its blocks, checks, parameters and timings
     std::map<std::string, std::string> parameters;
     std::vector<ParameterEntry> parameter_values;
     std::vector<Table> tables;
@@ -101,7 +102,7 @@ struct SectionEntry {
     std::vector<NumberedEntry> entries;
     std::vector<BlockEntry> blocks;
     std::vector<CheckEntry> checks;
-    bool with_timings = true;
+    std::optional<std::vector<Timing>> timings;   // none: written without them
 };
 
 /// Raised whenever a reader of the earlier one would misread what is written, with a step in upgrade_json.cpp; keys that are added do not
@@ -126,8 +127,7 @@ struct ReportEntry {
     ProvenanceEntry provenance;
     std::optional<CoverEntry> cover;
     std::vector<SectionEntry> questions, supporting;
-    bool with_timings = true;
-    std::vector<Timing> timings;
+    std::optional<std::vector<Timing>> timings;
 };
 
 // ---- words for choices --------------------------------------------------------------------------------------------------

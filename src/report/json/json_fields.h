@@ -177,7 +177,7 @@ void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
         "undecided: the number says nothing about what is checked, for the reason in the note, and is no failure");
     fields("warnings", section.warnings);
     fields("output_meshes", section.output_meshes, file_note());
-    fields.if_there("timings", section.timings, entry.with_timings, timings_note);
+    fields.optional("timings", entry.timings, timings_note);
 }
 
 template <class Fields>
@@ -210,7 +210,7 @@ void describe(Fields& fields, part_of<ReportEntry> auto& report) {
     fields.optional("cover", report.cover, "the picture of the first page");
     fields("questions", report.questions);
     fields("supporting", report.supporting);
-    fields.if_there("timings", report.timings, report.with_timings, timings_note);
+    fields.optional("timings", report.timings, timings_note);
 }
 
 }   // namespace meshfolio::report

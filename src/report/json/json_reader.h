@@ -77,11 +77,6 @@ public:
         if (object_.contains(key)) (*this)(key, value.emplace());
     }
     template <class Value>
-    void if_there(const char* key, Value& value, bool& there, const Note& = {}) {
-        there = object_.contains(key);
-        if (there) (*this)(key, value);
-    }
-    template <class Value>
     void only_if(bool condition, const char* key, Value& value, const Note& = {}) {
         if (condition) (*this)(key, value);
     }

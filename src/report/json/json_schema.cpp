@@ -56,10 +56,6 @@ public:
         add(key, schema_of(Value(), place(key)), note, false);
     }
     template <class Value>
-    void if_there(const char* key, const Value& value, bool, const Note& note = {}) {
-        optional(key, value, value, note);
-    }
-    template <class Value>
     void only_if(bool, const char* key, const Value& value, const Note& note = {}) {
         optional(key, value, value, note);
     }

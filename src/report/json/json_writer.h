@@ -46,10 +46,6 @@ public:
         if (value) (*this)(key, *value);
     }
     template <class Value>
-    void if_there(const char* key, const Value& value, bool there, const Note& = {}) {
-        if (there) (*this)(key, value);
-    }
-    template <class Value>
     void only_if(bool condition, const char* key, const Value& value, const Note& = {}) {
         if (condition) (*this)(key, value);
     }
@@ -100,10 +96,11 @@ private:
 
     template <class Value>
     static bool is_same(const Value& a, const Value& b) {
-        if constexpr (std::is_same_v<Value, std::vector<NumberedEntry>>)
-            return a.empty() && b.empty();
-        else
-            return a == b;
+        return a == b;
+    }
+    template <class Item>
+    static bool is_same(const std::vector<Item>& items, const std::vector<Item>&) {
+        return items.empty();   // the fallback of every list
     }
 
     static Json json_of(double x, Odd& odd) {

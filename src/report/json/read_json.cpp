@@ -133,6 +133,7 @@ Parameters parameters_of(const SectionEntry& entry, const JsonPlace& place) {
 Section section_of(SectionEntry entry, DrawnFigures& drawn, const JsonPlace& place) {
     Section section = std::move(entry.section);
     section.parameters = parameters_of(entry, place);
+    section.timings = entry.timings.value_or(std::vector<Timing>());
     section.blocks = Joiner(entry, drawn, place).blocks();
     for (CheckEntry& check : entry.checks) section.checks.push_back(std::move(check.check));
     return section;
@@ -144,7 +145,8 @@ void add_sections(std::vector<SectionEntry>& entries, bool questions, const char
         const JsonPlace place{&list, {}, i};
         ids.add(entries[i], place);
         if (is_question(entries[i].section.id) != questions) throw JsonProblem(place, "belongs to the other list", "move it there");
-        if (entries[i].with_timings != read.timings) throw JsonProblem(place, "has timings and others have none, or the other way round");
+        if (entries[i].timings.has_value() != read.timings)
+            throw JsonProblem(place, "has timings and others have none, or the other way round");
         read.document.sections.push_back(section_of(std::move(entries[i]), read.figures, place));
     }
 }
@@ -152,13 +154,13 @@ void add_sections(std::vector<SectionEntry>& entries, bool questions, const char
 ReadReport report_of(ReportEntry entry) {
     const JsonPlace root;
     ReadReport read;
-    read.timings = entry.with_timings;
+    read.timings = entry.timings.has_value();
     Document& document = read.document;
     document.title = std::move(entry.title);
     document.author = std::move(entry.author);
     document.course = std::move(entry.course);
     document.provenance = std::move(entry.provenance.provenance);
-    document.timings = std::move(entry.timings);
+    document.timings = entry.timings.value_or(std::vector<Timing>());
     Ids ids;
     if (auto& cover = entry.cover) {
         ids.add(cover->drawn.figure.id, {&root, "cover"});

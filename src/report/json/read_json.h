@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "report/document.h"
+#include "report/drawn_figure.h"
 
 namespace meshfolio::report {
 

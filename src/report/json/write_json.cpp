@@ -77,7 +77,8 @@ SectionEntry entry_of(const Section& section, const DrawnFigures& drawn, bool wi
         entry.parameter_values.push_back({parameters[entry.parameter_values.size()], name, parameter.unit, parameter.value});
     const std::vector<std::string> ids = check_ids(section);
     for (std::size_t i = 0; i < ids.size(); ++i) entry.checks.push_back({ids[i], section.checks[i]});
-    entry.with_timings = with_timings;
+    entry.section.timings.clear();
+    if (with_timings) entry.timings = section.timings;
     return entry;
 }
 
@@ -101,8 +102,7 @@ std::string write_json(const Document& document, const DrawnFigures& figures, co
     if (const auto& cover = document.cover) entry.cover = {entry_of(*cover, figures), cover->section, cover->turnable, cover->worth};
     for (const Section& section : document.sections)
         (is_question(section.id) ? entry.questions : entry.supporting).push_back(entry_of(section, figures, options.timings));
-    entry.with_timings = options.timings;
-    entry.timings = document.timings;
+    if (options.timings) entry.timings = document.timings;
     return json_of(entry).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

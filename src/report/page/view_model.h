@@ -8,6 +8,7 @@
 #include <string>
 
 #include "report/document.h"
+#include "report/drawn_figure.h"
 #include "report/writers.h"
 
 namespace meshfolio::report {

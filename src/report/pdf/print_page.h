@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "report/drawn_figure.h"
 #include "report/page/view_model.h"
 #include "report/writers.h"
 

@@ -8,7 +8,6 @@
 #include "base/file_bytes.h"
 #include "base/in_quotes.h"
 #include "base/sha256.h"
-#include "output/publish/file_sums.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
 #include "report/words.h"

@@ -10,7 +10,7 @@
 #include "base/joined.h"
 #include "base/nearest_word.h"
 #include "mesh/io/polygon_list.h"
-#include "output/draw/robust_range.h"
+#include "output/draw/figure_request.h"
 #include "output/draw/surface_of.h"
 #include "run/arguments.h"
 

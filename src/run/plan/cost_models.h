@@ -33,5 +33,6 @@ inline constexpr CostModel base_memory{60, 0}, reading_memory{0, 25}, copies_mem
 
 inline constexpr int cores = 2;             // those that a time is promised for
 inline constexpr double busy_share = 0.8;   // of the cores, over a whole report
+inline constexpr double megabyte = 1e6;     // [bytes]
 
 }   // namespace meshfolio::run

@@ -3,6 +3,7 @@
 /// machine: a time is one on two cores like those of the cost models.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ namespace meshfolio::run {
 struct PlannedMesh {
     std::string file;
     double vertices = 0;   // or half its triangles, where these are more
+
+    /// Of the copy that is worked on. @param most  0: the mesh itself
+    double within(int most) const { return most > 0 ? std::min<double>(vertices, most) : vertices; }
 };
 
 struct PlannedSection {

@@ -184,51 +184,6 @@ void require_inputs_outside(const ReportSettings& settings, const std::string& c
     }
 }
 
-// ---- a value as words -------------------------------------------------------------------------------------------------------
-
-using Words = std::vector<std::string>;
-
-Words words_of(bool value) { return {value ? "yes" : "no"}; }
-Words words_of(const std::string& value) { return {value}; }
-Words words_of(const std::filesystem::path& value) { return {value.string()}; }
-Words words_of(const ViewSize& size) { return {std::to_string(size.width) + " × " + std::to_string(size.height)}; }
-Words words_of(const PageTemplate& page) { return {page.design, page.file.value_or("").string()}; }
-Words words_of(const Effort& effort) {
-    if (effort.left_out) return {"left out"};
-    const std::string copies = effort.most_vertices > 0 ? ", copies of at most " + std::to_string(effort.most_vertices) + " vertices" : "";
-    return {(effort.small ? "small settings" : "full settings") + copies};
-}
-template <class Number>
-requires std::is_arithmetic_v<Number> Words words_of(Number value) {
-    if constexpr (std::is_integral_v<Number>)
-        return {std::to_string(value)};
-    else
-        return {exact_text(value)};
-}
-template <class Value>
-Words words_of(const std::optional<Value>& value) {
-    return value ? words_of(*value) : Words();
-}
-template <class Value>
-Words words_of(const std::vector<Value>& values) {
-    Words words;
-    for (const Value& value : values) words.push_back(words_of(value).front());
-    return words;
-}
-
-/// Names without folders: a report must not depend on where its inputs are.
-template <class Value>
-Words words_without_folders(const Value& value) {
-    return words_of(value);
-}
-Words words_without_folders(const std::vector<std::filesystem::path>& files) {
-    Words words;
-    for (const std::filesystem::path& file : files) words.push_back(file.filename().string());
-    return words;
-}
-
-bool has_experiments(const std::string& question) { return question == "reproductions" || question == "claims"; }
-
 void take_experiments(QuestionSettings& question, const ReportSettings& settings) {
     question.bundled_experiments = bundled_experiments();
     question.experiments = settings.experiments;
@@ -241,6 +196,8 @@ void take_experiments(QuestionSettings& question, const ReportSettings& settings
 }
 
 }   // namespace
+
+bool has_experiments(const std::string& question) { return question == "reproductions" || question == "claims"; }
 
 ReportSettings report_settings(const ReportFlags& flags) {
     Problems problems("");
@@ -297,44 +254,10 @@ std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings)
     return meshes;
 }
 
-std::map<std::string, std::string> described(const ReportSettings& settings) {
-    std::map<std::string, std::string> values;
-    const auto enter_as = [&values](const std::string& prefix) {
-        return [&values, prefix](const Setting& setting, const auto& value) {
-            const std::string text = joined(words_without_folders(value), ", ");
-            if (*setting.name != '\0' && !text.empty()) values[prefix + setting.name] = text;
-        };
-    };
-    for_each_setting(settings, enter_as(""));
-    for (const auto& [id, table] : settings.questions) for_each_setting(table, enter_as(id + " "));
-    for (const auto& [id, effort] : settings.efforts)
-        if (words_of(effort) != words_of(Effort{.small = settings.quick})) values[id + effort_suffix] = words_of(effort).front();
-    if (!settings.experiments.empty()) values["experiments"] = settings.experiments_digest;
-    return values;
-}
-
 std::vector<std::string> sections_in_order(const std::vector<std::string>& ids) {
     std::vector<std::string> all = section_ids(), some;
     std::ranges::copy_if(all, std::back_inserter(some), [&](const std::string& id) { return contains(ids, id); });
     return some == all ? std::vector<std::string>() : some;
-}
-
-std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question, bool with_meshes) {
-    Words identity;
-    const auto add = [&](const Setting& setting, const auto& value) {
-        const bool names_meshes = std::string_view(setting.flag) == "MESH";
-        if (!setting.shapes_answers || (names_meshes && !with_meshes)) return;
-        const Words words = words_of(value);
-        identity.push_back(std::to_string(words.size()));
-        identity.insert(identity.end(), words.begin(), words.end());
-    };
-    for_each_setting(settings, add);
-    identity.push_back(words_of(effort_of(settings, question)).front());
-    const auto table = settings.questions.find(question);
-    for_each_setting(table != settings.questions.end() ? table->second : QuestionTable(), add);
-    // Those of the bundled files are part of the program.
-    if (has_experiments(question) && !settings.experiments.empty()) identity.push_back(settings.experiments_digest);
-    return identity;
 }
 
 }   // namespace meshfolio::run

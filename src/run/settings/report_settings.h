@@ -123,6 +123,9 @@ QuestionSettings question_settings(const ReportSettings& settings, const std::st
 /// The meshes of all questions, in order: their names must not depend on which question reads first.
 std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings);
 
+/// Does this section work on the experiments of earlier reports?
+bool has_experiments(const std::string& id);
+
 /// For the provenance: everything that shapes the results, without threads and paths.
 std::map<std::string, std::string> described(const ReportSettings& settings);
 

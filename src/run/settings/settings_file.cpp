@@ -139,6 +139,7 @@ private:
         }
         page.file = settings_.base / *name;
         try {
+            if (name->empty()) throw UsageError("it is an empty path; name a file, or leave the key out");
             if (name->find('\0') != std::string::npos) throw UsageError("it contains a NUL");
             read_file(*page.file, report::template_limits::largest_file);
         } catch (const Error& error) {

@@ -4,8 +4,8 @@
 
 #include "base/file_bytes.h"
 #include "mesh/samples/sample_shapes.h"
+#include "output/draw/figure_request.h"
 #include "output/draw/flat_mesh.h"
-#include "output/draw/robust_range.h"
 #include "temporary_folder.h"
 
 using namespace meshfolio;

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "output/draw/figure_request.h"
 #include "output/draw/flat_mesh.h"
-#include "output/draw/robust_range.h"
 #include "output/draw/surface_of.h"
 
 using namespace meshfolio;

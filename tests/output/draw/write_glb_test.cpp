@@ -13,8 +13,8 @@
 #include "draw_mesh.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
+#include "output/draw/figure_request.h"
 #include "output/draw/flat_mesh.h"
-#include "output/draw/robust_range.h"
 
 using namespace meshfolio;
 using namespace meshfolio::output;

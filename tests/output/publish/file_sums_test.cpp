@@ -1,4 +1,4 @@
-#include "output/publish/file_sums.h"
+#include "output/publish/publish.h"
 
 #include <gtest/gtest.h>
 
