@@ -1,4 +1,4 @@
-#include "questions/prediction/study.h"
+#include "questions/prediction/parts.h"
 
 #include "geometry/smoothing/laplacian_smoothing.h"
 

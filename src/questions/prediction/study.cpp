@@ -111,12 +111,11 @@ double distance(const ExpectedError& expected, double factor, double sigma, int 
 
 }   // namespace
 
-double deviation(const PredictedCurve& predicted, const MeasuredCurve& measured) {
+double deviation(const Vector& predicted_square, const Vector& measured_square) {
     double farthest = 0;
-    for (Eigen::Index t = 0; t < measured.square.size(); ++t) {
-        if (!(measured.square[t] > 0)) continue;
-        farthest = std::max(farthest, std::abs(std::sqrt(std::max(predicted.square[t], 0.0) / measured.square[t]) - 1));
-    }
+    for (Eigen::Index t = 0; t < measured_square.size(); ++t)
+        if (measured_square[t] > 0)
+            farthest = std::max(farthest, std::abs(std::sqrt(std::max(predicted_square[t], 0.0) / measured_square[t]) - 1));
     return farthest;
 }
 
@@ -205,10 +204,7 @@ StandardDistance standard_distance(const PredictionStudy& study, const NoiseLeve
 
 double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level) {
     const ExpectedError& expected = study.prediction.mass;
-    const Vector predicted = expected.squared(level.sigma) / expected.weight_sum, &measured = level.of(FlowOperator::clean).measured.mass;
-    double farthest = 0;
-    for (Eigen::Index t = 0; t < measured.size(); ++t) farthest = std::max(farthest, std::abs(std::sqrt(predicted[t] / measured[t]) - 1));
-    return farthest;
+    return deviation(expected.squared(level.sigma) / expected.weight_sum, level.of(FlowOperator::clean).measured.mass);
 }
 
 ErrorAccount error_account(const NoiseLevelStudy& level) {

@@ -28,9 +28,6 @@ struct MeshCurvature {
 
 MeshCurvature curvature_of(SharedMesh source);
 
-/// The end of the colours that show these values, symmetric about 0.
-double colour_range(const Vector& values);
-
 /// Medians of values in the quarter of the vertices where something else is smallest, and in that where it is largest.
 struct Contrast {
     double least = 0, most = 0;   // NaN with fewer than eight vertices

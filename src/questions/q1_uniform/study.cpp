@@ -21,12 +21,6 @@ double spread_of(const Vector& values) {
 
 }   // namespace
 
-double colour_range(const Vector& values) {
-    output::Panel panel;
-    panel.values = values;
-    return output::robust_range({panel}, "diverging", "", "", 0).high;
-}
-
 double MeshCurvature::euler_from_angles() const { return total_deficit(deficit) / (2 * pi); }
 
 MeshCurvature curvature_of(SharedMesh source) {
@@ -84,7 +78,7 @@ TangentialPart tangential_part(const MeshCurvature& c) {
 }
 
 FlatParts flat_parts(const MeshCurvature& c) {
-    const auto within = [](const Vector& values) { return flat_within * colour_range(values); };
+    const auto within = [](const Vector& values) { return flat_within * diverging_range(values); };
     const double K = within(c.K), H = within(c.cotangent), length = within(c.length);
     const Vector shares = tangential_shares(c.subject.mesh(), c.subject.topology());
     FlatParts flat;

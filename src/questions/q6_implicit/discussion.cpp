@@ -202,20 +202,16 @@ report::Text too_large(const ImplicitStudy& study) {
     return paragraph_of({seen, risen ? words.say("spikes", facts) : looks_best ? words.say("first.ends", facts) : report::Text()});
 }
 
-/// How much more curved than the median vertex the hundredth is that is most curved, on meshes without sharp edges.
-double speckles_of(const ImplicitStudy& study, const SmoothingCell& good) {
-    const TriangleMesh mesh = moved_to(study.subject.mesh(), good.implicit_X);
-    if (mesh_character(mesh, study.subject.topology()).feature_share > 0) return 0;
-    const std::vector<double> sizes = sorted_finite(curvature_colours(study.subject, good.implicit_X).cwiseAbs());
-    if (sizes.size() < 100 || !(sizes[sizes.size() / 2] > 0)) return 0;
-    return sizes[sizes.size() - sizes.size() / 100 - 1] / sizes[sizes.size() / 2];
-}
-
-/// Says if steps beyond the explicit limit have left speckles.
+/// Says if steps beyond the explicit limit have left speckles on a mesh without sharp edges: the most curved hundredth of the vertices is
+/// then far more curved than the median.
 report::Text speckles(const ImplicitStudy& study, const SmoothingCell& good) {
-    constexpr double bell = 3.8;   // of normally distributed values
-    if (!(good.lambda > study.subject.critical) || !(speckles_of(study, good) > 1.2 * bell)) return {};
-    return words.say("reading.speckles", "t"_a = good.iterations);
+    constexpr double bell = 3.8;   // times the median, of normally distributed values
+    if (!(good.lambda > study.subject.critical)) return {};
+    const TriangleMesh mesh = moved_to(study.subject.mesh(), good.implicit_X);
+    const std::vector<double> sizes = sorted_finite(curvature_colours(study.subject, good.implicit_X).cwiseAbs());
+    if (sizes.size() < 100 || mesh_character(mesh, study.subject.topology()).feature_share > 0) return {};
+    const double median = sizes[sizes.size() / 2], hundredth = sizes[sizes.size() - sizes.size() / 100 - 1];
+    return median > 0 && hundredth > 1.2 * bell * median ? words.say("reading.speckles", "t"_a = good.iterations) : report::Text();
 }
 
 /// What is recommended, by either scheme where explicit steps get as far.
