@@ -89,6 +89,13 @@ OperatorStudy operator_study(FlowOperator kind, const LevelResults& results, Pre
     return study;
 }
 
+/// Null without.
+template <class Entry>
+const Entry* named(const std::vector<Entry>& entries, std::string_view name) {
+    const auto it = std::ranges::find(entries, name, &Entry::name);
+    return it == entries.end() ? nullptr : &*it;
+}
+
 double mean_of(const std::vector<double>& values) {
     return values.empty() ? std::nan("") : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -123,15 +130,8 @@ double RuleOutcome::mean_chosen() const { return mean_of(chosen); }
 double RuleOutcome::mean_regret() const { return mean_of(regret); }
 double RuleOutcome::worst_regret() const { return regret.empty() ? std::nan("") : *std::ranges::max_element(regret); }
 
-const PredictedCurve* OperatorStudy::prediction(std::string_view name) const {
-    const auto it = std::ranges::find(predictions, name, &PredictedCurve::name);
-    return it == predictions.end() ? nullptr : &*it;
-}
-
-const RuleOutcome* OperatorStudy::rule(std::string_view name) const {
-    const auto it = std::ranges::find(rules, name, &RuleOutcome::name);
-    return it == rules.end() ? nullptr : &*it;
-}
+const PredictedCurve* OperatorStudy::prediction(std::string_view name) const { return named(predictions, name); }
+const RuleOutcome* OperatorStudy::rule(std::string_view name) const { return named(rules, name); }
 
 const PredictedCurve& OperatorStudy::closest() const {
     return *std::ranges::min_element(predictions, {}, [&](const PredictedCurve& p) { return deviation(p, measured); });

@@ -23,7 +23,6 @@ struct MeshCurvature {
     Vector areas;       // barycentric [length²]
     Vector deficit;     // [rad]
     const std::string& name() const { return subject.name(); }
-    double euler_from_angles() const;
 };
 
 MeshCurvature curvature_of(SharedMesh source);

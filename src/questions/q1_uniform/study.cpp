@@ -21,8 +21,6 @@ double spread_of(const Vector& values) {
 
 }   // namespace
 
-double MeshCurvature::euler_from_angles() const { return total_deficit(deficit) / (2 * pi); }
-
 MeshCurvature curvature_of(SharedMesh source) {
     MeshCurvature c;
     c.subject = curvature_subject(std::move(source));
@@ -127,7 +125,7 @@ std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const
     std::vector<AngleSum> sums;
     for (const MeshCurvature& c : meshes) {
         const Preflight& p = c.subject.preflight();
-        sums.push_back({c.name(), p.vertices_in_use, p.triangles, p.euler_characteristic, c.euler_from_angles(),
+        sums.push_back({c.name(), p.vertices_in_use, p.triangles, p.euler_characteristic, total_deficit(c.deficit) / (2 * pi),
                         p.manifold() && p.zero_area_faces == 0});
     }
     for (const BenchRun& run : runs) {

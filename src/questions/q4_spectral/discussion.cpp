@@ -127,24 +127,21 @@ report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
     const LimbErrors& last = limbs.errors.back();
     const double ratio = row.thin / row.thick, later = last.thin / last.thick, lengths = wavelength(study, row.k) / limbs.thin_diameter,
                  last_lengths = wavelength(study, last.k) / limbs.thin_diameter;
-    const report::Facts facts{"k"_a = row.k,
-                              "ratio"_a = readable(ratio, 2),
-                              "mesh"_a = study.name(),
-                              "times"_a = readable(lengths, 2),
-                              "last"_a = last.k,
-                              "later"_a = readable(later, 2),
-                              "thick_times"_a = readable(wavelength(study, row.k) / limbs.thick_diameter, 2),
-                              "last_times"_a = readable(last_lengths, 2)};
-    if (ratio < clear_ratio) return words.say("thin.alike", facts);
-    report::Text t = words.say("thin", facts);
+    const auto told = [&](const char* key) {
+        return words.say(key, "k"_a = row.k, "ratio"_a = readable(ratio, 2), "mesh"_a = study.name(), "times"_a = readable(lengths, 2),
+                         "last"_a = last.k, "later"_a = readable(later, 2), "last_times"_a = readable(last_lengths, 2),
+                         "thick_times"_a = readable(wavelength(study, row.k) / limbs.thick_diameter, 2));
+    };
+    if (ratio < clear_ratio) return told("thin.alike");
+    report::Text t = told("thin");
     if (zero_modes(study) > 1) return t;   // where the small components are the thin parts
     const LimbErrors& first = limbs.errors.front();
     if (first.k < row.k && first.thin < first.thick)
         go_on(t, words.say("thin.not_at_first", "k"_a = first.k, "ratio"_a = readable(first.thin / first.thick, 2)));
-    if (last.k > row.k) go_on(t, words.say(later < clear_ratio ? "thin.later_alike" : "thin.later", facts));
+    if (last.k > row.k) go_on(t, told(later < clear_ratio ? "thin.later_alike" : "thin.later"));
     if (lengths > pi) {   // not once round
-        go_on(t, words.say("thin.wavelength", facts));
-        if (last.k > row.k && later >= clear_ratio && last_lengths > 1) go_on(t, words.say("thin.wavelength.still", facts));
+        go_on(t, told("thin.wavelength"));
+        if (last.k > row.k && later >= clear_ratio && last_lengths > 1) go_on(t, told("thin.wavelength.still"));
     }
     return t;
 }

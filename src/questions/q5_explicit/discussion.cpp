@@ -134,18 +134,14 @@ report::Text growth_of_the_top_mode(const ExplicitStudy& study) {
     const double factor = 1 - study.runs[i].lambda * study.subject.top.value;
     const auto least = std::ranges::min_element(energy);
     const bool falls = least != energy.begin(), rises = least + 1 != energy.end();
-    const report::Facts facts{"mesh"_a = study.name(),
-                              "limits"_a = in_limits(study.subject, study.runs[i].lambda),
-                              "step"_a = readable(factor, 3),
-                              "measured"_a = readable(study.amplification[i].measured, 2),
-                              "predicted"_a = readable(study.amplification[i].predicted, 2),
-                              "iteration"_a = least - energy.begin(),
-                              "iterations"_a = study.runs[i].iterations};
-    return paragraph_of({words.say("beyond", facts),
-                         falls && rises ? words.say("beyond.turns", facts)
-                         : rises        ? words.say("beyond.rises", facts)
-                                        : report::Text(),
-                         study.runs[i].result.blew_up ? report::Text() : words.say("beyond.only_grows", facts)});
+    const auto told = [&](const char* key) {
+        return words.say(key, "mesh"_a = study.name(), "limits"_a = in_limits(study.subject, study.runs[i].lambda),
+                         "step"_a = readable(factor, 3), "measured"_a = readable(study.amplification[i].measured, 2),
+                         "predicted"_a = readable(study.amplification[i].predicted, 2), "iteration"_a = least - energy.begin(),
+                         "iterations"_a = study.runs[i].iterations);
+    };
+    return paragraph_of({told("beyond"), rises ? told(falls ? "beyond.turns" : "beyond.rises") : report::Text(),
+                         study.runs[i].result.blew_up ? report::Text() : told("beyond.only_grows")});
 }
 
 /// How many faces the largest step, beyond the limit, has turned over in its last frame up to t = 5: at the end there is nothing to count.

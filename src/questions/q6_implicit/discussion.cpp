@@ -185,21 +185,22 @@ report::Text too_large(const ImplicitStudy& study) {
     const double inside = share_pulled_inside(study, first.explicit_X);
     const auto angle = [&](const Positions& X) { return median_face_angle(moved_to(study.subject.mesh(), X), study.subject.topology()); };
     const double by_explicit = angle(first.explicit_X), by_implicit = angle(first.implicit_X);
-    report::Facts facts{"limits"_a = in_limits(study.subject, first.lambda),
-                        "t"_a = first.iterations,
-                        "inside"_a = readable_percent(inside, 2),
-                        "energy"_a = readable_percent(first.explicit_energy, 2),
-                        "explicit"_a = readable(by_explicit, 2),
-                        "implicit"_a = readable(by_implicit, 2),
-                        "iteration"_a = study.explicit_runs[*blown].result.blow_up_iteration};
-    if (risen) facts.insert(facts.end(), {"later"_a = risen->iterations, "times"_a = readable(risen->explicit_energy, 2)});
-    const bool smoother = study.roughness > rough && by_explicit < 0.95 * by_implicit;
-    const report::Text seen = inside > 0.5                ? words.say("first.inside", facts)
-                              : first.explicit_energy > 1 ? words.say("first.amplified", facts)
-                              : smoother                  ? words.say("first.smoother", facts)
-                                                          : report::Text();
-    const bool looks_best = !seen.empty() && !(inside > 0.5) && !(first.explicit_energy > 1);
-    return paragraph_of({seen, risen ? words.say("spikes", facts) : looks_best ? words.say("first.ends", facts) : report::Text()});
+    const auto told = [&](const char* key) {
+        return words.say(key, "limits"_a = in_limits(study.subject, first.lambda), "t"_a = first.iterations,
+                         "inside"_a = readable_percent(inside, 2), "energy"_a = readable_percent(first.explicit_energy, 2),
+                         "explicit"_a = readable(by_explicit, 2), "implicit"_a = readable(by_implicit, 2),
+                         "iteration"_a = study.explicit_runs[*blown].result.blow_up_iteration, "later"_a = risen ? risen->iterations : 0,
+                         "times"_a = risen ? readable(risen->explicit_energy, 2) : "");
+    };
+    const bool pulled_in = inside > 0.5, amplified = first.explicit_energy > 1;
+    const bool looks_best = !pulled_in && !amplified && study.roughness > rough && by_explicit < 0.95 * by_implicit;
+    return paragraph_of({pulled_in    ? told("first.inside")
+                         : amplified  ? told("first.amplified")
+                         : looks_best ? told("first.smoother")
+                                      : report::Text(),
+                         risen        ? told("spikes")
+                         : looks_best ? told("first.ends")
+                                      : report::Text()});
 }
 
 /// Says if steps beyond the explicit limit have left speckles on a mesh without sharp edges: the most curved hundredth of the vertices is

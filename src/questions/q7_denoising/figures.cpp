@@ -62,19 +62,15 @@ const DenoisingGrid* most_of(const Grids& grids, double floor, const Amount& amo
 
 }   // namespace
 
-report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial) {
+report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial, report::Facts more) {
     const SearchState& best = trial.found.by_shape;
     const double gain = trial.gain(measures[0]);
-    return {"mesh"_a = grid.name(),
-            "noise"_a = readable_percent(trial.relative, 2),
-            "edges"_a = readable(trial.sigma / grid.mean_edge, 2),
-            "lambda"_a = readable(best.value, 2),
-            "best"_a = best.step,
-            "volume"_a = readable_percent(trial.volume_by(measures[0]), 2),
-            "over"_a = 4 * best.step,
-            "verdict"_a = verdict_on(trial),
-            "angle"_a = readable(180 / pi * best.angle, 2),
-            "gain"_a = readable(gain, gain < 1.1 ? 3 : 2)};
+    more.insert(more.end(),
+                {"mesh"_a = grid.name(), "noise"_a = readable_percent(trial.relative, 2),
+                 "edges"_a = readable(trial.sigma / grid.mean_edge, 2), "lambda"_a = readable(best.value, 2), "best"_a = best.step,
+                 "volume"_a = readable_percent(trial.volume_by(measures[0]), 2), "over"_a = 4 * best.step, "verdict"_a = verdict_on(trial),
+                 "angle"_a = readable(180 / pi * best.angle, 2), "gain"_a = readable(gain, gain < 1.1 ? 3 : 2)});
+    return more;
 }
 
 std::vector<Case> pictured_cases(const Grids& grids) {
