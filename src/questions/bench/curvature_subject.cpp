@@ -180,8 +180,15 @@ std::string undefined_words(const UndefinedVertices& vertices) {
     return " " + curvature_words.line(key, "boundary"_a = boundary, "nonmanifold"_a = nonmanifold);
 }
 
-output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor) {
-    output::ColorRange range = output::robust_range(panels, std::move(colormap), std::move(quantity), "", floor);
+double diverging_range(const Vector& values, double floor) {
+    output::Panel panel;
+    panel.values = values;
+    return output::robust_range({panel}, "diverging", "", "", floor).high;
+}
+
+output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor,
+                                   std::string unit) {
+    output::ColorRange range = output::robust_range(panels, std::move(colormap), std::move(quantity), std::move(unit), floor);
     range.low = 0;
     return range_for(range, panels);
 }

@@ -63,8 +63,12 @@ SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector&
 /// `shared` with the clipped shares of these panels.
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels);
 
+/// The end of the diverging colours that show these values, symmetric about 0; at least half of `floor`.
+double diverging_range(const Vector& values, double floor = 0);
+
 /// Robust range of unsigned values, from 0 on, with the clipped shares of the panels.
-output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor);
+output::ColorRange range_from_zero(const std::vector<output::Panel>& panels, std::string colormap, std::string quantity, double floor,
+                                   std::string unit = "");
 
 /// Vertices in use without curvature.
 struct UndefinedVertices {

@@ -15,35 +15,8 @@ namespace meshfolio {
 
 inline constexpr report::Words spectral_words("spectra");
 
-/// What must hold. Its name is a message, before " on <mesh>".
-struct Law {
-    std::string_view key;
-
-    std::string name(const std::string& on = "") const { return spectral_words.line(key) + on; }
-    operator std::string() const { return name(); }
-};
-
-namespace law {
-// of an operator
-inline constexpr Law symmetric{"law.symmetric"};
-inline constexpr Law row_sums{"law.row_sums"};
-inline constexpr Law energy{"law.energy"};
-inline constexpr Law first_variation{"law.first_variation"};
-inline constexpr Law mass{"law.mass"};
-inline constexpr Law semidefinite{"law.semidefinite"};
-// of a surface
-inline constexpr Law half_edges{"law.half_edges"};
-inline constexpr Law flux{"law.flux"};
-inline constexpr Law outward{"law.outward"};
-inline constexpr Law gauss_bonnet{"law.gauss_bonnet"};
-// of a spectrum
-inline constexpr Law residual{"law.residual"};
-inline constexpr Law orthonormal{"law.orthonormal"};
-inline constexpr Law parseval{"law.parseval"};
-inline constexpr Law complete{"law.complete"};
-inline constexpr Law zeros{"law.zeros"};
-inline constexpr Law ascending{"law.ascending"};
-}   // namespace law
+/// What must hold, for people: law("row_sums", " on cube").
+inline std::string law(std::string_view key, const std::string& on = "") { return spectral_words.line("law." + std::string(key)) + on; }
 
 /// "it cannot be proved here: …", for the note of an undecided check. Both in units of the eigenvalue.
 std::string cannot_be_proved(double rounding, double gap);

@@ -57,15 +57,17 @@ std::vector<EdgeAngle> edge_angles(const TriangleMesh& mesh, const MeshTopology&
     return angles;
 }
 
+std::vector<char> on_feature_edges(const TriangleMesh& mesh, const std::vector<EdgeAngle>& angles) {
+    std::vector<char> on_feature(mesh.vertex_count(), 0);
+    for (const EdgeAngle& edge : angles)
+        if (edge.degrees > feature_angle) on_feature[edge.a] = on_feature[edge.b] = 1;
+    return on_feature;
+}
+
 }   // namespace
 
 std::vector<char> feature_vertices(const TriangleMesh& mesh, const MeshTopology& topology) {
-    std::vector<char> on_feature(mesh.vertex_count(), 0);
-    for (const EdgeAngle& edge : edge_angles(mesh, topology)) {
-        if (edge.degrees <= feature_angle) continue;
-        on_feature[edge.a] = on_feature[edge.b] = 1;
-    }
-    return on_feature;
+    return on_feature_edges(mesh, edge_angles(mesh, topology));
 }
 
 FlaggedMeans flagged_means(const Vector& values, const std::vector<char>& flags) {
@@ -115,13 +117,14 @@ double median_face_angle(const TriangleMesh& mesh, const MeshTopology& topology)
 
 MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topology) {
     MeshCharacter character;
+    const std::vector<EdgeAngle> angles = edge_angles(mesh, topology);
     std::vector<double> others;
-    for (const EdgeAngle& edge : edge_angles(mesh, topology)) {
+    for (const EdgeAngle& edge : angles) {
         character.largest_angle = std::max(character.largest_angle, edge.degrees);
         if (edge.degrees <= feature_angle) others.push_back(edge.degrees);
     }
     character.typical_angle = median_of(others);
-    const std::vector<char> on_feature = feature_vertices(mesh, topology);
+    const std::vector<char> on_feature = on_feature_edges(mesh, angles);
     if (!on_feature.empty())
         character.feature_share = static_cast<double>(std::ranges::count(on_feature, 1)) / static_cast<double>(on_feature.size());
     character.open = topology.boundary_edge_count() > 0;

@@ -45,16 +45,10 @@ std::vector<int> first_share(const std::vector<int>& order, const Vector& M, dou
     return first;
 }
 
-double squared_sum(const std::vector<int>& vertices, const Vector& M, const Vector& distance) {
-    double sum = 0;
-    for (const int v : vertices) sum += M[v] * distance[v] * distance[v];
-    return sum;
-}
-
 double rms_over(const std::vector<int>& vertices, const Vector& M, const Vector& distance) {
-    double area = 0;
-    for (const int v : vertices) area += M[v];
-    return std::sqrt(squared_sum(vertices, M, distance) / area);
+    double squares = 0, area = 0;
+    for (const int v : vertices) squares += M[v] * distance[v] * distance[v], area += M[v];
+    return std::sqrt(squares / area);
 }
 
 /// The area of those that are farther off than `limit`.

@@ -117,10 +117,9 @@ report::Text about_faults(const std::vector<FaultTrial>& trials, const Specimen&
     }
     const report::Text caught =
         missed.empty() ? words.say("planted.caught") : words.say("planted.missed", "missed"_a = listed(missed), "number"_a = missed.size());
-    report::Text t = words.say("planted", "faults"_a = trials.size(), "modes"_a = specimen.spectrum.eigenvalues.size(),
-                               "vertices"_a = specimen.mesh.vertex_count(), "caught"_a = caught);
-    if (alone > 0) report::extend(t, " ", words.say("planted.alone", "alone"_a = alone));
-    return t;
+    return paragraph_of({words.say("planted", "faults"_a = trials.size(), "modes"_a = specimen.spectrum.eigenvalues.size(),
+                                   "vertices"_a = specimen.mesh.vertex_count(), "caught"_a = caught),
+                         alone > 0 ? words.say("planted.alone", "alone"_a = alone) : report::Text()});
 }
 
 }   // namespace

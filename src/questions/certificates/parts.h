@@ -10,12 +10,6 @@ namespace meshfolio::certificates {
 
 inline constexpr report::Words words("certificates");
 
-namespace law {
-using namespace meshfolio::law;
-inline constexpr Law claimed_count{"law.claimed_count"};
-inline constexpr Law stable{"law.stable"};
-}   // namespace law
-
 /// All that the checks look at, and two claims about the spectrum. Each part can be damaged on its own.
 struct Specimen {
     TriangleMesh mesh;

@@ -42,10 +42,9 @@ std::string values_of(const JudgedClaim& judged, const std::vector<std::size_t>&
     }));
 }
 
-std::string_view key_of(Verdict verdict) {
-    static constexpr std::array<std::string_view, 4> keys{"holds", "conditional", "refuted", "undecidable"};
-    return keys[int(verdict)];
-}
+/// Key and symbol of each verdict.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> verdicts{
+    {{"holds", "✓"}, {"conditional", "◐"}, {"refuted", "✗"}, {"undecidable", "?"}}};
 
 Measurement unmeasured(const Error& error) { return {.undecidable = words.line("unmeasured", "why"_a = error.what())}; }
 
@@ -82,12 +81,9 @@ JudgedClaim judged(const Claim& claim, ClaimBench& bench) {
     return result;
 }
 
-std::string word_of(Verdict verdict) { return words.line("verdict." + std::string(key_of(verdict))); }
+std::string word_of(Verdict verdict) { return words.line("verdict." + std::string(verdicts[int(verdict)].first)); }
 
-std::string_view symbol_of(Verdict verdict) {
-    static constexpr std::array<std::string_view, 4> symbols{"✓", "◐", "✗", "?"};
-    return symbols[int(verdict)];
-}
+std::string_view symbol_of(Verdict verdict) { return verdicts[int(verdict)].second; }
 
 std::string shown(Verdict verdict) { return std::string(symbol_of(verdict)) + " " + word_of(verdict); }
 

@@ -221,6 +221,15 @@ double roughness(const SmoothingSubject& subject, const Positions& X) {
     return std::sqrt(sum);
 }
 
+double implicit_operations(const Smoothed& run, int steps) {
+    const auto entries = static_cast<double>(run.factor_nonzeros);
+    return 6 * entries * steps + entries * entries / static_cast<double>(run.X.rows());
+}
+
+double explicit_operations(const SmoothingSubject& subject, int steps) {
+    return 3.0 * static_cast<double>(subject.laplacian.C.nonZeros()) * steps;
+}
+
 int best_of(const std::vector<double>& errors) { return static_cast<int>(std::ranges::min_element(errors) - errors.begin()); }
 
 }   // namespace meshfolio::claims

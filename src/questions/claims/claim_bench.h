@@ -108,6 +108,10 @@ private:
 /// √(Σ A_i|(Lx)_i|²), four times the integral of H²: how bent the surface is, zigzags above all. [1]
 double roughness(const SmoothingSubject& subject, const Positions& X);
 
+/// Multiply–adds of so many implicit steps, with a lower bound nnz²/n of the factorisation; and of explicit ones.
+double implicit_operations(const Smoothed& run, int steps);
+double explicit_operations(const SmoothingSubject& subject, int steps);
+
 /// Index of the smallest value: the best iteration.
 int best_of(const std::vector<double>& errors);
 

@@ -28,32 +28,26 @@ double uniform_error(ClaimBench& bench, const Sampling& s) { return error_of(ben
 double cotangent_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, "H.barycentric"); }
 double deficit_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, "K.barycentric"); }
 
-std::vector<Case> over_samplings(ClaimBench& bench, double (*value)(ClaimBench&, const Sampling&)) {
-    return each_of(samplings, [&](const Sampling& s) { return Case{s.said(), value(bench, s)}; });
-}
-
-Measurement uniform_inaccurate(ClaimBench& bench, const MeshNames&) {
-    return {.cases = over_samplings(bench, [](ClaimBench& b, const Sampling& s) { return 100 * uniform_error(b, s); }),
-            .remark = words.say("claims_s0_uniform.remark")};
-}
-
-Measurement deficit_beats_uniform(ClaimBench& bench, const MeshNames&) {
-    return {.cases = over_samplings(bench, [](ClaimBench& b, const Sampling& s) { return deficit_error(b, s) / uniform_error(b, s); })};
-}
-
-Measurement cotangent_beats_uniform(ClaimBench& bench, const MeshNames&) {
-    return {.cases = over_samplings(bench, [](ClaimBench& b, const Sampling& s) { return cotangent_error(b, s) / uniform_error(b, s); })};
-}
-
-Measurement cotangent_beats_both(ClaimBench& bench, const MeshNames&) {
-    return {.cases = over_samplings(bench, [](ClaimBench& b, const Sampling& s) {
-                return cotangent_error(b, s) / std::min(uniform_error(b, s), deficit_error(b, s));
+/// The error of the first estimator, over the least of the others, on every sampling.
+template <double (*error)(ClaimBench&, const Sampling&), double (*... others)(ClaimBench&, const Sampling&)>
+Measurement error_ratio(ClaimBench& bench, const MeshNames&) {
+    return {.cases = each_of(samplings, [&](const Sampling& s) {
+                return Case{s.said(), error(bench, s) / std::min({others(bench, s)...})};
             })};
 }
 
-Measurement cotangent_beats_deficit(ClaimBench& bench, const MeshNames&) {
-    return {.cases = over_samplings(bench, [](ClaimBench& b, const Sampling& s) { return cotangent_error(b, s) / deficit_error(b, s); }),
-            .remark = words.say("claims_s1_over_deficit.remark")};
+Measurement cotangent_over_deficit(ClaimBench& bench, const MeshNames& meshes) {
+    Measurement m = error_ratio<cotangent_error, deficit_error>(bench, meshes);
+    m.remark = words.say("claims_s1_over_deficit.remark");
+    return m;
+}
+
+Measurement uniform_inaccurate(ClaimBench& bench, const MeshNames&) {
+    return {.cases = each_of(samplings,
+                             [&](const Sampling& s) {
+                                 return Case{s.said(), 100 * uniform_error(bench, s)};
+                             }),
+            .remark = words.say("claims_s0_uniform.remark")};
 }
 
 Measurement not_influenced(ClaimBench& bench, const MeshNames&) {
@@ -145,15 +139,15 @@ Measurement places_of_extrema(ClaimBench&, const MeshNames&) {
 extern const std::vector<Claim> curvature_claims{
     {"claims_s0_uniform", "q1", {}, {"uniform_error", "%", at_least, 10}, uniform_inaccurate},
     {"claims_s0_drift", "q1", {}, {"flat_h", "", at_least, 0.01}, uniform_on_flat},
-    {"claims_s1_deficit", "q1", {}, {"error_ratio", "", at_most, 1}, deficit_beats_uniform},
+    {"claims_s1_deficit", "q1", {}, {"error_ratio", "", at_most, 1}, error_ratio<deficit_error, uniform_error>},
     {"claims_s3_plane_uniform", "q1", {{"plane"}, {flat}, its_kind}, {"flat_h", "", at_most, 0.001}, uniform_on_plane},
     {"claims_s3_plane_structure", "q1", {{"plane"}, {flat}, itself}, {"flat_h", "", at_least, 0.01}, structure_on_plane},
     {"claims_s3_tip", "q2", {}, {"tip_distance", "", at_most, 1e-9}, parameters_of_the_tip},
     {"claims_s3_extrema", "q2", {}, {"normal_curvatures", "", at_least, 1}, places_of_extrema},
     {"claims_s0_irregular", "q3", {}, {"random_error", "%", at_most, 5}, not_influenced},
-    {"claims_s0_best", "q3", {}, {"error_over_others", "", at_most, 1}, cotangent_beats_both},
-    {"claims_s1_cotangent", "q3", {}, {"error_ratio", "", at_most, 0.5}, cotangent_beats_uniform},
-    {"claims_s1_over_deficit", "q3", {}, {"error_ratio", "", at_most, 1}, cotangent_beats_deficit},
+    {"claims_s0_best", "q3", {}, {"error_over_others", "", at_most, 1}, error_ratio<cotangent_error, uniform_error, deficit_error>},
+    {"claims_s1_cotangent", "q3", {}, {"error_ratio", "", at_most, 0.5}, error_ratio<cotangent_error, uniform_error>},
+    {"claims_s1_over_deficit", "q3", {}, {"error_ratio", "", at_most, 1}, cotangent_over_deficit},
     {"claims_s2_artefacts", "q3", {}, {"flat_h", "", at_most, 1e-9}, cotangent_on_flat},
     {"claims_s3_clamp", "q3", {}, {"overshoot", "", at_most, 1e-12}, clamping_is_harmless},
     {"claims_s3_plane_rapid", "q3", {{"plane"}, {}, itself}, {"jumps", "", at_most, 1}, less_rapid_on_plane}};

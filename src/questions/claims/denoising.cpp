@@ -132,9 +132,6 @@ Measurement better_where_flat(ClaimBench& bench, const MeshNames& meshes) {
     return {.cases = each_of(meshes, at_edges), .remark = words.say("claims_s0_flat.remark")};
 }
 
-const std::vector<double>& cow_errors(ClaimBench& bench, double relative) {
-    return bench.denoised("cow", gentle_run(bench, "cow", relative, 20));
-}
 std::string level_text(double relative) { return words.line("case.noise", "share"_a = readable_percent(relative)); }
 
 /// What is left of the noise over what is lost of the clean mesh, both rms, at the first step of λ after which the clean mesh has no more
@@ -164,7 +161,7 @@ Measurement details_go_first(ClaimBench& bench, const MeshNames&) {
 Measurement low_noise_keeps_features(ClaimBench& bench, const MeshNames&) {
     Measurement m{.remark = words.say("claims_s2_low_noise.remark")};
     for (const double relative : {0.001, 0.003}) {   // more is not little
-        const std::vector<double>& errors = cow_errors(bench, relative);
+        const std::vector<double>& errors = bench.denoised("cow", gentle_run(bench, "cow", relative, 20));
         m.cases.push_back({level_text(relative), errors.front() / std::ranges::min(errors)});
     }
     return m;

@@ -38,7 +38,8 @@ std::string k_text(int k) { return "k = " + std::to_string(k); }
 /// Error of k modes, fewer where the mesh has no more. [% of the box diagonal]
 double error_at(const SpectralStudy& study, int k) { return 100 * study.rms[std::min(k, study.modes())] / study.diagonal; }
 
-Measurement errors_at(ClaimBench& bench, const MeshNames& meshes, int k) {
+template <int k>
+Measurement errors_at(ClaimBench& bench, const MeshNames& meshes) {
     return {.cases = each_of(meshes, [&](std::string_view name) {
                 const SpectralStudy& study = bench.spectrum(name);
                 return Case{study.name() + ", " + k_text(std::min(k, study.modes())), error_at(study, k)};
@@ -46,7 +47,7 @@ Measurement errors_at(ClaimBench& bench, const MeshNames& meshes, int k) {
 }
 
 Measurement near_original(ClaimBench& bench, const MeshNames& meshes) {
-    Measurement m = errors_at(bench, meshes, 150);
+    Measurement m = errors_at<150>(bench, meshes);
     const SpectralStudy& first = bench.spectrum(meshes.front());
     report::Plot plot{.id = "claims_modes",
                       .caption = words.line("plot.modes", "error"_a = readable(m.cases.front().value, 2),
@@ -77,9 +78,6 @@ Measurement more_is_better(ClaimBench& bench, const MeshNames&) {
                              }),
             .remark = words.say("claims_s1_more_modes.remark")};
 }
-
-Measurement thirty_miss_the_bumps(ClaimBench& bench, const MeshNames& meshes) { return errors_at(bench, meshes, 30); }
-Measurement many_are_enough(ClaimBench& bench, const MeshNames& meshes) { return errors_at(bench, meshes, 130); }
 
 Measurement hands_and_feet(ClaimBench& bench, const MeshNames&) {
     Measurement m{.remark = words.say("claims_s3_hands_feet.remark")};
@@ -125,8 +123,8 @@ extern const std::vector<Claim> spectral_claims{
      full},
     {"claims_s1_k150", "q4", {{"bunny", "cow"}, {above_1500_vertices}}, {"rebuilt", of_diagonal, at_most, 1}, near_original, full},
     {"claims_s1_more_modes", "q4", {{"cow"}, {above_1500_vertices}}, {"next_k", "", at_most, 0.95}, more_is_better, full},
-    {"claims_s2_k30", "q4", {{"bumpy_cube"}, {}, itself}, {"rebuilt", of_diagonal, at_least, 0.5}, thirty_miss_the_bumps, full},
-    {"claims_s2_k130", "q4", {{"bumpy_cube"}, {}, itself}, {"rebuilt", of_diagonal, at_most, 1}, many_are_enough, full},
+    {"claims_s2_k30", "q4", {{"bumpy_cube"}, {}, itself}, {"rebuilt", of_diagonal, at_least, 0.5}, errors_at<30>, full},
+    {"claims_s2_k130", "q4", {{"bumpy_cube"}, {}, itself}, {"rebuilt", of_diagonal, at_most, 1}, errors_at<130>, full},
     {"claims_s3_hands_feet", "q4", {{"armadillo"}, {}, its_kind}, {"remoteness", "", at_least, 1.2}, hands_and_feet, full},
     {"claims_s3_edge_areas", "q4", {{"armadillo"}}, {"edge_normalised", "", at_most, 0.99}, normalised_by_edges, full},
     {"claims_vallet_projection", "q4", {{"armadillo"}, {unequal_areas}}, {"either_step", "", at_least, 1}, projection_needs_areas, full}};

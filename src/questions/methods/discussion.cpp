@@ -109,7 +109,7 @@ report::Text about_limits(const DenoisingTrials& mesh) {
     return t;
 }
 
-/// "20 % to 27 %", or "20 %" where both are told alike.
+/// "between 20 % and 27 %", or "20 %" where both are told alike.
 std::string range_of(const std::vector<double>& values, const auto& told) {
     const auto [least, most] = std::ranges::minmax(values);
     const std::string low = told(least), high = told(most);

@@ -1,3 +1,4 @@
+#include "questions/bench/curvature_subject.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
@@ -152,9 +153,8 @@ void add_method_figure(Answer& answer, const DenoisingTrials& mesh, const NoiseT
     output::FigureRequest request{.id = base,
                                   .title = words.line("figure.title", "mesh"_a = mesh.name()),
                                   .subtitle = words.line("figure.subtitle", "noise"_a = trial.title()),
-                                  .range = output::robust_range(panels, "pale", words.line("figure.quantity"), "mean edges", 0.01),
+                                  .range = range_from_zero(panels, "pale", words.line("figure.quantity"), 0.01, "mean edges"),
                                   .layout = output::Layout::one_frame};
-    request.range->low = request.range->clipped_below = 0;   // a distance begins at 0
     panels.insert(panels.begin(), panel_of(subject.mesh, base + "_clean", "clean"));
     request.panels = std::move(panels);
     const std::string name = subject.is_patch() ? words.line("figure.patch", "mesh"_a = mesh.name()) : mesh.name();

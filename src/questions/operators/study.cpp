@@ -26,15 +26,9 @@ double spectrum_change(const LaboratoryOperator& laboratory_operator, const Vect
 
 /// √(Σ (f − g)²/Σ g²) over the vertices where both are finite; NaN where g is 0 there to rounding, `scale` being what counts.
 double relative_difference(const Vector& f, const Vector& g, double scale) {
-    double difference = 0, size = 0;
-    int count = 0;
-    for (Eigen::Index i = 0; i < f.size(); ++i) {
-        if (!std::isfinite(f[i]) || !std::isfinite(g[i])) continue;
-        difference += (f[i] - g[i]) * (f[i] - g[i]);
-        size += g[i] * g[i];
-        ++count;
-    }
-    return count > 0 && std::sqrt(size / count) > 1e-9 * scale ? std::sqrt(difference / size) : std::nan("");
+    const std::vector<int> both = where_finite(f, g);
+    const double rms = std::sqrt(g(both).squaredNorm() / static_cast<double>(both.size()));
+    return rms > 1e-9 * scale ? relative_error(f, g, Vector::Ones(f.size())) : std::nan("");
 }
 
 OperatorTrial trial_of(const LaboratoryOperator& laboratory_operator, const LaplaceBeltrami& laplacian, const CurvatureSubject& subject) {

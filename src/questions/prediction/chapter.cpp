@@ -26,10 +26,8 @@ void add_checks(report::Section& section, const Studies& studies) {
 
 report::Text answer_of(const Studies& studies) {
     const auto off = [&](FlowOperator kind) {
-        double most = 0;
-        for (const auto& [study, level] : levels_of(studies))
-            most = std::max(most, deviation(level.of(kind).formula(), level.of(kind).measured));
-        return readable_percent(most, 2);
+        const auto of_level = [kind](auto& each) { return deviation(each.part.of(kind).formula(), each.part.of(kind).measured); };
+        return readable_percent(largest_of(levels_of(studies), of_level), 2);
     };
     return words.say("answer", "off"_a = off(FlowOperator::clean), "own"_a = off(FlowOperator::noisy));
 }

@@ -1,4 +1,6 @@
-#include "questions/prediction/study.h"
+#include "questions/prediction/parts.h"
+
+#include <tuple>
 
 #include "geometry/smoothing/laplacian_smoothing.h"
 
@@ -14,10 +16,8 @@ double percentile(std::vector<double> values, double share) {
     return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
-struct MeanAndError {
-    Vector mean, error;
-};
-MeanAndError mean_over(const std::vector<RunErrors>& runs, Vector RunErrors::*error) {
+/// The mean, and its standard error.
+std::pair<Vector, Vector> mean_over(const std::vector<RunErrors>& runs, Vector RunErrors::*error) {
     const auto count = static_cast<double>(runs.size());
     Vector sum = Vector::Zero((runs.front().*error).size()), squares = sum;
     for (const RunErrors& run : runs) sum += run.*error;
@@ -79,16 +79,12 @@ int MeasuredCurve::best() const { return first_smallest(square); }
 
 MeasuredCurve measured_curve(const std::vector<RunErrors>& runs) {
     if (runs.empty()) throw MeshError("measured_curve: no runs");
-    const MeanAndError vertices = mean_over(runs, &RunErrors::vertices), mass = mean_over(runs, &RunErrors::mass);
-    const Vector empty(vertices.mean.size());
-    MeasuredCurve curve{vertices.mean,
-                        vertices.error,
-                        mass.mean,
-                        mass.error,
-                        mean_over(runs, &RunErrors::along).mean,
-                        empty,
-                        empty,
-                        static_cast<int>(runs.size())};
+    MeasuredCurve curve;
+    std::tie(curve.square, curve.square_error) = mean_over(runs, &RunErrors::vertices);
+    std::tie(curve.mass, curve.mass_error) = mean_over(runs, &RunErrors::mass);
+    curve.along = mean_over(runs, &RunErrors::along).first;
+    curve.low = curve.high = Vector(curve.square.size());
+    curve.seeds = static_cast<int>(runs.size());
     for (Eigen::Index t = 0; t < curve.square.size(); ++t) {
         const std::vector<double> rms = each_of(runs, [&](const RunErrors& run) { return std::sqrt(run.vertices[t]); });
         curve.low[t] = percentile(rms, 0.1);

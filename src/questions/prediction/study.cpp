@@ -89,6 +89,13 @@ OperatorStudy operator_study(FlowOperator kind, const LevelResults& results, Pre
     return study;
 }
 
+/// Null without.
+template <class Entry>
+const Entry* named(const std::vector<Entry>& entries, std::string_view name) {
+    const auto it = std::ranges::find(entries, name, &Entry::name);
+    return it == entries.end() ? nullptr : &*it;
+}
+
 double mean_of(const std::vector<double>& values) {
     return values.empty() ? std::nan("") : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -111,12 +118,11 @@ double distance(const ExpectedError& expected, double factor, double sigma, int 
 
 }   // namespace
 
-double deviation(const PredictedCurve& predicted, const MeasuredCurve& measured) {
+double deviation(const Vector& predicted_square, const Vector& measured_square) {
     double farthest = 0;
-    for (Eigen::Index t = 0; t < measured.square.size(); ++t) {
-        if (!(measured.square[t] > 0)) continue;
-        farthest = std::max(farthest, std::abs(std::sqrt(std::max(predicted.square[t], 0.0) / measured.square[t]) - 1));
-    }
+    for (Eigen::Index t = 0; t < measured_square.size(); ++t)
+        if (measured_square[t] > 0)
+            farthest = std::max(farthest, std::abs(std::sqrt(std::max(predicted_square[t], 0.0) / measured_square[t]) - 1));
     return farthest;
 }
 
@@ -124,15 +130,8 @@ double RuleOutcome::mean_chosen() const { return mean_of(chosen); }
 double RuleOutcome::mean_regret() const { return mean_of(regret); }
 double RuleOutcome::worst_regret() const { return regret.empty() ? std::nan("") : *std::ranges::max_element(regret); }
 
-const PredictedCurve* OperatorStudy::prediction(std::string_view name) const {
-    const auto it = std::ranges::find(predictions, name, &PredictedCurve::name);
-    return it == predictions.end() ? nullptr : &*it;
-}
-
-const RuleOutcome* OperatorStudy::rule(std::string_view name) const {
-    const auto it = std::ranges::find(rules, name, &RuleOutcome::name);
-    return it == rules.end() ? nullptr : &*it;
-}
+const PredictedCurve* OperatorStudy::prediction(std::string_view name) const { return named(predictions, name); }
+const RuleOutcome* OperatorStudy::rule(std::string_view name) const { return named(rules, name); }
 
 const PredictedCurve& OperatorStudy::closest() const {
     return *std::ranges::min_element(predictions, {}, [&](const PredictedCurve& p) { return deviation(p, measured); });
@@ -205,10 +204,7 @@ StandardDistance standard_distance(const PredictionStudy& study, const NoiseLeve
 
 double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level) {
     const ExpectedError& expected = study.prediction.mass;
-    const Vector predicted = expected.squared(level.sigma) / expected.weight_sum, &measured = level.of(FlowOperator::clean).measured.mass;
-    double farthest = 0;
-    for (Eigen::Index t = 0; t < measured.size(); ++t) farthest = std::max(farthest, std::abs(std::sqrt(predicted[t] / measured[t]) - 1));
-    return farthest;
+    return deviation(expected.squared(level.sigma) / expected.weight_sum, level.of(FlowOperator::clean).measured.mass);
 }
 
 ErrorAccount error_account(const NoiseLevelStudy& level) {

@@ -4,7 +4,7 @@
 
 #include "geometry/denoising/noise_level.h"
 #include "mesh/mesh_topology.h"
-#include "questions/prediction/study.h"
+#include "questions/prediction/parts.h"
 
 namespace meshfolio::prediction {
 

@@ -121,8 +121,8 @@ void add_checks(report::Section& section, const Inspected& mesh) {
     const PreparedMesh& prepared = *mesh.source->prepared;
     const Preflight& p = mesh.counts();
     if (p.manifold())
-        add(section, check_at_most(law::gauss_bonnet.name(on), gauss_bonnet_tolerance(p.triangles), mesh.facts.gauss_bonnet_residual));
-    if (p.manifold() && p.orientable) add(section, check_near(law::half_edges.name(on), 0, repeated_half_edges(prepared.mesh.F), 0));
+        add(section, check_at_most(law("gauss_bonnet", on), gauss_bonnet_tolerance(p.triangles), mesh.facts.gauss_bonnet_residual));
+    if (p.manifold() && p.orientable) add(section, check_near(law("half_edges", on), 0, repeated_half_edges(prepared.mesh.F), 0));
     constexpr double larger = 0x1p20, smaller = 0x1p-20;
     add(section, check_at_most(words.line("check.moved", "mesh"_a = mesh.name()), 1e-12,
                                std::max(change_when_moved(prepared, larger), change_when_moved(prepared, smaller)), 0,
@@ -151,16 +151,11 @@ report::Text about_meshes(const std::vector<Inspected>& meshes) {
         turned = turned || turned_here;
         if (!p.closed()) open.push_back(mesh.name());
     }
+    const char* repairs = repaired.empty() ? "not_repaired" : repaired.size() < meshes.size() ? "repaired" : "repaired.all";
+    const char* how = !turned ? "repaired.dropped" : dropped ? "repaired.either" : "repaired.turned";
     report::Text t;
     if (!clean.empty()) report::extend(t, words.say("clean", "meshes"_a = listed(clean)), " ");
-    report::extend(t,
-                   repaired.empty()
-                       ? words.say("not_repaired")
-                       : words.say(repaired.size() < meshes.size() ? "repaired" : "repaired.all", "meshes"_a = listed(repaired),
-                                   "how"_a = words.line(!turned   ? "repaired.dropped"
-                                                        : dropped ? "repaired.either"
-                                                                  : "repaired.turned")),
-                   " ");
+    report::extend(t, words.say(repairs, "meshes"_a = listed(repaired), "how"_a = words.line(how)), " ");
     if (!open.empty()) report::extend(t, words.say("open", "meshes"_a = listed(open)));
     return t;
 }
@@ -186,9 +181,9 @@ report::Text about_smallest_angle(const std::vector<Inspected>& meshes) {
 
 void add_discussion(report::Section& section, const std::vector<Inspected>& meshes, const std::vector<Occurrence>& found) {
     add_words(section, words, "discussion");
-    add_paragraphs(section, {about_meshes(meshes)});
-    if (const Names kept = kept_of(found); !kept.empty()) add_paragraphs(section, {words.say("kept", "defects"_a = listed(kept))});
-    add_paragraphs(section, {about_smallest_angle(meshes)});
+    const Names kept = kept_of(found);
+    add_paragraphs(section, {about_meshes(meshes), kept.empty() ? report::Text() : words.say("kept", "defects"_a = listed(kept)),
+                             about_smallest_angle(meshes)});
 }
 
 }   // namespace

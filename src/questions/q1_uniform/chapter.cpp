@@ -76,10 +76,6 @@ report::Table gauss_bonnet_table(const AngleSums& sums) {
         .column("applies", [](auto& s) { return s.applies ? "yes" : words.line("gauss_bonnet.does_not_apply"); });
 }
 
-report::Plot convergence_plot(const BenchRuns& runs) {
-    return meshfolio::convergence_plot("q1_convergence", words, runs, {{uniform_H, "convergence.h"}, {deficit_K, "convergence.k"}});
-}
-
 void add_checks(report::Section& section, const AngleSums& sums, const std::vector<FlatMesh>& flat, const BenchRuns& runs) {
     for (const AngleSum& s : sums)
         if (s.applies) add(section, check_near(words.line("check.gauss_bonnet", "mesh"_a = s.mesh), s.euler, s.measured, s.tolerance()));
@@ -140,7 +136,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
     begin_appendix(section);
     add_words(section, words, "appendix");
-    add(section, convergence_plot(runs), statistics_table(meshes), area_table(runs), gauss_bonnet_table(sums));
+    add(section, convergence_plot("q1_convergence", words, runs, {{uniform_H, "convergence.h"}, {deficit_K, "convergence.k"}}),
+        statistics_table(meshes), area_table(runs), gauss_bonnet_table(sums));
     add_flat_boundaries(section, flat);
 
     const std::size_t levels = runs.front().levels.size();

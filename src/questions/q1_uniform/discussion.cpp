@@ -112,7 +112,7 @@ report::Text K_picture(const MeshCurvature& c) {
         return t;
     }
     if (!(c.K.array() < 0).any()) return words.say("k.positive", "mesh"_a = s.name());
-    const SignsByDistance seen = signs_by_distance(s, c.K, 0.05 * colour_range(c.K));   // what is paler is as good as white
+    const SignsByDistance seen = signs_by_distance(s, c.K, 0.05 * diverging_range(c.K));   // what is paler is as good as white
     return words.say("k.saddles", "mesh"_a = s.name(), "negative"_a = readable_percent(seen.negative, 2),
                      "flat"_a = readable_percent(1 - seen.positive - seen.negative, 2));
 }
@@ -123,7 +123,7 @@ struct Caps {
 
     /// Does the mesh show them?
     bool take(const MeshCurvature& c) {
-        const SignsByDistance seen = signs_by_distance(c.subject, c.K, 0.05 * colour_range(c.K));
+        const SignsByDistance seen = signs_by_distance(c.subject, c.K, 0.05 * diverging_range(c.K));
         if (irregular_vertices(c).ringed() || !(c.K.array() < 0).any() || !seen.caps_outside()) return false;
         negative.push_back(words.line(negative.empty() ? "k.caps.saddles" : "k.caps.saddles_too",
                                       "share"_a = readable_percent(seen.negative, 2), "mesh"_a = c.name()));

@@ -104,31 +104,26 @@ Diagram::Panel area_panel(const FlatRing& ring, AreaForm form) {
 
 /// A quantity that every mesh shows on a range of its own, for values of meshes are not compared.
 struct Shown {
-    std::string key;   // the end of its figure's name
-    const char *title, *caption, *quantity, *label, *zero;
-    double floor;   // of the range
-    double least;   // below it all is 0 but for rounding
+    std::string key;   // the end of its figure's name, and the beginning of its messages
+    double floor;      // of the range
+    double least;      // below it all is 0 but for rounding
     Vector (*values)(const MeshCurvature&);
 };
 
 const Shown shown[]{
-    {"h", "h.title", "h.caption", "h.quantity", "h.label", "h.label.zero", 0.1, 100 * visible,
-     [](const MeshCurvature& c) -> Vector { return 100 / c.subject.mean_edge * c.length; }},
-    {"k", "k.title", "k.caption", "k.quantity", "k.label", "k.label.zero", 0.1, 0.01,
-     [](const MeshCurvature& c) -> Vector { return c.subject.diagonal * c.subject.diagonal * c.K; }},
+    {"h", 0.1, 100 * visible, [](const MeshCurvature& c) -> Vector { return 100 / c.subject.mean_edge * c.length; }},
+    {"k", 0.1, 0.01, [](const MeshCurvature& c) -> Vector { return c.subject.diagonal * c.subject.diagonal * c.K; }},
 };
 
 /// Colours the mesh in percent of its own range, which its label states.
 output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
     const std::string& name = c.name();
-    output::Panel panel;
-    panel.values = quantity.values(c);
-    const double range = output::robust_range({panel}, "diverging", "", "", quantity.floor).high;
-    const double most = largest_magnitude(panel.values);
+    const Vector values = quantity.values(c);
+    const double range = diverging_range(values, quantity.floor), most = largest_magnitude(values);
     const std::string label =
-        words.line(most > quantity.least ? quantity.label : quantity.zero, "mesh"_a = name, "most"_a = readable(most, 2),
-                   "range"_a = readable(range, 2), "beyond"_a = beyond_words(panel.values, range));
-    return relative_panel(c.subject, "q1_" + name + "_" + quantity.key, label, panel.values, range);
+        words.line(quantity.key + (most > quantity.least ? ".label" : ".label.zero"), "mesh"_a = name, "most"_a = readable(most, 2),
+                   "range"_a = readable(range, 2), "beyond"_a = beyond_words(values, range));
+    return relative_panel(c.subject, "q1_" + name + "_" + quantity.key, label, values, range);
 }
 
 /// Rings the irregular vertices that the text speaks of. @return a space and a sentence that names these meshes, or nothing
@@ -164,14 +159,14 @@ void add_figures(Answer& answer, const Meshes& meshes) {
     for (const MeshCurvature& c : meshes) masked += undefined_vertices(c.subject);
     for (const Shown& quantity : shown) {
         output::FigureRequest figure{.id = "q1_" + quantity.key,
-                                     .title = words.line(quantity.title),
-                                     .range = relative_range(words.line(quantity.quantity)),
+                                     .title = words.line(quantity.key + ".title"),
+                                     .range = relative_range(words.line(quantity.key + ".quantity")),
                                      .frame_panel = -1,
                                      .turnable = quantity.key == "h",
                                      .view_files = true};
         for (const MeshCurvature& c : meshes) figure.panels.push_back(panel_of(quantity, c));
         const std::string marked = quantity.key == "k" ? mark_irregular_vertices(figure.panels, meshes) : "";
-        add_figure(answer, std::move(figure), words.line(quantity.caption) + marked + undefined_words(masked));
+        add_figure(answer, std::move(figure), words.line(quantity.key + ".caption") + marked + undefined_words(masked));
     }
 }
 

@@ -23,13 +23,9 @@ struct MeshCurvature {
     Vector areas;       // barycentric [length²]
     Vector deficit;     // [rad]
     const std::string& name() const { return subject.name(); }
-    double euler_from_angles() const;
 };
 
 MeshCurvature curvature_of(SharedMesh source);
-
-/// The end of the colours that show these values, symmetric about 0.
-double colour_range(const Vector& values);
 
 /// Medians of values in the quarter of the vertices where something else is smallest, and in that where it is largest.
 struct Contrast {

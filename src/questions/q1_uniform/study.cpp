@@ -21,14 +21,6 @@ double spread_of(const Vector& values) {
 
 }   // namespace
 
-double colour_range(const Vector& values) {
-    output::Panel panel;
-    panel.values = values;
-    return output::robust_range({panel}, "diverging", "", "", 0).high;
-}
-
-double MeshCurvature::euler_from_angles() const { return total_deficit(deficit) / (2 * pi); }
-
 MeshCurvature curvature_of(SharedMesh source) {
     MeshCurvature c;
     c.subject = curvature_subject(std::move(source));
@@ -84,7 +76,7 @@ TangentialPart tangential_part(const MeshCurvature& c) {
 }
 
 FlatParts flat_parts(const MeshCurvature& c) {
-    const auto within = [](const Vector& values) { return flat_within * colour_range(values); };
+    const auto within = [](const Vector& values) { return flat_within * diverging_range(values); };
     const double K = within(c.K), H = within(c.cotangent), length = within(c.length);
     const Vector shares = tangential_shares(c.subject.mesh(), c.subject.topology());
     FlatParts flat;
@@ -133,7 +125,7 @@ std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const
     std::vector<AngleSum> sums;
     for (const MeshCurvature& c : meshes) {
         const Preflight& p = c.subject.preflight();
-        sums.push_back({c.name(), p.vertices_in_use, p.triangles, p.euler_characteristic, c.euler_from_angles(),
+        sums.push_back({c.name(), p.vertices_in_use, p.triangles, p.euler_characteristic, total_deficit(c.deficit) / (2 * pi),
                         p.manifold() && p.zero_area_faces == 0});
     }
     for (const BenchRun& run : runs) {

@@ -61,10 +61,6 @@ report::Text about_meshes(const DiscreteTips& tips) {
     return t;
 }
 
-double difference_of_readings(const Ellipsoid& e, double theta) {
-    return std::abs(tip_curvature_by_angle(e, theta) - tip_curvature_by_parameters(e, theta));
-}
-
 report::Text lead_of(const Tip& tip) {
     const PrincipalCurvatures& k = tip.principal;
     return words.say("lead", "axes"_a = axes_text(tip.ellipsoid), "least"_a = readable(k.minimum, 2),
@@ -115,7 +111,8 @@ void add_checks(report::Section& section, const std::vector<Tip>& tips, const Or
 ReadingGap largest_gap(const Ellipsoid& e) {
     ReadingGap largest;
     for (int degrees = 0; degrees <= 90; ++degrees) {
-        const double gap = difference_of_readings(e, degrees * pi / 180);
+        const double theta = degrees * pi / 180;
+        const double gap = std::abs(tip_curvature_by_angle(e, theta) - tip_curvature_by_parameters(e, theta));
         if (gap > largest.gap) largest = {gap, degrees};
     }
     return largest;

@@ -94,11 +94,6 @@ report::Table indicator_table(const std::vector<IndicatorTrial>& trials) {
         .column("worst tenth found", {.unit = "%"}, [](auto& t) { return 100 * t.indicator.found; });
 }
 
-report::Plot convergence_plot(const BenchRuns& runs) {
-    return meshfolio::convergence_plot("q3_convergence", words, runs,
-                                       {{"H.uniform", "convergence.uniform"}, {H_with(areas_used), "convergence.cotangent"}});
-}
-
 void add_checks(report::Section& section, const BenchRuns& runs, const PlaneTest& plane, const Comparisons& meshes) {
     for (const AreaForm form : area_forms) {
         const Order order = run_on(runs, "torus", MeshKind::regular).errors(H_with(form)).order();
@@ -186,7 +181,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     begin_appendix(section);
     add_words(section, words, "appendix");
     add(section, error_table(runs, &EstimateError::linf, "linf", "L∞"), order_table(runs), difference_table(meshes), variant_table(meshes),
-        convergence_plot(runs));
+        convergence_plot("q3_convergence", words, runs,
+                         {{"H.uniform", "convergence.uniform"}, {H_with(areas_used), "convergence.cotangent"}}));
     add_limits(section, meshes, runs);
     add_error_indicator(answer, meshes, runs, settings);
 

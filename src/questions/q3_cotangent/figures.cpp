@@ -102,11 +102,7 @@ Diagram weight_diagram() {
             .panels = {weight_panel(ring), uniform_panel(ring), cotangent_panel(ring), cell_panel(ring)}};
 }
 
-double cotangent_range(const CotangentComparison& c) {
-    output::Panel panel;
-    panel.values = c.subject.mean_edge * c.cotangent;
-    return output::robust_range({panel}, "diverging", "", "", 0.01).high;
-}
+double cotangent_range(const CotangentComparison& c) { return diverging_range(c.subject.mean_edge * c.cotangent, 0.01); }
 
 void add_comparison_figure(Answer& answer, const Comparisons& meshes) {
     output::FigureRequest figure{.id = "q3_h",

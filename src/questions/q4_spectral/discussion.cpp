@@ -12,19 +12,17 @@ constexpr double clear_ratio = 1.5;   // less is no difference that one explains
 report::Text picture_of(const SpectralStudy& study, const Reconstruction& r) {
     const bool closed = study.preflight().closed() && std::isfinite(r.difference.volume_ratio);
     const double volume = closed ? r.difference.volume_ratio : 1;
-    const report::Facts facts{"k"_a = r.k,
-                              "mesh"_a = study.name(),
-                              "rms"_a = percent_of_box(study, r.difference.area_weighted_rms),
-                              "angle"_a = readable(r.difference.mean_normal_angle * 180 / pi, 2),
-                              "volume"_a = readable_percent(volume, 2),
-                              "largest"_a = percent_of_box(study, r.difference.max)};
-    if (is_exact(study, r.k)) return words.say("picture.exact", facts);
-    constexpr double rough = 5;   // degrees
-    if (r.difference.area_weighted_rms < 0.005 * study.diagonal)
-        return words.say(r.difference.mean_normal_angle * 180 / pi < rough ? "picture.close" : "picture.close_but_rough", facts);
-    if (volume < 0.01) return words.say("picture.nothing", facts);
-    if (volume < 0.3) return words.say("picture.collapsed", facts);
-    return words.say(!closed ? "picture.open" : volume < 0.9 ? "picture.rounded" : "picture.whole", facts);
+    const double rms = r.difference.area_weighted_rms, angle = r.difference.mean_normal_angle * 180 / pi;
+    constexpr double rough = 5;   // [°]
+    const char* key = is_exact(study, r.k)           ? "picture.exact"
+                      : rms < 0.005 * study.diagonal ? angle < rough ? "picture.close" : "picture.close_but_rough"
+                      : volume < 0.01                ? "picture.nothing"
+                      : volume < 0.3                 ? "picture.collapsed"
+                      : !closed                      ? "picture.open"
+                      : volume < 0.9                 ? "picture.rounded"
+                                                     : "picture.whole";
+    return words.say(key, "k"_a = r.k, "mesh"_a = study.name(), "rms"_a = percent_of_box(study, rms), "angle"_a = readable(angle, 2),
+                     "volume"_a = readable_percent(volume, 2), "largest"_a = percent_of_box(study, r.difference.max));
 }
 
 /// The parts of the body, on the one mesh that these words were written before: the assignment's.
@@ -40,20 +38,18 @@ report::Text shape_of(const SpectralStudy& study, int k) {
 report::Text where_the_error_sits(const Subject& subject) {
     const SpectralStudy& study = subject.study;
     const auto& all = study.reconstructions;
-    const auto it = std::find_if(all.rbegin(), all.rend(), [&](const Reconstruction& r) { return !is_exact(study, r.k); });
-    if (it == all.rend()) return {};
+    const Reconstruction* it = last_erring(study);
+    if (!it) return {};
     const double first = share_seen(study, all.front()), last = share_seen(study, *it), remoteness = remoteness_of_worst(study, *it);
     const auto row = std::ranges::find(subject.limbs.errors, it->k, &LimbErrors::k);
     const double on_thin = row != subject.limbs.errors.end() ? row->seen_on_thin : 0;   // of half the area
-    const report::Facts facts{"k"_a = it->k,
-                              "last"_a = readable_percent(last, 2),
-                              "from"_a = all.front().k,
-                              "first"_a = readable_percent(first, 2),
-                              "limit"_a = readable_percent(seen_error, 1),
-                              "thin"_a = readable_percent(on_thin, 2),
-                              "remoteness"_a = readable(remoteness, 2),
-                              "largest"_a = readable(it->difference.max / it->difference.area_weighted_rms, 2)};
-    const auto if_so = [&](bool holds, const char* key) { return holds ? words.say(key, facts) : report::Text(); };
+    const auto if_so = [&](bool holds, const char* key) {
+        if (!holds) return report::Text();
+        return words.say(key, "k"_a = it->k, "last"_a = readable_percent(last, 2), "from"_a = all.front().k,
+                         "first"_a = readable_percent(first, 2), "limit"_a = readable_percent(seen_error, 1),
+                         "thin"_a = readable_percent(on_thin, 2), "remoteness"_a = readable(remoteness, 2),
+                         "largest"_a = readable(it->difference.max / it->difference.area_weighted_rms, 2));
+    };
     const bool shrinks = it->k > all.front().k && first > last;
     return paragraph_of({if_so(shrinks, last > 0 ? "seen.less" : "seen.nothing"), if_so(last > 0 && on_thin > 0.6, "seen.thin"),
                          if_so(remoteness >= clear_ratio, "worst.outside")});
@@ -80,7 +76,7 @@ report::Text rate(const SpectralStudy& study) {
 /// Says that single vertices may get worse while the mesh gets better.
 report::Text single_vertices(const SpectralStudy& study) {
     const std::vector<Reconstruction>& all = study.reconstructions;
-    const report::Text whole = words.say("never_worse", "mesh"_a = study.name());
+    const report::Text whole = words.say("never_worse");
     double most = 0;
     std::size_t at = 0;
     for (std::size_t i = 1; i < all.size(); ++i)
@@ -131,24 +127,21 @@ report::Text thin_parts(const SpectralStudy& study, const LimbStudy& limbs) {
     const LimbErrors& last = limbs.errors.back();
     const double ratio = row.thin / row.thick, later = last.thin / last.thick, lengths = wavelength(study, row.k) / limbs.thin_diameter,
                  last_lengths = wavelength(study, last.k) / limbs.thin_diameter;
-    const report::Facts facts{"k"_a = row.k,
-                              "ratio"_a = readable(ratio, 2),
-                              "mesh"_a = study.name(),
-                              "times"_a = readable(lengths, 2),
-                              "last"_a = last.k,
-                              "later"_a = readable(later, 2),
-                              "thick_times"_a = readable(wavelength(study, row.k) / limbs.thick_diameter, 2),
-                              "last_times"_a = readable(last_lengths, 2)};
-    if (ratio < clear_ratio) return words.say("thin.alike", facts);
-    report::Text t = words.say("thin", facts);
+    const auto told = [&](const char* key) {
+        return words.say(key, "k"_a = row.k, "ratio"_a = readable(ratio, 2), "mesh"_a = study.name(), "times"_a = readable(lengths, 2),
+                         "last"_a = last.k, "later"_a = readable(later, 2), "last_times"_a = readable(last_lengths, 2),
+                         "thick_times"_a = readable(wavelength(study, row.k) / limbs.thick_diameter, 2));
+    };
+    if (ratio < clear_ratio) return told("thin.alike");
+    report::Text t = told("thin");
     if (zero_modes(study) > 1) return t;   // where the small components are the thin parts
     const LimbErrors& first = limbs.errors.front();
     if (first.k < row.k && first.thin < first.thick)
         go_on(t, words.say("thin.not_at_first", "k"_a = first.k, "ratio"_a = readable(first.thin / first.thick, 2)));
-    if (last.k > row.k) go_on(t, words.say(later < clear_ratio ? "thin.later_alike" : "thin.later", facts));
+    if (last.k > row.k) go_on(t, told(later < clear_ratio ? "thin.later_alike" : "thin.later"));
     if (lengths > pi) {   // not once round
-        go_on(t, words.say("thin.wavelength", facts));
-        if (last.k > row.k && later >= clear_ratio && last_lengths > 1) go_on(t, words.say("thin.wavelength.still", facts));
+        go_on(t, told("thin.wavelength"));
+        if (last.k > row.k && later >= clear_ratio && last_lengths > 1) go_on(t, told("thin.wavelength.still"));
     }
     return t;
 }
@@ -198,21 +191,16 @@ report::Text lead(const std::vector<Subject>& subjects) {
 
 report::Text solvers(const std::vector<Subject>& subjects) {
     report::Text told;
-    for (const Subject& subject : subjects) {
-        const SpectralStudy& study = subject.study;
-        told = paragraph_of({told, words.say(study.spectrum.dense ? "solver.dense" : "solver.krylov", "mesh"_a = study.name(),
-                                             "vertices"_a = study.vertices(), "modes"_a = study.modes())});
-    }
+    for (const auto& [study, limbs, entries, chosen] : subjects)
+        go_on(told, words.say(study.spectrum.dense ? "solver.dense" : "solver.krylov", "mesh"_a = study.name(),
+                              "vertices"_a = study.vertices(), "modes"_a = study.modes()));
     return told;
 }
 
 report::Text what_is_seen(const Subject& subject) {
     const SpectralStudy& study = subject.study;
     report::Text t = words.say("pictures", "mesh"_a = study.name());
-    for (const Reconstruction* r : told_reconstructions(study)) {
-        go_on(t, picture_of(study, *r));
-        if (const report::Text shape = shape_of(study, r->k); !shape.empty()) go_on(t, shape);
-    }
+    for (const Reconstruction* r : told_reconstructions(study)) t = paragraph_of({t, picture_of(study, *r), shape_of(study, r->k)});
     return paragraph_of({t, where_the_error_sits(subject)});
 }
 
@@ -224,9 +212,8 @@ report::Text the_large_k(const Subject& subject) {
     if (!subject.chosen_k) return {};
     const SpectralStudy& study = subject.study;
     const Reconstruction& last = study.reconstructions.back();
-    const auto erring = std::find_if(study.reconstructions.rbegin(), study.reconstructions.rend(),
-                                     [&](const Reconstruction& r) { return !is_exact(study, r.k); });
-    const bool all = last.k == study.vertices() && erring != study.reconstructions.rend();
+    const Reconstruction* erring = last_erring(study);
+    const bool all = last.k == study.vertices() && erring;
     const Reconstruction& large = all ? *erring : last;
     return words.say(all ? "large.all" : "large.some", "k"_a = large.k, "mesh"_a = study.name(), "all"_a = last.k,
                      "share"_a = readable_percent(static_cast<double>(large.k) / study.vertices(), 2),

@@ -33,6 +33,8 @@ double remoteness_of_peak(const SpectralStudy& study, int mode);
 /// The share of the area that is off by more than seen_error.
 double share_seen(const SpectralStudy& study, const Reconstruction& r);
 bool is_exact(const SpectralStudy& study, int k);
+/// The largest k that leaves an error; null: all are exact.
+const Reconstruction* last_erring(const SpectralStudy& study);
 
 inline std::string id_of(const SpectralStudy& study, const std::string& what) { return meshfolio::id_of("q4", study.name(), what); }
 /// Converts a length to % of the box diagonal by multiplication.

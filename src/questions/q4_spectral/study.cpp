@@ -11,12 +11,9 @@ Subject subject_of(SharedMesh mesh, const QuestionSettings& settings) {
 
 std::vector<const Reconstruction*> told_reconstructions(const SpectralStudy& study) {
     const std::vector<Reconstruction>& all = study.reconstructions;
-    // The last that still errs as well: of all modes there is nothing to be seen.
-    const auto errs = [&](const Reconstruction& r) { return !is_exact(study, r.k); };
-    const auto exact = static_cast<std::size_t>(std::ranges::find_if_not(all, errs) - all.begin());
-    std::vector<const Reconstruction*> told;
+    std::vector<const Reconstruction*> told;   // of all modes there is nothing to be seen
     for (std::size_t i = 0; i < all.size(); ++i)
-        if (i < 2 || i + 1 == exact || i + 1 == all.size()) told.push_back(&all[i]);
+        if (i < 2 || &all[i] == last_erring(study) || i + 1 == all.size()) told.push_back(&all[i]);
     return told;
 }
 
@@ -42,6 +39,13 @@ double remoteness_of_peak(const SpectralStudy& study, int mode) {
 double share_seen(const SpectralStudy& study, const Reconstruction& r) {
     const Vector& M = study.laplacian.M;
     return (r.distance.array() > seen_error * study.diagonal).select(M, 0).sum() / M.sum();
+}
+
+const Reconstruction* last_erring(const SpectralStudy& study) {
+    const Reconstruction* last = nullptr;
+    for (const Reconstruction& r : study.reconstructions)
+        if (!is_exact(study, r.k)) last = &r;
+    return last;
 }
 
 bool is_exact(const SpectralStudy& study, int k) { return study.rms[k] < rounding * study.diagonal; }

@@ -104,8 +104,8 @@ report::Table bounds_table(const Studies& studies) {
                 [](auto& s) { return s.subject.safe(); })
         .column("vertex", {.digits = 8}, [](auto& s) { return s.subject.top.vertex; })
         .column("vertices as large", [](auto& s) { return s.peaks.size(); })
-        .column("uniform μ_max", {.digits = 4}, [](auto& s) { return s.uniform.top; })
-        .column("uniform λ_crit", {.digits = 4}, [](auto& s) { return s.uniform.critical; });
+        .column("uniform μ_max", {.digits = 4}, &ExplicitStudy::uniform_top)
+        .column("uniform λ_crit", {.digits = 4}, &ExplicitStudy::uniform_critical);
 }
 
 report::Table sweep_table(const ExplicitStudy& study) {

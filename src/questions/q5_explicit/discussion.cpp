@@ -108,22 +108,19 @@ report::Text farther_along(const Studies& studies) {
 report::Text effect_of(const ExplicitStudy& study) {
     const Recommendation& best = *study.recommended;
     const SmoothingRun& run = best.stopped;
-    const report::Facts facts{"mesh"_a = study.name(),
-                              "iterations"_a = run.iterations,
-                              "size"_a = share_left(run.size.back()),
-                              "features"_a = readable(best.on_features, 2),
-                              "boundary"_a = readable(best.on_boundary, 2),
-                              "time"_a = readable(study.in_edges(best.time()), 2),
-                              "turned"_a = run.moved.inverted_faces,
-                              "share"_a = readable_percent(double(run.moved.inverted_faces) / study.subject.mesh().face_count(), 2),
-                              "before"_a = best.folded_before,
-                              "after"_a = best.folded_after,
-                              "faces"_a = study.subject.mesh().face_count()};
-    const auto if_so = [&](bool holds, const char* key) { return holds ? words.say(key, facts) : report::Text(); };
-    const bool unfolded = 2 * best.folded_before > run.moved.inverted_faces && 10 * best.folded_after < best.folded_before;
+    const int turned = run.moved.inverted_faces, faces = study.subject.mesh().face_count();
+    const auto if_so = [&](bool holds, const char* key) {
+        if (!holds) return report::Text();
+        return words.say(key, "mesh"_a = study.name(), "iterations"_a = run.iterations, "size"_a = share_left(run.size.back()),
+                         "features"_a = readable(best.on_features, 2), "boundary"_a = readable(best.on_boundary, 2),
+                         "time"_a = readable(study.in_edges(best.time()), 2), "turned"_a = turned, "faces"_a = faces,
+                         "share"_a = readable_percent(double(turned) / faces, 2), "before"_a = best.folded_before,
+                         "after"_a = best.folded_after);
+    };
+    const bool unfolded = 2 * best.folded_before > turned && 10 * best.folded_after < best.folded_before;
     const bool clean = !best.all_kept && best.roughness_before < 1;
     return paragraph_of({if_so(clean, "stop.clean"), if_so(best.all_kept, "stop.kept"), if_so(best.on_features > 1.5, "stop.features"),
-                         if_so(best.on_boundary > 1.5, "stop.boundary"), if_so(run.moved.inverted_faces > 0, "stop.turned"),
+                         if_so(best.on_boundary > 1.5, "stop.boundary"), if_so(turned > 0, "stop.turned"),
                          if_so(unfolded, "stop.turned.unfolded"), if_so(!unfolded && best.folded_after > 0, "stop.turned.folded"),
                          if_so(!unfolded && best.folded_before > 0 && best.folded_after == 0, "stop.turned.flat")});
 }
@@ -137,18 +134,14 @@ report::Text growth_of_the_top_mode(const ExplicitStudy& study) {
     const double factor = 1 - study.runs[i].lambda * study.subject.top.value;
     const auto least = std::ranges::min_element(energy);
     const bool falls = least != energy.begin(), rises = least + 1 != energy.end();
-    const report::Facts facts{"mesh"_a = study.name(),
-                              "limits"_a = in_limits(study.subject, study.runs[i].lambda),
-                              "step"_a = readable(factor, 3),
-                              "measured"_a = readable(study.amplification[i].measured, 2),
-                              "predicted"_a = readable(study.amplification[i].predicted, 2),
-                              "iteration"_a = least - energy.begin(),
-                              "iterations"_a = study.runs[i].iterations};
-    return paragraph_of({words.say("beyond", facts),
-                         falls && rises ? words.say("beyond.turns", facts)
-                         : rises        ? words.say("beyond.rises", facts)
-                                        : report::Text(),
-                         study.runs[i].result.blew_up ? report::Text() : words.say("beyond.only_grows", facts)});
+    const auto told = [&](const char* key) {
+        return words.say(key, "mesh"_a = study.name(), "limits"_a = in_limits(study.subject, study.runs[i].lambda),
+                         "step"_a = readable(factor, 3), "measured"_a = readable(study.amplification[i].measured, 2),
+                         "predicted"_a = readable(study.amplification[i].predicted, 2), "iteration"_a = least - energy.begin(),
+                         "iterations"_a = study.runs[i].iterations);
+    };
+    return paragraph_of({told("beyond"), rises ? told(falls ? "beyond.turns" : "beyond.rises") : report::Text(),
+                         study.runs[i].result.blew_up ? report::Text() : told("beyond.only_grows")});
 }
 
 /// How many faces the largest step, beyond the limit, has turned over in its last frame up to t = 5: at the end there is nothing to count.
@@ -300,17 +293,17 @@ report::Text too_large(const Studies& studies) {
 // ---- what a number for λ means
 
 report::Text units_of_lambda(const Studies& studies) {
-    const auto uniform = [](const ExplicitStudy& study) { return study.uniform.critical; };
     const auto [low, high] = std::ranges::minmax_element(studies, {}, &ExplicitStudy::critical_in_edges);
-    const auto [uniform_low, uniform_high] = std::ranges::minmax_element(studies, {}, uniform);
+    const auto [uniform_low, uniform_high] = std::ranges::minmax_element(studies, {}, &ExplicitStudy::uniform_critical);
     const double times = high->critical_in_edges() / low->critical_in_edges();
     double safe = 1;   // the least of Gershgorin's limits, over λ_crit; 0: not all are proved
     for (const ExplicitStudy& study : studies) safe = std::min(safe, study.subject.safe() / study.subject.critical);
-    const bool known = uniform(*uniform_low) > 1 && uniform(*uniform_high) < 1.5;
-    return paragraph_of({words.say(times > 1.1 ? "units.several" : "units.one", "times"_a = readable(times, 2)),
-                         safe > 0 ? words.say("units.gershgorin", "share"_a = readable_percent(rounded_down(safe, 2), 2)) : report::Text(),
-                         words.say(known ? "units.known" : "units.uniform",
-                                   "limit"_a = span_of(readable(uniform(*uniform_low), 3), readable(uniform(*uniform_high), 3)))});
+    const double lowest = uniform_low->uniform_critical(), highest = uniform_high->uniform_critical();
+    const bool known = lowest > 1 && highest < 1.5;
+    return paragraph_of(
+        {words.say(times > 1.1 ? "units.several" : "units.one", "times"_a = readable(times, 2)),
+         safe > 0 ? words.say("units.gershgorin", "share"_a = readable_percent(rounded_down(safe, 2), 2)) : report::Text(),
+         words.say(known ? "units.known" : "units.uniform", "limit"_a = span_of(readable(lowest, 3), readable(highest, 3)))});
 }
 
 // ---- first of all

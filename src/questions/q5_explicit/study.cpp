@@ -7,11 +7,6 @@ namespace meshfolio::q5_explicit {
 
 namespace {
 
-UniformLimit uniform_limit(const LibraryMesh& mesh) {
-    const double top = largest_eigenvalue(uniform_operator(mesh.topology())).value;
-    return {top, 2 / top};
-}
-
 // ---- the step to take
 
 /// rms displacement of the flagged vertices over that of the others; 0 where there are none, or the others stay.
@@ -115,7 +110,7 @@ std::size_t ExplicitStudy::first_beyond() const {
 ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings) {
     ExplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
-    study.uniform = uniform_limit(*study.subject.source);
+    study.uniform_top = largest_eigenvalue(uniform_operator(study.subject.topology())).value;
     const int iterations = iterations_of(settings);
     const std::vector<double> steps = steps_of(settings, study.subject.critical, own_steps);
     const std::vector<double> told = told_steps(steps, study.subject);

@@ -6,11 +6,6 @@
 
 namespace meshfolio::q5_explicit {
 
-struct UniformLimit {
-    double top = 0;        // μ_max of −Δ_uniform
-    double critical = 0;   // 2/μ_max
-};
-
 /// The largest step that changes no mode's sign, else the largest stable one, with as many iterations as leave 95 % of the size (at most
 /// ten times those of the other runs).
 struct Recommendation {
@@ -32,9 +27,9 @@ struct Strip {
 
 struct ExplicitStudy {
     SmoothingSubject subject;
-    std::vector<SmoothingRun> runs;             // ascending λ
-    std::vector<Amplification> amplification;   // of the top mode, for each run
-    UniformLimit uniform;
+    std::vector<SmoothingRun> runs;              // ascending λ
+    std::vector<Amplification> amplification;    // of the top mode, for each run
+    double uniform_top = 0;                      // μ_max of −Δ_uniform
     std::vector<int> peaks;                      // vertices where the top mode is as large as anywhere, to a thousandth
     std::optional<Recommendation> recommended;   // none: no step tried is stable
     std::vector<int> frame_times;                // iterations, ascending from 0
@@ -44,6 +39,7 @@ struct ExplicitStudy {
     double critical_in_edges() const { return in_edges(subject.critical); }
     /// An area, as λ and λt are, in squared mean edges.
     double in_edges(double area) const { return area / (subject.mean_edge * subject.mean_edge); }
+    double uniform_critical() const { return 2 / uniform_top; }
     bool stable(std::size_t run) const { return runs[run].lambda <= subject.critical; }
     /// The first run beyond the limit; the number of runs if there is none.
     std::size_t first_beyond() const;

@@ -185,37 +185,34 @@ report::Text too_large(const ImplicitStudy& study) {
     const double inside = share_pulled_inside(study, first.explicit_X);
     const auto angle = [&](const Positions& X) { return median_face_angle(moved_to(study.subject.mesh(), X), study.subject.topology()); };
     const double by_explicit = angle(first.explicit_X), by_implicit = angle(first.implicit_X);
-    report::Facts facts{"limits"_a = in_limits(study.subject, first.lambda),
-                        "t"_a = first.iterations,
-                        "inside"_a = readable_percent(inside, 2),
-                        "energy"_a = readable_percent(first.explicit_energy, 2),
-                        "explicit"_a = readable(by_explicit, 2),
-                        "implicit"_a = readable(by_implicit, 2),
-                        "iteration"_a = study.explicit_runs[*blown].result.blow_up_iteration};
-    if (risen) facts.insert(facts.end(), {"later"_a = risen->iterations, "times"_a = readable(risen->explicit_energy, 2)});
-    const bool smoother = study.roughness > rough && by_explicit < 0.95 * by_implicit;
-    const report::Text seen = inside > 0.5                ? words.say("first.inside", facts)
-                              : first.explicit_energy > 1 ? words.say("first.amplified", facts)
-                              : smoother                  ? words.say("first.smoother", facts)
-                                                          : report::Text();
-    const bool looks_best = !seen.empty() && !(inside > 0.5) && !(first.explicit_energy > 1);
-    return paragraph_of({seen, risen ? words.say("spikes", facts) : looks_best ? words.say("first.ends", facts) : report::Text()});
+    const auto told = [&](const char* key) {
+        return words.say(key, "limits"_a = in_limits(study.subject, first.lambda), "t"_a = first.iterations,
+                         "inside"_a = readable_percent(inside, 2), "energy"_a = readable_percent(first.explicit_energy, 2),
+                         "explicit"_a = readable(by_explicit, 2), "implicit"_a = readable(by_implicit, 2),
+                         "iteration"_a = study.explicit_runs[*blown].result.blow_up_iteration, "later"_a = risen ? risen->iterations : 0,
+                         "times"_a = risen ? readable(risen->explicit_energy, 2) : "");
+    };
+    const bool pulled_in = inside > 0.5, amplified = first.explicit_energy > 1;
+    const bool looks_best = !pulled_in && !amplified && study.roughness > rough && by_explicit < 0.95 * by_implicit;
+    return paragraph_of({pulled_in    ? told("first.inside")
+                         : amplified  ? told("first.amplified")
+                         : looks_best ? told("first.smoother")
+                                      : report::Text(),
+                         risen        ? told("spikes")
+                         : looks_best ? told("first.ends")
+                                      : report::Text()});
 }
 
-/// How much more curved than the median vertex the hundredth is that is most curved, on meshes without sharp edges.
-double speckles_of(const ImplicitStudy& study, const SmoothingCell& good) {
-    const TriangleMesh mesh = moved_to(study.subject.mesh(), good.implicit_X);
-    if (mesh_character(mesh, study.subject.topology()).feature_share > 0) return 0;
-    const std::vector<double> sizes = sorted_finite(curvature_colours(study.subject, good.implicit_X).cwiseAbs());
-    if (sizes.size() < 100 || !(sizes[sizes.size() / 2] > 0)) return 0;
-    return sizes[sizes.size() - sizes.size() / 100 - 1] / sizes[sizes.size() / 2];
-}
-
-/// Says if steps beyond the explicit limit have left speckles.
+/// Says if steps beyond the explicit limit have left speckles on a mesh without sharp edges: the most curved hundredth of the vertices is
+/// then far more curved than the median.
 report::Text speckles(const ImplicitStudy& study, const SmoothingCell& good) {
-    constexpr double bell = 3.8;   // of normally distributed values
-    if (!(good.lambda > study.subject.critical) || !(speckles_of(study, good) > 1.2 * bell)) return {};
-    return words.say("reading.speckles", "t"_a = good.iterations);
+    constexpr double bell = 3.8;   // times the median, of normally distributed values
+    if (!(good.lambda > study.subject.critical)) return {};
+    const TriangleMesh mesh = moved_to(study.subject.mesh(), good.implicit_X);
+    const std::vector<double> sizes = sorted_finite(curvature_colours(study.subject, good.implicit_X).cwiseAbs());
+    if (sizes.size() < 100 || mesh_character(mesh, study.subject.topology()).feature_share > 0) return {};
+    const double median = sizes[sizes.size() / 2], hundredth = sizes[sizes.size() - sizes.size() / 100 - 1];
+    return median > 0 && hundredth > 1.2 * bell * median ? words.say("reading.speckles", "t"_a = good.iterations) : report::Text();
 }
 
 /// What is recommended, by either scheme where explicit steps get as far.

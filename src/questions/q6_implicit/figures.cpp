@@ -100,10 +100,10 @@ void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorR
     request.range = range_for(colours, request.panels);
     if (!has_legend) request.range->quantity.clear();
     const SmoothingCell *good = study.good(), *much = study.too_much();
-    const report::Facts facts{
-        "mesh"_a = study.name(), "good"_a = good ? words.line("matrix.good", "cell"_a = title_of(study, *good)) : words.line("matrix.none"),
-        "much"_a = much ? words.line("matrix.much", "cell"_a = title_of(study, *much), "kept"_a = readable_percent(much->kept, 2)) : "",
-        "left_out"_a = left_out(study), "scale"_a = has_legend ? "" : words.line("matrix.scale")};
+    const report::Facts facts{"mesh"_a = study.name(),
+                              "good"_a = good ? words.line("matrix.good", "cell"_a = title_of(study, *good)) : words.line("matrix.none"),
+                              "much"_a = much ? words.line("matrix.much", "cell"_a = title_of(study, *much)) : "",
+                              "left_out"_a = left_out(study), "scale"_a = has_legend ? "" : words.line("matrix.scale")};
     request.title = words.line("matrix.title", facts);
     const std::string alt = words.line("matrix.alt", "title"_a = request.title, "panels"_a = listed(labels));
     add_figure(answer, std::move(request), words.line("matrix.caption", facts), alt);

@@ -114,9 +114,8 @@ Count count_of(const Grids& grids, const Measure& measure) {
         count.helps += verdict == "helps" ? 1 : 0;
         count.fails += is_failure(verdict) ? 1 : 0;
         if (verdict != "shrinks") continue;
-        report::Facts facts = facts_of(c.whole, c.part);
-        facts.push_back("left"_a = readable_percent(c.part.volume_by(measure), 2));
-        count.shrinking.push_back(words.line("counts.shrinking", facts));
+        const report::Fact left = "left"_a = readable_percent(c.part.volume_by(measure), 2);
+        count.shrinking.push_back(words.line("counts.shrinking", facts_of(c.whole, c.part, {left})));
     }
     return count;
 }

@@ -50,13 +50,12 @@ report::Text strongest_noise(const Grids& grids) {
 
 report::Text reading(const DenoisingGrid& grid) {
     const NoisyTrial& trial = grid.pictured();
-    report::Facts facts = facts_of(grid, trial);
-    if (!trial.improved()) return words.say("reading.no_better", facts);
+    if (!trial.improved()) return words.say("reading.no_better", facts_of(grid, trial));
     const Remains& left = trial.remains;
     const bool at_edges = grid.has_features() && left.features.times() > 1.2;
     const bool at_bends = !at_edges && left.curved.times() > 1.2;
     const std::string verdict = verdict_on(trial);
-    facts.push_back("times"_a = readable((at_edges ? left.features : left.curved).times(), 2));
+    const report::Facts facts = facts_of(grid, trial, {"times"_a = readable((at_edges ? left.features : left.curved).times(), 2)});
     return paragraph_of({words.say(verdict == "works"     ? "reading.works"
                                    : verdict == "shrinks" ? "reading.shrinks"
                                    : verdict == "helps"   ? "reading.helps"
@@ -138,18 +137,16 @@ report::Text measures_disagree(const Grids& grids) {
     const std::vector<Case> cases = cases_of(grids);
     const Case& most = *std::ranges::max_element(cases, {}, spread);
     if (spread(most) < 2) return {};
-    report::Facts facts = facts_of(most.whole, most.part);
     const auto [least, largest] = std::ranges::minmax_element(measures, {}, [&](const Measure& measure) { return time(most, measure); });
-    facts.push_back("least"_a = readable(time(most, *least), 2));
-    facts.push_back("largest"_a = readable(time(most, *largest), 2));
-    facts.push_back("first"_a = words.line("measure." + std::string(least->key)));
-    facts.push_back("last"_a = words.line("measure." + std::string(largest->key)));
-    return words.say("disagree", facts);
+    return words.say("disagree", facts_of(most.whole, most.part,
+                                          {"least"_a = readable(time(most, *least), 2), "largest"_a = readable(time(most, *largest), 2),
+                                           "first"_a = words.line("measure." + std::string(least->key)),
+                                           "last"_a = words.line("measure." + std::string(largest->key))}));
 }
 
 /// What it costs not to stop: of the pictured cases the one that loses most in four times as many iterations.
 report::Text going_on(const Grids& grids) {
-    report::Facts facts;
+    const DenoisingGrid* loser = nullptr;
     double most = 1.05;
     for (const DenoisingGrid& grid : grids) {
         const NoisyTrial& trial = grid.pictured();
@@ -158,11 +155,9 @@ report::Text going_on(const Grids& grids) {
         const double after = shape_rms(clean, trial.over.X);
         if (!(after > most * trial.found.by_shape.shape)) continue;
         most = after / trial.found.by_shape.shape;
-        facts = facts_of(grid, trial);
+        loser = &grid;
     }
-    if (facts.empty()) return {};
-    facts.push_back("loss"_a = readable(most, 2));
-    return words.say("going_on", facts);
+    return loser ? words.say("going_on", facts_of(*loser, loser->pictured(), {"loss"_a = readable(most, 2)})) : report::Text();
 }
 
 /// Why the clean mesh, smoothed alike, loses more than the noisy one: said where the larger area explains at least half of it.
@@ -216,12 +211,14 @@ report::Text without_clean(const Grids& grids) {
         if (stopped.gain < 1) harmed.push_back(words.line("samples.case", facts_of(c.whole, c.part)));
     }
     if (all == 0) return {};
-    if (std::ranges::all_of(cases, [](const Case& c) { return !(c.part.stopped.gain > 1.01); })) return words.say("stopped.nothing");
-    report::Facts facts = facts_of((harmed.empty() ? least : worst)->whole, (harmed.empty() ? least : worst)->part);
-    facts.insert(facts.end(), {"mean"_a = readable_percent(sum / all, 2), "worst"_a = readable_percent(least->part.stopped.share(), 2),
-                               "middle"_a = readable(grids.front().middle_lambda(), 2), "harmed"_a = harmed.size(), "all"_a = all,
-                               "cases"_a = listed(harmed), "times"_a = readable(1 / worst->part.stopped.gain, 2),
-                               "false"_a = readable(worst->whole.fitted_to_clean, 2)});
+    const bool all_as_noisy = std::ranges::all_of(cases, [](const Case& c) { return std::abs(c.part.stopped.gain - 1) < 0.01; });
+    if (all_as_noisy) return words.say("stopped.nothing");
+    const Case& told = harmed.empty() ? *least : *worst;
+    const report::Facts facts = facts_of(
+        told.whole, told.part,
+        {"mean"_a = readable_percent(sum / all, 2), "worst"_a = readable_percent(least->part.stopped.share(), 2),
+         "middle"_a = readable(grids.front().middle_lambda(), 2), "harmed"_a = harmed.size(), "all"_a = all, "cases"_a = listed(harmed),
+         "times"_a = readable(1 / worst->part.stopped.gain, 2), "false"_a = readable(worst->whole.fitted_to_clean, 2)});
     const bool by_shape = !harmed.empty() && worst->whole.fitted_to_clean * worst->whole.mean_edge > worst->part.sigma;
     return paragraph_of({words.say("stopped", facts), words.say(harmed.empty() ? "stopped.least" : "stopped.harms", facts),
                          by_shape ? words.say("stopped.shape", facts) : report::Text()});
@@ -269,10 +266,9 @@ report::Text no_edges(const Grids& grids) {
 report::Text explanation_of(const Grids& grids) {
     const DenoisingGrid& grid = hardest(grids);
     const auto told = [&](const NoisyTrial& trial, const char* key) {
-        report::Facts facts = facts_of(grid, trial);
-        facts.push_back("taken"_a = readable(grid.taken_at_once(trial), 2));
-        facts.push_back("middle"_a = readable(grid.middle_lambda(), 2));
-        return words.say(key, facts);
+        return words.say(
+            key,
+            facts_of(grid, trial, {"taken"_a = readable(grid.taken_at_once(trial), 2), "middle"_a = readable(grid.middle_lambda(), 2)}));
     };
     const NoisyTrial &least = grid.trials.front(), &most = grid.trials.back();
     const bool rises = grid.after_one(least) > 1 && grid.taken_at_once(least) > 1;

@@ -32,13 +32,6 @@ void add_states_of(output::FigureRequest& request, const DenoisingGrid& grid, co
     add_state(trial.over, "over");
 }
 
-/// Makes a colour range from 0 for distances in σ.
-output::ColorRange range_in_sigma(const std::vector<output::Panel>& panels, const std::string& quantity) {
-    output::ColorRange range = output::robust_range(panels, distance_colours, words.line(quantity), "σ", 0.01);
-    range.low = range.clipped_below = 0;
-    return range;
-}
-
 /// A figure in one picture a panel. @param key  of its words
 void add_pictures(Answer& answer, output::FigureRequest request, const std::string& key) {
     request.title = words.line(key + ".title");
@@ -69,19 +62,15 @@ const DenoisingGrid* most_of(const Grids& grids, double floor, const Amount& amo
 
 }   // namespace
 
-report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial) {
+report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial, report::Facts more) {
     const SearchState& best = trial.found.by_shape;
     const double gain = trial.gain(measures[0]);
-    return {"mesh"_a = grid.name(),
-            "noise"_a = readable_percent(trial.relative, 2),
-            "edges"_a = readable(trial.sigma / grid.mean_edge, 2),
-            "lambda"_a = readable(best.value, 2),
-            "best"_a = best.step,
-            "volume"_a = readable_percent(trial.volume_by(measures[0]), 2),
-            "over"_a = 4 * best.step,
-            "verdict"_a = verdict_on(trial),
-            "angle"_a = readable(180 / pi * best.angle, 2),
-            "gain"_a = readable(gain, gain < 1.1 ? 3 : 2)};
+    more.insert(more.end(),
+                {"mesh"_a = grid.name(), "noise"_a = readable_percent(trial.relative, 2),
+                 "edges"_a = readable(trial.sigma / grid.mean_edge, 2), "lambda"_a = readable(best.value, 2), "best"_a = best.step,
+                 "volume"_a = readable_percent(trial.volume_by(measures[0]), 2), "over"_a = 4 * best.step, "verdict"_a = verdict_on(trial),
+                 "angle"_a = readable(180 / pi * best.angle, 2), "gain"_a = readable(gain, gain < 1.1 ? 3 : 2)});
+    return more;
 }
 
 std::vector<Case> pictured_cases(const Grids& grids) {
@@ -102,7 +91,7 @@ output::ColorRange add_states(Answer& answer, const Grids& grids) {
         request.panels.push_back(panel_of(*grid.clean, name + "_clean", words.line("states.clean.panel", facts)));
         add_states_of(request, grid, trial, name);
     }
-    const output::ColorRange colours = range_in_sigma(request.panels, "colours.surface");
+    const output::ColorRange colours = range_from_zero(request.panels, distance_colours, words.line("colours.surface"), 0.01, "σ");
     request.range = colours;
     if (request.rows.size() > request.columns.size() && request.rows.size() <= most_beside) transpose(request);
     add_pictures(answer, std::move(request), "states");
@@ -154,7 +143,7 @@ void add_limits(Answer& answer, const Grids& grids) {
     add_panel(most_rounded(grids), "edges", &NoisyTrial::clean_alike, distances_of);
     add_panel(most_shrunk(grids), "volume", &NoisyTrial::clean_alike, sinkings);
     if (request.panels.empty()) return;
-    request.range = range_in_sigma(request.panels, "colours.limits");
+    request.range = range_from_zero(request.panels, distance_colours, words.line("colours.limits"), 0.01, "σ");
     add_pictures(answer, std::move(request), "limits");
 }
 

@@ -12,8 +12,8 @@ using Grids = std::vector<DenoisingGrid>;
 using Case = Within<DenoisingGrid, NoisyTrial>;
 
 inline std::vector<Case> cases_of(const Grids& grids) { return parts_within(grids, &DenoisingGrid::trials); }
-/// What sentences about a trial may tell, in names and numbers; its best by the distance to the surface.
-report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial);
+/// What sentences about a trial may tell, in names and numbers, and what else is given; its best by the distance to the surface.
+report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial, report::Facts more = {});
 
 inline constexpr auto distance_colours = "pale";
 

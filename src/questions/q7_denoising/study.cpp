@@ -20,23 +20,6 @@ SmoothingOptions smoothing_by(const DenoisingGrid& grid, double lambda, int iter
     return {.scheme = SmoothingScheme::implicit_euler, .lambda = lambda * grid.mean_edge * grid.mean_edge, .iterations = iterations};
 }
 
-/// A run is worth going on while some measure has been best in its second half, and for a dozen iterations at least.
-class Patience {
-public:
-    bool go_on(const SearchState& state) {
-        if (state.step == 1) best_.fill(infinity);
-        for (std::size_t m = 0; m < measures.size(); ++m) {
-            const double error = state.*measures[m].error;
-            if (error < best_[m]) best_[m] = error, latest_ = state.step;
-        }
-        return state.step < std::max(12, 2 * latest_);
-    }
-
-private:
-    std::array<double, measures.size()> best_{};
-    int latest_ = 0;
-};
-
 /// The tenth of the vertices where the clean mesh is most curved; none where it is flat.
 std::vector<char> most_curved(const TriangleMesh& mesh, const MeshTopology& topology) {
     const Vector H = cotangent_mean_curvature(mesh, topology, laplace_beltrami(mesh));
@@ -199,12 +182,16 @@ DenoisingTries tries_of(const QuestionSettings& settings, double mean_edge) {
 
 SearchResult search_for_best(const SearchInput& input, const std::vector<double>& lambdas, int iterations,
                              const std::function<void(const SearchState&, const Positions&)>& met) {
-    Patience patience;
-    return search(input, DenoisingMethod::implicit_flow, {lambdas, input.mean_edge * input.mean_edge, iterations},
-                  [&](const SearchState& state, const Positions& X) {
-                      if (met) met(state, X);
-                      return patience.go_on(state);
-                  });
+    std::array<double, measures.size()> best{};   // of the run
+    int latest = 0;                               // iteration at which a measure was best
+    const auto worth_going_on = [&](const SearchState& state, const Positions& X) {
+        if (met) met(state, X);
+        if (state.step == 1) best.fill(infinity);
+        for (std::size_t m = 0; m < measures.size(); ++m)
+            if (const double error = state.*measures[m].error; error < best[m]) best[m] = error, latest = state.step;
+        return state.step < std::max(12, 2 * latest);
+    };
+    return search(input, DenoisingMethod::implicit_flow, {lambdas, input.mean_edge * input.mean_edge, iterations}, worth_going_on);
 }
 
 DenoisingGrid denoising_grid(SharedMesh source, const QuestionSettings& settings) {

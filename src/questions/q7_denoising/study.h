@@ -98,7 +98,7 @@ struct DenoisingTries {
 };
 DenoisingTries tries_of(const QuestionSettings& settings, double mean_edge);
 
-/// Every λ on one noisy mesh; a run is given up when it no longer gets better.
+/// Every λ on one noisy mesh. A run goes on while some measure has been best in its second half, and for a dozen iterations at least.
 /// @param input  its mean edge is that of the clean mesh
 /// @param met  called with every state and its positions
 SearchResult search_for_best(const SearchInput& input, const std::vector<double>& lambdas, int iterations,

@@ -1,4 +1,4 @@
-#include "questions/reproductions/study.h"
+#include "questions/reproductions/parts.h"
 
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/uniform_laplacian.h"
@@ -27,24 +27,18 @@ Vector deficit_over_area(const TriangleMesh& mesh, const Vector& areas) {
     return values;
 }
 
-/// An estimate where it is curvature, and everywhere by the same formula; dimensionless.
-struct Estimate {
-    Vector inside, drawn;
-    double largest_boundary = std::nan("");   // |drawn| where `inside` has none
-};
-
-Estimate estimate(const TriangleMesh& surface, const MeshTopology& topology, const ExperimentField& what, double h) {
-    Estimate e;
-    if (what.colour == ExperimentColour::gauss) {
-        const Vector areas = vertex_areas(surface, what.area);
+/// The field estimated on this surface, without its summary.
+ExperimentField estimate(const TriangleMesh& surface, const MeshTopology& topology, ExperimentField e, double h) {
+    if (e.colour == ExperimentColour::gauss) {
+        const Vector areas = vertex_areas(surface, e.area);
         e.inside = h * h * gaussian_curvature(surface, topology, areas);
         e.drawn = h * h * deficit_over_area(surface, areas);
-    } else if (what.colour == ExperimentColour::h_uniform) {
+    } else if (e.colour == ExperimentColour::h_uniform) {
         e.inside = uniform_mean_curvature(surface, topology) / h;
         e.drawn = half_norms(uniform_operator(topology), surface.X) / h;
     } else {
-        const LaplaceBeltrami laplacian = laplace_operator(surface, what.kind, what.area);
-        e.inside = h * operator_mean_curvature(surface, topology, what.kind, laplacian);
+        const LaplaceBeltrami laplacian = laplace_operator(surface, e.kind, e.area);
+        e.inside = h * operator_mean_curvature(surface, topology, e.kind, laplacian);
         e.drawn = h * half_norms(laplacian, surface.X);
     }
     for (Eigen::Index v = 0; v < e.inside.size(); ++v)
@@ -56,10 +50,7 @@ Estimate estimate(const TriangleMesh& surface, const MeshTopology& topology, con
 }
 
 ExperimentField field_of(const ExperimentMesh& mesh, ExperimentField field) {
-    Estimate e = estimate(mesh.mesh(), mesh.used->topology(), field, mesh.mean_edge);
-    field.inside = std::move(e.inside);
-    field.drawn = std::move(e.drawn);
-    field.largest_boundary = e.largest_boundary;
+    field = estimate(mesh.mesh(), mesh.used->topology(), std::move(field), mesh.mean_edge);
     field.summary = summary_of(field.inside);
     const int count = field.summary.count;
     field.positive = count > 0 ? double((field.inside.array() > 0).count()) / count : std::nan("");

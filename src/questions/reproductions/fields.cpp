@@ -54,17 +54,6 @@ report::Table field_table(const Reproduction& r, const CurvatureExperiment& done
         .column("boundary", [](auto& field) { return cell_of(field.largest_boundary); });
 }
 
-/// rms of the difference of two fields over the rms of the first, where both are defined; NaN where the first is 0.
-double relative_gap(const Vector& a, const Vector& b) {
-    double gap = 0, size = 0;
-    for (Eigen::Index v = 0; v < a.size(); ++v) {
-        if (!std::isfinite(a[v]) || !std::isfinite(b[v])) continue;
-        gap += (a[v] - b[v]) * (a[v] - b[v]);
-        size += a[v] * a[v];
-    }
-    return size > 0 ? std::sqrt(gap / size) : std::nan("");
-}
-
 /// @param first_h  the first estimate of H by cotangents on that mesh, when this is a later one
 report::Text about_field(const Reproduction& r, const ExperimentField& field, const ExperimentField* first_h) {
     const std::string title = sentence_case(field_title(r.experiment, field));
@@ -77,8 +66,8 @@ report::Text about_field(const Reproduction& r, const ExperimentField& field, co
     }
     std::string beside;
     if (field.colour == ExperimentColour::h_cotan && first_h != nullptr) {
-        const double gap = relative_gap(first_h->inside, field.inside);
-        if (gap >= 0)
+        const double gap = relative_error(field.inside, first_h->inside, Vector::Ones(field.inside.size()));
+        if (std::isfinite(gap))
             beside = words.line(gap == 0 ? "field.same" : "field.off", "first"_a = field_title(r.experiment, *first_h),
                                 "gap"_a = readable_percent(gap, 2));
     }

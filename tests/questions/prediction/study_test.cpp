@@ -1,4 +1,4 @@
-#include "questions/prediction/study.h"
+#include "questions/prediction/parts.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

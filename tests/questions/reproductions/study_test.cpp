@@ -1,4 +1,4 @@
-#include "questions/reproductions/study.h"
+#include "questions/reproductions/parts.h"
 
 #include <gtest/gtest.h>
 
