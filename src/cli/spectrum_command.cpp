@@ -106,7 +106,7 @@ ExitCode run_spectrum(const SpectrumFlags& options, Ranks* ranks) {
     check_output("--csv", options.csv, {".csv", "-"}, options.out);
     check_output("--vectors", options.vectors, {".npy", ".csv", "-"}, options.out);
     check_output("--ply", options.ply, column_endings(), options.out);
-    const PreparedMesh prepared = load_mesh(options.mesh, Checks::all, options.ply.empty() ? Keep::mesh : Keep::attributes);
+    const PreparedMesh prepared = load_mesh(options.mesh, Checks::for_pictures, options.ply.empty() ? Keep::mesh : Keep::attributes);
     const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
     const Spectrum spectrum = about_mesh(options.mesh, [&] { return smallest_eigenpairs(laplacian, k, {.ranks = ranks}); });
     const auto found = static_cast<int>(spectrum.eigenvalues.size());

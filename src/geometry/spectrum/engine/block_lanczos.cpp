@@ -240,13 +240,12 @@ RitzPairs BlockLanczos::ritz_pairs() {
     return pairs;
 }
 
-std::vector<EightColumns> BlockLanczos::vectors(const RitzPairs& pairs, std::span<const int> chosen) {
+std::vector<EightColumns> BlockLanczos::take_vectors(const RitzPairs& pairs, std::span<const int> chosen) {
     const double start = seconds();
     const auto groups = (chosen.size() + width - 1) / width;
     const auto blocks = V_.size();
-    std::vector<EightColumns> X, G;
+    std::vector<EightColumns> G;
     for (std::size_t g = 0; g < groups; ++g) {
-        X.emplace_back(n_);
         EightColumns& coordinates = G.emplace_back(static_cast<Eigen::Index>(width * blocks));
         std::fill_n(coordinates.data(), 64 * blocks, 0.0);
         for (std::size_t c = 0; c < width && width * g + c < chosen.size(); ++c) {
@@ -258,18 +257,24 @@ std::vector<EightColumns> BlockLanczos::vectors(const RitzPairs& pairs, std::spa
             for (Eigen::Index r = 0; r < y.size(); ++r) coordinates.row(r)[c] = y[r];
         }
     }
-    const std::vector<const double*> basis(all_.begin() + static_cast<std::ptrdiff_t>(locked_count_), all_.end());
     for_each_chunk(n_, setting_.parallel, [&](Eigen::Index, Eigen::Index first, Eigen::Index last) {
+        std::vector<EightColumns> X;   // one panel of each group
+        for (std::size_t g = 0; g < groups; ++g) X.emplace_back(panel_rows);
+        std::vector<const double*> basis(blocks);
         for (Eigen::Index r = first; r < last; r += panel_rows) {   // a panel of the whole basis serves all groups
-            const Eigen::Index end = std::min(last, r + panel_rows);
+            const Eigen::Index rows = std::min(panel_rows, last - r);
+            for (std::size_t b = 0; b < blocks; ++b) basis[b] = V_[b].row(r);
             for (std::size_t g = 0; g < groups; ++g) {
-                std::fill(X[g].row(r), X[g].row(end), 0.0);
-                subtract_combination(basis, G[g].data(), r, end, X[g].data());
+                std::fill_n(X[g].data(), width * rows, 0.0);
+                subtract_combination(basis, G[g].data(), 0, rows, X[g].data());
             }
+            for (std::size_t g = 0; g < groups; ++g) std::copy_n(X[g].data(), width * rows, V_[g].row(r));
         }
     });
+    all_.clear();
+    V_.resize(groups);
     times.rayleigh_ritz += seconds() - start;
-    return X;
+    return std::move(V_);
 }
 
 }   // namespace meshfolio

@@ -48,8 +48,9 @@ public:
     void advance();   // by one block
     int basis_size() const { return EightColumns::width * (static_cast<int>(V_.size()) - 1); }
     RitzPairs ritz_pairs();
-    /// The chosen ones in groups of eight, the last filled up with zeros, purified.
-    std::vector<EightColumns> vectors(const RitzPairs& pairs, std::span<const int> chosen);
+    /// The chosen ones in groups of eight, the last filled up with zeros, purified. They are written over the basis, most of the memory
+    /// that there is: nothing else can be asked for afterwards.
+    std::vector<EightColumns> take_vectors(const RitzPairs& pairs, std::span<const int> chosen);
 
     SpectrumTimes times;
 

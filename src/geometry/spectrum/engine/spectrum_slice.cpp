@@ -160,18 +160,18 @@ Slice solve_slice(const SpectrumProblem& problem, const SliceGoal& goal, const s
     int next_look = std::min(goal.largest_basis, 40 + static_cast<int>(vectors_a_pair * goal.expected));
     while (!slice.complete && lanczos.basis_size() + EightColumns::width <= goal.largest_basis) {
         lanczos.advance();
-        report(std::min(1.0, double(lanczos.basis_size()) / goal.largest_basis));
-        if (lanczos.basis_size() < next_look) continue;
-        next_look = lanczos.basis_size() + steps_between_looks * EightColumns::width;
+        slice.basis = lanczos.basis_size();
+        report(std::min(1.0, double(slice.basis) / goal.largest_basis));
+        if (slice.basis < next_look) continue;
+        next_look = slice.basis + steps_between_looks * EightColumns::width;
         const RitzPairs ritz = lanczos.ritz_pairs();
         const auto run = finished_run(ritz, slice.goal, problem.size() - slice.counted, left);
         if (!run) continue;
         slice.complete = true;
         slice.cut = run->cut;
         slice.mu = ritz.mu(run->chosen);
-        slice.X = lanczos.vectors(ritz, run->chosen);
+        slice.X = lanczos.take_vectors(ritz, run->chosen);
     }
-    slice.basis = lanczos.basis_size();
     slice.times += lanczos.times;
     return slice;
 }
