@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <random>
 #include <stdexcept>
 
 #include "color/srgb.h"
@@ -480,6 +482,33 @@ TEST(DrawViews, AnyNumberOfThreadsGivesTheSameBytes) {
     };
     const std::vector<Image> one = with_threads(1), two = with_threads(2);
     for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(differing_pixels(one[v], two[v]), 0);
+}
+
+TEST(DrawViews, VerticesMayBeStoredInAnyOrder) {
+    const Mesh mesh = pebble();
+    std::vector<int> place(mesh.positions.size());
+    std::iota(place.begin(), place.end(), 0);
+    std::shuffle(place.begin(), place.end(), std::mt19937_64(1));
+    Mesh stored = mesh;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        stored.positions[static_cast<std::size_t>(place[i])] = mesh.positions[i];
+        stored.values[static_cast<std::size_t>(place[i])] = mesh.values[i];
+    }
+    for (glm::ivec3& t : stored.triangles)
+        for (int k = 0; k < 3; ++k) t[k] = place[static_cast<std::size_t>(t[k])];
+    const DrawOptions options = shaded(200, "diverging", -300, 300);
+    const std::vector<Image> expected = six_pictures(mesh, options), pictures = six_pictures(stored, options);
+    for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(differing_pixels(expected[v], pictures[v]), 0);
+}
+
+TEST(DrawViews, OfTrianglesAtOneDepthTheLowestNumberIsSeen) {
+    const Mesh mesh = pebble();
+    Mesh doubled = mesh;
+    for (const glm::ivec3& t : mesh.triangles) doubled.triangles.push_back({t.y, t.z, t.x});
+    DrawOptions options = plain(400, 400);
+    options.face_colors_from_id = true;
+    const std::vector<Image> expected = six_pictures(mesh, options), pictures = six_pictures(doubled, options);
+    for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(differing_pixels(expected[v], pictures[v]), 0);
 }
 
 TEST(DrawViews, PicturesAreCutIntoTilesWithoutSeams) {
