@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/in_quotes.h"
+#include "base/lower_case.h"
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "geometry/operators/laplace_operator.h"

@@ -32,11 +32,6 @@ void require_choice(const std::string& option, const std::string& word, const st
         throw UsageError("unknown " + option + " " + in_quotes(word), suggestion(word, choices) + "it takes " + joined(choices, ", "));
 }
 
-std::string lower_case(std::string text) {
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
-
 std::string environment(const std::string& name) {
     const char* value = std::getenv(name.c_str());
     return value != nullptr ? value : "";

@@ -10,9 +10,6 @@ namespace meshfolio::run {
 
 bool contains(const std::vector<std::string>& words, const std::string& word);
 
-/// With small letters for those of ASCII.
-std::string lower_case(std::string text);
-
 /// @throws UsageError for another word than one of these, with the nearest of them
 void require_choice(const std::string& option, const std::string& word, const std::vector<std::string>& choices);
 

@@ -13,7 +13,7 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/in_quotes.h"
-#include "mesh/io/mesh_files.h"
+#include "base/lower_case.h"
 
 namespace meshfolio::submission {
 

@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "base/in_quotes.h"
 #include "base/joined.h"
+#include "base/lower_case.h"
 #include "base/number_text.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/io/text_scanner.h"
@@ -37,7 +38,7 @@ std::string_view bare(std::string_view word) {
 }
 
 bool same_but_for_case(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    const auto lower = [](char c) { return lower_case(c); };
     return std::ranges::equal(a, b, {}, lower, lower);
 }
 

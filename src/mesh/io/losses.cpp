@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/joined.h"
+#include "base/lower_case.h"
 #include "mesh/io/mesh_encoders.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/point_table.h"

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/gunzipped.h"
+#include "base/lower_case.h"
 #include "mesh/io/text_scanner.h"
 
 namespace meshfolio {
@@ -51,12 +52,6 @@ constexpr Signature signatures[] = {
     {"Kaydara FBX"sv, "FBX, which is not supported"sv, other_remedy},
 };
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
-}
-
 /// The format that the first word belongs to, by its ending; empty where it could be anything.
 std::string_view ending_of_content(std::string_view bytes) {
     if (bytes.starts_with("glTF")) return ".glb";
@@ -80,7 +75,7 @@ void refuse_other_content(std::string_view bytes, const std::string& file) {
         if (bytes.starts_with(s.begin)) throw InputError({file, 0}, std::string(s.what), std::string(s.remedy));
     std::string_view start = without_bom(bytes).substr(0, 256);
     start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
-    const std::string text = lower_case(start.substr(0, 16));
+    const std::string text = lower_case(std::string(start.substr(0, 16)));
     for (const char* tag : {"<!doctype", "<html", "<head", "<body"})
         if (text.starts_with(tag))
             throw InputError({file, 0}, "HTML page, not a mesh", "the download may have failed; fetch the file itself");
@@ -88,7 +83,7 @@ void refuse_other_content(std::string_view bytes, const std::string& file) {
 }
 
 std::filesystem::path without_gz(const std::filesystem::path& file) {
-    return lower_case_ending(file.string()) == ".gz" ? file.parent_path() / file.stem() : file;
+    return lower_case_ending(file) == ".gz" ? file.parent_path() / file.stem() : file;
 }
 
 /// A format that is read, by its ending; null: none.
@@ -99,11 +94,9 @@ const Format* format_of(std::string_view ending) {
 
 }   // namespace
 
-std::string lower_case_ending(const std::string& file) { return lower_case(std::filesystem::path(file).extension().string()); }
-
 std::string mesh_name(const std::string& file) { return without_gz(file).stem().string(); }
 
-bool is_mesh_file(const std::string& file) { return format_of(lower_case_ending(without_gz(file).string())) != nullptr; }
+bool is_mesh_file(const std::string& file) { return format_of(lower_case_ending(without_gz(file))) != nullptr; }
 
 std::vector<std::string> mesh_endings() {
     std::vector<std::string> endings;
@@ -118,7 +111,7 @@ LoadedMesh parse_mesh(std::string_view bytes, const std::string& file, Keep keep
     std::string unpacked;
     if (is_gzip(bytes)) bytes = unpacked = gunzipped(bytes, file);
     const std::string_view content = ending_of_content(bytes);
-    std::string ending = lower_case_ending(without_gz(file).string());
+    std::string ending = lower_case_ending(without_gz(file));
     if (file == standard_input) ending = !content.empty() ? content : bytes.find('\0') == std::string_view::npos ? ".obj" : ".stl";
     const Format *const format = format_of(ending), *const other = format_of(content);
     if (format == nullptr)

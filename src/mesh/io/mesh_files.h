@@ -72,9 +72,6 @@ std::vector<std::string> mesh_endings();
 /// Of those among them that hold columns.
 std::vector<std::string> column_endings();
 
-/// The ending of a file's name with its dot: ".obj" of "Cow.OBJ".
-std::string lower_case_ending(const std::string& file);
-
 /// The file's name without folder and ending: "cow" of "meshes/cow.obj.gz".
 std::string mesh_name(const std::string& file);
 

@@ -6,6 +6,7 @@
 #include "base/at.h"
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/lower_case.h"
 #include "base/number_text.h"
 #include "mesh/io/mesh_encoders.h"
 #include "mesh/io/mesh_files.h"

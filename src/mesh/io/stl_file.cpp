@@ -6,6 +6,7 @@
 
 #include "base/errors.h"
 #include "base/in_quotes.h"
+#include "base/lower_case.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/io/text_scanner.h"
@@ -19,8 +20,7 @@ constexpr std::size_t triangle_bytes = 50;
 
 /// Upper and lower case are the same.
 bool same_word(std::string_view word, std::string_view keyword) {
-    const auto lower = [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); };
-    return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), [&](char a, char b) { return lower(a) == b; });
+    return std::ranges::equal(word, keyword, {}, [](char c) { return lower_case(c); });
 }
 
 /// "solid name  facet normal … outer loop  vertex … (3) endloop endfacet … endsolid name", any number of solids.

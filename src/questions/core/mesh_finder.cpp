@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/lower_case.h"
 #include "base/sha256.h"
 #include "mesh/io/mesh_files.h"
 #include "questions/core/mesh_roles.h"
@@ -41,10 +42,9 @@ std::optional<fs::path> in_folders(const std::vector<fs::path>& folders, const f
 
 std::string short_name(const fs::path& path) {
     std::string name;
-    for (const char c : mesh_name(path.string())) {
-        const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        const bool good = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
-        if (good) name += lower;
+    for (const char c : lower_case(mesh_name(path.string()))) {
+        const bool good = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        if (good) name += c;
         if (!good && !name.empty() && name.back() != '_') name += '_';
     }
     name.resize(std::min<std::size_t>(name.size(), 40));

@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/in_quotes.h"
+#include "base/lower_case.h"
 #include "mesh/io/mesh_files.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"

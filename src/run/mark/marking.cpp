@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/errors.h"
+#include "base/lower_case.h"
 #include "mesh/io/csv_column.h"
 #include "mesh/io/mesh_files.h"
 #include "run/arguments.h"
