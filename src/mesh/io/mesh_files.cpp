@@ -1,7 +1,6 @@
 #include "mesh/io/mesh_files.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"

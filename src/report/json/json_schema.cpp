@@ -45,7 +45,7 @@ public:
     template <class Value>
     void optional(const char* key, const Value& value, const std::type_identity_t<Value>&, const Note& note = {}) {
         Json schema = schema_of(value, place(key));
-        if (std::string_view(key) == "id") schema = {{"description", "unique in the document"}, {"type", "string"}, {"minLength", 1}};
+        if (std::string_view(key) == "id") schema = identifier;
         if (note.is_file) schema = std::is_same_v<Value, std::string> ? inner_file : list_of(inner_file);
         if (note.least > std::numeric_limits<int>::min()) schema["minimum"] = note.least;
         if (note.most < std::numeric_limits<int>::max()) schema["maximum"] = note.most;
@@ -96,6 +96,7 @@ public:
     }
 
 private:
+    static inline const Json identifier = {{"description", "unique in the document"}, {"type", "string"}, {"minLength", 1}};
     static inline const Json inner_file = {
         {"description", "relative to the folder of results.json"}, {"type", "string"}, {"pattern", "^[^/]"}};
     template <class Value>
@@ -139,7 +140,8 @@ private:
             return {{"enum", names_of(value)}};
         } else {
             const auto [known, is_new] = known_.emplace(typeid(Value), pointer);
-            return is_new ? schema_of_new(value, pointer) : Json{{"$ref", "#" + known->second}};
+            if (is_new) return schema_of_new(value, pointer);
+            return {{"$ref", "#" + known->second}};
         }
     }
 
