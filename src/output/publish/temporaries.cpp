@@ -117,7 +117,7 @@ void for_each_leftover(const fs::path& folder, const std::string& stem, bool our
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) entries.push_back(*it);
     for (const fs::directory_entry& entry : entries) {
         const long pid = process_in_name(entry.path().filename().string(), stem);
-        if (pid > 0 && (is_dead(pid) || (ours && pid == ::getpid()))) use(entry);
+        if (pid > 0 && (pid == ::getpid() ? ours : is_dead(pid))) use(entry);
     }
 } catch (const std::exception&) {
     // A leftover that cannot be examined stays; the run itself is not in danger.
