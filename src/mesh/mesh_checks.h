@@ -53,8 +53,8 @@ struct PreparedMesh {
 /// How much is looked at. Repairs and warnings are the same in all cases.
 enum class Checks {
     all,
-    /// What a picture needs, in half the time. `edges` and `neighbours` of the topology stay empty, and of the preflight: edges,
-    /// boundary edges and loops, Euler characteristic, genus, duplicated positions, area, volume, mean edge.
+    /// What a picture or a spectrum needs, in half the time. `edges` and `neighbours` of the topology stay empty, and of the preflight:
+    /// edges, boundary edges and loops, Euler characteristic, genus, duplicated positions, area, volume, mean edge.
     for_pictures,
 };
 

@@ -1,6 +1,5 @@
 #include "report/escape.h"
 
-#include <nettle/base64.h>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
@@ -96,23 +95,6 @@ std::string url_path(const std::string& path) {
         }
     }
     return url;
-}
-
-std::string base64(std::string_view bytes) {
-    std::string encoded(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
-    base64_encode_raw(encoded.data(), bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
-    return encoded;
-}
-
-std::string from_base64(std::string_view text) {
-    base64_decode_ctx context;
-    base64_decode_init(&context);
-    std::string bytes(BASE64_DECODE_LENGTH(text.size()), '\0');
-    std::size_t size = bytes.size();
-    const bool good = base64_decode_update(&context, &size, reinterpret_cast<std::uint8_t*>(bytes.data()), text.size(), text.data()) == 1 &&
-                      base64_decode_final(&context) == 1;
-    bytes.resize(good ? size : 0);
-    return bytes;
 }
 
 }   // namespace meshfolio::report

@@ -26,10 +26,4 @@ std::string markdown_escape(const std::string& text);
 /// A relative path as a URL: every byte outside [A-Za-z0-9._~/-] percent-encoded.
 std::string url_path(const std::string& path);
 
-/// RFC 4648, with padding.
-std::string base64(std::string_view bytes);
-
-/// The bytes; empty where the text is not base64.
-std::string from_base64(std::string_view text);
-
 }   // namespace meshfolio::report

@@ -64,14 +64,5 @@ TEST(Escape, UrlsHoldNothingThatNeedsQuoting) {
     EXPECT_EQ(url_path("\xff%"), "%FF%25");
 }
 
-TEST(Escape, Base64OfTheVectorsOfRfc4648) {
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foo"), "Zm9v");
-    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(base64(std::string("\xff\xef\0", 3)), "/+8A");
-}
-
 }   // namespace
 }   // namespace meshfolio::report

@@ -21,7 +21,7 @@ Vector cotangent_mean_curvature(const TriangleMesh& mesh, const MeshTopology& to
 Vector angle_deficit(const TriangleMesh& mesh, const MeshTopology& topology);
 /// K = (2π − Σθ)/A_i; NaN on the boundary. [1/length²]
 Vector gaussian_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const Vector& areas);
-/// The same, of the angle deficits that several areas share.
+/// The same from angle_deficit(), which several choices of areas share. @param deficits  n [rad] @param areas  n [length²]
 Vector gaussian_curvature(const MeshTopology& topology, const Vector& deficits, const Vector& areas);
 
 }   // namespace meshfolio

@@ -12,14 +12,6 @@ namespace meshfolio {
 
 namespace {
 
-/// Of each vertex, −1 where it has no triangle.
-std::vector<int> component_of_vertices(const TriangleMesh& mesh, const MeshTopology& topology) {
-    std::vector<int> component(static_cast<std::size_t>(mesh.vertex_count()), -1);
-    for (int t = 0; t < mesh.face_count(); ++t)
-        for (const int v : mesh.F.row(t)) component[static_cast<std::size_t>(v)] = topology.component[static_cast<std::size_t>(t)];
-    return component;
-}
-
 std::vector<char> closed_components(const TriangleMesh& mesh, const MeshTopology& topology) {
     std::vector<char> closed(static_cast<std::size_t>(topology.component_count), 1);
     for (int t = 0; t < mesh.face_count(); ++t) {
@@ -33,7 +25,7 @@ std::vector<char> closed_components(const TriangleMesh& mesh, const MeshTopology
 /// Component c scaled by factor[c] about its centroid, which moves to that of `wanted`; NaN: it stays.
 Positions scaled_components(const TriangleMesh& mesh, const MeshTopology& topology, const ComponentSizes& now, const ComponentSizes& wanted,
                             const Vector& factor) {
-    const std::vector<int> component = component_of_vertices(mesh, topology);
+    const std::vector<int> component = component_of_vertices(topology);
     Positions X = mesh.X;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         const int c = component[static_cast<std::size_t>(v)];
@@ -78,6 +70,13 @@ Vector component_volumes(const Faces& F, const Positions& X, const MeshTopology&
         six_volumes[c] += sum;
     }
     return six_volumes / 6;
+}
+
+std::vector<int> component_of_vertices(const MeshTopology& topology) {
+    std::vector<int> component;
+    for (int v = 0; v + 1 < std::ssize(topology.vertex_faces.start); ++v)
+        component.push_back(topology.vertex_faces.size(v) > 0 ? topology.component[std::size_t(*topology.vertex_faces.begin(v))] : -1);
+    return component;
 }
 
 bool encloses_volume(const TriangleMesh& mesh, const MeshTopology& topology) {

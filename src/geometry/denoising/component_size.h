@@ -2,6 +2,8 @@
 /// Scales connected components back to the volume (Desbrun et al. 1999) or area (Kazhdan, Solomon & Ben-Chen 2012) that a flow took.
 #pragma once
 
+#include <vector>
+
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {
@@ -16,6 +18,9 @@ ComponentSizes component_sizes(const TriangleMesh& mesh, const MeshTopology& top
 
 /// Signed volume of each component on these positions, measured from a corner of its own; it means something where it is closed. [length³]
 Vector component_volumes(const Faces& F, const Positions& X, const MeshTopology& topology);
+
+/// Of each vertex, as `topology` numbers components; −1 where it has no triangle.
+std::vector<int> component_of_vertices(const MeshTopology& topology);
 
 /// Does each component enclose a volume, so that it can be kept?
 bool encloses_volume(const TriangleMesh& mesh, const MeshTopology& topology);

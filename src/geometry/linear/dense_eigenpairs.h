@@ -15,7 +15,7 @@ struct DenseEigenpairs {
 /// @throws SolverError if they do not converge
 DenseEigenpairs dense_eigenpairs(const DenseMatrix& A);
 
-/// Of the tridiagonal matrix. @throws SolverError as above
+/// Of the symmetric tridiagonal matrix with these n diagonal entries and n − 1 beside them. @throws SolverError as above
 DenseEigenpairs tridiagonal_eigenpairs(const Vector& diagonal, const Vector& beside);
 
 }   // namespace meshfolio

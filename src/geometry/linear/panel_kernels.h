@@ -33,11 +33,11 @@ void eliminate_block(double* W, Eigen::Index rows, double* pivots);
 void solve_in_place(const LdltPanels& factor, double* X);   // n × 8
 void solve_in_place(const LdltPanels& factor, FourColumns& X);
 
-/// Where some panels take from rows that others take from meanwhile: these are gathered.
+/// The rows outside a subtree. Several subtrees are solved at once and all subtract from such rows, so each sums its part up by itself.
 struct OutsideRows {
-    const std::vector<int>& rows;     // of the factor, those outside numbered as the sums are
-    const std::vector<int>& inside;   // rows of each panel that come before them
-    double* sums;                     // 8 numbers a row
+    const std::vector<int>& rows;     // as in the factor, but rows outside are given by their place in `sums`
+    const std::vector<int>& inside;   // of each panel, how many of its rows lie inside; those outside follow
+    double* sums;                     // rows outside × 8, to be added to X
 };
 
 /// X := L⁻¹ X and X := L⁻ᵀD⁻¹ X as far as the panels [first, end) go, X n × 8.

@@ -1,8 +1,6 @@
 #include "mesh/io/vtk_data.h"
 
 #include <libdeflate.h>
-#include <nettle/base64.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -14,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/base64.h"
 #include "base/errors.h"
 #include "base/in_quotes.h"
 #include "base/number_text.h"
@@ -31,18 +30,6 @@ const std::map<std::string_view, ScalarType> types{
 };
 
 std::size_t base64_size(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
-
-/// The first `count` bytes that base64 stands for; fewer where the text ends early or is damaged.
-std::string from_base64(std::string_view text, std::size_t count) {
-    text = text.substr(0, base64_size(count));
-    base64_decode_ctx context;
-    base64_decode_init(&context);
-    std::string bytes(BASE64_DECODE_LENGTH(text.size()), '\0');
-    std::size_t size = bytes.size();
-    const int good = base64_decode_update(&context, &size, reinterpret_cast<std::uint8_t*>(bytes.data()), text.size(), text.data());
-    bytes.resize(good == 1 ? std::min(size, count) : 0);
-    return bytes;
-}
 
 /// "nan", "-inf" or "Infinity", in letters of any case, as VTK and others write them.
 std::optional<double> not_finite(std::string_view word) {
@@ -122,7 +109,8 @@ VtkArray VtkFile::array(const pugi::xml_node& element) {
 std::string VtkFile::data_of(std::string_view encoded, bool is_text, const std::string& name) {
     const std::size_t word = size_of(header_);
     const auto bytes = [&](std::size_t count) {   // the first so many
-        std::string found = is_text ? from_base64(encoded, count) : std::string(encoded.substr(0, count));
+        std::string found = is_text ? from_base64(encoded.substr(0, base64_size(count))) : std::string(encoded.substr(0, count));
+        found.resize(std::min(found.size(), count));
         if (found.size() < count) fail(name + " ends early", "the file may be cut off");
         return found;
     };

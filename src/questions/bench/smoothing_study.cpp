@@ -36,7 +36,7 @@ public:
           topology_(topology),
           M_(subject.laplacian.M),
           diagonal_(bounding_box(mesh_).diagonal()),
-          component_(component_of_vertices()),
+          component_(component_of_vertices(topology)),
           volume_(component_sizes(mesh_, topology).volume),
           all_closed_((volume_.array() > 0).all()),
           spread_(spreads(mesh_.X)) {}
@@ -63,13 +63,6 @@ private:
     Vector volume_;
     bool all_closed_;
     Vector spread_;
-
-    std::vector<int> component_of_vertices() const {
-        std::vector<int> component(mesh_.vertex_count(), -1);
-        for (int t = 0; t < mesh_.face_count(); ++t)
-            for (const int v : mesh_.F.row(t)) component[v] = topology_.component[t];
-        return component;
-    }
 
     /// Σ M_v |x_v − c|² / Σ M_v, over the squared diagonal of the input's box, so that no size of a mesh overflows. M is the input's.
     Vector spreads(const Positions& X) const {

@@ -1,6 +1,7 @@
 // index.html of many meshes: one file that needs nothing else, and no script to be read.
 #include <cmath>
 
+#include "base/base64.h"
 #include "base/number_text.h"
 #include "report/batch/batch.h"
 #include "report/brief_number.h"

@@ -4,6 +4,7 @@
 #include <memory>
 #include <new>
 
+#include "base/base64.h"
 #include "base/errors.h"
 #include "base/sha256.h"
 #include "embedded_viewer.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/base64.h"
 #include "report/escape.h"
 #include "report/page/view_value.h"
 #include "report/writers.h"

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/base64.h"
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "report/escape.h"

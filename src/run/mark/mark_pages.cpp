@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "base/base64.h"
 #include "base/joined.h"
 #include "base/number_text.h"
 #include "output/draw/surface_of.h"
@@ -123,7 +124,7 @@ json item_view(const ItemMark& mark) {
             {"settings", described(*mark.item, mark.settings)},
             {"said", report::safe_text(said_of(mark))},
             {"has_picture", !picture.empty()},
-            {"picture", report::base64(picture)}};
+            {"picture", base64(picture)}};
 }
 
 /// Prefixes text that a spreadsheet would take for a formula.

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/base64.h"
 #include "base/number_text.h"
 #include "mesh/triangle_measures.h"
 #include "png/png.h"
@@ -68,7 +69,7 @@ std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const 
         {"b", name_of(b)},
         {"by_vertices", !difference.distances.has_value()},
         {"lines", report::list_of(difference.lines, line_view)},
-        {"picture", report::base64(pictures(a, b, distances))},
+        {"picture", base64(pictures(a, b, distances))},
         {"has_histogram", distances.hausdorff() > 0 && distances.a_to_b.areas.sum() > 0 && distances.b_to_a.areas.sum() > 0},
         {"histogram", report::svg_of(histogram(distances))}};
     const report::Templates templates;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "base/base64.h"
 #include "base/sha256.h"
 #include "report/escape.h"
 #include "report/page/page_design.h"
