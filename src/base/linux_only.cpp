@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <link.h>
 #include <linux/stat.h>
+#include <malloc.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 
@@ -70,6 +71,8 @@ void prefer_large_pages(void* begin, std::size_t bytes) {
     ::madvise(static_cast<char*>(begin) + to_page, (bytes - to_page) / page * page, MADV_HUGEPAGE);
 }
 
+void return_free_memory() { ::malloc_trim(0); }
+
 bool is_mount_point(const fs::path& folder) {
     struct statx status {};
     if (::statx(AT_FDCWD, folder.c_str(), AT_SYMLINK_NOFOLLOW, STATX_BASIC_STATS, &status) != 0) return false;
@@ -98,6 +101,8 @@ int descriptor_of(pid_t) { return -1; }
 void ask_for_signal_of_parent(int) {}
 
 void prefer_large_pages(void*, std::size_t) {}
+
+void return_free_memory() {}
 
 bool is_mount_point(const fs::path& folder) { return is_on_another_device(folder); }
 

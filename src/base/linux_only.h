@@ -39,6 +39,9 @@ void ask_for_signal_of_parent(int signal);
 /// Large pages (base/large_pages.h), to be asked for before the memory is written to. Only a hint; elsewhere nothing happens.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
+/// Gives the system back what is free in the heap between what is in use. Elsewhere nothing happens.
+void return_free_memory();
+
 /// In front of a pointer to a function that the loader calls before it initialises any library. Elsewhere nobody calls it.
 #ifndef MESHFOLIO_PORTABLE
 #define MESHFOLIO_BEFORE_LIBRARIES [[gnu::section(".preinit_array"), gnu::used]]

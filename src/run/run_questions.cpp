@@ -7,6 +7,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "base/linux_only.h"
 #include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "output/publish/folder_system.h"
@@ -73,6 +74,7 @@ public:
             result.answer = attempted(question, meshes_.recorded_in(record).limited_to(effort.most_vertices));
             if (effort.small && !settings_.quick) say_small_settings(result.answer.section);
             result.lookups = record.lookups();
+            return_free_memory();   // blocks of other sizes are wanted next
         }
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
         result.answer.section.timings.push_back({result.stored ? "taken from the cache" : "whole question", took.count()});
