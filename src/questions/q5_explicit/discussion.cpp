@@ -12,8 +12,8 @@ enum class Extent { spot, region, whole };
 
 Extent extent_of_top_mode(const ExplicitStudy& study) {
     const double support = study.subject.top.support;
-    if (support < 10) return Extent::spot;
-    return support < 0.1 * study.subject.preflight().vertices_in_use ? Extent::region : Extent::whole;   // NaN too
+    if (!(support < 0.1 * study.subject.preflight().vertices_in_use)) return Extent::whole;   // NaN too
+    return support < 10 ? Extent::spot : Extent::region;
 }
 
 report::Text places(const Studies& studies, Extent extent, const char* key) {

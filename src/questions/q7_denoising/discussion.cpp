@@ -200,6 +200,7 @@ report::Text without_clean(const Grids& grids) {
     const std::vector<Case> cases = cases_of(grids);
     double sum = 0;
     int all = 0;
+    bool all_as_noisy = true;
     Names harmed;
     const Case *least = nullptr, *worst = nullptr;   // by share of the best gain, by gain
     for (const Case& c : cases) {
@@ -208,10 +209,10 @@ report::Text without_clean(const Grids& grids) {
         sum += stopped.share(), ++all;
         if (!least || stopped.share() < least->part.stopped.share()) least = &c;
         if (!worst || stopped.gain < worst->part.stopped.gain) worst = &c;
+        all_as_noisy = all_as_noisy && std::abs(stopped.gain - 1) < 0.01;
         if (stopped.gain < 1) harmed.push_back(words.line("samples.case", facts_of(c.whole, c.part)));
     }
     if (all == 0) return {};
-    const bool all_as_noisy = std::ranges::all_of(cases, [](const Case& c) { return std::abs(c.part.stopped.gain - 1) < 0.01; });
     if (all_as_noisy) return words.say("stopped.nothing");
     const Case& told = harmed.empty() ? *least : *worst;
     const report::Facts facts = facts_of(

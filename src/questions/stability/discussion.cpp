@@ -57,7 +57,7 @@ report::Text where_and_why(const StabilityStudy& study) {
     const LimitingVertex& v = study.limiting;
     const int vertices = study.mesh().vertex_count();
     const double sharing = std::max(1.0, study.cotangent.certificate.top.support);
-    return words.say(sharing > std::max(8.0, 0.1 * vertices) ? "vertex.none" : "vertex", "mesh"_a = study.name(), "vertex"_a = v.vertex,
+    return words.say(!(sharing < 0.1 * vertices) ? "vertex.none" : "vertex", "mesh"_a = study.name(), "vertex"_a = v.vertex,
                      "alike"_a = study.peaks.size() > 1 ? words.line("vertex.alike", "others"_a = study.peaks.size() - 1) : "",
                      "sharing"_a = readable(sharing, 2), "of_all"_a = words.line("vertex.of_all", "vertices"_a = vertices),
                      "why"_a = why(v));

@@ -99,8 +99,8 @@ private:
         return a == b;
     }
     template <class Item>
-    static bool is_same(const std::vector<Item>& items, const std::vector<Item>&) {
-        return items.empty();   // the fallback of every list
+    static bool is_same(const std::vector<Item>& items, const std::vector<Item>& fallback) {
+        return items.empty() && fallback.empty();
     }
 
     static Json json_of(double x, Odd& odd) {

@@ -120,6 +120,7 @@ private:
     void send() {
         const ssize_t sent = ::send(channel_, unsent_.data(), unsent_.size(), MSG_NOSIGNAL);
         if (sent > 0) unsent_.erase(0, static_cast<std::size_t>(sent));
+        if (sent < 0 && errno != EAGAIN && errno != EINTR) unsent_.clear();   // nobody hears it
     }
 };
 
@@ -242,7 +243,7 @@ std::string words_of(const ChildEnd& end) {
             words = "did not end in time";
             break;
         case ChildEnd::Kind::dismissed:
-            words = "was dismissed";
+            words = "gave no usable answer";
             break;
         case ChildEnd::Kind::not_started:
             words = std::string("could not be started (") + std::strerror(end.code) + ")";

@@ -199,7 +199,7 @@ std::vector<Value> TableReader::one_or_several(std::string_view key, ReadOne rea
         if (value) values.push_back(static_cast<Value>(*value));
     };
     if (const toml::array* list = found->as_array()) {
-        if (list->empty()) problems_.add(*found, called(key) + " is an empty list", "give at least one, or leave the key out");
+        if (list->empty()) problems_.add(*found, called(key) + " is an empty list", "fill it, or leave the key out");
         if (list->size() > static_cast<std::size_t>(limits::largest_list)) {
             problems_.add(*found, called(key) + " has " + std::to_string(list->size()) + " values",
                           "at most " + std::to_string(limits::largest_list) + " are allowed");

@@ -227,8 +227,8 @@ TEST(DenoisingDiscussion, TheAnswerNamesTheNoiseWhereItBeginsToHelp) {
     EXPECT_FALSE(has(gains(1.5, 3), "The least gain is")) << gains(1.5, 3);
     EXPECT_TRUE(has(report::plain(summary_of({grid})), "The least gain is")) << "no failure, and so no part of the verdict";
     EXPECT_TRUE(has(gains(1.05, 3), "It fails when the noise is much smaller than an edge")) << gains(1.05, 3);
-    EXPECT_TRUE(has(gains(3, 4), "halves the surface distance in 2 of 2 cases and lowers it less in 0")) << gains(3, 4);
-    EXPECT_TRUE(has(gains(3, 1.05), "halves the surface distance in 1 of 2 cases and lowers it less in 0"))
+    EXPECT_TRUE(has(gains(3, 4), "halves the surface distance in 2 of 2 cases, and lowers it by less in 0")) << gains(3, 4);
+    EXPECT_TRUE(has(gains(3, 1.05), "halves the surface distance in 1 of 2 cases, and lowers it by less in 0"))
         << "more noise, less gain: no such limit";
     EXPECT_TRUE(has(gains(1.05, 1.05), "Smoothing fails here")) << gains(1.05, 1.05);
 }

@@ -113,7 +113,7 @@ std::vector<Rule> rules() {
          "[render]\nsize = [8, \"x\", 64]",
          {"2: [render] size[0] = 8 is out of range", "2: [render] size[1] is a text, not an integer", "2: [render] size has 3 values"}},
         {"one side in a list", "[render]\nsize = [64]", {"2: [render] size has one value in a list; write N or [W, H]"}},
-        {"no sections", "[report]\nsections = []", {"2: [report] sections is an empty list; give at least one, or leave the key out"}},
+        {"no sections", "[report]\nsections = []", {"2: [report] sections is an empty list; fill it, or leave the key out"}},
         {"no template",
          "[report]\ntemplate = \"\"",
          {"2: [report] template cannot be read: it is an empty path; name a file, or leave the key out"}},
