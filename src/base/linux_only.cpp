@@ -71,7 +71,10 @@ void prefer_large_pages(void* begin, std::size_t bytes) {
     ::madvise(static_cast<char*>(begin) + to_page, (bytes - to_page) / page * page, MADV_HUGEPAGE);
 }
 
-void return_free_memory() { ::malloc_trim(0); }
+void return_free_memory() {
+    constexpr std::size_t worth_it = std::size_t{64} << 20;
+    if (::mallinfo2().fordblks > worth_it) ::malloc_trim(0);
+}
 
 bool is_mount_point(const fs::path& folder) {
     struct statx status {};

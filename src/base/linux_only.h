@@ -39,7 +39,7 @@ void ask_for_signal_of_parent(int signal);
 /// Large pages (base/large_pages.h), to be asked for before the memory is written to. Only a hint; elsewhere nothing happens.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
-/// Gives the system back what is free in the heap between what is in use. Elsewhere nothing happens.
+/// Gives the system back what is free in the heap between what is in use, where that is much. Elsewhere nothing happens.
 void return_free_memory();
 
 /// In front of a pointer to a function that the loader calls before it initialises any library. Elsewhere nobody calls it.
