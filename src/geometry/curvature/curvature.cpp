@@ -1,5 +1,6 @@
 #include "geometry/curvature/curvature.h"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <string>
 

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <numeric>
 
 #include "geometry/operators/uniform_laplacian.h"

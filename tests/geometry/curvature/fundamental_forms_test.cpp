@@ -1,6 +1,7 @@
 #include "geometry/curvature/fundamental_forms.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <limits>
 

@@ -1,6 +1,7 @@
 #include "geometry/curvature/jet_fit.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 

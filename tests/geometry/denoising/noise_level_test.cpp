@@ -1,6 +1,7 @@
 #include "geometry/denoising/noise_level.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 

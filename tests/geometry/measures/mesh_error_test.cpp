@@ -1,6 +1,7 @@
 #include "geometry/measures/mesh_error.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "base/errors.h"
 #include "geometry/measures/closest_point.h"

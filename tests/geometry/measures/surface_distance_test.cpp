@@ -1,6 +1,7 @@
 #include "geometry/measures/surface_distance.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <map>

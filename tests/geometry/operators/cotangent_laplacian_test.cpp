@@ -1,6 +1,7 @@
 #include "geometry/operators/cotangent_laplacian.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <limits>
 

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "mesh/io/glb_bytes.h"
 #include "mesh/io/mesh_files.h"

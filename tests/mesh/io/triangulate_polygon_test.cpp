@@ -1,6 +1,7 @@
 #include "mesh/io/triangulate_polygon.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <random>
 
