@@ -89,6 +89,11 @@ int close_standard_output(int exit_code) {
 
 void warn(const std::string& message) { complain("warning: " + message); }
 
+void tell_of(const output::Notes& notes) {
+    if (!notes.warning.empty()) warn(notes.warning);
+    for (const std::string& line : notes.kept) complain(line);
+}
+
 std::string shown(const std::string& file) { return file == "-" ? standard_input : file; }
 
 PreparedMesh load_mesh(const std::string& file, Checks checks, Keep keep) {

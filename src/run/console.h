@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "mesh/mesh_checks.h"
 #include "output/publish/file_group.h"
+#include "output/publish/publish.h"
 
 namespace meshfolio::run {
 
@@ -50,6 +51,9 @@ void check_read_once(const std::string& a, const std::string& b);
 void complain(const std::string& message);
 /// One line on stderr: "meshfolio: warning: …".
 void warn(const std::string& message);
+
+/// Warns of what a publication warns of, and says which files of the user's it kept.
+void tell_of(const output::Notes& notes);
 
 /// What messages call an input: standard input for "-".
 std::string shown(const std::string& file);
