@@ -59,7 +59,8 @@ report::Section certificates(const VerifyFlags& options, const Progress& progres
 /// A report of another kind has the same mark, and is no less work: verify does not take its place.
 void require_no_other_report(const std::filesystem::path& out) {
     if (output::has_mark(out, output::report_folder) && may_be_there(out / "results.json") && !may_be_there(out / all_measured))
-        throw OutputError(out.string(), "holds a report that is no verification, and would be replaced", "choose another folder with --out");
+        throw OutputError(out.string(), "holds a report that is no verification, and would be replaced",
+                          "choose another folder with --out");
 }
 
 ExitCode run_verify(const VerifyFlags& options) {

@@ -87,7 +87,8 @@ std::string first_changed(const fs::path& folder) {
     std::vector<char> is_whole(listed.size());
     tbb::parallel_for(std::size_t{0}, listed.size(), [&](std::size_t i) {
         try {
-            is_whole[i] = is_inside(listed[i].first) && sha256_of_file(folder / listed[i].first) == listed[i].second.digest;
+            const auto& [path, sum] = listed[i];   // .gitignore is the user's; earlier versions listed it
+            is_whole[i] = path == ".gitignore" || (is_inside(path) && sha256_of_file(folder / path) == sum.digest);
         } catch (const InputError&) {   // it is missing, or cannot be read
         }
     });

@@ -20,7 +20,8 @@ namespace {
 bool is_home(const fs::path& folder) {
     const passwd* account = ::getpwuid(::geteuid());
     std::error_code error;
-    for (const char* home : {static_cast<const char*>(std::getenv("HOME")), account == nullptr ? nullptr : static_cast<const char*>(account->pw_dir)})
+    for (const char* home :
+         {static_cast<const char*>(std::getenv("HOME")), account == nullptr ? nullptr : static_cast<const char*>(account->pw_dir)})
         if (home != nullptr && *home != '\0' && fs::equivalent(folder, home, error)) return true;
     return false;
 }
@@ -34,7 +35,8 @@ std::string foreign_contents(const fs::path& folder, const FolderKind& kind) {
     for (; !error && it != fs::directory_iterator(); it.increment(error)) {
         const std::string name = it->path().filename().string();
         if (name == ".gitignore" || process_in_name(name, ".meshfolio.tmp-") != 0) continue;
-        return "files that no " + std::string(kind.marker == report_folder.marker ? "report" : "run") + " of ours put there";
+        if (kind.marker == batch_folder.marker && has_mark(it->path(), report_folder)) continue;   // parts that were merged
+        return "files that no run of ours put there";
     }
     if (error) throw OutputError(folder.string(), "cannot be listed (" + error.message() + ")");
     return "";

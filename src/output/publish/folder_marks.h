@@ -11,9 +11,9 @@ inline constexpr const char* marker_file = ".meshfolio";
 
 /// A kind of folder that is ours. None takes the place of one of another kind.
 struct FolderKind {
-    const char* marker;    // name of the mark: a regular file
-    const char* words;     // in messages
-    const char* contents;  // of the mark, to the byte
+    const char* marker;     // name of the mark: a regular file
+    const char* words;      // in messages
+    const char* contents;   // of the mark, to the byte
 };
 inline constexpr const char* replaced_as_a_whole = "This folder was made by meshfolio, which replaces it as a whole.\n";
 inline constexpr FolderKind report_folder{marker_file, "a report", replaced_as_a_whole},

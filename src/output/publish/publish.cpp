@@ -201,8 +201,7 @@ Notes Publication::publish(const Digests& known, const std::function<void()>& la
         place_by_one_rename(notes, last_check);
     }
     if (!folder_->is_kept() && !folder_->remove())   // the earlier report, of another owner perhaps
-        notes.warning +=
-            (notes.warning.empty() ? "" : "; ") + folder().string() + ": cannot be removed, though nobody needs it any more";
+        notes.warning += (notes.warning.empty() ? "" : "; ") + folder().string() + ": cannot be removed, though nobody needs it any more";
     return notes;
 } catch (const fs::filesystem_error& error) {
     throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")");
@@ -246,6 +245,5 @@ std::vector<std::string> Publication::remove_failed() const {
 }
 
 bool abandon_publications() noexcept { return remove_all_temporaries(); }
-
 
 }   // namespace meshfolio::output

@@ -13,6 +13,7 @@
 #include "base/file_bytes.h"
 #include "base/linux_only.h"
 #include "base/sha256.h"
+#include "output/publish/file_group.h"
 #include "output/publish/folder_marks.h"
 #include "output/publish/temporaries.h"
 
@@ -56,6 +57,13 @@ int move_to_free_name(const fs::path& from, const fs::path& to) {
     return is_there(to) ? EEXIST : rename_with(from, to, Taken::replaced);
 }
 
+/// Of a regular file; empty where it is none or cannot be read.
+std::string digest_of(const fs::path& file) try {
+    return fs::is_regular_file(fs::symlink_status(file)) ? sha256_of_file(file) : "";
+} catch (const std::exception&) {
+    return "";
+}
+
 /// "a, b, c and 4 more".
 std::string named(const std::set<std::string>& names) {
     constexpr std::size_t most = 5, longest = 60;
@@ -87,6 +95,39 @@ bool is_same_file(const fs::path& one, const fs::path& other) try {
     return false;
 }
 
+std::string keep_beside(const fs::path& path, bool stays) {
+    for (int number = 1;; ++number) {
+        const std::string name = name_beside(path.filename().string(), number);
+        const fs::path place = path.parent_path() / name;
+        int error = stays && ::linkat(AT_FDCWD, path.c_str(), AT_FDCWD, place.c_str(), 0) == 0 ? 0 : stays ? errno : EPERM;
+        if (error != 0 && error != EEXIST) error = move_to_free_name(path, place);
+        if (error == ENOENT) return "";
+        if (error == 0 || (error == EEXIST && is_same_file(path, place))) return name;
+        if (error != EEXIST) throw OutputError(path.string(), std::string("cannot be kept (") + std::strerror(error) + ")", remedy);
+    }
+}
+
+std::vector<std::string> replace_listed(const fs::path& folder, const std::map<std::string, std::string>& files) {
+    SumsList listed = sums_of(folder);
+    if (!std::ranges::all_of(listed.paths, [&](const std::string& path) { return files.contains(path); })) listed = {};   // not ours
+    std::vector<std::string> kept;
+    std::string before, after;
+    for (const auto& [name, bytes] : files) after += sha256(bytes) + "  " + name + "\n";
+    for (const std::string& line : listed.lines) before += line.empty() ? "" : line + "\n";
+    const auto keep = [&](const std::string& name) { kept.push_back(keep_beside(folder / name, true)); };
+    if (!listed.is_there && may_be_there(folder / sums_file)) keep(sums_file);
+    for (const auto& [name, bytes] : files) {
+        const std::string digest = digest_of(folder / name);
+        if (may_be_there(folder / name) && digest != sha256(bytes) && !listed.has(name, digest)) keep(name);
+    }
+    replace_file(folder / sums_file, before + after);
+    FileGroup group;
+    for (const auto& [name, bytes] : files) group.add(folder / name, bytes);
+    group.publish();
+    if (!before.empty() && before != after) replace_file(folder / sums_file, after);
+    return kept;
+}
+
 /// Puts files of the user's into the successor of their folder.
 class UserFiles::Carrier {
 public:
@@ -98,8 +139,8 @@ public:
         if (file.is_folder) return folder_at(file.path).lexically_relative(to_);
         for (int number = file.edited ? 1 : 0;; ++number) {
             const fs::path place = parent / name_beside(file.path.filename().string(), number);
-            const int error = moves_ ? move_to_free_name(from, place)
-                                     : (::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, place.c_str(), 0) == 0 ? 0 : errno);
+            const int error =
+                moves_ ? move_to_free_name(from, place) : (::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, place.c_str(), 0) == 0 ? 0 : errno);
             if (error == 0 || (error == EEXIST && is_same_file(from, place))) return place.lexically_relative(to_);
             if (error == EEXIST) continue;
             if (error == ENOENT || (!moves_ && can_be_moved_instead(from, error))) return {};
@@ -233,14 +274,8 @@ void UserFiles::carry(const fs::path& successor, bool moves) {
 
 void UserFiles::make_way_for(const fs::path& incoming) {
     const auto move_beside = [&](const fs::path& path) {
-        for (int number = 1;; ++number) {
-            const fs::path place = path.parent_path() / name_beside(path.filename().string(), number);
-            const int error = move_to_free_name(folder_ / path, folder_ / place);
-            if (error == EEXIST && !is_same_file(folder_ / path, folder_ / place)) continue;
-            if (error == 0 || error == EEXIST) renamed_.insert(place.string());
-            if (error == 0 || error == EEXIST || error == ENOENT) return;
-            throw OutputError((folder_ / path).string(), std::string("cannot be kept (") + std::strerror(error) + ")", remedy);
-        }
+        if (const std::string name = keep_beside(folder_ / path, false); !name.empty())
+            renamed_.insert((path.parent_path() / name).string());
     };
     for (const Found& file : found_) {
         note(file, incoming);

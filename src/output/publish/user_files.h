@@ -28,8 +28,8 @@ public:
     /// Returns whether anything of the user's was found.
     bool any() const { return !found_.empty(); }
 
-    /// Gives each file of the user's a second name in `successor`: under its own name, or as NAME.edited where that is taken or the file was
-    /// listed. Files that cannot have two names (another owner, a file system without hard links) are left to move_into().
+    /// Gives each file of the user's a second name in `successor`: under its own name, or as NAME.edited where that is taken or the file
+    /// was listed. Files that cannot have two names (another owner, a file system without hard links) are left to move_into().
     /// @throws OutputError where one can neither be linked nor moved
     void link_into(const std::filesystem::path& successor) { carry(successor, false); }
 
@@ -78,6 +78,17 @@ private:
     void carry(const std::filesystem::path& successor, bool moves);
     void note(const Found& file, const std::filesystem::path& successor);
 };
+
+/// Gives what stands at `path` the first free name beside it (name_beside()): a second name, or another one.
+/// @param stays  it is to be replaced at once, and keeps its own name until then where it can have two
+/// @return the new name; empty: nothing is there @throws OutputError
+std::string keep_beside(const std::filesystem::path& path, bool stays);
+
+/// Replaces files in a folder that others use as well, and lists them alone in its SHA256SUMS. Those that are there and not as listed are
+/// kept beside. At any moment the list has what stands in the folder, or what stood there.
+/// @param files  name → bytes
+/// @return the new names of those that were kept @throws OutputError
+std::vector<std::string> replace_listed(const std::filesystem::path& folder, const std::map<std::string, std::string>& files);
 
 /// Returns whether both names stand for the same file, for files of the same bytes or for links to the same place.
 bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
