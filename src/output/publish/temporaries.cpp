@@ -37,13 +37,14 @@ Registry& registry() {
     return *instance;
 }
 
-/// The marker and the sums go last: of a removal that is cut short, the next run still knows what is ours.
+/// The sums go last but for the marker: of a removal that is cut short, the next run still knows what is ours, and that it is ours.
 void remove_contents(const fs::path& folder, std::error_code& error) {
     if (fs::is_symlink(fs::symlink_status(folder, error)) || !fs::is_directory(folder, error)) return;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
         const fs::path name = it->path().filename();
         if (name != report_folder.marker && name != marks_folder.marker && name != sums_file) fs::remove_all(it->path(), error);
     }
+    if (!error) fs::remove(folder / sums_file, error);
 }
 
 /// Folders of the user's may be closed to their own owner.

@@ -200,7 +200,8 @@ void UserFiles::list(const fs::path& below) {
     if (error == std::errc::no_such_file_or_directory) return;
     if (error) refuse(folder_ / below, "cannot be listed (" + error.message() + ")");
     std::sort(names.begin(), names.end());
-    if (names.empty() && !below.empty()) found_.push_back({below, false, true});
+    const bool is_of_every_report = below == "images" || below == "meshes" || below == "tables";
+    if (names.empty() && !below.empty() && !is_of_every_report) found_.push_back({below, false, true});
     for (const fs::path& name : names) {
         struct stat status {};
         const fs::path path = below / name;
