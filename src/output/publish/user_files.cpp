@@ -139,6 +139,7 @@ public:
         if (file.is_folder) return folder_at(file.path).lexically_relative(to_);
         for (int number = file.edited ? 1 : 0;; ++number) {
             const fs::path place = parent / name_beside(file.path.filename().string(), number);
+            if (moves_ && is_same_file(from, place)) return place.lexically_relative(to_);   // it has been linked
             const int error =
                 moves_ ? move_to_free_name(from, place) : (::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, place.c_str(), 0) == 0 ? 0 : errno);
             if (error == 0 || (error == EEXIST && is_same_file(from, place))) return place.lexically_relative(to_);
