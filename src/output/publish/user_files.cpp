@@ -256,7 +256,6 @@ void UserFiles::examine() {
         else
             found_.push_back({unsure_[i].first, true, false});
     }
-    std::stable_partition(found_.begin(), found_.end(), [](const Found& file) { return !file.edited; });   // who keeps his name comes first
 }
 
 void UserFiles::note(const Found& file, const fs::path& successor) {
@@ -265,6 +264,9 @@ void UserFiles::note(const Found& file, const fs::path& successor) {
 }
 
 void UserFiles::carry(const fs::path& successor, bool moves) {
+    // Those that keep their names come first: they may be the names of others that are kept beside.
+    std::stable_partition(found_.begin(), found_.end(),
+                          [&](const Found& file) { return !file.edited && !is_there(successor / file.path); });
     for (const Found& file : found_) note(file, successor);
     Carrier carrier(folder_, successor, moves);
     for (const Found& file : found_) {
