@@ -91,13 +91,22 @@ std::string file_name(const std::string& view, bool in_words) {
     return view.substr(1) + (view[0] == '+' ? "-pos.png" : "-neg.png");
 }
 
+/// An empty private chunk and IEND, the last bytes of a picture of ours. Programs that change a picture drop the chunk, for it is marked
+/// as unsafe to copy (PNG specification, 5.4): whoever finds it finds our picture as we drew it.
+constexpr std::string_view end_of_ours("\0\0\0\0msFO\xfe\xff\x92\x49\0\0\0\0IEND\xae\x42\x60\x82", 24);
+constexpr std::size_t end_of_any = 12;   // bytes: IEND alone
+
+std::string marked(std::string png) { return png.erase(png.size() - end_of_any).append(end_of_ours); }
+
+bool is_our_picture(const std::string& bytes) { return bytes.ends_with(end_of_ours); }
+
 /// Encodes the sheet first, as it takes longer than all views together; these get their labels when it has them.
 void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::path>& paths, render::ContactSheet& sheet, bool bare) {
     const render::Image whole = composed(sheet, bare);
     for_each_task(1 + sheet.pictures.size(), [&](std::size_t task) {
         const render::Image& picture = task == 0 ? whole : sheet.pictures[task - 1];
         if (task > 0 && !bare) output::label_view(sheet.pictures[task - 1], sheet.view_names[task - 1]);
-        files.add(task == 0 ? paths.back() : paths[task - 1], render::encode_png(picture));
+        files.add(task == 0 ? paths.back() : paths[task - 1], marked(render::encode_png(picture)));
     });
 }
 
@@ -132,7 +141,8 @@ ExitCode run_pair(const RenderFlags& options, PictureRequest request) {
     output::FileGroup files;
     for (const std::string& file : {options.mesh, options.pair}) files.keep(file);
     output::make_folder(folder);
-    files.add(folder / "sheet.png", render::encode_png(render::compose(draw_pair({a, of_a}, {b, of_b}, request).sheet)));
+    keep_others(folder / "sheet.png", is_our_picture);
+    files.add(folder / "sheet.png", marked(render::encode_png(render::compose(draw_pair({a, of_a}, {b, of_b}, request).sheet))));
     files.publish();
     print_path(folder / "sheet.png");
     return ExitCode::ok;
@@ -173,6 +183,7 @@ ExitCode run_render(const RenderFlags& options) {
     output::make_folder(folder);
     if (!options.glb.empty())
         files.add(options.glb, output::write_glb(prepared.mesh, field.values, drawn.range, output::ball_around(prepared.mesh)));
+    for (const std::filesystem::path& path : paths) keep_others(path, is_our_picture);
     add_pictures(files, paths, drawn.sheet, bare);
     files.publish();
     for (const std::filesystem::path& path : paths) print_path(path);

@@ -172,7 +172,7 @@ Command report_command(CLI::App& parent) {
     app.text("--part DIR", flags->part, "folder for a part of a report, to be joined with others by meshfolio merge");
     app.texts("--data DIR", flags->data,
               "folder with the assignment's meshes by their own paths (repeatable, the first that has one wins)");
-    app.text("--out DIR", flags->out, "folder of the report, replaced as a whole; default: out");
+    app.text("--out DIR", flags->out, "folder of the report, replaced as a whole but for files of yours; default: out");
     app.text("--config FILE", flags->config, "settings file (TOML); data/report.toml documents every key");
     app.text("--author NAME", flags->author, "whose work it is; also with --from");
     app.text("--threads", flags->threads, "at most so many threads; default: all");

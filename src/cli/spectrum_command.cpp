@@ -84,6 +84,9 @@ std::string in_words(const SpectrumCertificate& c) {
            std::to_string(c.components);
 }
 
+/// Begins like the PLY files that we write.
+bool is_our_ply(const std::string& bytes) { return bytes.starts_with("ply\nformat binary_little_endian 1.0\nelement vertex "); }
+
 void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options, const std::vector<int>& counts, const TriangleMesh& mesh,
                          const Spectrum& spectrum, const Vector& M) {
     const std::string stem = mesh_name(options.mesh);
@@ -91,6 +94,7 @@ void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options,
     for (const int k : counts) {
         if (k > spectrum.eigenvalues.size()) continue;
         const auto file = std::filesystem::path(options.out) / (stem + "_k" + std::to_string(k) + ".ply");
+        keep_others(file, is_our_ply);
         add_mesh(files, file, moved_to(mesh, reconstruct(spectrum, M, mesh.X, k)));
     }
 }

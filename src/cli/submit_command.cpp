@@ -28,8 +28,10 @@ ExitCode run_submit(SubmitFlags options) {
         if (chapter->is_question()) options.submission.questions.emplace_back(chapter->id);
     const submission::ReportFolder report = submission::read_report(options.out);
     const submission::Submission submission = submission::pack(report, own_source(), options.submission);
-    const std::string note = submission::publish(report, submission);
-    if (!note.empty()) warn(note);
+    tell_of(submission::publish(report, submission));
+    if (!report.others.empty())
+        warn("not packed, for the report does not list it: " + report.others.front() +
+             (report.others.size() > 1 ? " and " + std::to_string(report.others.size() - 1) + " more" : ""));
     for (const std::string& warning : submission.warnings) warn(warning);
     complain(std::to_string(submission.files) + " files, " + megabytes(submission.zip.size()) + ", checked and packed");
     print_path(report.path / "submission.zip");

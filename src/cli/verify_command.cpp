@@ -18,6 +18,8 @@ namespace meshfolio::cli {
 
 namespace {
 
+constexpr const char* all_measured = "tables/truth_all.csv";
+
 struct VerifyFlags {
     std::string out;
     std::string seed = "1";
@@ -43,9 +45,8 @@ void write_report(const VerifyFlags& options, const truth::GroundTruth& truth, c
     document.provenance = provenance_of({{"quick", options.quick ? "yes" : "no"}}, seed_of(options));
     document.sections = sections;
     write_report_files(document, {}, report::Templates(), {.timings = false, .plot_files = true}, {}, {}, publication.folder());
-    write_file(publication.folder() / "tables" / "truth_all.csv", report::write_csv(truth::ground_truth_table(truth)));
-    const std::string note = publication.publish();
-    if (!note.empty()) warn(note);
+    write_file(publication.folder() / all_measured, report::write_csv(truth::ground_truth_table(truth)));
+    tell_of(publication.publish());
 }
 
 /// Of bundled meshes, with the planted faults.
@@ -55,7 +56,15 @@ report::Section certificates(const VerifyFlags& options, const Progress& progres
     return chapter_of_id("certificates").answer(MeshLibrary({}, {}), settings, progress).section;
 }
 
+/// A report of another kind has the same mark, and is no less work: verify does not take its place.
+void require_no_other_report(const std::filesystem::path& out) {
+    if (output::has_mark(out, output::report_folder) && may_be_there(out / "results.json") && !may_be_there(out / all_measured))
+        throw OutputError(out.string(), "holds a report that is no verification, and would be replaced",
+                          "choose another folder with --out");
+}
+
 ExitCode run_verify(const VerifyFlags& options) {
+    require_no_other_report(options.out);
     truth::GroundTruth truth;
     std::vector<report::Section> sections;
     {

@@ -11,6 +11,7 @@
 #include "base/lower_case.h"
 #include "mesh/io/mesh_files.h"
 #include "output/publish/folder_system.h"
+#include "output/publish/user_files.h"
 #include "run/arguments.h"
 #include "run/progress.h"
 
@@ -88,6 +89,21 @@ int close_standard_output(int exit_code) {
 }
 
 void warn(const std::string& message) { complain("warning: " + message); }
+
+void tell_of(const output::Notes& notes) {
+    if (!notes.warning.empty()) warn(notes.warning);
+    for (const std::string& line : notes.kept) complain(line);
+}
+
+void keep_others(const std::filesystem::path& file, const std::function<bool(const std::string&)>& is_ours) {
+    if (!may_be_there(file) || output::is_stream(file) || std::filesystem::is_directory(file)) return;   // those are refused
+    try {
+        if (is_ours(read_file(file))) return;
+    } catch (const InputError&) {   // no file that can be read, and so none of ours
+    }
+    const std::string kept = output::keep_beside(file, !std::filesystem::is_symlink(file));
+    complain(file.string() + ": was no file of ours, and is kept as " + kept);
+}
 
 std::string shown(const std::string& file) { return file == "-" ? standard_input : file; }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "base/errors.h"
 #include "mesh/mesh_checks.h"
 #include "output/publish/file_group.h"
+#include "output/publish/publish.h"
 
 namespace meshfolio::run {
 
@@ -51,8 +53,16 @@ void complain(const std::string& message);
 /// One line on stderr: "meshfolio: warning: …".
 void warn(const std::string& message);
 
+/// Warns of what a publication warns of, and says which files of the user's it kept.
+void tell_of(const output::Notes& notes);
+
 /// What messages call an input: standard input for "-".
 std::string shown(const std::string& file);
+
+/// Keeps a file beside, and says so, that has the name of an output which the user did not choose, and is no output of that kind.
+/// @param is_ours  of its bytes
+/// @throws OutputError
+void keep_others(const std::filesystem::path& file, const std::function<bool(const std::string&)>& is_ours);
 
 /// Reads and prepares a mesh, that of standard input for "-", and prints its warnings, at most 20 lines of them.
 /// @throws InputError

@@ -118,19 +118,20 @@ Published publish_report(output::Publication& publication, const report::Documen
                          const ReportSettings& settings, const std::string& junit) {
     output::FileGroup others;
     if (!junit.empty()) add_junit(junit, report::write_junit(document, settings.timings), publication, settings.out, others);
-    Published published{settings.out, settings.out, ""};
+    Published published{settings.out, settings.out, {}};
     if (has_failed(document) && ended_well(settings.out)) {
         publication.step_aside();
         published.folder = output::failed_beside(settings.out);
     }
-    published.note = publication.publish(digests);
-    if (!has_failed(document)) publication.remove_failed();
+    published.notes = publication.publish(digests);
+    if (!has_failed(document))
+        for (std::string& line : publication.remove_failed()) published.notes.kept.push_back(std::move(line));
     others.publish();
     return published;
 }
 
-ExitCode tell(const Published& published, std::vector<std::string> notes, const report::Document& document) {
-    notes.insert(notes.begin(), published.note);
+ExitCode tell(const Published& published, const std::vector<std::string>& notes, const report::Document& document) {
+    tell_of(published.notes);
     for (const std::string& note : notes)
         if (!note.empty()) warn(note);
     summarise(document);

@@ -32,7 +32,7 @@ void summarise(const report::Document& document);
 
 struct Published {
     std::filesystem::path folder, wanted;   // where it is, and where it was to be
-    std::string note;                       // what to warn of; else empty
+    output::Notes notes;
 };
 
 /// Publishes what has been written. A report with a failure does not take the place of one without: it goes to `<out>.failed`, which the
@@ -43,6 +43,6 @@ Published publish_report(output::Publication& publication, const report::Documen
                          const ReportSettings& settings, const std::string& junit);
 
 /// Prints warnings, a summary of failures, and the path of the page.
-ExitCode tell(const Published& published, std::vector<std::string> notes, const report::Document& document);
+ExitCode tell(const Published& published, const std::vector<std::string>& notes, const report::Document& document);
 
 }   // namespace meshfolio::run

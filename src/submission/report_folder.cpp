@@ -1,5 +1,8 @@
 #include "submission/report_folder.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "base/file_bytes.h"
 #include "base/sha256.h"
 #include "output/publish/publish.h"
@@ -10,6 +13,8 @@ namespace meshfolio::submission {
 namespace fs = std::filesystem;
 
 namespace {
+
+using Sums = std::map<std::string, output::FileSum>;
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& problem, const std::string& remedy, long line = 0) {
     throw InputError({file.string(), line}, problem, remedy);
@@ -28,35 +33,42 @@ void require_harmless(const fs::path& file, const std::string& path, const fs::f
         refuse(file, "is executable", "take the right away (chmod -x), or the file out");
 }
 
-/// Every file of the folder, none of them suspicious.
-std::map<std::string, std::string> harmless_files(const fs::path& folder) {
+/// Reads the listed files, none of them suspicious; the paths of others go to `others`.
+std::map<std::string, std::string> listed_files(const fs::path& folder, const Sums& sums, std::vector<std::string>& others) {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {   // does not follow links
         if (fs::is_directory(entry.symlink_status())) continue;
         const std::string path = entry.path().lexically_relative(folder).generic_string();
+        if (is_apart(path)) continue;
+        if (!sums.contains(path)) {
+            others.push_back(path);
+            continue;
+        }
         require_harmless(entry.path(), path, entry.symlink_status());
         std::string bytes = read_file(entry.path());
         if (const std::string kind = program_kind(bytes); !kind.empty()) refuse(entry.path(), "is " + kind, "take it out of the folder");
         files.emplace(path, std::move(bytes));
     }
+    std::ranges::sort(others);
     return files;
 }
 
-void require_sums(const fs::path& folder, const std::map<std::string, std::string>& files) {
-    const fs::path sums_path = folder / output::sums_file;
-    const auto text = files.find(output::sums_file);
-    if (text == files.end()) refuse(sums_path, "is not there", renew);
-    const auto sums = output::parse_sums(text->second, sums_path);
+Sums listed_sums(const fs::path& folder) {
+    const fs::path file = folder / output::sums_file;
+    if (!may_be_there(file)) refuse(file, "is not there", renew);
+    return output::parse_sums(read_file(file), file);
+}
+
+void require_sums(const fs::path& folder, const Sums& sums, const std::map<std::string, std::string>& files) {
     for (const auto& [path, sum] : sums) {
         if (is_apart(path)) continue;
+        const fs::path sums_path = folder / output::sums_file;
         if (const std::string problem = path_problem(path); !problem.empty())
             refuse(sums_path, "'" + path + "' " + problem, renew, sum.line);
         const auto file = files.find(path);
         if (file == files.end()) refuse(sums_path, path + " is listed and not there", renew, sum.line);
         if (sha256(file->second) != sum.digest) refuse(folder / path, "was changed after the report was written", renew);
     }
-    for (const auto& [path, bytes] : files)
-        if (!is_apart(path) && !sums.contains(path)) refuse(folder / path, "is no part of the report", "take it out of the folder");
 }
 
 }   // namespace
@@ -65,11 +77,13 @@ ReportFolder read_report(const fs::path& folder) try {
     std::error_code error;
     if (!fs::is_directory(folder, error))
         refuse(folder, "is not a folder", "make a report with meshfolio report --out " + folder.string() + ", or name another with --out");
-    if (!fs::exists(folder / output::marker_file, error))
+    if (!output::has_mark(folder, output::report_folder))
         refuse(folder, "holds no report of meshfolio", "make one with meshfolio report --out " + folder.string());
-    ReportFolder report{folder, harmless_files(folder)};
-    require_sums(folder, report.files);
-    for (const char* apart : {output::marker_file, output::sums_file, ".gitignore"}) report.files.erase(apart);
+    const Sums sums = listed_sums(folder);
+    ReportFolder report{folder, {}, {}};
+    report.files = listed_files(folder, sums, report.others);
+    require_sums(folder, sums, report.files);
+    report.files.erase(output::marker_file);
     return report;
 } catch (const fs::filesystem_error& error) {
     throw InputError({folder.string(), 0}, "cannot be read (" + error.code().message() + ")");

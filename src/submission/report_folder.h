@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/errors.h"
 
@@ -13,10 +14,11 @@ namespace meshfolio::submission {
 struct ReportFolder {
     std::filesystem::path path;
     std::map<std::string, std::string> files;   // relative path → bytes; without the marker, the sums and .gitignore
+    std::vector<std::string> others;            // relative paths of the user's files, which SHA256SUMS does not list
 };
 
-/// @throws InputError if there is no report of ours, a file is not what SHA256SUMS says, or something is among them that has no place in
-/// a report: a program, a link, a build folder
+/// @throws InputError if there is no report of ours, a file is not what SHA256SUMS says, or something is listed that has no place in a
+/// report: a program, a link, a build folder
 ReportFolder read_report(const std::filesystem::path& folder);
 
 inline constexpr const char* renew = "make the report again with meshfolio report";

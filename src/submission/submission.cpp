@@ -13,7 +13,6 @@
 #include "base/joined.h"
 #include "base/sha256.h"
 #include "output/publish/folder_system.h"
-#include "output/publish/publish.h"
 #include "report/escape.h"
 #include "report/page/template_render.h"
 #include "report/writers.h"
@@ -169,7 +168,7 @@ Submission pack(const ReportFolder& report, const SourceListing& listing, const 
     return {zip_of(entries_of(contents)), contents.size(), facts.warnings};
 }
 
-std::string publish(const ReportFolder& report, const Submission& submission) {
+output::Notes publish(const ReportFolder& report, const Submission& submission) {
     output::Publication publication(report.path);
     for (const auto& [path, bytes] : report.files) {   // as they were checked, whatever has happened to the folder since
         if (path == archive_file) continue;

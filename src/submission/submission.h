@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "output/publish/publish.h"
 #include "submission/readiness.h"
 
 namespace meshfolio::submission {
@@ -21,8 +22,7 @@ struct Submission {
 Submission pack(const ReportFolder& report, const SourceListing& listing, const SubmissionOptions& options);
 
 /// The report's folder again, with the archive in it and its sums renewed, all at once.
-/// @return  a warning for the user when that could not be one step; else empty
 /// @throws OutputError
-std::string publish(const ReportFolder& report, const Submission& submission);
+output::Notes publish(const ReportFolder& report, const Submission& submission);
 
 }   // namespace meshfolio::submission

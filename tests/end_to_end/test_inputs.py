@@ -19,7 +19,7 @@ class NamedInputs(InFolder):
         self.sample("torus")
         self.write("broken.obj", BROKEN)
         self.write("meshes/x.txt", "")
-        self.write("out/.meshfolio", "")
+        self.write("out/.meshfolio", "This folder was made by meshfolio, which replaces it as a whole.\n")
         self.write("out/results.json", "precious")
 
     def files(self):

@@ -1,5 +1,6 @@
 """A class is marked: right answers lose nothing, every planted mistake is named, hostile submissions are refused by name."""
 
+import concurrent.futures
 import csv
 import io
 import json
@@ -368,7 +369,7 @@ class Mark(unittest.TestCase):
         mark = lambda out, *paths: run("mark", *paths, "--rubric", self.folder / "rubric.toml", "--out", out)
         marks, report = folder / "marks", folder / "report"
         report.mkdir()
-        (report / ".meshfolio").write_text("")
+        (report / ".meshfolio").write_text("This folder was made by meshfolio, which replaces it as a whole.\n")
         for out, words, process in ((report, "a report", mark(report, ada)), (marks, "", mark(marks, ada, bob)),
                                     (marks, "the marks of a class", run("report", self.folder / "lily.obj", "--only", "q1", "--alone", "--quick", "--out", marks)),
                                     (marks, "'bob'", mark(marks, ada)), (marks, "", mark(marks, bob, ada))):
@@ -376,9 +377,32 @@ class Mark(unittest.TestCase):
             self.assertIn(words, process.stderr)
         (marks / "ada" / "notes.txt").write_text("mine")
         process = mark(marks, ada, bob)
-        self.assertEqual(process.returncode, 4)
+        self.assertEqual(process.returncode, 0)
         self.assertIn("notes.txt", process.stderr)
         self.assertEqual((marks / "ada" / "notes.txt").read_text(), "mine")
+
+    def test_of_runs_at_once_none_loses_a_student(self):
+        """Each marks another student into one new folder: one comes first, the others are refused. The same student may be marked by all."""
+        folder = temporary_folder(self)
+        for names, codes in ((("ada", "bob", "eve"), [0, 4, 4]), (("ada", "ada", "ada"), [0, 0, 0])):
+            out = folder / "-".join(names)
+            paths = [self.zipped(folder / f"{name}.zip", self.right) for name in names]
+            mark = lambda path: run("mark", path, "--rubric", self.folder / "rubric.toml", "--out", out)
+            with concurrent.futures.ThreadPoolExecutor() as threads:
+                ends = list(threads.map(mark, paths))
+            self.assertEqual(sorted(end.returncode for end in ends), codes, [end.stderr for end in ends])
+            rows = [row["student"] for row in csv.DictReader((out / "class.csv").read_text().splitlines())]
+            self.assertEqual(rows, [name for name, end in zip(names, ends) if end.returncode == 0][:1])
+            for end in ends:
+                self.assertTrue(end.returncode == 0 or "who is not among these submissions" in end.stderr, end.stderr)
+
+    def test_remarks_without_end_fill_no_cell(self):
+        folder = temporary_folder(self)
+        keys = "".join(f"key{i} = 1\n" for i in range(60000))
+        out, _ = self.marked(0, [self.zipped(folder / "ada.zip", {**self.right, "answers.toml": keys})])
+        row = next(csv.DictReader((out / "class.csv").read_text().splitlines()))
+        self.assertLess(len(row["remarks"]), 5000)
+        self.assertIn("… and 59980 more", row["remarks"])
 
     # ---- exit codes
 

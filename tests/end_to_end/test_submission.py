@@ -321,9 +321,6 @@ class Refusals(Reported):
         table.unlink()
         self.refuse(3, f"{table.name} is listed and not there", out)
         table.write_bytes(kept)
-        (out / "notes.txt").write_text("mine")
-        self.refuse(3, "notes.txt: is no part of the report", out)
-        (out / "notes.txt").unlink()
         sums = (out / "SHA256SUMS").read_text()
         (out / "SHA256SUMS").write_text("sums\n" + sums)
         self.refuse(3, "SHA256SUMS:1: is no line of sha256sum", out)
@@ -362,10 +359,27 @@ class Refusals(Reported):
     def test_links(self):
         out = self.copy()
         (out / "passwd.txt").symlink_to("/etc/passwd")
+        sums = (out / "SHA256SUMS").read_text()
+        (out / "SHA256SUMS").write_text(sums + "0" * 64 + "  passwd.txt\n")
         self.refuse(3, "passwd.txt: is a link", out)
         (out / "passwd.txt").unlink()
+        (out / "SHA256SUMS").write_text(sums)
+        shutil.move(out / "tables", out.parent / "tables")
+        (out / "tables").symlink_to(out.parent / "tables")
+        moved = self.submit(out)
+        self.assertEqual(moved.returncode, 3)
+        self.assertIn("is listed and not there", moved.stderr)
+
+    def test_files_of_the_users_stay_and_are_not_packed(self):
+        out = self.copy()
+        (out / "notes.txt").write_text("mine")
         (out / "more").symlink_to("/etc")
-        self.refuse(3, "more: is a link", out)
+        process = self.submit(out)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertIn("notes.txt", process.stderr)
+        self.assertEqual(((out / "notes.txt").read_text(), str((out / "more").readlink())), ("mine", "/etc"))
+        packed = zipfile.ZipFile(out / "submission.zip").namelist()
+        self.assertEqual([name for name in packed if "notes" in name or name.startswith("more")], [])
 
     def test_no_author_or_another(self):
         out = self.copy()

@@ -6,11 +6,12 @@ import shutil
 import signal
 import time
 import unittest
+from hashlib import sha256
 from pathlib import Path
 
-from common import WHOLE, Faults, needs_strace, of_each_kind, some, sums_hold, tree
+from common import EDITED, ONE_CPU, STRACE, WHOLE, Faults, needs_strace, of_each_kind, ours, some, sums_hold, tree, user_files_are_kept
 
-CHANGES = ["openat", "write", "rename", "renameat", "renameat2", "link", "unlink", "unlinkat", "mkdir", "mkdirat", "rmdir", "ftruncate",
+CHANGES = ["openat", "write", "rename", "renameat", "renameat2", "link", "linkat", "unlink", "unlinkat", "mkdir", "mkdirat", "rmdir", "ftruncate",
            "fsync", "close", "sendfile", "copy_file_range"]
 STEPS = CHANGES if WHOLE else ["write", "rename", "renameat2", "unlinkat"]   # a folder is filled, put in its place, and what it replaced is removed
 
@@ -30,20 +31,31 @@ def runs_into(folder):
 
 class Kill(Faults):
     def require_old_or_new(self, old, new, when):
-        now = tree(self.out)
-        self.assertIn(now, (old, new), f"{when}: neither the old report nor the new one")
+        now = ours(tree(self.out))
+        self.assertIn(now, (ours(self.edited(old)), new), f"{when}: neither the old report nor the new one")
         self.assertTrue(sums_hold(self.out), when)
+        if self.user_files:
+            self.assertTrue(user_files_are_kept(self.out), when)
+
+    def edited(self, old):
+        """The tree of the old folder as add_user_files() leaves it."""
+        name = EDITED[".meshfolio" if ".meshfolio" in old else ".meshfolio-marks"]
+        return {**old, name: sha256(b"edited by hand").hexdigest()} if self.user_files else old
 
     def require_next_run(self, new, *words):
         """From what the kill left, without restoring."""
         end = self.run_program(*words)
         self.assertEqual(end.code, 0, end.err)
-        self.assertEqual(tree(self.out), new)
+        self.assertEqual(ours(tree(self.out)), new)
         self.assertEqual(self.beside(), [])
+        if self.user_files:
+            self.assertTrue(user_files_are_kept(self.out))
 
     @needs_strace
     def test_before_system_calls_of_a_report(self):
         old, new = self.with_old_and_new()
+        self.user_files = True
+        self.restore_old()
         words = self.report_words()
         for call in of_each_kind(self.calls(CHANGES, *words)):
             self.restore_old()
@@ -77,8 +89,33 @@ class Kill(Faults):
             self.require_next_run(new, *words)
         self.assertGreater(left, 0, "no kill left anything: the test tests nothing")
 
+    @needs_strace
+    def test_without_hard_links_the_next_run_finds_what_is_the_users(self):
+        """As on a file system without them: they are moved after the exchange, and a kill in between leaves them where the next run looks.
+        The same without an exchange of names, where two renames take its place."""
+        _, new = self.with_old_and_new()
+        self.user_files = True
+        words = self.report_words()
+        for refused in (["linkat:error=EPERM"], ["linkat:error=EPERM", "renameat2:error=EINVAL:when=2+"]):
+            self.restore_old()
+            wrap = [*ONE_CPU, STRACE, "-f", "-y", "-qq", "-e", "signal=none", "-o", self.folder / "trace", "-e", "trace=linkat,renameat2,unlinkat"]
+            faults = [word for fault in refused for word in ("-e", "inject=" + fault)]
+            end = self.end(self.start(*words, wrap=[*wrap, *faults]))
+            self.assertEqual(end.code, 0, end.err)
+            self.assertEqual((ours(tree(self.out)), self.beside(), user_files_are_kept(self.out)), (new, [], True), refused)
+            renames = sum("renameat2(" in line for line in (self.folder / "trace").read_text(errors="replace").splitlines())
+            if len(refused) > 1:   # the call can be made to fail or to kill, not both
+                continue
+            for number in range(2, renames + 1):
+                self.restore_old()
+                self.end(self.start(*words, wrap=[*wrap, *faults, "-e", f"inject=renameat2:signal=KILL:when={number}"]))
+                self.assertEqual(self.run_program(*words).code, 0)
+                self.assertEqual((ours(tree(self.out)), self.beside(), user_files_are_kept(self.out)), (new, [], True), number)
+
     def test_at_random_moments(self):
         old, new = self.with_old_and_new()
+        self.user_files = True
+        self.restore_old()
         words = self.report_words(threads=2)
         began = time.monotonic()
         self.assertEqual(self.run_program(*words).code, 0)
@@ -109,7 +146,10 @@ class Kill(Faults):
     @needs_strace
     def test_before_system_calls_of_a_renewal_a_merge_and_marks(self):
         for made_of in (self.with_renewal, self.with_parts, self.with_marks):
+            self.user_files = False
             old, new, words = made_of()
+            self.user_files = True
+            self.restore_old()
             for call in of_each_kind(self.calls(STEPS, *words)):
                 self.restore_old()
                 self.run_with(call, "signal=KILL", *words)

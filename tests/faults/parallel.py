@@ -3,7 +3,7 @@
 import shutil
 import unittest
 
-from common import WHOLE, Faults, sums_hold, tree
+from common import WHOLE, Faults, add_user_files, ours, sums_hold, tree, user_files_are_kept
 
 SIZES = [56, 64, 72, 80]
 
@@ -14,12 +14,15 @@ class Parallel(Faults):
         for number in range(50 if WHOLE else 5):
             if number % 2 == 0:   # a first run has nothing to exchange
                 shutil.rmtree(self.out, ignore_errors=True)
+            else:
+                add_user_files(self.out)
             sizes = SIZES[: 2 + number % 3]
             processes = [self.start(*self.report_words(size=size)) for size in sizes]
             for end in map(self.end, processes):
                 self.assertTrue(end.code == 0 or (end.code == 4 and "busy" in end.err), end.err)
-            self.assertIn(tree(self.out), expected[: len(sizes)])
+            self.assertIn(ours(tree(self.out)), expected[: len(sizes)])
             self.assertTrue(sums_hold(self.out))
+            self.assertTrue(number % 2 == 0 or user_files_are_kept(self.out))
             self.assertEqual(self.beside(), [])
 
     def test_reports_that_share_a_cache(self):

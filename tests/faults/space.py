@@ -9,7 +9,7 @@ import unittest
 
 from common import ONE_CPU, PROGRAM, STRACE, WHOLE, Faults, needs_mount, needs_strace, of_each_kind, some, tree
 
-WRITES = ["openat", "write", "fsync", "fdatasync", "ftruncate", "rename", "renameat2", "mkdir", "mkdirat", "close"]
+WRITES = ["openat", "write", "fsync", "fdatasync", "ftruncate", "rename", "renameat2", "linkat", "mkdir", "mkdirat", "close"]
 STEPS = WRITES if WHOLE else ["write", "fsync", "renameat2", "mkdir"]   # what a report asks for in every way, others ask for in these
 REASONS = {"ENOSPC": "No space left on device", "EIO": "Input/output error", "EDQUOT": "Disk quota exceeded"}
 
@@ -34,7 +34,10 @@ class Space(Faults):
 
     @needs_strace
     def test_each_failing_call_of_a_report(self):
-        old, new = self.with_old_and_new()
+        self.with_old_and_new()
+        self.user_files = True
+        self.restore_old()
+        old = tree(self.out)
         words = self.report_words()
         for number, call in enumerate(of_each_kind(list(writing(self.calls(WRITES, *words))))):
             error = list(REASONS)[number % len(REASONS)]
@@ -48,7 +51,11 @@ class Space(Faults):
     @needs_strace
     def test_each_failing_call_of_a_renewal_a_merge_and_marks(self):
         for made_of in (self.with_renewal, self.with_parts, self.with_marks):
-            old, _, words = made_of()
+            self.user_files = False
+            _, _, words = made_of()
+            self.user_files = True
+            self.restore_old()
+            old = tree(self.out)
             for call in of_each_kind(list(writing(self.calls(STEPS, *words)))):
                 self.restore_old()
                 end, came = self.run_with(call, "error=ENOSPC", *words)
@@ -250,6 +257,27 @@ class Mounted(Faults):
         script = f'{report} && A=$( cd "$M" && cat SHA256SUMS ) || exit 99; MESHFOLIO_FAIL=q2 {report}; [ $? = 1 ] && [ "$A" = "$( cat "$M/SHA256SUMS" )" ] || exit 98; ( cd "$M.failed" && sha256sum -c --quiet SHA256SUMS ) || exit 97; {report} && [ ! -e "$M.failed" ]'
         process = self.in_mount("size=40m,mode=755", script)
         self.assertEqual(process.returncode, 0, process.stderr)
+
+    def test_a_mount_point_leaves_the_users_files_alone(self):
+        """At a kill between two files as well, after which the next run keeps nothing of ours as edited."""
+        report = self.REPORT.replace("$M/out", "$M")
+        kept = '[ "$(cat "$M/thesis.tex")" = months ] && [ "$(cat "$M/docs/a")" = a ] && [ "$(readlink "$M/link")" = /nowhere ] && [ -d "$M/docs/empty" ]'
+        put = 'mkdir -p "$M/docs/empty"; echo months > "$M/thesis.tex"; echo a > "$M/docs/a"; ln -s /nowhere "$M/link"; mkdir -p "$M/images"; echo mine > "$M/images/mine.txt"'
+        script = (f'{report} || exit 99; {put}; echo edited > "$M/report.md"; {report} || exit 98; {kept} || exit 97; '
+                  f'[ "$(cat "$M/report.md.edited")" = edited ] && [ "$(cat "$M/images/mine.txt")" = mine ] || exit 96; '
+                  f'( cd "$M" && sha256sum -c --quiet SHA256SUMS ) || exit 95; ')
+        if STRACE:
+            killed = self.REPORT.replace("$M/out", "$M").replace('"$P"', f'{STRACE} -f -qq -o /dev/null -e trace=renameat2 -e inject=renameat2:signal=KILL:when=8 "$P"').replace("--size 64", "--size 72")
+            script += f'{killed}; {kept} || exit 94; {report} || exit 93; {kept} || exit 92; [ "$(ls -A "$M" | grep -c edited)" = 1 ] || exit 91; '
+        process = self.in_mount("size=60m,mode=755", script + '( cd "$M" && sha256sum -c --quiet SHA256SUMS )')
+        self.assertEqual(process.returncode, 0, process.stderr)
+
+    def test_a_mount_point_inside_is_refused(self):
+        script = (f'{self.REPORT} || exit 99; mkdir "$M/out/data"; mount -t tmpfs tmpfs "$M/out/data"; echo x > "$M/out/data/x"; A=$( {self.SUMS} ); '
+                  f'{self.REPORT}; C=$?; [ "$A" = "$( {self.SUMS} )" ] && [ "$(ls -A "$M")" = out ] && exit $C; exit 98')
+        process = self.in_mount("size=40m,mode=755", script)
+        self.assertEqual(process.returncode, 4, process.stderr)
+        self.assertIn("is a mount point", process.stderr)
 
     def test_a_disk_that_may_not_be_written(self):
         self.with_old_and_new()

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <algorithm>
 
@@ -29,8 +30,16 @@ void OpenFolder::sync() const {
 }
 
 void OpenFolder::lock() const {
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-        throw OutputError(path_.string(), "is busy: another run is writing there", "wait for its end");
+    if (!try_lock()) throw OutputError(path_.string(), "is busy: another run is writing there", "wait for its end");
+}
+
+bool OpenFolder::try_lock() const { return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
+
+bool OpenFolder::is_in_its_place() const {
+    struct stat open {};
+    struct stat named {};
+    return ::fstat(descriptor_, &open) == 0 && ::lstat(path_.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+           open.st_ino == named.st_ino;
 }
 
 fs::path resolved(const fs::path& path, std::error_code& error) {

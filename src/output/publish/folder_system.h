@@ -19,6 +19,10 @@ public:
     void sync() const;
     /// Until this goes, however the process ends. File systems without locks let everyone in. @throws OutputError if another has it
     void lock() const;
+    /// The same without an error. @return whether it has the lock
+    bool try_lock() const;
+    /// Returns whether its name still stands for this folder.
+    bool is_in_its_place() const;
 
 private:
     std::filesystem::path path_;

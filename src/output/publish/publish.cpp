@@ -1,18 +1,18 @@
 #include "output/publish/publish.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <thread>
 #include <vector>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/linux_only.h"
-#include "base/sha256.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/temporaries.h"
+#include "output/publish/user_files.h"
 
 namespace meshfolio::output {
 
@@ -43,123 +43,48 @@ void keep_private(const fs::path& folder, const fs::path& target) {
     fs::permissions(folder, others & ~replaced.permissions(), fs::perm_options::remove, error);
 }
 
-/// @throws OutputError if replacing `target` would delete what we did not make, or what is of another kind
-void require_ours(const fs::path& target, const FolderKind& kind) {
-    std::error_code error;
-    const fs::file_status status = fs::symlink_status(target, error);
-    if (status.type() == fs::file_type::not_found) return;
-    if (error) throw OutputError(target.string(), "cannot be examined (" + error.message() + ")");
-    if (!fs::is_directory(status)) throw OutputError(target.string(), "is not a folder", "choose another with --out");
-    bool foreign = false;
-    fs::directory_iterator it(target, error);
-    if (error) throw OutputError(target.string(), "cannot be listed (" + error.message() + ")");
-    for (; it != fs::directory_iterator(); it.increment(error)) {
-        const fs::path name = it->path().filename();
-        if (name == kind.marker) return;
-        if (name != ".gitignore" && process_in_name(name.string(), ".meshfolio.tmp-") == 0) foreign = true;
-    }
-    if (error) throw OutputError(target.string(), "cannot be listed (" + error.message() + ")");
-    if (!foreign) return;
-    std::string what = "files that no " + std::string(kind.marker == report_folder.marker ? "report" : "marks") + " of ours put there";
-    for (const FolderKind& other : {report_folder, marks_folder})
-        if (fs::exists(target / other.marker, error)) what = other.words;
-    throw OutputError(target.string(), "holds " + what + ", and would be replaced", "choose a new or empty folder with --out");
-}
-
-/// Files below `folder`, relative to it, sorted by their bytes.
-std::vector<std::string> files_below(const fs::path& folder) {
-    std::vector<std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder).generic_string());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-void write_sums(const fs::path& folder, const Publication::Digests& known) {
-    std::vector<std::string> files = files_below(folder);
-    std::erase(files, sums_file);
-    std::vector<std::string> digests(files.size());
-    tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) {
-        const auto it = known.find(files[i]);
-        digests[i] = it != known.end() ? it->second : sha256_of_file(folder / files[i]);
-    });
-    std::string sums;
-    for (std::size_t i = 0; i < files.size(); ++i) sums += digests[i] + "  " + files[i] + "\n";
-    write_file(folder / sums_file, sums);
-}
-
 void sync_folders(const fs::path& folder) {
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_directory()) OpenFolder(entry.path()).sync();
+        if (fs::is_directory(entry.symlink_status())) OpenFolder(entry.path()).sync();
     OpenFolder(folder).sync();
 }
 
-/// Two renames where the file system cannot exchange names. The next run can restore the old folder from its name.
-/// @return whether there was one
-bool replace_in_two_steps(const fs::path& folder, const fs::path& target, const FolderKind& kind) {
-    require_ours(target, kind);
-    const fs::path aside = target.string() + ".old-" + process_number();
-    const int moved = rename_with(target, aside, Taken::replaced);
-    if (moved != 0 && moved != ENOENT) fail(target, "cannot be moved aside", moved);
-    if (const int error = rename_with(folder, target, Taken::replaced); error != 0) {
-        if (moved == 0) rename_with(aside, target, Taken::replaced);
-        fail(target, "cannot be put in place", error);
-    }
-    const Temporary replaced(aside);   // removed here
-    return moved == 0;
-}
-
-enum class Placed { fresh, exchanged, unsupported };
-
-/// `folder` becomes `target` by one rename. Two first runs may race: the second finds the name taken and exchanges.
-Placed place(const fs::path& folder, const fs::path& target, const FolderKind& kind) {
-    int error = 0;
-    for (int attempt = 0; attempt < 10; ++attempt) {
-        error = rename_with(folder, target, Taken::kept);
-        if (error == 0) return Placed::fresh;
-        if (error == EEXIST || error == ENOTEMPTY) {
-            require_ours(target, kind);
-            error = rename_with(folder, target, Taken::exchanged);
-            if (error == 0) return Placed::exchanged;
+/// Opens and locks the folder once no other run is exchanging it; null where there is none.
+/// @throws OutputError where another run keeps it for long
+std::unique_ptr<OpenFolder> locked_folder(const fs::path& target) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (may_be_there(target)) {
+        try {
+            auto folder = std::make_unique<OpenFolder>(target);
+            if (std::chrono::steady_clock::now() > end) folder->lock();   // says that it is busy
+            if (folder->try_lock() && folder->is_in_its_place()) return folder;
+        } catch (const OutputError&) {
+            if (may_be_there(target)) throw;   // else it was being renamed
         }
-        if (error == EINVAL || error == ENOSYS || error == EOPNOTSUPP) return Placed::unsupported;
-        if (error != ENOENT) break;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    fail(target, "the finished report cannot be put in its place", error);
+    return nullptr;
 }
 
-void place_by_one_rename(const fs::path& folder, const fs::path& target, const FolderKind& kind, std::string& note) {
-    const OpenFolder parent(target.parent_path());
-    const auto permission = permission_to_create();
-    const Placed placed = place(folder, target, kind);
-    if (placed == Placed::unsupported && replace_in_two_steps(folder, target, kind))
-        note = target.string() + ": this file system cannot exchange folders, so the report was replaced in two steps";
-    try {
-        parent.sync();
-    } catch (const OutputError&) {   // not known to last: better the old one
-        if (placed == Placed::exchanged) rename_with(folder, target, Taken::exchanged);
-        if (placed == Placed::fresh) rename_with(target, folder, Taken::replaced);
-        throw;
-    }
-    remember_publication();
-}
+bool cannot_exchange(int error) { return error == EINVAL || error == ENOSYS || error == EOPNOTSUPP; }
 
-/// Replaces a mount point, which cannot be renamed, file by file. The sums come last, so that they reveal a mixture.
-void place_file_by_file(const fs::path& folder, const fs::path& target) {
+/// Replaces a mount point, which cannot be renamed, file by file. Meanwhile the sums list the old and the new of each file, so that the
+/// next run knows both as ours; those of the new alone come last.
+void place_file_by_file(const fs::path& folder, const fs::path& target, UserFiles& users) {
     const auto permission = permission_to_create();
     std::vector<std::string> files = files_below(folder);
-    const std::vector<std::string> old = files_below(target);
     std::stable_partition(files.begin(), files.end(), [](const std::string& file) { return file != sums_file; });
-    for (const std::string& file : files) {
-        make_folder((target / file).parent_path());
-        if (const int error = rename_with(folder / file, target / file, Taken::replaced); error != 0)
-            fail(target / file, "cannot be put in place", error);
-    }
-    std::sort(files.begin(), files.end());
-    for (const std::string& file : old) {
-        const bool temporary = process_in_name(file, ".meshfolio.tmp-") != 0;
-        if (!temporary && !std::binary_search(files.begin(), files.end(), file)) fs::remove(target / file);
-    }
+    const auto put = [&](const std::string& from, const std::string& to) {
+        make_folder((target / to).parent_path());
+        if (const int error = rename_with(folder / from, target / to, Taken::replaced); error != 0)
+            fail(target / to, "cannot be put in place", error);
+    };
+    users.make_way_for(folder);
+    const std::string both = std::string(sums_file) + ".both";
+    write_file(folder / both, (users.listed().is_there ? read_file(target / sums_file) : "") + read_file(folder / sums_file));
+    put(both, sums_file);
+    for (const std::string& file : files) put(file, file);
+    users.remove_ours({files.begin(), files.end()});
     sync_folders(target);
     remember_publication();
 }
@@ -177,6 +102,7 @@ Publication::Publication(const fs::path& target, const FolderKind& kind) : targe
     require_ours(target_, kind);
     make_folder(target_.parent_path());
     sweep_leftovers(target_);
+    static_cast<void>(UserFiles(target_));   // what cannot be carried over is refused before the work
     in_place_ = is_mount_point(target_);
     if (in_place_) {
         lock_ = std::make_unique<OpenFolder>(target_);
@@ -187,37 +113,100 @@ Publication::Publication(const fs::path& target, const FolderKind& kind) : targe
     folder_ = std::make_unique<Temporary>(path);
     create_folder(path);
     keep_private(path, target_);
-    write_file(path / kind.marker, "This folder was made by meshfolio, which replaces it as a whole.\n");
+    write_file(path / kind.marker, kind.contents);
 }
 
 Publication::~Publication() = default;
 
 const fs::path& Publication::folder() const { return folder_->path(); }
 
-std::string Publication::publish(const Digests& known) try {
-    const fs::path kept = target_ / ".gitignore";
-    if (fs::exists(kept)) write_file(folder() / ".gitignore", read_file(kept));
-    write_sums(folder(), known);
-    sync_folders(folder());
-    std::string note;
-    if (in_place_) {
-        place_file_by_file(folder(), target_);
-        note = target_.string() + ": is a mount point, so the report was replaced file by file";
-    } else {
-        place_by_one_rename(folder(), target_, kind_, note);
+/// Prepares the exchange with the target, which the caller has locked. Null where there is none.
+std::unique_ptr<UserFiles> Publication::users_of_target(const std::function<void()>& last_check) const {
+    if (!may_be_there(target_)) return nullptr;
+    require_ours(target_, kind_);
+    if (last_check) last_check();
+    auto users = std::make_unique<UserFiles>(target_);
+    users->examine();
+    return users;
+}
+
+/// One rename, or two where the file system cannot exchange names: the next run can restore the old folder from its name then.
+/// @return 0 or errno; folder() is the old one afterwards, or is gone
+int Publication::exchange(const UserFiles* users, Notes& notes) {
+    const int error = rename_with(folder(), target_, users == nullptr ? Taken::kept : Taken::exchanged);
+    if (!cannot_exchange(error)) return error;
+    const fs::path aside = target_.string() + ".old-" + process_number();
+    const int moved = rename_with(target_, aside, Taken::replaced);
+    if (moved != 0 && moved != ENOENT) fail(target_, "cannot be moved aside", moved);
+    if (const int failed = rename_with(folder(), target_, Taken::replaced); failed != 0) {
+        if (moved == 0) rename_with(aside, target_, Taken::replaced);
+        fail(target_, "cannot be put in place", failed);
     }
-    if (!folder_->remove())   // the earlier report, of another owner perhaps
-        note += (note.empty() ? "" : "; ") + folder().string() + ": cannot be removed, though nobody needs it any more";
-    return note;
+    if (moved != 0) return 0;
+    notes.warning = target_.string() + ": this file system cannot exchange folders, so the report was replaced in two steps";
+    rename_with(aside, folder(), Taken::replaced);
+    return 0;
+}
+
+/// Two first runs may race: the second finds the name taken and exchanges.
+void Publication::place_by_one_rename(Notes& notes, const std::function<void()>& last_check) {
+    const OpenFolder parent(target_.parent_path()), own(folder());
+    own.lock();   // whoever replaces the new folder waits until what is the user's has been carried over
+    int error = 0;
+    for (int attempt = 0; attempt < 10; ++attempt) {
+        const auto lock = locked_folder(target_);
+        const auto users = users_of_target(last_check);
+        if (users) users->link_into(folder());
+        sync_folders(folder());
+        const auto permission = permission_to_create();
+        error = exchange(users.get(), notes);
+        if (error == EEXIST || error == ENOTEMPTY || error == ENOENT) continue;
+        if (error != 0) break;
+        try {
+            parent.sync();
+        } catch (const OutputError&) {   // not known to last: better the old one
+            const bool is_back = rename_with(target_, folder(), users ? Taken::exchanged : Taken::replaced) == 0;
+            if (users && !is_back) take_the_rest(*users, notes);
+            throw;
+        }
+        remember_publication();
+        if (users) take_the_rest(*users, notes);
+        return;
+    }
+    fail(target_, "the finished report cannot be put in its place", error);
+}
+
+/// What the user has changed since the links were made, and what cannot have two names.
+void Publication::take_the_rest(UserFiles& users, Notes& notes) {
+    try {
+        users.renamed(folder());
+        users.examine();
+        users.move_into(target_);
+    } catch (const Error& error) {
+        notes.warning = std::string(error.what()) + "; it stays in " + folder().string();
+        folder_->keep();
+    }
+    notes.kept = users.notes(target_);
+}
+
+Notes Publication::publish(const Digests& known, const std::function<void()>& last_check) try {
+    write_sums(folder(), known);
+    Notes notes;
+    if (in_place_) {
+        const auto users = users_of_target(last_check);
+        sync_folders(folder());
+        place_file_by_file(folder(), target_, *users);
+        notes = {target_.string() + ": is a mount point, so the report was replaced file by file", users->notes(target_)};
+    } else {
+        place_by_one_rename(notes, last_check);
+    }
+    if (!folder_->is_kept() && !folder_->remove())   // the earlier report, of another owner perhaps
+        notes.warning += (notes.warning.empty() ? "" : "; ") + folder().string() + ": cannot be removed, though nobody needs it any more";
+    return notes;
 } catch (const fs::filesystem_error& error) {
     throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")");
 } catch (const InputError& error) {   // a file of ours that cannot be read back
     throw OutputError(target_.string(), error.what());
-}
-
-bool is_marked(const fs::path& folder) noexcept {
-    std::error_code error;
-    return fs::exists(folder / report_folder.marker, error) || fs::exists(folder / marks_folder.marker, error);
 }
 
 fs::path failed_beside(const fs::path& target) { return (target.has_filename() ? target : target.parent_path()).string() + ".failed"; }
@@ -236,33 +225,25 @@ void Publication::step_aside() try {
     throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")");
 }
 
-void Publication::remove_failed() const {
+std::vector<std::string> Publication::remove_failed() const {
     const fs::path failed = failed_beside(target_);
     std::error_code error;
-    if (!fs::is_regular_file(failed / marker_file, error)) return;
+    if (fs::is_symlink(failed, error) || !has_mark(failed, report_folder)) return {};
+    UserFiles users(failed);
+    users.examine();
     const auto permission = permission_to_create();
+    if (users.any()) {
+        users.remove_ours();
+        fs::remove(failed / sums_file, error);   // what is left is the user's
+        return {failed.string() + ": holds files of yours, and was not removed with the failed report"};
+    }
     if (!in_place_ && rename_with(failed, folder(), Taken::kept) == 0)   // a name that is swept if we end here
         folder_->remove();
     else
         fs::remove_all(failed, error);
+    return {};
 }
 
 bool abandon_publications() noexcept { return remove_all_temporaries(); }
-
-std::map<std::string, FileSum> parse_sums(const std::string& text, const std::filesystem::path& file) {
-    constexpr std::size_t digits = 64, gap = 2;
-    const auto is_digest = [](std::string_view word) { return word.find_first_not_of("0123456789abcdef") == std::string_view::npos; };
-    std::map<std::string, FileSum> sums;
-    long number = 0;
-    for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
-        end = std::min(text.find('\n', at), text.size());
-        const std::string line = text.substr(at, end - at);
-        ++number;
-        if (line.size() <= digits + gap || line.compare(digits, gap, "  ") != 0 || !is_digest(std::string_view(line).substr(0, digits)))
-            throw InputError({file.string(), number}, "is no line of sha256sum", "make the report again with meshfolio report");
-        sums[line.substr(digits + gap)] = {line.substr(0, digits), number};
-    }
-    return sums;
-}
 
 }   // namespace meshfolio::output

@@ -14,7 +14,8 @@
 #include <vector>
 
 #include "base/number_text.h"
-#include "output/publish/publish.h"
+#include "output/publish/folder_marks.h"
+#include "output/publish/user_files.h"
 
 namespace meshfolio::output {
 
@@ -36,13 +37,24 @@ Registry& registry() {
     return *instance;
 }
 
-/// The marker goes last: a removal that is cut short leaves a folder the next run still knows as ours.
+/// The sums go last but for the marker: of a removal that is cut short, the next run still knows what is ours, and that it is ours.
 void remove_contents(const fs::path& folder, std::error_code& error) {
     if (fs::is_symlink(fs::symlink_status(folder, error)) || !fs::is_directory(folder, error)) return;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
         const fs::path name = it->path().filename();
-        if (name != report_folder.marker && name != marks_folder.marker) fs::remove_all(it->path(), error);
+        if (name != report_folder.marker && name != marks_folder.marker && name != sums_file) fs::remove_all(it->path(), error);
     }
+    if (!error) fs::remove(folder / sums_file, error);
+}
+
+/// Folders of the user's may be closed to their own owner.
+void open_folders(const fs::path& folder) {
+    std::error_code error;
+    const auto open = [&](const fs::path& one) { fs::permissions(one, fs::perms::owner_all, fs::perm_options::add, error); };
+    if (!fs::is_directory(fs::symlink_status(folder, error))) return;
+    open(folder);
+    for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+        if (fs::is_directory(it->symlink_status())) open(it->path());
 }
 
 /// Repeated, because a writer that is still running may add a file between the listing and the removal of its folder.
@@ -51,6 +63,7 @@ bool remove_stubbornly(const fs::path& path) noexcept {
     for (int attempt = 0; attempt < 100; ++attempt) {
         std::error_code error;
         try {
+            if (attempt == 1) open_folders(path);
             remove_contents(path, error);
             fs::remove_all(path, error);
         } catch (const std::exception&) {
@@ -71,12 +84,18 @@ Temporary::Temporary(fs::path path) : path_(std::move(path)) {
 }
 
 Temporary::~Temporary() {
-    remove_stubbornly(path_);
+    if (!is_kept_) remove_stubbornly(path_);
     const std::lock_guard lock(registry().listing);
     registry().paths.erase(path_);
 }
 
 bool Temporary::remove() const noexcept { return remove_stubbornly(path_); }
+
+void Temporary::keep() noexcept {
+    is_kept_ = true;
+    const std::lock_guard lock(registry().listing);
+    registry().paths.erase(path_);
+}
 
 std::unique_lock<std::recursive_mutex> permission_to_create() { return std::unique_lock(registry().creating); }
 
@@ -145,20 +164,26 @@ long process_in_name(const std::string& name, const std::string& stem) {
 void sweep_leftovers(const fs::path& target) noexcept try {
     std::error_code ignored;
     const auto remove = [&](const fs::directory_entry& entry) {
-        if (is_our_folder(entry)) fs::remove_all(entry.path(), ignored);
+        if (is_our_folder(entry)) remove_stubbornly(entry.path());
     };
-    const auto restore = [&](const fs::directory_entry& entry) {
+    const auto settle = [&](const fs::directory_entry& entry, bool was_there) {
         if (!is_our_folder(entry)) return;
-        if (fs::exists(target))
-            fs::remove_all(entry.path(), ignored);
-        else
-            fs::rename(entry.path(), target, ignored);
+        const bool is_finished = may_be_there(entry.path() / sums_file);   // those come last, and all at once
+        if ((was_there || is_finished) && !may_be_there(target)) return fs::rename(entry.path(), target, ignored);
+        if (is_finished) {
+            UserFiles users(entry.path());
+            users.examine();
+            if (users.any() && !is_marked(target)) return;   // nowhere to go
+            users.move_into(target);
+        }
+        remove_stubbornly(entry.path());
     };
-    for_each_leftover(target.parent_path(), target.filename().string() + ".tmp-", true, remove);
-    for_each_leftover(target.parent_path(), target.filename().string() + ".old-", true, restore);
+    const std::string name = target.filename().string();
+    for_each_leftover(target.parent_path(), name + ".old-", true, [&](const auto& entry) { settle(entry, true); });
+    for_each_leftover(target.parent_path(), name + ".tmp-", true, [&](const auto& entry) { settle(entry, false); });
     for_each_leftover(target, ".meshfolio.tmp-", true, remove);   // of runs into a mount point
 } catch (const std::exception&) {
-    // No memory for a name: nothing is swept.
+    // No memory for a name, or no place for a file of the user's: what is left stays for the next run.
 }
 
 void sweep_file_leftovers(const fs::path& folder) noexcept {

@@ -22,9 +22,13 @@ public:
     const std::filesystem::path& path() const { return path_; }
     /// @return whether nothing is left of it
     bool remove() const noexcept;
+    /// Leaves it where it is, for a later run.
+    void keep() noexcept;
+    bool is_kept() const { return is_kept_; }
 
 private:
     std::filesystem::path path_;
+    bool is_kept_ = false;
 };
 
 /// A recursive lock, held while a file is created or renamed. After remove_all_temporaries() it is never granted again.
@@ -48,9 +52,9 @@ bool is_dead(long pid);
 /// The process number at the end of `name` when it reads `<stem><digits>`; else 0.
 long process_in_name(const std::string& name, const std::string& stem);
 
-/// Cleans up what interrupted runs left beside `target`: `<target>.tmp-<pid>` folders of dead runs are removed; `<target>.old-<pid>`
-/// becomes `target` again when that is missing, and is removed otherwise. Folders without our marker and anything else are left alone,
-/// and nothing that cannot be removed is an error.
+/// Cleans up what interrupted runs left beside `target`, as `<target>.tmp-<pid>` or `<target>.old-<pid>`. A finished folder becomes
+/// `target` where that is missing; otherwise the user's files in it are moved into `target`, and it is removed as an unfinished one is.
+/// Folders without our mark and anything else are left alone, and nothing that cannot be removed is an error.
 void sweep_leftovers(const std::filesystem::path& target) noexcept;
 
 /// The same for the temporary files of a FileGroup in `folder`.

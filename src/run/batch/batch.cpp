@@ -161,6 +161,8 @@ private:
             has_output_error_ || (end.kind == report::ChildEnd::Kind::exited && end.code == static_cast<int>(ExitCode::output));
         // The last that a report prints is its page.
         const std::string beside = output::failed_beside(mesh.name).string();
+        for (const std::string& line : split(end.output, '\n'))
+            if (line.starts_with("meshfolio: ") && line.find(": kept ") != std::string::npos) complain(line.substr(11));
         const std::string printed = end.output.substr(0, end.output.find_last_not_of('\n') + 1);
         if (end.kind != report::ChildEnd::Kind::exited || end.code > 1 || !printed.ends_with("/index.html"))
             return failed_row(mesh, failure_of(end));

@@ -13,9 +13,6 @@
 
 namespace meshfolio::run {
 
-/// The marker of such a folder. It differs from that of a report, which a report would replace as a whole.
-inline constexpr const char* batch_marker = ".meshfolio-batch";
-
 class BatchFolder {
 public:
     /// Creates the folder if it is missing, and locks it against other runs while this object lives.

@@ -88,7 +88,8 @@ std::optional<report::BatchRow> finished_row(const BatchMesh& mesh, const std::s
             if (!may_be_there(settings.out / folder / "results.json")) continue;
             const EarlierReport report(settings.out / folder / "results.json");
             const bool is_printed = settings.pdf != "require" || may_be_there(settings.out / folder / "report.pdf");
-            if (is_printed && is_the_same(report, mesh, sha256, settings)) return row_of(mesh, report, folder);
+            if (is_printed && is_the_same(report, mesh, sha256, settings) && output::first_changed(settings.out / folder).empty())
+                return row_of(mesh, report, folder);
         } catch (const InputError&) {   // of another version, or damaged: it is made again
         }
     }

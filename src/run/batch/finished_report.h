@@ -22,8 +22,8 @@ ReportSettings settings_on(const BatchMesh& mesh, double vertices, ReportSetting
 /// @throws InputError for a report that is not there, or not what it was
 report::BatchRow row_of_report(const BatchMesh& mesh, const std::filesystem::path& out, const std::string& folder);
 
-/// The same of a report that need not be made again: it is of the mesh with this content, these settings, this program, and none of its
-/// sections failed. Nothing if there is no such report.
+/// The same of a report that need not be made again: it is of the mesh with this content, these settings, this program, none of its
+/// sections failed, and each of its files is as SHA256SUMS says. Nothing if there is no such report.
 /// @param settings  of the batch
 std::optional<report::BatchRow> finished_row(const BatchMesh& mesh, const std::string& sha256, const ReportSettings& settings);
 

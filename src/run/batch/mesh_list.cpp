@@ -14,7 +14,6 @@
 #include "output/publish/publish.h"
 #include "report/escape.h"
 #include "run/arguments.h"
-#include "run/batch/batch_folder.h"
 
 namespace meshfolio::run {
 
@@ -23,11 +22,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t largest_list = std::uintmax_t{16} << 20;
-
-bool is_output_of_ours(const fs::path& folder) {
-    std::error_code error;
-    return output::is_marked(folder) || fs::exists(folder / batch_marker, error);
-}
 
 /// Sorted by their paths. What is hidden, a folder that may not be listed, and our own outputs are passed by.
 std::vector<std::string> meshes_below(const fs::path& folder) {
@@ -38,7 +32,7 @@ std::vector<std::string> meshes_below(const fs::path& folder) {
         const bool is_hidden = it->path().filename().string().starts_with('.');
         std::error_code ignored;
         if (it->is_directory(ignored)) {
-            if (is_hidden || is_output_of_ours(it->path())) it.disable_recursion_pending();
+            if (is_hidden || output::is_marked(it->path())) it.disable_recursion_pending();
         } else if (!is_hidden && is_mesh_file(it->path().string())) {
             files.push_back(it->path().string());
         }

@@ -249,7 +249,10 @@ std::map<std::string, StudentAnswer> parse_answers(std::string_view text, const 
     try {
         found.raise();
     } catch (const SettingsErrors& errors) {
-        for (const UsageError& error : errors.problems()) problems.emplace_back(error.what());
+        constexpr std::size_t most = 20;   // they share one cell of class.csv
+        const auto& all = errors.problems();
+        for (std::size_t i = 0; i < std::min(all.size(), most); ++i) problems.emplace_back(all[i].what());
+        if (all.size() > most) problems.push_back("… and " + std::to_string(all.size() - most) + " more");
     }
     return answers;
 }

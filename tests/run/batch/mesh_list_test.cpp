@@ -28,8 +28,8 @@ protected:
             output::make_folder(folder / sub);
             place.write(std::string(sub) + "/c.off", "x");
         }
-        place.write("report/.meshfolio", "");
-        place.write(std::string("batch/") + batch_marker, "");
+        place.write("report/.meshfolio", output::report_folder.contents);
+        place.write(std::string("batch/") + output::batch_folder.marker, output::batch_folder.contents);
     }
     std::vector<std::string> named(const std::vector<std::string>& words, const std::vector<std::string>& lists = {}) const {
         return files_of(batch_meshes(words, lists, folder / "out"), folder);
@@ -107,9 +107,9 @@ TEST(BatchFolders, MayHoldReportsBefore) {
     const std::filesystem::path report = place.path() / "reports" / "merged";
     output::make_folder(report);
     EXPECT_THROW(BatchFolder(report.parent_path()), OutputError);
-    place.write(std::string("reports/merged/") + output::marker_file, "");
+    place.write(std::string("reports/merged/") + output::marker_file, output::report_folder.contents);
     const BatchFolder folder(report.parent_path());
-    EXPECT_TRUE(std::filesystem::exists(report.parent_path() / batch_marker));
+    EXPECT_TRUE(std::filesystem::exists(report.parent_path() / output::batch_folder.marker));
 }
 
 }   // namespace

@@ -1,0 +1,99 @@
+#include "output/publish/file_sums.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+
+#include "base/errors.h"
+#include "base/file_bytes.h"
+#include "base/linux_only.h"
+#include "base/sha256.h"
+
+namespace meshfolio::output {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t largest_sums = std::uintmax_t{256} << 20;   // bytes
+
+/// The list comes from outside as well.
+bool is_inside(const fs::path& path) { return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end(); }
+
+}   // namespace
+
+std::map<std::string, FileSum> parse_sums(const std::string& text, const std::filesystem::path& file) {
+    constexpr std::size_t digits = 64, gap = 2;
+    const auto is_digest = [](std::string_view word) { return word.find_first_not_of("0123456789abcdef") == std::string_view::npos; };
+    std::map<std::string, FileSum> sums;
+    long number = 0;
+    for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
+        end = std::min(text.find('\n', at), text.size());
+        const std::string line = text.substr(at, end - at);
+        ++number;
+        if (line.size() <= digits + gap || line.compare(digits, gap, "  ") != 0 || !is_digest(std::string_view(line).substr(0, digits)))
+            throw InputError({file.string(), number}, "is no line of sha256sum", "make the report again with meshfolio report");
+        sums[line.substr(digits + gap)] = {line.substr(0, digits), number};
+    }
+    return sums;
+}
+
+std::vector<std::string> files_below(const fs::path& folder) {
+    std::vector<std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder).generic_string());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+void write_sums(const fs::path& folder, const Digests& known) {
+    std::vector<std::string> files = files_below(folder);
+    std::erase(files, sums_file);
+    std::vector<std::string> digests(files.size());
+    tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) {
+        const auto it = known.find(files[i]);
+        digests[i] = it != known.end() ? it->second : sha256_of_file(folder / files[i]);
+    });
+    std::string sums;
+    for (std::size_t i = 0; i < files.size(); ++i) sums += digests[i] + "  " + files[i] + "\n";
+    const fs::path part = folder / (std::string(sums_file) + ".part");
+    write_file(part, sums);
+    if (const int error = rename_with(part, folder / sums_file, Taken::replaced); error != 0)
+        throw OutputError((folder / sums_file).string(), std::string("cannot be put in place (") + std::strerror(error) + ")");
+}
+
+SumsList sums_of(const fs::path& folder) try {
+    const fs::path file = folder / sums_file;
+    std::error_code error;
+    if (!fs::is_regular_file(fs::symlink_status(file, error))) return {};
+    const std::string text = read_file(file, largest_sums);
+    SumsList list{true, {}, {}};
+    for (const auto& [path, sum] : parse_sums(text, file)) list.paths.insert(path);
+    for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
+        end = std::min(text.find('\n', at), text.size());
+        list.lines.insert(text.substr(at, end - at));
+    }
+    return list;
+} catch (const InputError&) {
+    return {};
+}
+
+std::string first_changed(const fs::path& folder) {
+    const fs::path file = folder / sums_file;
+    const auto sums = parse_sums(read_file(file, largest_sums), file);
+    const std::vector<std::pair<std::string, FileSum>> listed(sums.begin(), sums.end());
+    std::vector<char> is_whole(listed.size());
+    tbb::parallel_for(std::size_t{0}, listed.size(), [&](std::size_t i) {
+        try {
+            const auto& [path, sum] = listed[i];   // .gitignore is the user's; earlier versions listed it
+            is_whole[i] = path == ".gitignore" || (is_inside(path) && sha256_of_file(folder / path) == sum.digest);
+        } catch (const InputError&) {   // it is missing, or cannot be read
+        }
+    });
+    const auto changed = std::find(is_whole.begin(), is_whole.end(), '\0');
+    return changed == is_whole.end() ? "" : listed[static_cast<std::size_t>(changed - is_whole.begin())].first;
+}
+
+}   // namespace meshfolio::output
