@@ -15,7 +15,7 @@ namespace meshfolio {
 namespace {
 
 constexpr int triangles_in_a_group = 32, smallest_batch = 64, largest_batch = 1 << 14, candidates_a_task = 16, most_passes = 3;
-constexpr std::int64_t boxes_at_least = std::int64_t{1} << 27, boxes_a_triangle = 1024;   // that may be opened in all
+constexpr std::int64_t boxes_at_least = std::int64_t{1} << 24, boxes_a_triangle = 48;   // that may be opened in all
 
 double square(double x) { return x * x; }
 
@@ -254,7 +254,7 @@ void bound_groups(DistanceSearch& search) {
         const int group = static_cast<int>(task), first = group * triangles_in_a_group;
         const int last = std::min(first + triangles_in_a_group, from.face_count());
         const Vector3 p = from.X.row(from.F(first, 0));
-        const auto nearest = search.to.nearest(p, infinity, 0, boxes_at_least / groups + boxes_a_triangle);
+        const auto nearest = search.to.nearest(p, infinity, 0, boxes_at_least / 4 / groups + 4 * boxes_a_triangle);
         measured[group] = std::sqrt(nearest.squared_low);
         for (int t = first; t < last; ++t) {
             const double radius = (from.X(from.F.row(t), Eigen::all).rowwise() - p.transpose()).rowwise().norm().maxCoeff();

@@ -50,8 +50,16 @@ void for_each_piece(const Eigen::Matrix3d& corners, int k, const Visit& visit) {
     }
 }
 
-/// How many boxes a search may open when there are so many: enough for every ordinary one.
-std::int64_t boxes_of_each(Eigen::Index searches) { return 1024 + (std::int64_t{1} << 26) / searches; }
+/// How many boxes each of many searches may open: a share, several times what is ordinary, and half of what those before it saved.
+class Allowance {
+public:
+    explicit Allowance(Eigen::Index searches) : share_(40 + (std::int64_t{1} << 23) / searches) {}
+    std::int64_t next() const { return share_ + saved_ / 2; }
+    void spend(std::int64_t boxes) { saved_ += share_ - boxes; }
+
+private:
+    std::int64_t share_, saved_ = 0;
+};
 
 struct VertexDistances {
     Vector high, low;   // n each, NaN where no triangle uses the vertex; they differ only where a search reached its limit [length]
@@ -61,12 +69,15 @@ VertexDistances measure_vertices(const TriangleMesh& from, const ClosestPoint& t
     std::vector<char> used(static_cast<std::size_t>(from.vertex_count()), 0);
     for (const int v : from.F.reshaped()) used[static_cast<std::size_t>(v)] = 1;
     VertexDistances found{Vector::Constant(from.vertex_count(), undefined), Vector::Constant(from.vertex_count(), undefined)};
-    const std::int64_t most = boxes_of_each(from.vertex_count());
-    for_each_index(from.vertex_count(), [&](int v) {
-        if (used[static_cast<std::size_t>(v)] == 0) return;
-        const auto nearest = to.nearest(from.X.row(v), infinity, 0, most);
-        found.high[v] = std::sqrt(nearest.squared_distance);
-        found.low[v] = std::sqrt(nearest.squared_low);
+    for_blocks(from.vertex_count(), [&](int, int begin, int end) {
+        Allowance allowance(from.vertex_count());
+        for (int v = begin; v < end; ++v) {
+            if (used[static_cast<std::size_t>(v)] == 0) continue;
+            const auto nearest = to.nearest(from.X.row(v), infinity, 0, allowance.next());
+            allowance.spend(nearest.opened);
+            found.high[v] = std::sqrt(nearest.squared_distance);
+            found.low[v] = std::sqrt(nearest.squared_low);
+        }
     });
     return found;
 }
@@ -108,8 +119,7 @@ struct Measured {
 void measure_pieces(const TriangleMesh& from, const Pieces& pieces, const Vector& face_area, const ClosestPoint& to,
                     const Vector& vertex_low, Measured& measured) {
     const Positions normals = face_normals(from), normals_of_other = face_normals(to.mesh());
-    const std::int64_t most = boxes_of_each(pieces.start.back());
-    const auto measure_triangle = [&](int t) {
+    const auto measure_triangle = [&](int t, Allowance& allowance) {
         const auto face = static_cast<std::size_t>(t);
         const int parts = pieces.parts[face];
         const Eigen::Matrix3d corners = from.X(from.F.row(t), Eigen::all).transpose();
@@ -120,7 +130,9 @@ void measure_pieces(const TriangleMesh& from, const Pieces& pieces, const Vector
         for_each_piece(corners, parts, [&](const Eigen::Matrix3d& part) {
             const Vector3 p = part.rowwise().mean();
             const double bound = (of_corners.transpose() + (corners.colwise() - p).colwise().norm()).minCoeff();
-            const auto nearest = to.nearest(p, 1.0001 * bound * bound, 0, most);   // with room for rounding: some triangle is found
+            const auto nearest =
+                to.nearest(p, 1.0001 * bound * bound, 0, allowance.next());   // with room for rounding: some triangle is found
+            allowance.spend(nearest.opened);
             measured.found.of_pieces[piece] = std::sqrt(nearest.squared_distance);
             measured.found.areas[piece] = area;
             measured.cut_off[t] += nearest.squared_low < nearest.squared_distance ? 1 : 0;
@@ -136,7 +148,8 @@ void measure_pieces(const TriangleMesh& from, const Pieces& pieces, const Vector
     };
     for_each_task(static_cast<std::size_t>((from.face_count() - 1) / triangles_a_task + 1), [&](std::size_t task) {
         const int first = static_cast<int>(task) * triangles_a_task, last = std::min(first + triangles_a_task, from.face_count());
-        for (int t = first; t < last; ++t) measure_triangle(t);
+        Allowance allowance(pieces.start.back());
+        for (int t = first; t < last; ++t) measure_triangle(t, allowance);
     });
 }
 
@@ -188,6 +201,10 @@ SurfaceDistances surface_distances(const TriangleMesh& a, const TriangleMesh& b,
     DistanceSearch to_b{unit.a, surface_b, std::move(from_a.bounds), from_a.found.max};
     DistanceSearch to_a{unit.b, surface_a, std::move(from_b.bounds), from_b.found.max};
     HausdorffDistance hausdorff = enclose_farthest(to_b, to_a, accuracy, unit.rounding());
+    for (DistancesTo* one : {&from_a.found, &from_b.found}) {
+        one->mean_error = std::min(one->mean_error, std::max(one->mean, hausdorff.bound - one->mean));
+        one->rms_error = std::min(one->rms_error, std::max(one->rms, hausdorff.bound - one->rms));
+    }
     from_a.found.max = to_b.found;
     from_b.found.max = to_a.found;
     for (Measured* one : {&from_a, &from_b}) scale_lengths(one->found, 1 / unit.scale);
