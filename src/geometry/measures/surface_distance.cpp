@@ -96,13 +96,17 @@ PieceBounds bounds_over(const Eigen::Matrix3d& corners, const ClosestPoint::Near
     const Eigen::Matrix3d from_centroid = corners.colwise() - c;
     const double s = 3 * from_centroid.squaredNorm();
     PieceBounds bounds{};
-    bounds.largest = std::min(std::sqrt(nearest.squared_distance) + from_centroid.colwise().norm().maxCoeff(), f.maxCoeff());
+    const double radius = from_centroid.colwise().norm().maxCoeff();
+    bounds.largest = std::min(std::sqrt(nearest.squared_distance) + radius, f.maxCoeff());
     bounds.squared_high = std::min(nearest.squared_distance + s / 36, (f.sum() * f.sum() + f.squaredNorm()) / 12);
     bounds.d_high = std::min(std::sqrt(bounds.squared_high), f.mean());
     bounds.d_low = std::max(0.0, std::sqrt(nearest.squared_low) - std::sqrt(s) / 6);
     const double by_corners = of_corners.squaredNorm() / 3 - s / 12;
     bounds.squared_low = std::fmax(bounds.d_low * bounds.d_low, by_corners);
-    bounds.d_low = std::fmax(bounds.d_low, by_corners / bounds.largest);   // d² ≤ d · largest
+    const double least = std::max(0.0, std::sqrt(nearest.squared_low) - radius);
+    const double chord =
+        (by_corners + least * bounds.largest) / (least + bounds.largest);   // √ lies above its chord from least² to largest²
+    bounds.d_low = std::fmax(bounds.d_low, chord);
     return bounds;
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "base/errors.h"
+#include "geometry/measures/closest_point.h"
 #include "geometry/operator_test_meshes.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "geometry/smoothing/dirichlet_energy.h"

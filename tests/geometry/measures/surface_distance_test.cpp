@@ -230,7 +230,7 @@ TEST(SurfaceDistance, MeansKeepWithinTheirErrors) {
         EXPECT_LE(std::abs(coarse.rms - fine.rms), coarse.rms_error + fine.rms_error);
     }
     // Where the pieces are the triangles and far away, the error falls with the square of their size.
-    const TriangleMesh inner = icosphere(5, 0.1);
+    const TriangleMesh inner = icosphere(6, 0.1);
     const DistancesTo far = surface_distances(inner, square(40, 5)).a_to_b;
     EXPECT_LT(far.mean_error, 1e-6 * far.mean);
     EXPECT_LT(far.rms_error, 1e-6 * far.rms);
