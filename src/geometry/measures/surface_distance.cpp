@@ -206,8 +206,8 @@ SurfaceDistances surface_distances(const TriangleMesh& a, const TriangleMesh& b,
     DistanceSearch to_a{unit.b, surface_a, std::move(from_b.bounds), from_b.found.max};
     HausdorffDistance hausdorff = enclose_farthest(to_b, to_a, accuracy, unit.rounding());
     for (DistancesTo* one : {&from_a.found, &from_b.found}) {
-        one->mean_error = std::min(one->mean_error, std::max(one->mean, hausdorff.bound - one->mean));
-        one->rms_error = std::min(one->rms_error, std::max(one->rms, hausdorff.bound - one->rms));
+        one->mean_error = std::min(one->mean_error, std::max(one->mean, hausdorff.bound - one->mean)) + unit.rounding();
+        one->rms_error = std::min(one->rms_error, std::max(one->rms, hausdorff.bound - one->rms)) + unit.rounding();
     }
     from_a.found.max = to_b.found;
     from_b.found.max = to_a.found;
