@@ -15,6 +15,7 @@ namespace meshfolio {
 namespace {
 
 constexpr int triangles_in_a_group = 32, smallest_batch = 64, largest_batch = 1 << 14, candidates_a_task = 16, most_passes = 3;
+constexpr std::size_t most_pieces = 1 << 19;                                            // of one triangle that wait: 160 MB
 constexpr std::int64_t boxes_at_least = std::int64_t{1} << 24, boxes_a_triangle = 48;   // that may be opened in all
 
 double square(double x) { return x * x; }
@@ -40,17 +41,19 @@ public:
         Piece whole;
         for (int k = 0; k < 3; ++k) whole.add(corners.col(k));
         push(whole, bound);
-        while (!pieces_.empty() && boxes_ > 0) {
+        while (!pieces_.empty() && pieces_.size() < most_pieces && boxes_ > 0) {
             std::pop_heap(pieces_.begin(), pieces_.end());
             const Piece piece = pieces_.back();
             pieces_.pop_back();
             examine(piece);
         }
-        for (const Piece& piece : pieces_) settled_ = std::max(settled_, piece.bound);
+        complete_ &= pieces_.empty();
+        if (!pieces_.empty()) settled_ = std::max(settled_, pieces_.front().bound);
+        pieces_ = {};
     }
     double found() const { return found_; }
     double bound() const { return settled_; }
-    bool complete() const { return complete_ && pieces_.empty(); }
+    bool complete() const { return complete_; }
     std::int64_t boxes_left() const { return boxes_; }
 
 private:
