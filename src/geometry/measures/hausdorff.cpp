@@ -15,8 +15,8 @@ namespace meshfolio {
 namespace {
 
 constexpr int triangles_in_a_group = 32, smallest_batch = 64, largest_batch = 1 << 14, candidates_a_task = 16, most_passes = 3;
-constexpr std::size_t most_pieces = 1 << 19;                                            // of one triangle that wait: 160 MB
-constexpr std::int64_t boxes_at_least = std::int64_t{1} << 24, boxes_a_triangle = 48;   // that may be opened in all
+constexpr std::size_t most_pieces = 1 << 19;                                             // of one triangle that wait: 160 MB
+constexpr std::int64_t boxes_at_least = std::int64_t{1} << 24, boxes_a_triangle = 160;   // that may be opened in all
 
 double square(double x) { return x * x; }
 
@@ -101,13 +101,12 @@ private:
             complete_ &= nearest.triangle >= 0;
             return;
         }
+        if (piece.count > Piece::most_corners_to_cut || piece.depth % 4 == 3) return halve(piece, centre, bound);
+        if (cut_along_sides(piece, radius, nearest.triangle, bound)) return;
         const auto at_corner = measure(piece.corners[farthest], to_nearest[farthest] + goal_.rounding, found_);
         if (bound <= goal_.at(found_)) {
             settled_ = std::max(settled_, bound);
-        } else if (piece.count > Piece::most_corners_to_cut || piece.depth % 4 == 3) {
-            halve(piece, centre, bound);
-        } else if (!cut_along_sides(piece, radius, nearest.triangle, bound) &&
-                   !cut_where_equal(piece, to_nearest, nearest.triangle, at_corner.triangle, bound)) {
+        } else if (!cut_where_equal(piece, to_nearest, nearest.triangle, at_corner.triangle, bound)) {
             halve(piece, centre, bound);
         }
     }
@@ -257,7 +256,7 @@ void bound_groups(DistanceSearch& search) {
         const int group = static_cast<int>(task), first = group * triangles_in_a_group;
         const int last = std::min(first + triangles_in_a_group, from.face_count());
         const Vector3 p = from.X.row(from.F(first, 0));
-        const auto nearest = search.to.nearest(p, infinity, 0, boxes_at_least / 4 / groups + 4 * boxes_a_triangle);
+        const auto nearest = search.to.nearest(p, infinity, 0, boxes_at_least / 4 / groups + boxes_a_triangle);
         measured[group] = std::sqrt(nearest.squared_low);
         for (int t = first; t < last; ++t) {
             const double radius = (from.X(from.F.row(t), Eigen::all).rowwise() - p.transpose()).rowwise().norm().maxCoeff();
