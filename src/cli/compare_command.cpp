@@ -13,7 +13,7 @@ namespace meshfolio::cli {
 namespace {
 
 struct CompareFlags {
-    std::string a, b, csv, ply, html;
+    std::string a, b, csv, ply, html, accuracy = plain_text(default_accuracy);
     bool json = false, surfaces = false;
 };
 
@@ -40,7 +40,7 @@ void take_triangles_of_file(const CompareFlags& options, const PreparedMesh& a, 
 void add_files(output::FileGroup& files, const CompareFlags& options, const PreparedMesh& a, const PreparedMesh& b,
                const Difference& difference) {
     if (options.csv.empty() && options.ply.empty() && options.html.empty()) return;
-    const SurfaceDistances distances = difference.distances ? *difference.distances : surface_distances(a.mesh, b.mesh);
+    const SurfaceDistances distances = difference.distances ? *difference.distances : surface_distances(a.mesh, b.mesh, most_accuracy);
     const std::vector<VertexColumn> columns{{"distance", distances.a_to_b.of_vertices, ScalarType::float32}};
     if (!options.ply.empty()) add_mesh(files, options.ply, a.mesh, beside_attributes(a, columns));
     if (!options.html.empty()) files.add(options.html, difference_page(a, b, difference, distances));
@@ -53,10 +53,12 @@ ExitCode run_compare(const CompareFlags& options) {
     check_output("--csv", options.csv, {".csv", "-"});
     check_output("--ply", options.ply, column_endings());
     check_output("--html", options.html, {".html", ".htm"});
+    const double accuracy = number_between("--accuracy", options.accuracy, least_accuracy, most_accuracy);
     const PreparedMesh a = load_mesh(options.a, Checks::all, options.ply.empty() ? Keep::mesh : Keep::attributes);
     PreparedMesh b = load_mesh(options.b);
     take_triangles_of_file(options, a, b);
-    const Difference difference = about_mesh(options.b, [&] { return difference_of(a.mesh, b.mesh, options.surfaces); });
+    const Difference difference = about_mesh(options.b, [&] { return difference_of(a.mesh, b.mesh, options.surfaces, accuracy); });
+    for (const std::string& warning : difference.warnings) warn(warning);
     output::FileGroup files;
     for (const std::string& file : {options.a, options.b}) files.keep(file);
     add_files(files, options, a, b, difference);
@@ -77,6 +79,7 @@ Command compare_command(CLI::App& parent) {
     app.required("A", options->a, "the reference");
     app.required("B", options->b, "the other, with the same triangles or any");
     app.flag("--surfaces", options->surfaces, "from surface to surface also where the triangles are the same and vertices correspond");
+    app.text("--accuracy X", options->accuracy, "by which share hausdorff_bound may exceed hausdorff, from 1e-9 to 1");
     app.flag("--json", options->json, "for programs");
     app.text("--csv FILE", options->csv, "the distance of every vertex of A to the surface of B: file, or - for standard output");
     app.text("--ply FILE", options->ply, "A, with this distance as a property of its vertices");

@@ -127,10 +127,9 @@ ExitCode run_pair(const RenderFlags& options, PictureRequest request) {
     Field of_a, of_b;
     if (distance) {
         if (request.colormap.empty()) request.colormap = "pale";   // from 0 on
-        const SurfaceDistances distances = surface_distances(a.mesh, b.mesh);
         const double diagonal = bounding_box(a.mesh).diagonal();
-        of_a = distance_field(distances.a_to_b, diagonal);
-        of_b = distance_field(distances.b_to_a, diagonal);
+        of_a = distance_field(vertex_distances(a.mesh, b.mesh), diagonal);
+        of_b = distance_field(vertex_distances(b.mesh, a.mesh), diagonal);
     } else {
         of_a = field_of(a, options.field);
         of_b = field_of(b, options.field);

@@ -132,11 +132,13 @@ Mesh noise(const Mesh& mesh, double sigma, std::uint64_t seed, const std::string
     return moved_to(mesh, with_gaussian_noise(mesh.triangles().X, sigma * scale, seed));
 }
 
-py::dict compare(const Mesh& a, const Mesh& b, bool surfaces) {
-    const auto lines = interruptible(
-        [=, of = a.prepared, to = b.prepared](const Stop&) { return run::difference_of(of->mesh, to->mesh, surfaces).lines; });
+py::dict compare(const Mesh& a, const Mesh& b, bool surfaces, double accuracy) {
+    run::number_between("accuracy", plain_text(accuracy), least_accuracy, most_accuracy);
+    const run::Difference difference = interruptible(
+        [=, of = a.prepared, to = b.prepared](const Stop&) { return run::difference_of(of->mesh, to->mesh, surfaces, accuracy); });
+    for (const std::string& warning : difference.warnings) warn(warning);
     py::dict numbers;
-    for (const run::DifferenceLine& line : lines)
+    for (const run::DifferenceLine& line : difference.lines)
         numbers[line.key] = line.is_count ? py::object(py::int_(static_cast<int>(line.value))) : py::object(py::float_(line.value));
     return numbers;
 }
@@ -230,10 +232,13 @@ PYBIND11_MODULE(_core, m) {
           "step) or h2 (mean edge squared); default: half the largest stable one. SolverError when it blows up.");
     m.def("noise", &noise, "mesh"_a, "sigma"_a, py::kw_only(), "seed"_a = 1, "unit"_a = "raw",
           "Seeded Gaussian noise of standard deviation sigma per coordinate: raw [length], or bbox, a share of each extent.");
-    m.def("compare", &compare, "a"_a, "b"_a, py::kw_only(), "surfaces"_a = false,
-          "A dict of errors of b against a: rms, max, hausdorff [length], mean_normal_angle_deg, volume_ratio, area_ratio and more. Vertex "
+    m.def("compare", &compare, "a"_a, "b"_a, py::kw_only(), "surfaces"_a = false, "accuracy"_a = default_accuracy,
+          "A dict of errors of b against a: rms, max, hausdorff, hausdorff_bound [length], mean_normal_angle_deg, volume_ratio, area_ratio "
+          "and more. Vertex "
           "by\n"
-          "vertex where both have the same faces, else, or if surfaces is true, from surface to surface.");
+          "vertex where both have the same faces, else, or if surfaces is true, from surface to surface. The Hausdorff distance lies "
+          "between\n"
+          "hausdorff and hausdorff_bound, which is larger by the share accuracy at most.");
     m.def("distances", &distances, "a"_a, "b"_a,
           "n float64: the distance of every vertex of a to the surface of b, NaN where no face uses the vertex [length].");
     m.def("inspect", &inspect, "mesh"_a, py::kw_only(), "operator"_a = "cotan",

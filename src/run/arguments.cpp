@@ -17,7 +17,8 @@ namespace {
     throw UsageError(option + " " + in_quotes(text) + " is not " + wanted);
 }
 
-double number_where(const std::string& option, std::string_view text, bool (*is_right)(double), const char* wanted) {
+template <class Condition>
+double number_where(const std::string& option, std::string_view text, const Condition& is_right, const std::string& wanted) {
     const auto value = parse_number(text);
     if (!value || !is_right(*value)) refuse(option, text, wanted);
     return *value;
@@ -64,6 +65,11 @@ std::vector<int> integers_between(const std::string& option, std::string_view te
 double finite_number(const std::string& option, std::string_view text) {
     return number_where(
         option, text, [](double) { return true; }, "a finite number");
+}
+
+double number_between(const std::string& option, std::string_view text, double low, double high) {
+    return number_where(
+        option, text, [=](double x) { return x >= low && x <= high; }, "a number from " + plain_text(low) + " to " + plain_text(high));
 }
 
 double number_not_negative(const std::string& option, std::string_view text) {

@@ -26,7 +26,8 @@ std::vector<int> integers_between(const std::string& option, std::string_view te
 
 /// Decimal and finite; neither "nan", "inf" nor hexadecimal.
 double finite_number(const std::string& option, std::string_view text);
-/// The same, ≥ 0 or > 0.
+/// The same, between the limits, ≥ 0 or > 0.
+double number_between(const std::string& option, std::string_view text, double low, double high);
 double number_not_negative(const std::string& option, std::string_view text);
 double number_above_zero(const std::string& option, std::string_view text);
 

@@ -15,7 +15,8 @@ from test_commands import BOX, table
 
 ONE_SIDED = ['rms_a_to_b', 'rms_b_to_a', 'mean_a_to_b', 'mean_b_to_a', 'max_a_to_b', 'max_b_to_a', 'normal_angle_a_to_b_deg',
              'normal_angle_b_to_a_deg']
-SAME = ['rms', 'max', 'hausdorff', 'mean_normal_angle_deg', 'volume_ratio', 'area_ratio']
+ERRORS = ['mean_error_a_to_b', 'mean_error_b_to_a', 'rms_error_a_to_b', 'rms_error_b_to_a']
+SAME = ['rms', 'max', 'hausdorff', 'hausdorff_bound', 'mean_normal_angle_deg', 'volume_ratio', 'area_ratio']
 GROUND = 'v -5 -5 0\nv 5 -5 0\nv 5 5 0\nv -5 5 0\nf 1 2 3\nf 1 3 4\n'
 TILE = 'v -1 -1 2\nv 1 -1 2\nv 1 1 2\nv -1 1 2\nv 0 0 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n'
 
@@ -35,7 +36,7 @@ class Compare(InFolder):
         same, other = self.numbers('cube8.obj', 'noisy.obj'), self.numbers('tile.obj', 'ground.obj')
         surfaces = self.numbers('cube8.obj', 'noisy.obj', '--surfaces')
         for facts in (other, surfaces):
-            self.assertEqual(list(facts), [*SAME, 'box_diagonal', *ONE_SIDED, 'same_triangles', 'histogram'])
+            self.assertEqual(list(facts), [*SAME, 'box_diagonal', *ONE_SIDED, 'rms_error', *ERRORS, 'same_triangles', 'histogram'])
         self.assertEqual(list(same), [*SAME, 'area_weighted_rms', 'mean_squared_normal_angle_deg2', 'box_diagonal', 'inverted_faces',
                                       'same_triangles'])
         self.assertIsInstance(same['inverted_faces'], int)
@@ -55,6 +56,27 @@ class Compare(InFolder):
         for key in ONE_SIDED:
             other = key.replace('a_to_b', 'b_to_a') if 'a_to_b' in key else key.replace('b_to_a', 'a_to_b')
             self.assertAlmostEqual(back[other], facts[key], delta=1e-9)
+
+    def test_a_gap_that_no_vertex_sees(self):
+        """A needle with a gap in it, over a plate: the middle of the gap is as far from the needle's halves as from the plate, or nearer."""
+        plate = ''.join(f'v {x} {y} DEPTH\n' for x, y in ((0, 0), (1000, 0), (1000, 1000), (0, 1000)))
+        whole = plate + 'v 0 0 0\nv 1000 0 0\nv 1000 .001 0\nf 1 2 3\nf 1 3 4\nf 5 6 7\n'
+        parts = (plate + 'v 0 0 0\nv 400 0 0\nv 400 .0004 0\nv 600 0 0\nv 600 .0006 0\nv 1000 0 0\nv 1000 .001 0\n'
+                 'f 1 2 3\nf 1 3 4\nf 5 6 7\nf 8 10 11\nf 8 11 9\n')
+        for depth, far in ((-50, 50), (-200, 100)):
+            self.write('whole.obj', whole.replace('DEPTH', str(depth)))
+            self.write('parts.obj', parts.replace('DEPTH', str(depth)))
+            for accuracy in (1e-1, 1e-3, 1e-6):
+                for pair in (('whole.obj', 'parts.obj'), ('parts.obj', 'whole.obj')):
+                    facts = self.numbers(*pair, '--accuracy', str(accuracy))
+                    self.assertLessEqual(facts['hausdorff'], far * (1 + 1e-9))
+                    self.assertGreaterEqual(facts['hausdorff_bound'], far)
+                    self.assertLessEqual(facts['hausdorff_bound'], facts['hausdorff'] * (1 + accuracy))
+
+    def test_what_accuracy_takes(self):
+        for value in ('0', '-1', '1e-10', '2', 'nan', 'inf', 'x', ''):
+            self.assertIn('--accuracy', self.refuse(2, 'compare', 'tile.obj', 'ground.obj', '--accuracy', value))
+        self.assertIn('no more than this', self.succeed('compare', 'tile.obj', 'ground.obj', '--accuracy', '1e-9'))
 
     def test_distances_of_vertices(self):
         rows = table(self.succeed('compare', 'tile.obj', 'ground.obj', '--csv', '-'))

@@ -310,6 +310,12 @@ class Numbers(unittest.TestCase):
         self.assertAlmostEqual(difference["rms"], np.sqrt((distances**2).mean()), delta=1e-14)
         self.assertEqual(difference["max"], distances.max())
         self.assertLessEqual(difference["hausdorff"], difference["max"])
+        self.assertLessEqual(difference["hausdorff"], difference["hausdorff_bound"])
+        self.assertLessEqual(difference["hausdorff_bound"], 1.001 * difference["hausdorff"])
+        narrow = meshfolio.compare(mesh, noisy, accuracy=1e-6)
+        self.assertLessEqual(narrow["hausdorff_bound"], (1 + 1e-6) * narrow["hausdorff"])
+        with self.assertRaises(meshfolio.UsageError):
+            meshfolio.compare(mesh, noisy, accuracy=0)
         self.assertIsInstance(difference["inverted_faces"], int)
 
     def test_surfaces_with_other_faces_are_as_far_apart_as_their_planes(self):

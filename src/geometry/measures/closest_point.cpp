@@ -36,6 +36,34 @@ double squared_distance_to_narrow_triangle(const Vector3& p, const Vector3& a, c
     return over ? std::min(to_sides, (off - s * across).squaredNorm()) : to_sides;
 }
 
+/// Leaves out of `order`, in which equal triangles lie together, all but the first of each: no search could tell them apart.
+std::vector<int> without_repeats(const TriangleMesh& mesh, const Positions& centroids, const std::vector<int>& order) {
+    using Corners = std::array<std::array<double, 3>, 3>;
+    const auto corners_of = [&](int t) {
+        Corners corners;
+        for (int k = 0; k < 3; ++k) std::copy_n(Vector3(mesh.X.row(mesh.F(t, k))).data(), 3, corners[static_cast<std::size_t>(k)].begin());
+        std::sort(corners.begin(), corners.end());
+        return std::pair{corners, t};
+    };
+    const double rounding = 8 * epsilon * centroids.cwiseAbs().maxCoeff();   // of centroids of the same corners in another order
+    std::vector<int> distinct;
+    std::vector<std::pair<Corners, int>> together;
+    for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
+        for (end = i + 1; end < order.size(); ++end)
+            if ((centroids.row(order[end]) - centroids.row(order[end - 1])).cwiseAbs().maxCoeff() > rounding) break;
+        if (end == i + 1) {
+            distinct.push_back(order[i]);
+            continue;
+        }
+        together.clear();
+        for (std::size_t j = i; j < end; ++j) together.push_back(corners_of(order[j]));
+        std::sort(together.begin(), together.end());
+        for (std::size_t j = 0; j < together.size(); ++j)
+            if (j == 0 || together[j].first != together[j - 1].first) distinct.push_back(together[j].second);
+    }
+    return distinct;
+}
+
 }   // namespace
 
 /// By the region of the plane that p lies over (Ericson 2005, Real-Time Collision Detection, 5.1.5), whose products keep twelve digits
@@ -67,9 +95,9 @@ double squared_distance_to_triangle(const Vector3& p, const Vector3& a, const Ve
     return squared_height;
 }
 
-double ClosestPoint::Box::squared_distance(const Vector3& p) const { return (p - p.cwiseMax(low).cwiseMin(high)).squaredNorm(); }
+double ClosestPoint::TreeBox::squared_distance(const Vector3& p) const { return (p - p.cwiseMax(low).cwiseMin(high)).squaredNorm(); }
 
-void ClosestPoint::Box::include(const Vector3& other_low, const Vector3& other_high) {
+void ClosestPoint::TreeBox::include(const Vector3& other_low, const Vector3& other_high) {
     low = low.cwiseMin(other_low);
     high = high.cwiseMax(other_high);
 }
@@ -81,16 +109,17 @@ double ClosestPoint::to_triangle(const Vector3& p, int t, double known_bound) co
 
 /// Sorting along a curve takes a tenth of the time of splitting at medians, and searches hardly take longer.
 ClosestPoint::ClosestPoint(TriangleMesh mesh) : mesh_(std::move(mesh)) {
-    const int count = mesh_.face_count();
+    int count = mesh_.face_count();
     if (count == 0) throw MeshError("ClosestPoint: a mesh without triangles has no surface");
     Positions centroids(count, 3);
     for (int t = 0; t < count; ++t)
         centroids.row(t) = (mesh_.X.row(mesh_.F(t, 0)) + mesh_.X.row(mesh_.F(t, 1)) + mesh_.X.row(mesh_.F(t, 2))) / 3;
-    mesh_.F = Faces(mesh_.F(morton_order(centroids), Eigen::all));
+    mesh_.F = Faces(mesh_.F(without_repeats(mesh_, centroids, morton_order(centroids)), Eigen::all));
+    count = mesh_.face_count();
 
-    const Box empty{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
+    const TreeBox empty{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
     const auto boxes_of = [&](std::size_t parts, int size) {
-        return std::vector<Box>((parts - 1) / static_cast<std::size_t>(size) + 1, empty);
+        return std::vector<TreeBox>((parts - 1) / static_cast<std::size_t>(size) + 1, empty);
     };
     levels_.push_back(boxes_of(static_cast<std::size_t>(count), triangles_in_a_leaf));
     for (int t = 0; t < count; ++t) {
@@ -100,15 +129,15 @@ ClosestPoint::ClosestPoint(TriangleMesh mesh) : mesh_(std::move(mesh)) {
         }
     }
     while (levels_.back().size() > 1) {
-        const std::vector<Box>& below = levels_.back();
-        std::vector<Box> above = boxes_of(below.size(), boxes_in_a_box);
+        const std::vector<TreeBox>& below = levels_.back();
+        std::vector<TreeBox> above = boxes_of(below.size(), boxes_in_a_box);
         for (std::size_t i = 0; i < below.size(); ++i) above[i / boxes_in_a_box].include(below[i].low, below[i].high);
         levels_.push_back(std::move(above));
     }
 }
 
-ClosestPoint::Nearest ClosestPoint::nearest(const Vector3& p, double known_bound, double enough) const {
-    Nearest nearest{known_bound, -1};
+ClosestPoint::Nearest ClosestPoint::nearest(const Vector3& p, double known_bound, double enough, std::int64_t most) const {
+    Nearest nearest{known_bound, -1, 0, 0};
     struct Visit {
         double distance;   // squared, to the box
         std::size_t level;
@@ -117,18 +146,19 @@ ClosestPoint::Nearest ClosestPoint::nearest(const Vector3& p, double known_bound
     std::array<Visit, 128> pending;   // seven remain of each level, and 2³¹ triangles make eleven
     std::size_t size = 0;
     pending[size++] = {levels_.back()[0].squared_distance(p), levels_.size() - 1, 0};
-    while (size > 0 && nearest.squared_distance > enough) {
+    while (size > 0 && nearest.squared_distance > enough && nearest.opened < most) {
         const Visit visit = pending[--size];
         if (visit.distance >= nearest.squared_distance) continue;
+        ++nearest.opened;
         if (visit.level == 0) {
             const int first = visit.box * triangles_in_a_leaf, last = std::min(first + triangles_in_a_leaf, mesh_.face_count());
             for (int t = first; t < last; ++t) {
                 const double distance = to_triangle(p, t, nearest.squared_distance);
-                if (distance < nearest.squared_distance) nearest = {distance, t};
+                if (distance < nearest.squared_distance) nearest.squared_distance = distance, nearest.triangle = t;
             }
             continue;
         }
-        const std::vector<Box>& below = levels_[visit.level - 1];
+        const std::vector<TreeBox>& below = levels_[visit.level - 1];
         const int first = visit.box * boxes_in_a_box, last = std::min(first + boxes_in_a_box, static_cast<int>(below.size()));
         const std::size_t farthest = size;
         for (int i = first; i < last; ++i) {
@@ -139,6 +169,9 @@ ClosestPoint::Nearest ClosestPoint::nearest(const Vector3& p, double known_bound
             pending[place] = next;
         }
     }
+    nearest.squared_low = nearest.squared_distance;
+    if (nearest.opened >= most)
+        for (std::size_t i = 0; i < size; ++i) nearest.squared_low = std::min(nearest.squared_low, pending[i].distance);
     return nearest;
 }
 

@@ -23,11 +23,6 @@ struct MeshDifference {
 /// @throws MeshError if the triangles differ
 MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b);
 
-/// Two-sided Hausdorff distance: of the vertices of each, those that no triangle uses aside, to the surface of the other; 0 without
-/// triangles. [length]
-/// @throws MeshError if the triangles differ
-double hausdorff_distance(const TriangleMesh& a, const TriangleMesh& b);
-
 /// The cheap part, for error-versus-iteration curves. [length]
 double vertex_rms(const Positions& a, const Positions& b);
 

@@ -3,17 +3,18 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
+#include <utility>
 
 #include "base/parallel.h"
 #include "base/parallel_tasks.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/measures/closest_point.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double pieces_wanted = 16384;
 constexpr int triangles_a_task = 64;
 
@@ -31,97 +32,194 @@ struct Pieces {
     }
 };
 
-/// visit(centroid) of each of the k² pieces of a triangle.
+/// visit(corners) of each of the k² pieces of a triangle.
 template <class Visit>
 void for_each_piece(const Eigen::Matrix3d& corners, int k, const Visit& visit) {
-    const auto at = [&](int i, int j, double third) -> Vector3 {
-        const double s = (i + third) / k, t = (j + third) / k;
-        return corners.col(0) + s * (corners.col(1) - corners.col(0)) + t * (corners.col(2) - corners.col(0));
+    const auto at = [&](int i, int j) -> Vector3 {
+        return corners.col(0) + (1.0 * i / k) * (corners.col(1) - corners.col(0)) + (1.0 * j / k) * (corners.col(2) - corners.col(0));
     };
+    Eigen::Matrix3d piece;
     for (int i = 0; i < k; ++i) {
         for (int j = 0; i + j < k; ++j) {
-            visit(at(i, j, 1.0 / 3));
-            if (i + j + 1 < k) visit(at(i, j, 2.0 / 3));   // the one that stands on its tip
+            piece << at(i, j), at(i + 1, j), at(i, j + 1);
+            visit(piece);
+            if (i + j + 1 == k) continue;
+            piece << at(i + 1, j + 1), at(i, j + 1), at(i + 1, j);   // stands on its tip
+            visit(piece);
         }
     }
 }
 
-Vector vertex_distances(const TriangleMesh& from, const ClosestPoint& to) {
+/// How many boxes each of many searches may open: a share, several times what is ordinary, and half of what those before it saved.
+class Allowance {
+public:
+    explicit Allowance(Eigen::Index searches) : share_(40 + (std::int64_t{1} << 23) / searches) {}
+    std::int64_t next() const { return share_ + saved_ / 2; }
+    void spend(std::int64_t boxes) { saved_ += share_ - boxes; }
+
+private:
+    std::int64_t share_, saved_ = 0;
+};
+
+struct VertexDistances {
+    Vector high, low;   // n each, NaN where no triangle uses the vertex; they differ only where a search reached its limit [length]
+};
+
+VertexDistances measure_vertices(const TriangleMesh& from, const ClosestPoint& to) {
     std::vector<char> used(static_cast<std::size_t>(from.vertex_count()), 0);
     for (const int v : from.F.reshaped()) used[static_cast<std::size_t>(v)] = 1;
-    Vector distances = Vector::Constant(from.vertex_count(), nothing);
-    for_each_index(from.vertex_count(), [&](int v) {
-        if (used[static_cast<std::size_t>(v)] != 0) distances[v] = std::sqrt(to.squared_distance(from.X.row(v)));
+    VertexDistances found{Vector::Constant(from.vertex_count(), undefined), Vector::Constant(from.vertex_count(), undefined)};
+    for_blocks(from.vertex_count(), [&](int, int begin, int end) {
+        Allowance allowance(from.vertex_count());
+        for (int v = begin; v < end; ++v) {
+            if (used[static_cast<std::size_t>(v)] == 0) continue;
+            const auto nearest = to.nearest(from.X.row(v), infinity, 0, allowance.next());
+            allowance.spend(nearest.opened);
+            found.high[v] = std::sqrt(nearest.squared_distance);
+            found.low[v] = std::sqrt(nearest.squared_low);
+        }
     });
-    return distances;
+    return found;
 }
 
-/// Distances of the pieces, and the angles of their normals, NaN where a triangle has none. A step of r changes a distance by r at most,
-/// so that those of the corners bound the search.
-Vector measure_pieces(const TriangleMesh& from, const Pieces& pieces, const Vector& face_area, const ClosestPoint& to, DistancesTo& found) {
+/// Bounds of the means of the distance d and of d² over a piece, and of d at any point of it.
+struct PieceBounds {
+    double d_low, d_high, squared_low, squared_high, largest;
+};
+
+/// At the centroid c d is `nearest`; `f` are the distances of the corners to the triangle nearest to c, `of_corners` those to the whole
+/// surface, NaN where they are not known. As d is 1-Lipschitz and the mean of |x − c|² is s/36, s being the sum of the squared sides,
+/// mean d ≥ d(c) − √s/6. As d ≤ f and f is convex, mean d ≤ Σf/3 and mean d² ≤ Σ_{i≤j} f_i f_j/6. As d² − |x|² is a minimum of linear
+/// functions, thus concave, Σd²/3 − s/12 ≤ mean d² ≤ d²(c) + s/36, the first over the corners.
+PieceBounds bounds_over(const Eigen::Matrix3d& corners, const ClosestPoint::Nearest& nearest, const Vector3& f, const Vector3& of_corners) {
+    const Vector3 c = corners.rowwise().mean();
+    const Eigen::Matrix3d from_centroid = corners.colwise() - c;
+    const double s = 3 * from_centroid.squaredNorm();
+    PieceBounds bounds{};
+    const double radius = from_centroid.colwise().norm().maxCoeff();
+    bounds.largest = std::min(std::sqrt(nearest.squared_distance) + radius, f.maxCoeff());
+    bounds.squared_high = std::min(nearest.squared_distance + s / 36, (f.sum() * f.sum() + f.squaredNorm()) / 12);
+    bounds.d_high = std::min(std::sqrt(bounds.squared_high), f.mean());
+    bounds.d_low = std::max(0.0, std::sqrt(nearest.squared_low) - std::sqrt(s) / 6);
+    const double by_corners = of_corners.squaredNorm() / 3 - s / 12;
+    bounds.squared_low = std::fmax(bounds.d_low * bounds.d_low, by_corners);
+    const double least = std::max(0.0, std::sqrt(nearest.squared_low) - radius);
+    const double chord =
+        (by_corners + least * bounds.largest) / (least + bounds.largest);   // √ lies above its chord from least² to largest²
+    bounds.d_low = std::fmax(bounds.d_low, chord);
+    return bounds;
+}
+
+/// One direction as it is measured: `areas` times the bounds of the means, summed over the pieces of each triangle.
+struct Measured {
+    DistancesTo found;
+    Vector angles;                          // of the normals, one a piece; NaN where a triangle has none [rad]
+    Eigen::Matrix<double, -1, 4> of_area;   // one row a triangle: d_low, d_high, squared_low, squared_high
+    Vector bounds;                          // one a triangle: no point of it is farther away
+    Vector cut_off;                         // one a triangle: how many searches reached their limit
+};
+
+/// A step of r changes a distance by r at most, so that those of the corners bound the search.
+void measure_pieces(const TriangleMesh& from, const Pieces& pieces, const Vector& face_area, const ClosestPoint& to,
+                    const Vector& vertex_low, Measured& measured) {
     const Positions normals = face_normals(from), normals_of_other = face_normals(to.mesh());
-    const Eigen::Index count = pieces.start.back();
-    Vector angles = Vector::Constant(count, nothing);
-    found.of_pieces.resize(count);
-    found.areas.resize(count);
-    const auto measure_triangle = [&](int t) {
+    const auto measure_triangle = [&](int t, Allowance& allowance) {
         const auto face = static_cast<std::size_t>(t);
+        const int parts = pieces.parts[face];
         const Eigen::Matrix3d corners = from.X(from.F.row(t), Eigen::all).transpose();
-        const Vector3 of_corners = found.of_vertices(from.F.row(t)), normal = normals.row(t);
+        const Vector3 of_corners = measured.found.of_vertices(from.F.row(t)), normal = normals.row(t);
+        const Vector3 low = parts == 1 ? Vector3(vertex_low(from.F.row(t))) : Vector3::Constant(undefined);
+        const double area = face_area[t] / (parts * parts);
         Eigen::Index piece = pieces.start[face];
-        for_each_piece(corners, pieces.parts[face], [&](const Vector3& p) {
+        for_each_piece(corners, parts, [&](const Eigen::Matrix3d& part) {
+            const Vector3 p = part.rowwise().mean();
             const double bound = (of_corners.transpose() + (corners.colwise() - p).colwise().norm()).minCoeff();
-            const ClosestPoint::Nearest nearest = to.nearest(p, 1.0001 * bound * bound);   // with room for rounding: some triangle is found
-            found.of_pieces[piece] = std::sqrt(nearest.squared_distance);
-            found.areas[piece] = face_area[t] / (pieces.parts[face] * pieces.parts[face]);
+            const auto nearest =
+                to.nearest(p, 1.0001 * bound * bound, 0, allowance.next());   // with room for rounding: some triangle is found
+            allowance.spend(nearest.opened);
+            measured.found.of_pieces[piece] = std::sqrt(nearest.squared_distance);
+            measured.found.areas[piece] = area;
+            measured.cut_off[t] += nearest.squared_low < nearest.squared_distance ? 1 : 0;
             const Vector3 other = nearest.triangle >= 0 ? Vector3(normals_of_other.row(nearest.triangle)) : Vector3::Zero();
-            if (!normal.isZero(0) && !other.isZero(0)) angles[piece] = std::atan2(normal.cross(other).norm(), normal.dot(other));
+            if (!normal.isZero(0) && !other.isZero(0)) measured.angles[piece] = std::atan2(normal.cross(other).norm(), normal.dot(other));
+            Vector3 f = Vector3::Constant(infinity);
+            for (int k = 0; k < 3 && nearest.triangle >= 0; ++k) f[k] = to.distance_to(nearest.triangle, part.col(k));
+            const PieceBounds bounds = bounds_over(part, nearest, f, low);
+            measured.of_area.row(t) += area * Eigen::RowVector4d(bounds.d_low, bounds.d_high, bounds.squared_low, bounds.squared_high);
+            measured.bounds[t] = std::max(measured.bounds[t], bounds.largest);
             ++piece;
         });
     };
     for_each_task(static_cast<std::size_t>((from.face_count() - 1) / triangles_a_task + 1), [&](std::size_t task) {
         const int first = static_cast<int>(task) * triangles_a_task, last = std::min(first + triangles_a_task, from.face_count());
-        for (int t = first; t < last; ++t) measure_triangle(t);
+        Allowance allowance(pieces.start.back());
+        for (int t = first; t < last; ++t) measure_triangle(t, allowance);
     });
-    return angles;
 }
 
-DistancesTo distances_to(const ClosestPoint& to, const TriangleMesh& from) {
-    DistancesTo found;
+/// The larger of what a value, found by measuring, can be off to both sides.
+double error_of(double value, double low, double high) { return std::max({0.0, value - low, high - value}) + 0 * value; }
+
+Measured measured_from(const TriangleMesh& from, const ClosestPoint& to) {
     const Vector face_area = face_areas(from);
-    found.of_vertices = vertex_distances(from, to);
-    const Vector angles = measure_pieces(from, Pieces(face_area), face_area, to, found);
+    const Pieces pieces(face_area);
+    const VertexDistances vertices = measure_vertices(from, to);
+    const Eigen::Index triangles = from.F.rows(), count = pieces.start.back();
+    Measured measured{.found = {},
+                      .angles = Vector::Constant(count, undefined),
+                      .of_area = decltype(Measured::of_area)::Zero(triangles, 4),
+                      .bounds = Vector::Zero(triangles),
+                      .cut_off = Vector::Zero(triangles)};
+    DistancesTo& found = measured.found;
+    found.of_vertices = vertices.high;
+    found.of_pieces.resize(count);
+    found.areas.resize(count);
+    measure_pieces(from, pieces, face_area, to, vertices.low, measured);
     const double area = found.areas.sum();
-    found.max = std::max(found.of_pieces.maxCoeff(), found.of_vertices.array().isNaN().select(0, found.of_vertices).maxCoeff());
+    found.exact = measured.cut_off.isZero(0) && (vertices.low.array() < vertices.high.array()).count() == 0;
+    found.max = vertices.low.array().isNaN().select(0, vertices.low).maxCoeff();
+    if (measured.cut_off.isZero(0)) found.max = std::max(found.max, found.of_pieces.maxCoeff());
     found.mean = found.areas.dot(found.of_pieces) / area;
     found.rms = std::sqrt(found.areas.dot(found.of_pieces.cwiseAbs2()) / area);
-    const auto has_angle = !angles.array().isNaN();
+    const Eigen::RowVector4d means = measured.of_area.colwise().sum() / area;
+    found.mean_error = error_of(found.mean, means[0], means[1]);
+    found.rms_error = error_of(found.rms, std::sqrt(means[2]), std::sqrt(means[3]));
+    const auto has_angle = !measured.angles.array().isNaN();
     found.mean_normal_angle =
-        has_angle.select(angles.array() * found.areas.array(), 0).sum() / has_angle.select(found.areas.array(), 0).sum();
-    return found;
+        has_angle.select(measured.angles.array() * found.areas.array(), 0).sum() / has_angle.select(found.areas.array(), 0).sum();
+    return measured;
 }
 
 void scale_lengths(DistancesTo& distances, double factor) {
     for (Vector* lengths : {&distances.of_vertices, &distances.of_pieces}) *lengths *= factor;
     distances.areas *= factor * factor;
-    for (double* length : {&distances.max, &distances.mean, &distances.rms}) *length *= factor;
+    for (double* length : {&distances.max, &distances.mean, &distances.rms, &distances.mean_error, &distances.rms_error}) *length *= factor;
 }
 
 }   // namespace
 
-double SurfaceDistances::hausdorff() const { return std::max(a_to_b.max, b_to_a.max); }
-
-SurfaceDistances surface_distances(const TriangleMesh& a, const TriangleMesh& b) {
+SurfaceDistances surface_distances(const TriangleMesh& a, const TriangleMesh& b, double accuracy) {
     const UnitPair unit(a, b);
     const ClosestPoint surface_a(unit.a), surface_b(unit.b);
-    SurfaceDistances distances{distances_to(surface_b, unit.a), distances_to(surface_a, unit.b)};
-    for (DistancesTo* one : {&distances.a_to_b, &distances.b_to_a}) scale_lengths(*one, 1 / unit.scale);
-    return distances;
+    Measured from_a = measured_from(unit.a, surface_b), from_b = measured_from(unit.b, surface_a);
+    DistanceSearch to_b{unit.a, surface_b, std::move(from_a.bounds), from_a.found.max};
+    DistanceSearch to_a{unit.b, surface_a, std::move(from_b.bounds), from_b.found.max};
+    HausdorffDistance hausdorff = enclose_farthest(to_b, to_a, accuracy, unit.rounding());
+    for (DistancesTo* one : {&from_a.found, &from_b.found}) {
+        one->mean_error = std::min(one->mean_error, std::max(one->mean, hausdorff.bound - one->mean)) + unit.rounding();
+        one->rms_error = std::min(one->rms_error, std::max(one->rms, hausdorff.bound - one->rms)) + unit.rounding();
+    }
+    from_a.found.max = to_b.found;
+    from_b.found.max = to_a.found;
+    for (Measured* one : {&from_a, &from_b}) scale_lengths(one->found, 1 / unit.scale);
+    hausdorff.distance /= unit.scale;
+    hausdorff.bound /= unit.scale;
+    return {std::move(from_a.found), std::move(from_b.found), hausdorff};
 }
 
 Vector vertex_distances(const TriangleMesh& from, const TriangleMesh& to) {
     const UnitPair unit(from, to);
-    return vertex_distances(unit.a, ClosestPoint(unit.b)) / unit.scale;
+    return measure_vertices(unit.a, ClosestPoint(unit.b)).high / unit.scale;
 }
 
 std::vector<double> area_histogram(const DistancesTo& distances, double high, int bins) {

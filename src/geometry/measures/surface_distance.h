@@ -4,26 +4,31 @@
 
 #include <vector>
 
-#include "mesh/triangle_mesh.h"
+#include "geometry/measures/hausdorff.h"
 
 namespace meshfolio {
 
 /// From the points of one surface to the nearest of another. Each triangle is divided into k² equal pieces, none of them larger than
-/// 1/16384 of the surface. Means are over pieces, weighted by area and measured at centroids; maxima over centroids and vertices.
+/// 1/16384 of the surface. Means are over pieces, weighted by area and measured at centroids.
 struct DistancesTo {
-    Vector of_vertices;                  // n, NaN where no triangle uses the vertex [length]
-    Vector of_pieces, areas;             // one a piece [length], [length²]
-    double max = 0, mean = 0, rms = 0;   // means are NaN where nothing has an area [length]
-    double mean_normal_angle = 0;        // between the normals of a piece and of the triangle nearest to it; NaN likewise [rad]
+    Vector of_vertices;                     // n, NaN where no triangle uses the vertex [length]
+    Vector of_pieces, areas;                // one a piece [length], [length²]
+    double max = 0;                         // the largest that was measured [length]
+    double mean = 0, rms = 0;               // NaN where nothing has an area [length]
+    double mean_error = 0, rms_error = 0;   // what the means of all points cannot differ by; NaN likewise [length]
+    double mean_normal_angle = 0;           // between the normals of a piece and of the triangle nearest to it; NaN likewise [rad]
+    bool exact = true;                      // false: some search reached its limit, and distances of vertices are upper bounds
 };
 
 struct SurfaceDistances {
     DistancesTo a_to_b, b_to_a;
-    double hausdorff() const;   // the larger maximum [length]
+    HausdorffDistance hausdorff;   // its distance is the larger maximum
+    bool exact() const { return a_to_b.exact && b_to_a.exact; }
 };
 
+/// @param accuracy  of the Hausdorff distance
 /// @throws MeshError if one of them has no triangle
-SurfaceDistances surface_distances(const TriangleMesh& a, const TriangleMesh& b);
+SurfaceDistances surface_distances(const TriangleMesh& a, const TriangleMesh& b, double accuracy = default_accuracy);
 
 /// DistancesTo::of_vertices alone. @throws MeshError if one of them has no triangle
 Vector vertex_distances(const TriangleMesh& from, const TriangleMesh& to);

@@ -1,3 +1,4 @@
+#include "geometry/measures/hausdorff.h"
 #include "questions/bench/curvature_subject.h"
 #include "questions/methods/parts.h"
 
@@ -52,7 +53,8 @@ report::Table result_table(const DenoisingTrials& mesh) {
     const double percent = 100 / mesh.subject.diagonal;
     const auto defined = [](auto value_of) { return [=](auto& r) { return cell_of(value_of(r), r.defined); }; };
     const auto hausdorff = [&](auto& r) {
-        return r.defined ? report::Cell{percent * hausdorff_distance(mesh.subject.mesh, moved_to(mesh.subject.mesh, r.X))} : report::Cell{};
+        const TriangleMesh& clean = mesh.subject.mesh;
+        return r.defined ? report::Cell{percent * hausdorff_distance(clean, moved_to(clean, r.X)).distance} : report::Cell{};
     };
     return table(id_of("methods", mesh.name(), "results"), words.line("at_their_best", "mesh"_a = mesh.name(), "noise"_a = trial.title()),
                  trial.results)

@@ -1,4 +1,5 @@
 // Question 4: meshes rebuilt from the k smoothest eigenvectors of the cotangent Laplace–Beltrami operator.
+#include "geometry/measures/hausdorff.h"
 #include "questions/bench/law_checks.h"
 #include "questions/q4_spectral/parts.h"
 
@@ -28,7 +29,7 @@ report::Table error_table(const SpectralStudy& study) {
         .column("farther off", {.unit = "% of vertices", .digits = 2},
                 [&](auto& r) { return cell_of(&r == &study.reconstructions.front() ? NAN : 100 * share_made_worse(study, *(&r - 1), r)); })
         .column("maximum", share, of_box(study, [](auto& r) { return r.difference.max; }))
-        .column("Hausdorff", share, of_box(study, [&](auto& r) { return hausdorff_distance(study.mesh(), r.mesh); }))
+        .column("Hausdorff", share, of_box(study, [&](auto& r) { return hausdorff_distance(study.mesh(), r.mesh).distance; }))
         .column("mean normal angle", {.unit = "°"},
                 [&](auto& r) { return cell_of(is_exact(study, r.k) ? 0 : r.difference.mean_normal_angle * 180 / pi); })
         .column("volume", {.unit = "% of original"}, [](auto& r) { return cell_of(100 * r.difference.volume_ratio); });

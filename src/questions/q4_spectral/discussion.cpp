@@ -1,3 +1,4 @@
+#include "geometry/measures/hausdorff.h"
 #include "questions/q4_spectral/parts.h"
 
 namespace meshfolio::q4_spectral {
@@ -83,7 +84,8 @@ report::Text single_vertices(const SpectralStudy& study) {
         if (const double share = share_made_worse(study, all[i - 1], all[i]); share > most) most = share, at = i;
     if (at == 0) return whole;
     const auto hausdorff = [&](const Reconstruction& r) { return hausdorff_distance(study.mesh(), r.mesh); };
-    const bool nearer = std::ranges::is_sorted(each_of(all, hausdorff), std::ranges::greater());
+    const auto farther = [](const HausdorffDistance& later, const HausdorffDistance& earlier) { return later.distance > earlier.bound; };
+    const bool nearer = std::ranges::is_sorted(each_of(all, hausdorff), farther);
     return paragraph_of({whole,
                          words.say("vertices_worse", "share"_a = readable_percent(most, 2), "from"_a = all[at - 1].k, "to"_a = all[at].k,
                                    "mesh"_a = study.name()),

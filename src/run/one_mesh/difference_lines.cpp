@@ -5,7 +5,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <utility>
 
+#include "base/number_text.h"
 #include "geometry/measures/mesh_error.h"
 #include "mesh/mesh_topology.h"
 #include "mesh/triangle_measures.h"
@@ -23,11 +25,15 @@ double volume_of(const TriangleMesh& mesh) {
     return closed ? signed_volume(mesh) : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<DifferenceLine> lines_of_same_triangles(const TriangleMesh& a, const TriangleMesh& b) {
+constexpr const char *hausdorff_meaning = "two-sided, surface to surface, of all points: no less than this,",
+                     *bound_meaning = "and no more than this";
+
+std::vector<DifferenceLine> lines_of_same_triangles(const TriangleMesh& a, const TriangleMesh& b, const HausdorffDistance& hausdorff) {
     const MeshDifference d = compare_meshes(a, b);
     return {{"rms", d.rms, "sqrt(sum d^2 / n) over vertices"},
             {"max", d.max, "largest vertex distance"},
-            {"hausdorff", hausdorff_distance(a, b), "two-sided, vertices to surface"},
+            {"hausdorff", hausdorff.distance, hausdorff_meaning},
+            {"hausdorff_bound", hausdorff.bound, bound_meaning},
             {"mean_normal_angle_deg", degrees * d.mean_normal_angle, "between corresponding faces"},
             {"volume_ratio", std::isnan(volume_of(a)) ? volume_of(a) : d.volume_ratio, "B over A, of closed ones"},
             {"area_ratio", d.area_ratio, "B over A"},
@@ -42,8 +48,9 @@ std::vector<DifferenceLine> lines_of_surfaces(const TriangleMesh& a, const Trian
     const auto larger = [&](double DistancesTo::*value) { return std::fmax(to_b.*value, to_a.*value); };
     return {
         {"rms", larger(&DistancesTo::rms), "distance to the other surface, the larger of both ways"},
-        {"max", d.hausdorff(), "the same"},
-        {"hausdorff", d.hausdorff(), "two-sided, surface to surface"},
+        {"max", d.hausdorff.distance, "the largest that was measured"},
+        {"hausdorff", d.hausdorff.distance, hausdorff_meaning},
+        {"hausdorff_bound", d.hausdorff.bound, bound_meaning},
         {"mean_normal_angle_deg", degrees * larger(&DistancesTo::mean_normal_angle), "to the nearest triangle, the larger of both ways"},
         {"volume_ratio", volume_of(b) / volume_of(a), "B over A, of closed ones"},
         {"area_ratio", surface_area(b) / surface_area(a), "B over A"},
@@ -52,10 +59,15 @@ std::vector<DifferenceLine> lines_of_surfaces(const TriangleMesh& a, const Trian
         {"rms_b_to_a", to_a.rms, "and back"},
         {"mean_a_to_b", to_b.mean, "over the area of A"},
         {"mean_b_to_a", to_a.mean, "over the area of B"},
-        {"max_a_to_b", to_b.max, "of vertices and inner points"},
+        {"max_a_to_b", to_b.max, "the largest that was measured"},
         {"max_b_to_a", to_a.max, "and back"},
         {"normal_angle_a_to_b_deg", degrees * to_b.mean_normal_angle, "to the nearest triangle, mean over the area"},
-        {"normal_angle_b_to_a_deg", degrees * to_a.mean_normal_angle, "and back"}};
+        {"normal_angle_b_to_a_deg", degrees * to_a.mean_normal_angle, "and back"},
+        {"rms_error", larger(&DistancesTo::rms_error), "what rms cannot be off by"},
+        {"mean_error_a_to_b", to_b.mean_error, "what mean_a_to_b cannot be off by"},
+        {"mean_error_b_to_a", to_a.mean_error, "and back"},
+        {"rms_error_a_to_b", to_b.rms_error, "what rms_a_to_b cannot be off by"},
+        {"rms_error_b_to_a", to_a.rms_error, "and back"}};
 }
 
 }   // namespace
@@ -64,16 +76,22 @@ bool have_same_triangles(const TriangleMesh& a, const TriangleMesh& b) {
     return a.vertex_count() == b.vertex_count() && a.face_count() == b.face_count() && a.F == b.F;
 }
 
-Difference difference_of(const TriangleMesh& a, const TriangleMesh& b, bool as_surfaces) {
+Difference difference_of(const TriangleMesh& a, const TriangleMesh& b, bool as_surfaces, double accuracy) {
     Difference difference;
     difference.same_triangles = have_same_triangles(a, b);
-    if (!difference.same_triangles || as_surfaces) difference.distances = surface_distances(a, b);
-    difference.lines = difference.distances ? lines_of_surfaces(a, b, *difference.distances) : lines_of_same_triangles(a, b);
+    if (!difference.same_triangles || as_surfaces) difference.distances = surface_distances(a, b, accuracy);
+    const HausdorffDistance hausdorff = difference.distances ? difference.distances->hausdorff : hausdorff_distance(a, b, accuracy);
+    difference.lines = difference.distances ? lines_of_surfaces(a, b, *difference.distances) : lines_of_same_triangles(a, b, hausdorff);
+    if (!hausdorff.reached)
+        difference.warnings.push_back("the search for the Hausdorff distance reached its limit: it lies between " +
+                                      readable(hausdorff.distance) + " and " + readable(hausdorff.bound));
+    if (difference.distances && !difference.distances->exact())
+        difference.warnings.emplace_back("some points are equally far from very many triangles: their distances are upper bounds");
     return difference;
 }
 
-Field distance_field(const DistancesTo& distances, double diagonal) {
-    return {.values = distances.of_vertices, .quantity = "distance", .unit = "length", .floor = 1e-9 * diagonal};
+Field distance_field(Vector of_vertices, double diagonal) {
+    return {.values = std::move(of_vertices), .quantity = "distance", .unit = "length", .floor = 1e-9 * diagonal};
 }
 
 std::string difference_json(const Difference& difference) {
@@ -84,7 +102,7 @@ std::string difference_json(const Difference& difference) {
     }
     json["same_triangles"] = difference.same_triangles;
     if (const auto& distances = difference.distances) {
-        const double high = distances->hausdorff();
+        const double high = distances->hausdorff.distance;
         json["histogram"] = {{"high", high},
                              {"a_to_b", area_histogram(distances->a_to_b, high, distance_bins)},
                              {"b_to_a", area_histogram(distances->b_to_a, high, distance_bins)}};

@@ -27,7 +27,8 @@ std::string name_of(const PreparedMesh& prepared) { return report::safe_text(std
 
 std::string pictures(const PreparedMesh& a, const PreparedMesh& b, const SurfaceDistances& distances) {
     const double diagonal = bounding_box(a.mesh).diagonal();
-    const Field of_a = distance_field(distances.a_to_b, diagonal), of_b = distance_field(distances.b_to_a, diagonal);
+    const Field of_a = distance_field(distances.a_to_b.of_vertices, diagonal),
+                of_b = distance_field(distances.b_to_a.of_vertices, diagonal);
     PictureRequest request{.views = views_named(""), .colormap = "pale", .title = name_of(a) + ", " + name_of(b)};
     request.draw.width = request.draw.height = view_side;
     return render::encode_jpeg(render::compose(draw_pair({a, of_a}, {b, of_b}, request).sheet), jpeg_quality);
@@ -47,7 +48,7 @@ report::Series steps(const std::string& name, const DistancesTo& distances, doub
 }
 
 report::Plot histogram(const SurfaceDistances& distances) {
-    const double high = distances.hausdorff();
+    const double high = distances.hausdorff.distance;
     report::Plot plot{.id = "distances", .alt = words.line("plot.alt", "largest"_a = readable(high))};
     plot.x_label = words.line("plot.x");
     plot.y_label = words.line("plot.y");
@@ -70,7 +71,7 @@ std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const 
         {"by_vertices", !difference.distances.has_value()},
         {"lines", report::list_of(difference.lines, line_view)},
         {"picture", base64(pictures(a, b, distances))},
-        {"has_histogram", distances.hausdorff() > 0 && distances.a_to_b.areas.sum() > 0 && distances.b_to_a.areas.sum() > 0},
+        {"has_histogram", distances.hausdorff.distance > 0 && distances.a_to_b.areas.sum() > 0 && distances.b_to_a.areas.sum() > 0},
         {"histogram", report::svg_of(histogram(distances))}};
     const report::Templates templates;
     report::add_design(model, templates, "compare");

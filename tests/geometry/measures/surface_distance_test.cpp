@@ -106,7 +106,8 @@ TEST(SurfaceDistance, FindsWhatIsFarBetweenTheVertices) {
     const SurfaceDistances d = surface_distances(grid_mesh(2, 2, 3, 3), frame);
     EXPECT_EQ(d.b_to_a.max, 0);
     EXPECT_EQ(d.a_to_b.of_vertices.maxCoeff(), 0);
-    EXPECT_NEAR(d.a_to_b.max, 0.5, 0.02);
+    EXPECT_NEAR(d.a_to_b.max, 0.5, 5e-4);
+    EXPECT_GE(d.hausdorff.bound, 0.5);
     // Over the hole, a square of side 1, the distance is a pyramid of height ½, whose mean is ⅙; over all nine squares a ninth of that.
     EXPECT_NEAR(d.a_to_b.mean, 1.0 / 54, 1e-4);
 }
@@ -152,7 +153,7 @@ TEST(SurfaceDistance, IsTheSameFromBothSidesAndFollowsMotionAndScale) {
     const SurfaceDistances d = surface_distances(a, b), back = surface_distances(b, a);
     expect_near(d.a_to_b, back.b_to_a, 1e-12);
     expect_near(d.b_to_a, back.a_to_b, 1e-12);
-    EXPECT_NEAR(d.hausdorff(), back.hausdorff(), 1e-14);
+    EXPECT_NEAR(d.hausdorff.distance, back.hausdorff.distance, 1e-14);
     expect_near(surface_distances(rotated_and_moved(a), rotated_and_moved(b)).a_to_b, d.a_to_b, 1e-12);
     for (const double s : {7.0, 1e30, 1e-30, 1e90}) {
         SurfaceDistances rescaled = surface_distances(scaled(a, s), scaled(b, s));
@@ -168,7 +169,7 @@ TEST(SurfaceDistance, DoesNotDependOnHowTheOtherSurfaceIsDivided) {
     expect_near(to_fine, to_coarse, 1e-13);
     EXPECT_LT((to_fine.of_vertices - to_coarse.of_vertices).cwiseAbs().maxCoeff(), 1e-13);
     const SurfaceDistances same = surface_distances(a, split_at_middles(a));
-    EXPECT_LT(same.hausdorff(), 1e-14);
+    EXPECT_LT(same.hausdorff.distance, 1e-14);
     EXPECT_LT(same.a_to_b.mean_normal_angle, 1e-7);
 }
 
@@ -176,8 +177,8 @@ TEST(SurfaceDistance, IsNeverBelowThatOfTheVertices) {
     const TriangleMesh a = irregular_sphere(2);
     const TriangleMesh b{with_gaussian_noise(a.X, Vector3(0.05, 0.1, 0.02), 5), a.F};
     const SurfaceDistances d = surface_distances(a, b);
-    EXPECT_GE(d.hausdorff(), hausdorff_distance(a, b) * (1 - 1e-14));
-    EXPECT_LE(d.hausdorff(), compare_meshes(a, b).max * (1 + 1e-14));   // no point moves farther than the corners around it
+    for (const DistancesTo& one : {d.a_to_b, d.b_to_a}) EXPECT_LE(one.of_vertices.maxCoeff(), d.hausdorff.distance);
+    EXPECT_LE(d.hausdorff.bound, compare_meshes(a, b).max + 1e-11);   // no point moves farther than the corners around it
 }
 
 TEST(SurfaceDistance, WithoutAreaHasAMaximumAndNoMean) {
@@ -211,6 +212,28 @@ TEST(SurfaceDistance, HistogramHasSharesOfTheArea) {
     for (const double share : shares) EXPECT_NEAR(share, 0.25, 0.01);
     EXPECT_NEAR(area_histogram(surface_distances(square(1, 1), square(4, 0)).a_to_b, 1, 4).back(), 1, 1e-12);
     EXPECT_NEAR(area_histogram(surface_distances(ramp, ramp).a_to_b, 0, 4).front(), 1, 1e-12);
+}
+
+// The error of a mean contains what measuring four times as many pieces, or the closed form, makes of it.
+TEST(SurfaceDistance, MeansKeepWithinTheirErrors) {
+    const double angle = 0.3;
+    const TriangleMesh ramp{grid_mesh(9, 9, 1, 1).X * Eigen::AngleAxisd(-angle, Vector3::UnitY()).toRotationMatrix().transpose(),
+                            grid_mesh(9, 9, 1, 1).F};
+    const DistancesTo d = surface_distances(ramp, square(6, 0)).a_to_b;
+    EXPECT_LE(std::abs(d.mean - std::sin(angle) / 2), d.mean_error);
+    EXPECT_LE(std::abs(d.rms - std::sin(angle) / std::sqrt(3)), d.rms_error);
+    EXPECT_LT(d.mean_error, 0.05 * d.mean);
+    for (const double factor : {1.001, 1.1, 3.0}) {
+        const TriangleMesh a = irregular_sphere(2), b = scaled(cube_mesh(4), factor), fine_a = split_at_middles(split_at_middles(a));
+        const DistancesTo coarse = surface_distances(a, b).a_to_b, fine = surface_distances(fine_a, b).a_to_b;
+        EXPECT_LE(std::abs(coarse.mean - fine.mean), coarse.mean_error + fine.mean_error);
+        EXPECT_LE(std::abs(coarse.rms - fine.rms), coarse.rms_error + fine.rms_error);
+    }
+    // Where the pieces are the triangles and far away, the error falls with the square of their size.
+    const TriangleMesh inner = icosphere(6, 0.1);
+    const DistancesTo far = surface_distances(inner, square(40, 5)).a_to_b;
+    EXPECT_LT(far.mean_error, 1e-6 * far.mean);
+    EXPECT_LT(far.rms_error, 1e-6 * far.rms);
 }
 
 }   // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/measures/hausdorff.h"
 #include "geometry/measures/mesh_error.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
@@ -71,7 +72,7 @@ TEST(Q4, TheTableHasTheErrorsOfTheMeshesWrittenOut) {
         const MeshDifference d = compare_meshes(mesh, *written.mesh);
         rms.push_back(percent * d.area_weighted_rms);
         largest.push_back(percent * d.max);
-        hausdorff.push_back(percent * hausdorff_distance(mesh, *written.mesh));
+        hausdorff.push_back(percent * hausdorff_distance(mesh, *written.mesh).distance);
         angle.push_back(d.mean_normal_angle * 180 / M_PI);
         volume.push_back(100 * d.volume_ratio);
     }
