@@ -302,13 +302,6 @@ private:
 
 }   // namespace
 
-std::string why_no_volume(const Preflight& preflight) {
-    if (preflight.encloses_volume()) return "";
-    if (preflight.boundary_edges > 0) return "the surface is open: edges with one triangle";
-    if (!preflight.orientable) return "the surface has no consistent orientation";
-    return "at some edges triangles do not run as often one way as the other, as where a wall meets the surface of a body";
-}
-
 PreparedMesh prepare_mesh(LoadedMesh loaded, Checks checks) {
     check_coordinates(loaded);
     return Preparation(std::move(loaded), checks).run();

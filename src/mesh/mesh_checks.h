@@ -62,9 +62,6 @@ enum class Checks {
     for_pictures,
 };
 
-/// In words, why `volume` is undefined; empty where it is defined.
-std::string why_no_volume(const Preflight& preflight);
-
 /// Drops faces that name a corner twice and repeated faces, orients each component consistently (closed ones by their nesting depth),
 /// counts everything else.
 /// @throws InputError if no triangle is left, all vertices coincide, or a coordinate exceeds 1e100 in magnitude

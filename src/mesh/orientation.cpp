@@ -358,6 +358,13 @@ bool encloses_volume(const TriangleMesh& mesh, const MeshTopology& topology) {
     return mesh.face_count() > 0 && edges_out_of_balance(mesh, topology) == 0;
 }
 
+std::string why_no_volume(const TriangleMesh& mesh, const MeshTopology& topology) {
+    if (encloses_volume(mesh, topology)) return "";
+    if (std::ranges::count(topology.on_boundary, 1) > 0) return "the surface is open: edges have one triangle only";
+    if (consistent_orientation(mesh).unorientable_components > 0) return "the surface has no consistent orientation";
+    return "at some edges triangles do not run as often one way as the other, as where a wall meets the surface of a body";
+}
+
 double enclosed_volume(const TriangleMesh& mesh, const MeshTopology& topology) {
     return encloses_volume(mesh, topology) ? signed_volume(mesh) : std::numeric_limits<double>::quiet_NaN();
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "mesh/mesh_topology.h"
@@ -39,6 +40,8 @@ int edges_out_of_balance(const TriangleMesh& mesh, const MeshTopology& topology)
 
 /// Whether all edges are in balance, so that the mesh has a volume. False without triangles.
 bool encloses_volume(const TriangleMesh& mesh, const MeshTopology& topology);
+/// In words, why it encloses none; empty where it does.
+std::string why_no_volume(const TriangleMesh& mesh, const MeshTopology& topology);
 /// signed_volume() of a mesh that encloses a volume, NaN for others. [length³]
 double enclosed_volume(const TriangleMesh& mesh, const MeshTopology& topology);
 double enclosed_volume(const TriangleMesh& mesh);

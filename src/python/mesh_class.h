@@ -110,6 +110,9 @@ inline void add_mesh(py::module_& m) {
             "volume", [](const Mesh& mesh) { return enclosed_volume(mesh.triangles(), mesh.prepared->topology); },
             "enclosed [length^3], of cavities negative; NaN where triangles do not run through each edge as often one way as the\n"
             "other (open, not orientable, with a wall inside): such a mesh encloses no volume")
+        .def_property_readonly(
+            "why_no_volume", [](const Mesh& mesh) { return why_no_volume(mesh.triangles(), mesh.prepared->topology); },
+            "in words, why the volume is NaN; empty where it is not")
         .def_property_readonly("bounds", &bounds_of, "2 x 3: least and greatest coordinates of what faces use [length]")
         .def_property_readonly("is_watertight", &is_watertight, "every edge lies between two faces")
         .def_property_readonly("euler_number", &euler_number, "vertices that faces use - edges + faces")
