@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "geometry/operators/laplace_operator.h"
 #include "mesh/io/mesh_files.h"
+#include "mesh/orientation.h"
 #include "questions/preflight/defects.h"
 #include "run/console.h"
 #include "run/one_mesh/fields.h"
@@ -77,7 +78,8 @@ std::string in_words(const Inspection& inspection) {
             count("duplicated positions", p.duplicated_positions);
     text += count("dropped faces", p.dropped_degenerate_faces + p.dropped_duplicate_faces);
     text += count("flipped faces", p.flipped_faces) + count("inside-out components", p.inside_out_components);
-    if (p.closed()) text += line("volume", plain_text(p.volume));
+    text += line("volume", p.encloses_volume() ? plain_text(p.volume)
+                                               : "undefined: " + why_no_volume(inspection.prepared.mesh, inspection.prepared.topology));
     text += line("mean edge", plain_text(p.mean_edge));
     text += line("edge lengths", plain_text(inspection.facts.shortest_edge) + " to " + plain_text(inspection.facts.longest_edge));
     text += line("smallest angle", plain_text(degrees(inspection.facts.smallest_angle), 4) + " degrees");

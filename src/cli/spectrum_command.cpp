@@ -76,12 +76,13 @@ std::string in_words(const SpectrumCertificate& c) {
     return "certificate: " + std::string(failed ? "FAILED: " : "") + residual +
            within("orthonormality", c.orthonormality_error, SpectrumCertificate::orthonormality_limit) +
            within("Parseval", c.parseval_gap, SpectrumCertificate::parseval_limit) + "none missing below " + plain_text(c.shift, 6) + ": " +
-           in_words(c.complete) + (c.delta_is_measured ? " but for measured rounding (" : " (") +
+           (c.says_nothing() ? std::string("empty") : in_words(c.complete)) +
+           (c.delta_is_measured ? " but for measured rounding (" : " (") +
            (c.counted_below >= 0 ? std::to_string(c.counted_below) : std::string("not")) + " counted by inertia, " +
            std::to_string(c.found_below) + " found" +
            (cut > 0 ? ", " + std::to_string(cut) + " more in the last cluster, just above" : "") + "; rounding " + plain_text(c.delta, 2) +
            ", gap " + plain_text(c.gap, 2) + "); zero eigenvalues " + std::to_string(c.zero_eigenvalues) + ", components " +
-           std::to_string(c.components);
+           std::to_string(c.components) + (c.zeros_undecided ? " (rounding hides which of the smallest are 0)" : "");
 }
 
 /// Begins like the PLY files that we write.

@@ -45,26 +45,48 @@ bool names_a_corner_twice(const TriangleMesh& mesh, int t) {
     return mesh.F(t, 0) == mesh.F(t, 1) || mesh.F(t, 1) == mesh.F(t, 2) || mesh.F(t, 2) == mesh.F(t, 0);
 }
 
-/// m flags: a triangle before has the same three corners, in whatever order. Compares only triangles with equal smallest corner.
-std::vector<char> repeated_faces(const TriangleMesh& mesh, const Incidence& around) {
+/// Triangles on corners that another has, too. Of several that run the same way round all but the first are superfluous. One that runs the
+/// other way is the other side of a wall without thickness.
+struct FacesOnFaces {
+    std::vector<char> repeated;   // m flags: superfluous
+    int opposite = 0;             // pairs of opposite orientation
+    int first_opposite = -1;      // the later one of the first pair
+};
+
+/// Compares only triangles with equal smallest corner.
+FacesOnFaces faces_on_faces(const TriangleMesh& mesh, const Incidence& around) {
     struct Corners {
-        int middle, largest, face;
-        bool operator<(const Corners& o) const { return std::tie(middle, largest, face) < std::tie(o.middle, o.largest, o.face); }
+        int middle, largest;
+        bool downwards;   // from the smallest corner to the largest
+        int face;
+        auto key() const { return std::tie(middle, largest, downwards); }
+        bool on(const Corners& o) const { return middle == o.middle && largest == o.largest; }
     };
-    std::vector<char> repeated(at(mesh.face_count()), 0);
+    FacesOnFaces found{std::vector<char>(at(mesh.face_count()), 0)};
     std::vector<Corners> row;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         row.clear();
         for (const int* t = around.begin(v); t != around.end(v); ++t) {
             std::array<int, 3> corners{mesh.F(*t, 0), mesh.F(*t, 1), mesh.F(*t, 2)};
-            std::sort(corners.begin(), corners.end());
-            if (corners[0] == v && corners[1] > v) row.push_back({corners[1], corners[2], *t});
+            std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+            if (corners[0] == v && corners[1] > v && corners[2] > v)
+                row.push_back({std::min(corners[1], corners[2]), std::max(corners[1], corners[2]), corners[2] < corners[1], *t});
         }
-        std::sort(row.begin(), row.end());
-        for (std::size_t i = 1; i < row.size(); ++i)
-            if (row[i].middle == row[i - 1].middle && row[i].largest == row[i - 1].largest) repeated[at(row[i].face)] = 1;
+        std::stable_sort(row.begin(), row.end(), [](const Corners& c, const Corners& d) { return c.key() < d.key(); });
+        const Corners* first = nullptr;   // of those that run the same way as the one before
+        for (const Corners& c : row) {
+            if (first != nullptr && first->key() == c.key()) {
+                found.repeated[at(c.face)] = 1;
+                continue;
+            }
+            if (first != nullptr && first->on(c)) {
+                const int later = std::max(first->face, c.face);
+                if (found.opposite++ == 0 || later < found.first_opposite) found.first_opposite = later;
+            }
+            first = &c;
+        }
     }
-    return repeated;
+    return found;
 }
 
 /// Takes a loaded mesh through repairs and counts, and keeps what there is to say.
@@ -114,8 +136,12 @@ private:
         const bool some_degenerate = !all_of_range(mesh().face_count(), [&](int t) { return !names_a_corner_twice(mesh(), t); });
         if (!some_degenerate) topology() = topology_without_edges(mesh());
         if (!some_degenerate && topology().oriented_manifold && mesh().face_count() > 0) return;   // no triangle is there twice
-        const std::vector<char> repeated = repeated_faces(mesh(), some_degenerate ? triangles_around(mesh()) : topology().vertex_faces);
-        drop_degenerate_and(repeated);
+        const FacesOnFaces found = faces_on_faces(mesh(), some_degenerate ? triangles_around(mesh()) : topology().vertex_faces);
+        const long opposite_line = line_of(found.first_opposite);
+        drop_degenerate_and(found.repeated);
+        counts().opposite_faces = found.opposite;
+        warn_of(found.opposite, "face lies on another of opposite orientation; both are kept",
+                "faces lie on others of opposite orientation; both of each are kept", opposite_line);
         if (counts().dropped_degenerate_faces + counts().dropped_duplicate_faces > 0) topology() = topology_without_edges(mesh());
     }
 
@@ -153,12 +179,17 @@ private:
         });
         if (orientation.disagreeing_faces > 0) topology() = topology_without_edges(mesh());   // may be an oriented manifold now
         counts().flipped_faces = orientation.disagreeing_faces;
-        counts().inside_out_components = orientation.inside_out_components;
+        counts().inside_out_components = orientation.inside_out_components + orientation.filled_cavities;
         counts().orientable = orientation.unorientable_components == 0;
         warn_of(orientation.disagreeing_faces, "face turned to agree with its neighbours", "faces turned to agree with their neighbours",
                 line_of(orientation.first_disagreeing));
         warn_of(orientation.inside_out_components, "closed component was inside out (negative volume), reoriented",
                 "closed components were inside out (negative volume), reoriented", line_of(orientation.first_inside_out));
+        warn_of(orientation.filled_cavities, "closed component within a body pointed outwards (positive volume), reoriented as a cavity",
+                "closed components within bodies pointed outwards (positive volume), reoriented as cavities",
+                line_of(orientation.first_filled_cavity));
+        warn_of(orientation.shells_of_unknown_depth, "closed component left as oriented; the nesting takes too long to find",
+                "closed components left as oriented; their nesting takes too long to find");
         warn_of(orientation.unorientable_components,
                 "component has no consistent orientation; the sign of mean curvature means nothing there",
                 "components have no consistent orientation; the sign of mean curvature means nothing there",
@@ -235,7 +266,8 @@ private:
         const int handles = 2 - p.euler_characteristic - p.boundary_loops;
         if (p.components == 1 && p.manifold() && p.orientable) p.genus = handles / 2;
         p.area = surface_area(mesh());
-        p.volume = signed_volume(mesh(), Box{p.box_low, p.box_high}.centre());
+        p.unbalanced_edges = edges_out_of_balance(mesh(), topology());
+        if (p.encloses_volume()) p.volume = signed_volume(mesh(), Box{p.box_low, p.box_high}.centre());
         p.mean_edge = mean_edge_length(mesh(), topology().edges);
         count_shapes();
     }

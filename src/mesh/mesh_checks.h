@@ -2,6 +2,7 @@
 /// Preflight: what a mesh is, what is wrong with it, and what was done about that before anything is computed.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,21 +24,24 @@ struct Preflight {
     int genus = -1;                 // of one orientable manifold component; −1 where that is not defined
     int nonmanifold_edges = 0;
     int nonmanifold_vertices = 0;
-    int zero_area_faces = 0;        // kept; they contribute neither stiffness nor mass
-    int needle_faces = 0;           // kept; smallest angle below 1°
-    int duplicated_positions = 0;   // vertices in use that lie exactly on an earlier one
-    double area = 0;                // [length²]
-    double volume = 0;              // signed; meaningful when closed [length³]
-    double mean_edge = 0;           // [length]
+    int zero_area_faces = 0;                                    // kept; they contribute neither stiffness nor mass
+    int needle_faces = 0;                                       // kept; smallest angle below 1°
+    int duplicated_positions = 0;                               // vertices in use that lie exactly on an earlier one
+    double area = 0;                                            // [length²]
+    int unbalanced_edges = 0;                                   // edges_out_of_balance() of orientation.h
+    double volume = std::numeric_limits<double>::quiet_NaN();   // signed, of what encloses one [length³]
+    double mean_edge = 0;                                       // [length]
     Vector3 box_low{0, 0, 0}, box_high{0, 0, 0};
     bool orientable = true;
     // Repairs
     int dropped_degenerate_faces = 0;   // a corner named twice
-    int dropped_duplicate_faces = 0;    // the same three corners again
+    int dropped_duplicate_faces = 0;    // the same three corners again, the same way round
+    int opposite_faces = 0;             // pairs with the same three corners, one the other way round; both are kept
     int flipped_faces = 0;              // turned to agree with their component
-    int inside_out_components = 0;      // closed components turned because their volume was negative
+    int inside_out_components = 0;      // closed components turned because of their nesting depth (nesting.h)
 
     bool closed() const { return boundary_edges == 0; }
+    bool encloses_volume() const { return unbalanced_edges == 0; }
     bool manifold() const { return nonmanifold_edges == 0 && nonmanifold_vertices == 0; }
 };
 
@@ -54,11 +58,11 @@ struct PreparedMesh {
 enum class Checks {
     all,
     /// What a picture or a spectrum needs, in half the time. `edges` and `neighbours` of the topology stay empty, and of the preflight:
-    /// edges, boundary edges and loops, Euler characteristic, genus, duplicated positions, area, volume, mean edge.
+    /// edges, boundary and unbalanced edges, boundary loops, Euler characteristic, genus, duplicated positions, area, volume, mean edge.
     for_pictures,
 };
 
-/// Drops faces that name a corner twice and repeated faces, orients each component consistently (closed ones outwards),
+/// Drops faces that name a corner twice and repeated faces, orients each component consistently (closed ones by their nesting depth),
 /// counts everything else.
 /// @throws InputError if no triangle is left, all vertices coincide, or a coordinate exceeds 1e100 in magnitude
 PreparedMesh prepare_mesh(LoadedMesh loaded, Checks checks = Checks::all);

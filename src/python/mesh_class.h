@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/orientation.h"
 #include "mesh/triangle_measures.h"
 #include "python/mesh_arrays.h"
 
@@ -106,8 +107,12 @@ inline void add_mesh(py::module_& m) {
         .def_property_readonly(
             "area", [](const Mesh& mesh) { return surface_area(mesh.triangles()); }, "of all faces [length^2]")
         .def_property_readonly(
-            "volume", [](const Mesh& mesh) { return is_watertight(mesh) ? signed_volume(mesh.triangles()) : std::nan(""); },
-            "enclosed [length^3]; NaN where the mesh is not watertight")
+            "volume", [](const Mesh& mesh) { return enclosed_volume(mesh.triangles(), mesh.prepared->topology); },
+            "enclosed [length^3], of cavities negative; NaN where triangles do not run through each edge as often one way as the\n"
+            "other (open, not orientable, with a wall inside): such a mesh encloses no volume")
+        .def_property_readonly(
+            "why_no_volume", [](const Mesh& mesh) { return why_no_volume(mesh.triangles(), mesh.prepared->topology); },
+            "in words, why the volume is NaN; empty where it is not")
         .def_property_readonly("bounds", &bounds_of, "2 x 3: least and greatest coordinates of what faces use [length]")
         .def_property_readonly("is_watertight", &is_watertight, "every edge lies between two faces")
         .def_property_readonly("euler_number", &euler_number, "vertices that faces use - edges + faces")

@@ -13,7 +13,7 @@ import tempfile
 from pathlib import Path
 
 PROGRAM = Path(__file__).resolve().parent.parent.parent / "build" / "release" / "meshfolio"
-TOLD = re.compile(r"none missing below (\S+): (proved|REFUTED|cannot be proved here) \((\S+) counted by inertia, (\d+) found.*"
+TOLD = re.compile(r"none missing below (\S+): (proved|REFUTED|empty|cannot be proved here) \((\S+) counted by inertia, (\d+) found.*"
                   r"rounding (\S+), gap (\S+)\)")
 
 

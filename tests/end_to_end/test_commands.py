@@ -206,6 +206,26 @@ class Inspect(InFolder):
         self.assertLess(facts['gauss_bonnet']['residual'], 1e-12)
         self.assertGreater(facts['lambda_crit'], 0)
 
+    def test_a_cavity_counts_against_the_body_and_is_left_as_it_is(self):
+        inner = ''.join(f'v {x} {y} {z}\n' for x in (-.5, .5) for y in (-1, 1) for z in (-2, 2)) + '\n'.join(
+            'f %d %d %d' % (int(a) + 8, int(c) + 8, int(b) + 8) for a, b, c in re.findall(r'f (\d) (\d) (\d)', BOX)) + '\n'
+        hollow = self.write('hollow.obj', BOX + inner)
+        code, out, err = self.run_here('inspect', hollow, '--json')
+        self.assertEqual((code, err), (0, ''))
+        self.assertAlmostEqual(json.loads(out)['volume'], 48 - 8)
+        self.assertEqual(json.loads(out)['inside_out_components'], 0)
+        for ending in ('obj', 'ply', 'stl', 'glb'):
+            self.succeed('noise', hollow, '-o', f'kept.{ending}', '--sigma', '0')
+            self.assertAlmostEqual(json.loads(self.succeed('inspect', f'kept.{ending}', '--json'))['volume'], 40, 4)
+
+    def test_a_wall_inside_leaves_no_volume_and_says_why(self):
+        walled = self.write('walled.obj', BOX + 'f 1 2 8\nf 1 8 7\n')
+        facts = json.loads(self.run_here('inspect', walled, '--json')[1])
+        self.assertEqual((facts['volume'], facts['encloses_volume']), (None, False))
+        self.assertIn('wall', facts['why_no_volume'])
+        self.assertIn('volume                    undefined: ', self.run_here('inspect', walled)[1])
+        self.assertIsNone(json.loads(self.run_here('compare', walled, walled, '--json')[1])['volume_ratio'])
+
     def test_repairs_are_said_once_and_counted(self):
         mesh = self.write('twice.obj', BOX + 'f 1 2 4\nf 1 1 2\n')
         code, out, err = self.run_here('inspect', mesh)

@@ -109,10 +109,10 @@ TEST(MeshChecks, OpenSurfacesKeepTheMajorityOfTheFile) {
 }
 
 TEST(MeshChecks, ClosedPiecesAreTurnedOutwardsEachOnItsOwn) {
-    TriangleMesh inner = unit_cube();
-    for (int t = 0; t < inner.face_count(); ++t) flip(inner, t);
-    inner.X = moved(inner.X, {0.25, 0.25, 0.25}, 0.5);
-    const PreparedMesh result = prepared(joined(unit_cube(), inner));
+    TriangleMesh other = unit_cube();
+    for (int t = 0; t < other.face_count(); ++t) flip(other, t);
+    other.X = moved(other.X, {2, 0.25, 0.25}, 0.5);
+    const PreparedMesh result = prepared(joined(unit_cube(), other));
     EXPECT_EQ(result.preflight.inside_out_components, 1);
     EXPECT_EQ(result.preflight.flipped_faces, 0);
     EXPECT_EQ(result.preflight.components, 2);

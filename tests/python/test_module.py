@@ -174,6 +174,8 @@ class Measures(unittest.TestCase):
         sheet = meshfolio.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [9, 9, 9]], [[0, 1, 2]])
         self.assertEqual((sheet.is_watertight, sheet.euler_number, sheet.area), (False, 1, 0.5))
         self.assertTrue(np.isnan(sheet.volume))
+        self.assertIn('open', sheet.why_no_volume)
+        self.assertEqual(cube.why_no_volume, '')
         np.testing.assert_array_equal(sheet.bounds, [[0, 0, 0], [1, 1, 0]])
 
     def test_the_version_is_that_of_the_project(self):

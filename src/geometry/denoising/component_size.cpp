@@ -6,21 +6,12 @@
 #include <vector>
 
 #include "geometry/denoising/normal_filters.h"
+#include "mesh/orientation.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 
 namespace {
-
-std::vector<char> closed_components(const TriangleMesh& mesh, const MeshTopology& topology) {
-    std::vector<char> closed(static_cast<std::size_t>(topology.component_count), 1);
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        for (const int v : mesh.F.row(t))
-            if (topology.on_boundary[static_cast<std::size_t>(v)])
-                closed[static_cast<std::size_t>(topology.component[static_cast<std::size_t>(t)])] = 0;
-    }
-    return closed;
-}
 
 /// Component c scaled by factor[c] about its centroid, which moves to that of `wanted`; NaN: it stays.
 Positions scaled_components(const TriangleMesh& mesh, const MeshTopology& topology, const ComponentSizes& now, const ComponentSizes& wanted,
@@ -48,9 +39,9 @@ ComponentSizes component_sizes(const TriangleMesh& mesh, const MeshTopology& top
         sizes.centroid.row(c) += areas[t] * centres.row(t);
     }
     for (int c = 0; c < count; ++c) sizes.centroid.row(c) /= sizes.area[c] > 0 ? sizes.area[c] : 1;
-    const std::vector<char> closed = closed_components(mesh, topology);
+    const std::vector<int> out_of_balance = edges_out_of_balance_by_component(mesh, topology);
     for (int c = 0; c < count; ++c)
-        if (!closed[static_cast<std::size_t>(c)]) sizes.volume[c] = std::numeric_limits<double>::quiet_NaN();
+        if (out_of_balance[static_cast<std::size_t>(c)] > 0) sizes.volume[c] = std::numeric_limits<double>::quiet_NaN();
     return sizes;
 }
 
@@ -79,7 +70,7 @@ std::vector<int> component_of_vertices(const MeshTopology& topology) {
     return component;
 }
 
-bool encloses_volume(const TriangleMesh& mesh, const MeshTopology& topology) {
+bool has_volume_to_keep(const TriangleMesh& mesh, const MeshTopology& topology) {
     const Vector volume = component_sizes(mesh, topology).volume;
     return volume.size() > 0 && (volume.array().abs() > 1e-12 * std::pow(bounding_box(mesh).diagonal(), 3)).all();
 }

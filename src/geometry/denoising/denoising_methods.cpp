@@ -119,7 +119,7 @@ bool filters_normals(DenoisingMethod method) {
 }
 
 bool is_defined(DenoisingMethod method, const TriangleMesh& mesh, const MeshTopology& topology) {
-    return method != DenoisingMethod::volume_rescaled || encloses_volume(mesh, topology);
+    return method != DenoisingMethod::volume_rescaled || has_volume_to_keep(mesh, topology);
 }
 
 DenoisingRun denoise(const DenoisingInput& input, const DenoisingOptions& options, ImplicitSolver& solver) {

@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "geometry/measures/shape_kernels.h"
 #include "geometry/operators/vertex_areas.h"
+#include "mesh/orientation.h"
 #include "mesh/triangle_kind.h"
 #include "mesh/triangle_measures.h"
 
@@ -69,8 +70,9 @@ MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b) {
     difference.mean_normal_angle = angles.mean;
     difference.mean_squared_normal_angle = angles.mean_squared;
     difference.inverted_faces = angles.inverted;
-    const double volume = signed_volume(a);
-    difference.volume_ratio = volume != 0 ? signed_volume(b) / volume : std::numeric_limits<double>::quiet_NaN();
+    const MeshTopology topology = topology_without_edges(a);
+    const double volume = enclosed_volume(a, topology);
+    difference.volume_ratio = volume != 0 ? enclosed_volume(b, topology) / volume : std::numeric_limits<double>::quiet_NaN();
     difference.area_ratio = surface_area(b) / surface_area(a);
     return difference;
 }

@@ -13,7 +13,7 @@ struct MeshDifference {
     double area_weighted_rms = 0;           // √(Σ A_i|a_i − b_i|²/ΣA_i), barycentric areas of `a` [length]
     double mean_normal_angle = 0;           // mean angle between corresponding face normals; NaN where none has an area in both [rad]
     double mean_squared_normal_angle = 0;   // NaN likewise [rad²]
-    double volume_ratio = 0;                // V(b)/V(a); NaN when V(a) = 0
+    double volume_ratio = 0;                // V(b)/V(a); NaN when V(a) = 0 or they enclose none
     double area_ratio = 0;                  // A(b)/A(a)
     double box_diagonal = 0;                // of `a`, to put lengths in relation [length]
     int inverted_faces = 0;                 // normal · original normal < 0

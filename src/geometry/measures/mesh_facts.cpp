@@ -54,10 +54,14 @@ MeshFacts mesh_facts(const PreparedMesh& prepared) {
     const Vector deficits = angle_deficit(mesh, prepared.topology);
     facts.total_deficit = total_deficit(deficits);
     facts.gauss_bonnet_residual = gauss_bonnet_error(deficits, facts.counts.euler_characteristic);
-    const double farthest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-    const double spacing = std::nextafter(farthest, std::numeric_limits<double>::infinity()) - farthest;
-    if (facts.shortest_edge > 0) facts.coordinate_rounding = spacing / facts.shortest_edge;
+    if (facts.shortest_edge > 0) facts.coordinate_rounding = coordinate_spacing(mesh) / facts.shortest_edge;
     return facts;
+}
+
+double coordinate_spacing(const TriangleMesh& mesh) {
+    const Box box = bounding_box(mesh);
+    const double farthest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+    return std::nextafter(farthest, std::numeric_limits<double>::infinity()) - farthest;
 }
 
 double change_when_moved(const PreparedMesh& prepared, double scale) {

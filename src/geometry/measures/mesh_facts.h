@@ -21,6 +21,9 @@ struct MeshFacts {
 };
 MeshFacts mesh_facts(const PreparedMesh& prepared);
 
+/// Spacing of doubles at the farthest coordinate: positions are not known better, wherever they were computed. [length]
+double coordinate_spacing(const TriangleMesh& mesh);
+
 /// Largest change of cotangents, areas, H and K, each relative to its largest magnitude, when the mesh is scaled by `scale` (a power
 /// of two) and moved by 2²⁰ box diagonals along each axis. The rounding that the move itself brings into the coordinates is in both
 /// meshes compared, so what remains is how far the formulas depend on place and size.

@@ -13,14 +13,19 @@
 #include "geometry/smoothing/diffusion_step.h"
 #include "geometry/smoothing/limit_watch.h"
 #include "geometry/spectrum/stability.h"
+#include "mesh/triangle_kind.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 
 namespace {
 
-/// Is no more left than the rounding of positions: a surface shrunk to a point (by 10⁻¹² in length), or one as thin as a line?
+/// Is no more left than the rounding of positions: a surface shrunk to a point (by 10⁻¹² in length), one as thin as a line, or one whose
+/// triangles all have no area?
 bool collapsed(const TriangleMesh& mesh, double first_area) {
+    int t = 0;
+    while (t < mesh.face_count() && kind_of(mesh, t) == TriangleKind::zero_area) ++t;
+    if (t == mesh.face_count()) return true;
     const double area = surface_area(mesh), diagonal = bounding_box(mesh).diagonal();
     return !(area > 1e-24 * first_area && area > 1e-12 * diagonal * diagonal);
 }

@@ -44,13 +44,16 @@ struct SpectrumCertificate {
     double delta = 0,
            gap = 0;   // rounding of the count; distance of σ from u and from the next value found: proved needs δ < gap [1/length²]
     bool delta_is_measured = false;   // by probing (inertia.h), because other processes hold the factor: `complete` rests on it
-    int zero_eigenvalues = 0;         // μ ≤ 1e-9 μ₀, and where these are too many, not out of rounding
+    int zero_eigenvalues = 0;         // μ ≤ 1e-9 of their own μ₀, and where these are too many, not out of rounding
     int components = 0;               // of the mesh, by its triangles; those without area may or may not join two
+    bool zeros_undecided = false;     // these differ, but rounding hides which of the pairs in question have eigenvalue 0
     int expected_zeros = 0;           // as many, at most k
     double smallest_step_up = 0;      // of the eigenvalues from one to the next, over the largest: negative where they are not ascending
 
     static constexpr double orthonormality_limit = 1e-9, parseval_limit = 1e-9, step_down_limit = 1e-12;
 
+    /// Nothing was found below σ and nothing counted: k cuts the first cluster, as where k is less than the components.
+    bool says_nothing() const { return found_below == 0 && counted_below == 0; }
     bool residual_undecided() const { return residual > residual_limit && residual <= residual_rounding; }
     /// refuted where anything measured is beyond its limit or the count is; proved where all is well and none is missing.
     Proof verdict() const;

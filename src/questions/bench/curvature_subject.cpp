@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "geometry/operators/uniform_laplacian.h"
+#include "mesh/triangle_kind.h"
 #include "questions/bench/known_surfaces.h"
 
 namespace meshfolio {
@@ -55,11 +56,19 @@ std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh) {
     const Eigen::Matrix3d covariance = P.transpose() * P;
     const Vector3 normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
     if (!((P * normal).cwiseAbs().maxCoeff() <= flat_within)) return std::nullopt;
-    // A thin strip lies near many planes; only one that its triangles lie in makes it flat.
+    // A thin strip lies near many planes; only one that its triangles lie in makes it flat. Those of a folded sheet look both ways, and
+    // where one is wound round a vertex twice the angles there add up to 4π.
     const Positions normals = face_normals(mesh);
-    for (Eigen::Index t = 0; t < normals.rows(); ++t) {
-        const bool has_area = normals.row(t).squaredNorm() > 0;
-        if (has_area && std::abs(normals.row(t).dot(normal)) < 0.99) return std::nullopt;
+    const CornerValues angles = corner_angles(mesh);
+    Vector around = Vector::Zero(mesh.vertex_count());
+    double side = 0;   // of the first triangle
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        if (kind_of(mesh, t) == TriangleKind::zero_area) continue;
+        const double cosine = normals.row(t).dot(normal);
+        if (side == 0) side = cosine > 0 ? 1 : -1;
+        if (!(side * cosine > 0.99)) return std::nullopt;
+        for (int k = 0; k < 3; ++k)
+            if ((around[mesh.F(t, k)] += angles(t, k)) > 3 * pi) return std::nullopt;
     }
     return normal;
 }

@@ -28,6 +28,7 @@ report::Check complete_check(const SpectrumCertificate& c, const std::string& on
     const double missed = c.counted_below < 0 ? undefined : c.counted_below - c.found_below;
     const std::string found = spectral_words.line("found_below", "found"_a = c.found_below, "shift"_a = plain_text(c.shift, 4));
     const report::Check check = check_near(law("complete", on), 0, missed, 0, note.empty() ? found : found + "; " + note);
+    if (c.says_nothing()) return undecided(check, spectral_words.line("says_nothing"));
     return c.complete == Proof::undecided ? undecided(check, cannot_be_proved(c.delta, c.gap)) : check;
 }
 
@@ -43,12 +44,14 @@ std::string cannot_be_proved(double rounding, double gap) {
 }
 
 std::vector<report::Check> spectrum_checks(const SpectrumCertificate& c, const std::string& on, const std::string& note) {
+    report::Check zeros = check_near(law("zeros", on), c.expected_zeros, c.zero_eigenvalues, 0,
+                                     c.components > c.pairs ? spectral_words.line("fewer_modes", "components"_a = c.components) : "");
+    if (c.zeros_undecided) zeros = undecided(zeros, spectral_words.line("zeros_of_rounding"));
     return {residual_check(c, on, note),
             check_at_most(law("orthonormal", on), SpectrumCertificate::orthonormality_limit, c.orthonormality_error, 0, note),
             check_at_most(law("parseval", on), SpectrumCertificate::parseval_limit, c.parseval_gap, 0, note),
             complete_check(c, on, note),
-            check_near(law("zeros", on), c.expected_zeros, c.zero_eigenvalues, 0,
-                       c.components > c.pairs ? spectral_words.line("fewer_modes", "components"_a = c.components) : ""),
+            zeros,
             check_at_most(law("ascending", on), SpectrumCertificate::step_down_limit, std::max(0.0, -c.smallest_step_up))};
 }
 

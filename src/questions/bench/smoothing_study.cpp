@@ -19,7 +19,7 @@ namespace {
 /// |⟨X, φ⟩_M| over the three coordinates.
 double mode_amplitude(const SmoothingSubject& subject, const Positions& X) {
     const Vector weights = subject.laplacian.M.cwiseProduct(subject.top.mode);   // sums to 0, so the origin may be chosen near
-    return ((X.rowwise() - subject.mesh().X.row(0)).transpose() * weights).norm();
+    return ((X.rowwise() - X.row(0)).transpose() * weights).norm();
 }
 
 /// The width of X in boxes of the input.
@@ -38,7 +38,7 @@ public:
           diagonal_(bounding_box(mesh_).diagonal()),
           component_(component_of_vertices(topology)),
           volume_(component_sizes(mesh_, topology).volume),
-          all_closed_((volume_.array() > 0).all()),
+          all_closed_((volume_.array().abs() > 0).all()),
           spread_(spreads(mesh_.X)) {}
 
     struct Left {
@@ -49,7 +49,7 @@ public:
         const Vector volume = component_volumes(mesh_.F, X, topology_), spread = all_closed_ ? spread_ : spreads(X);
         double least = infinity;
         for (int c = 0; c < topology_.component_count; ++c)
-            if (const bool closed = volume_[c] > 0; closed || spread_[c] > 0)
+            if (const bool closed = std::abs(volume_[c]) > 0; closed || spread_[c] > 0)
                 least = std::min(least, closed ? volume[c] / volume_[c] : spread[c] / spread_[c]);
         return {X.allFinite() ? least : std::nan(""), volume.sum()};
     }
@@ -146,7 +146,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     run.lambda = lambda;
     run.iterations = iterations;
     run.in_view = subject.mesh().X;
-    const bool closed = subject.preflight().closed();
+    const bool closed = subject.preflight().encloses_volume();
     const SizeWatch sizes(subject, subject.topology());
     const render::Bounds bounds = output::bounds_of(subject.mesh());
     const double first_volume = sizes.left(subject.mesh().X).volume;
@@ -210,7 +210,9 @@ std::vector<int> peaks_of(const Vector& mode) {
 
 Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps) {
     const double height = 1e-3 * subject.mean_edge / subject.top.mode.cwiseAbs().maxCoeff();
-    Positions X = subject.mesh().X + height * subject.top.mode * Eigen::RowVector3d::Ones();
+    // About the box centre: far from the origin the mode would be lost in the rounding of coordinates.
+    Positions X = subject.mesh().X.rowwise() - bounding_box(subject.mesh()).centre().transpose();
+    X += height * subject.top.mode * Eigen::RowVector3d::Ones();
     const double start = mode_amplitude(subject, X);
     for (int t = 0; t < steps; ++t) X = explicit_step(subject.laplacian, lambda, X);
     return {std::pow(std::abs(1 - lambda * subject.top.value), steps), mode_amplitude(subject, X) / start};

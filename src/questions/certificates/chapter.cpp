@@ -37,7 +37,7 @@ report::Table spectrum_table(const std::vector<Certified>& meshes) {
         .column("gap", width, of(&C::gap))
         .column("zeros", count, of(&C::zero_eigenvalues))
         .column("components", count, of(&C::components))
-        .column("verdict", of([](const C& c) { return words_of(c.verdict()); }));
+        .column("verdict", of([](const C& c) { return c.says_nothing() ? words.line("verdict.empty") : words_of(c.verdict()); }));
 }
 
 report::Table operator_table(const std::vector<Certified>& meshes) {

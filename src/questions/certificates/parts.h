@@ -62,7 +62,7 @@ struct Certified : OnMesh {
 
     SurfaceClaims claims() const {
         const Preflight& p = source->preflight();
-        return {p.manifold(), p.orientable, p.closed(), p.euler_characteristic};
+        return {p.manifold(), p.orientable, p.encloses_volume(), p.euler_characteristic};
     }
 };
 

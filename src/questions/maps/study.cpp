@@ -229,7 +229,7 @@ SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings
     const PlaneGrid grid = grid_of(settings);
     SmoothingMaps maps;
     maps.subject = smoothing_subject(std::move(source));
-    maps.closed = maps.subject.preflight().closed();
+    maps.closed = maps.subject.preflight().encloses_volume();
     maps.clean = clean_mesh(*maps.subject.source);
     if (maps.clean) maps.input_error = vertex_rms(maps.clean->X, maps.subject.mesh().X) / maps.subject.diagonal;
     maps.lambdas = steps_of(settings, maps.subject.critical, relative_steps(grid));

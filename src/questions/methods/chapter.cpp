@@ -1,5 +1,6 @@
 // The denoising laboratory: kinds of noise, levels and methods against each other, each method at its best within the same budget.
 #include "geometry/denoising/component_size.h"
+#include "geometry/measures/mesh_facts.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/methods/parts.h"
 
@@ -60,16 +61,17 @@ bool turned_inside_out(const DenoisingSubject& subject, const NoiseTrial& trial,
 }
 
 void add_checks(report::Section& section, const DenoisingLaboratory& laboratory) {
-    double strength = 0, volume = 0, area = 0, unspent = 0;
+    double strength = 0, volume = 0, area = 0, unspent = 0, rounding = 0;
     bool any_volume = false;
     for (const auto& [mesh, trial] : parts_within(laboratory.meshes, &DenoisingTrials::trials)) {
         const double ratio = trial.spoilt.rms / (std::sqrt(3) * trial.sigma);
         strength = std::max(strength, std::abs(ratio * ratio - 1) / strength_deviation(mesh, trial));
+        rounding = std::max(rounding, coordinate_spacing(mesh.subject.mesh) / mesh.subject.mean_edge);
         for (const SearchResult& r : trial.results) {
             if (r.defined && r.failed == 0) unspent = std::max(unspent, std::abs(double(r.steps - laboratory.budget.total())));
             if (r.method == DenoisingMethod::conformal_flow)
                 area = std::max(area, std::abs(r.difference.area_ratio / trial.spoilt.area_ratio - 1));
-            if (r.method != DenoisingMethod::volume_rescaled || !r.defined || !mesh.subject.encloses_volume ||
+            if (r.method != DenoisingMethod::volume_rescaled || !r.defined || !mesh.subject.has_volume_to_keep ||
                 turned_inside_out(mesh.subject, trial, r))
                 continue;
             volume = std::max(volume, std::abs(r.difference.volume_ratio / trial.spoilt.volume_ratio - 1));
@@ -78,8 +80,8 @@ void add_checks(report::Section& section, const DenoisingLaboratory& laboratory)
     }
     append_checks(section,
                   {check_at_most(words.line("check.strength"), 5, strength, 0), check_near(words.line("check.budget"), 0, unspent, 0)});
-    if (any_volume) add(section, check_at_most(words.line("check.volume"), 0, volume, 1e-9));
-    add(section, check_at_most(words.line("check.area"), 0, area, 1e-9));
+    if (any_volume) add(section, report::within_rounding(check_at_most(words.line("check.volume"), 0, volume, 1e-9), rounding));
+    add(section, report::within_rounding(check_at_most(words.line("check.area"), 0, area, 1e-9), rounding));
 }
 
 report::Text answer_of(const DenoisingLaboratory& laboratory) {

@@ -183,7 +183,7 @@ std::string share_kept(const SearchResult& result) {
 report::Text about_volumes(const DenoisingLaboratory& laboratory) {
     report::Text t;
     for (const DenoisingTrials& mesh : laboratory.meshes) {
-        if (!mesh.subject.encloses_volume) continue;
+        if (!mesh.subject.has_volume_to_keep) continue;
         const SearchResult *least = nullptr, *most = nullptr;
         for (const SearchResult& r : mesh.pictured_trial().results) {
             const double kept = r.difference.volume_ratio;

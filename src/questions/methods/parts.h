@@ -21,7 +21,7 @@ struct DenoisingSubject {
     double mean_edge = 0, diagonal = 0;   // [length]
     double largest_eigenvalue = 0;        // of its operator [1/length²]
 
-    bool encloses_volume = false;
+    bool has_volume_to_keep = false;
 
     bool is_patch() const { return mesh.vertex_count() < whole_vertices; }
     /// "sharp-edged, closed"

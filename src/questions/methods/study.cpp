@@ -103,7 +103,7 @@ DenoisingSubject denoising_subject(std::string name, const TriangleMesh& mesh, i
     subject.mean_edge = mean_edge_length(subject.mesh, subject.topology.edges);
     subject.diagonal = bounding_box(subject.mesh).diagonal();
     subject.largest_eigenvalue = largest_eigenvalue_of(subject.mesh);
-    subject.encloses_volume = encloses_volume(subject.mesh, subject.topology);
+    subject.has_volume_to_keep = has_volume_to_keep(subject.mesh, subject.topology);
     return subject;
 }
 

@@ -68,7 +68,7 @@ report::Table result_table(const DenoisingTrials& mesh) {
         .column("squared normal angle", {.unit = "°²"},
                 defined([](auto& r) { return degrees * degrees * r.difference.mean_squared_normal_angle; }))
         .column("volume", {.unit = "×", .digits = 4},
-                [&](auto& r) { return cell_of(r.difference.volume_ratio, r.defined && mesh.subject.encloses_volume); })
+                [&](auto& r) { return cell_of(r.difference.volume_ratio, r.defined && mesh.subject.has_volume_to_keep); })
         .column("least rms error", {.unit = "% of box"}, defined([=](auto& r) { return percent * r.by_rms.rms; }))
         .column("with", [](auto& r) { return where(r, r.by_rms); })
         .column("least normal angle", {.unit = "°"}, defined([](auto& r) { return degrees * r.by_angle.angle; }))

@@ -75,7 +75,7 @@ report::Table geometry_table(const std::vector<Inspected>& meshes) {
         .column("longest edge", {.unit = "length"}, [](auto& m) { return m.facts.longest_edge; })
         .column("smallest angle", {.unit = "°"}, [](auto& m) { return m.facts.smallest_angle * 180 / pi; })
         .column("area", {.unit = "length²", .digits = 4}, of(&Preflight::area))
-        .column("volume", {.unit = "length³", .digits = 4}, of([](auto& p) { return cell_of(p.volume, p.closed()); }))
+        .column("volume", {.unit = "length³", .digits = 4}, of([](auto& p) { return cell_of(p.volume, p.encloses_volume()); }))
         .column("Gauss–Bonnet", {.digits = 2}, [](auto& m) { return cell_of(m.facts.gauss_bonnet_residual, m.counts().manifold()); });
 }
 

@@ -1,5 +1,6 @@
 // Question 4: meshes rebuilt from the k smoothest eigenvectors of the cotangent Laplace–Beltrami operator.
 #include "geometry/measures/hausdorff.h"
+#include "geometry/measures/mesh_facts.h"
 #include "questions/bench/law_checks.h"
 #include "questions/q4_spectral/parts.h"
 
@@ -103,7 +104,8 @@ report::Table cost_table(const SpectralStudy& study, double factor_entries) {
 
 void add_checks(report::Section& section, const SpectralStudy& study) {
     const auto of_diagonal = [&](const char* key, double length, double tolerance = 1e-9) {
-        add(section, check_at_most(words.line(key, "mesh"_a = study.name()), 0, length / study.diagonal, tolerance));
+        add(section, report::within_rounding(check_at_most(words.line(key, "mesh"_a = study.name()), 0, length / study.diagonal, tolerance),
+                                             coordinate_spacing(study.mesh()) / study.diagonal));
     };
     const int needles = study.preflight().needle_faces + study.preflight().zero_area_faces;
     append_checks(section, spectrum_checks(study.certificate, " on " + study.name(),

@@ -11,7 +11,7 @@ constexpr double clear_ratio = 1.5;   // less is no difference that one explains
 
 /// One reconstruction in words: how much of the volume is left, and how far the normals are off.
 report::Text picture_of(const SpectralStudy& study, const Reconstruction& r) {
-    const bool closed = study.preflight().closed() && std::isfinite(r.difference.volume_ratio);
+    const bool closed = study.preflight().encloses_volume() && std::isfinite(r.difference.volume_ratio);
     const double volume = closed ? r.difference.volume_ratio : 1;
     const double rms = r.difference.area_weighted_rms, angle = r.difference.mean_normal_angle * 180 / pi;
     constexpr double rough = 5;   // [°]

@@ -73,7 +73,7 @@ struct ImplicitStudy {
     std::vector<double> explicit_energy;   // after n = 0, 1, … explicit steps of half of λ_crit, over that of the input
 
     const std::string& name() const { return subject.name(); }
-    bool is_closed() const { return subject.preflight().closed(); }
+    bool is_closed() const { return subject.preflight().encloses_volume(); }
     const SmoothingCell& cell(std::size_t lambda, std::size_t t) const { return grid[lambda * iterations.size() + t]; }
     /// Index of the largest λ that is within the explicit limit.
     std::optional<std::size_t> within_limit() const;

@@ -56,7 +56,7 @@ Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const Tr
     };
     remains.feature_angle = angle_of(at_features);
     remains.other_angle = angle_of(others);
-    if (grid.clean->preflight().closed()) remains.volume = signed_volume(smoothed) / signed_volume(clean);
+    if (grid.clean->preflight().encloses_volume()) remains.volume = signed_volume(smoothed) / signed_volume(clean);
     return remains;
 }
 
@@ -107,7 +107,7 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
     NoisyTrial trial;
     trial.relative = relative;
     trial.sigma = relative * grid.diagonal;
-    if (grid.clean->preflight().closed()) trial.clean_volume = signed_volume(clean);
+    if (grid.clean->preflight().encloses_volume()) trial.clean_volume = signed_volume(clean);
     trial.noisy = moved_to(clean, with_gaussian_noise(clean.X, Vector3::Constant(trial.sigma), seed));
     const SearchInput input{clean, normals, {trial.noisy, topology}, grid.mean_edge};
     WatchedRun middle{random_signs(clean.X.rows(), seed), {}, {}, {}};
@@ -201,7 +201,7 @@ DenoisingGrid denoising_grid(SharedMesh source, const QuestionSettings& settings
     const MeshTopology& topology = grid.clean->topology();
     grid.diagonal = bounding_box(clean).diagonal();
     grid.mean_edge = mean_edge_length(clean);
-    if (grid.clean->preflight().closed()) grid.thickness = 3 * signed_volume(clean) / surface_area(clean) / grid.mean_edge;
+    if (grid.clean->preflight().encloses_volume()) grid.thickness = 3 * signed_volume(clean) / surface_area(clean) / grid.mean_edge;
     const DenoisingTries tries = tries_of(settings, grid.mean_edge);
     grid.lambdas = tries.lambdas;
     grid.iterations = tries.iterations;

@@ -112,7 +112,7 @@ void add_rebuilt_figure(const Reproduction& r, const ReconstructionExperiment& d
 report::Table rebuilt_table(const Reproduction& r, const ReconstructionExperiment& done) {
     const auto percent = [&](const RebuiltMesh& rebuilt) { return 100 / done.meshes[rebuilt.mesh].diagonal; };
     const auto volume = [&](const RebuiltMesh& rebuilt) {
-        return cell_of(100 * rebuilt.difference.volume_ratio, done.meshes[rebuilt.mesh].used->preflight().closed());
+        return cell_of(100 * rebuilt.difference.volume_ratio, done.meshes[rebuilt.mesh].used->preflight().encloses_volume());
     };
     return table(r.id_of("errors"), words.line("rebuilt.errors"), done.rebuilt)
         .column("mesh", [&](auto& rebuilt) { return done.meshes[rebuilt.mesh].name(); })

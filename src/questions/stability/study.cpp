@@ -14,7 +14,8 @@ OperatorLimit operator_limit(std::string name, OperatorKind kind, const LaplaceB
     limit.name = std::move(name);
     limit.certificate = stability_certificate(laplacian, {.assembly = assembly_of(kind)});
     const LargestEigenvalue& top = limit.certificate.top;
-    const Positions start = seeded(mesh.X, top, 1e-3 * mean_edge);
+    const Positions centred = mesh.X.rowwise() - bounding_box(mesh).centre().transpose();   // far away the seed would be lost in rounding
+    const Positions start = seeded(centred, top, 1e-3 * mean_edge);
     limit.below = mode_growth(laplacian, top, start, 0.99 * limit.critical(), steps);
     limit.beyond = mode_growth(laplacian, top, start, 1.01 * limit.critical(), steps);
     return limit;

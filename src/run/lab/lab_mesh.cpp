@@ -43,12 +43,6 @@ void add_settings(LabMesh& lab, const Spectrum& spectrum, const std::map<std::st
     lab.readings = readings_at(lab, spectrum, each_once);
 }
 
-/// Without boundary, and with an inside: on a Klein bottle a volume means nothing.
-bool encloses_volume(const TriangleMesh& mesh) {
-    const MeshTopology topology = topology_of(mesh);
-    return topology.boundary_edge_count() == 0 && consistent_orientation(mesh, topology, [](int, int) {}).unorientable_components == 0;
-}
-
 void quantise(LabMesh& lab, const Spectrum& spectrum) {
     lab.modes = quantised(spectrum.eigenvectors);
     Spectrum rounded = spectrum;
@@ -121,7 +115,7 @@ LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std:
     lab.mesh.X = lab.mesh.X.rowwise() - box.centre().transpose();
     lab.diagonal = box.diagonal();
     lab.mean_edge = mean_edge_length(lab.mesh);
-    lab.is_closed = encloses_volume(lab.mesh);
+    lab.is_closed = encloses_volume(lab.mesh, topology_without_edges(lab.mesh));
     lab.laplacian = laplace_beltrami(lab.mesh);
 
     const int n = lab.mesh.vertex_count();

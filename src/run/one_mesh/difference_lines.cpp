@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <utility>
 
 #include "base/number_text.h"
 #include "geometry/measures/mesh_error.h"
-#include "mesh/mesh_topology.h"
+#include "mesh/orientation.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio::run {
@@ -17,13 +16,6 @@ namespace meshfolio::run {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-
-/// An open surface encloses none.
-double volume_of(const TriangleMesh& mesh) {
-    const std::vector<Edge> edges = edges_of(mesh);
-    const bool closed = std::ranges::none_of(edges, [](const Edge& edge) { return edge.faces == 1; });
-    return closed ? signed_volume(mesh) : std::numeric_limits<double>::quiet_NaN();
-}
 
 constexpr const char *hausdorff_meaning = "two-sided, surface to surface, of all points: no less than this,",
                      *bound_meaning = "and no more than this";
@@ -35,7 +27,7 @@ std::vector<DifferenceLine> lines_of_same_triangles(const TriangleMesh& a, const
             {"hausdorff", hausdorff.distance, hausdorff_meaning},
             {"hausdorff_bound", hausdorff.bound, bound_meaning},
             {"mean_normal_angle_deg", degrees * d.mean_normal_angle, "between corresponding faces"},
-            {"volume_ratio", std::isnan(volume_of(a)) ? volume_of(a) : d.volume_ratio, "B over A, of closed ones"},
+            {"volume_ratio", d.volume_ratio, "B over A, where both enclose a volume"},
             {"area_ratio", d.area_ratio, "B over A"},
             {"area_weighted_rms", d.area_weighted_rms, "with the vertex areas of A"},
             {"mean_squared_normal_angle_deg2", degrees * degrees * d.mean_squared_normal_angle, ""},
@@ -52,7 +44,7 @@ std::vector<DifferenceLine> lines_of_surfaces(const TriangleMesh& a, const Trian
         {"hausdorff", d.hausdorff.distance, hausdorff_meaning},
         {"hausdorff_bound", d.hausdorff.bound, bound_meaning},
         {"mean_normal_angle_deg", degrees * larger(&DistancesTo::mean_normal_angle), "to the nearest triangle, the larger of both ways"},
-        {"volume_ratio", volume_of(b) / volume_of(a), "B over A, of closed ones"},
+        {"volume_ratio", enclosed_volume(b) / enclosed_volume(a), "B over A, where both enclose a volume"},
         {"area_ratio", surface_area(b) / surface_area(a), "B over A"},
         {"box_diagonal", bounding_box(a).diagonal(), "of A"},
         {"rms_a_to_b", to_b.rms, "from the area of A to the surface of B"},

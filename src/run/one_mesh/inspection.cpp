@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "mesh/orientation.h"
 #include "questions/preflight/defects.h"
 
 namespace meshfolio::run {
@@ -70,43 +71,48 @@ void add_stability(ordered_json& json, const std::optional<StabilityCertificate>
 std::string inspection_json(const Inspection& inspection) {
     const Preflight& p = inspection.prepared.preflight;
     const auto row = [](const Vector3& v) { return ordered_json::array({v.x(), v.y(), v.z()}); };
-    ordered_json json{{"vertices", p.vertices},
-                      {"vertices_in_use", p.vertices_in_use},
-                      {"triangles", p.triangles},
-                      {"edges", p.edges},
-                      {"components", p.components},
-                      {"boundary_edges", p.boundary_edges},
-                      {"boundary_loops", p.boundary_loops},
-                      {"euler_characteristic", p.euler_characteristic},
-                      {"genus", p.genus >= 0 ? ordered_json(p.genus) : ordered_json()},
-                      {"orientable", p.orientable},
-                      {"closed", p.closed()},
-                      {"manifold", p.manifold()},
-                      {"nonmanifold_edges", p.nonmanifold_edges},
-                      {"nonmanifold_vertices", p.nonmanifold_vertices},
-                      {"zero_area_faces", p.zero_area_faces},
-                      {"needle_faces", p.needle_faces},
-                      {"duplicated_positions", p.duplicated_positions},
-                      {"dropped_degenerate_faces", p.dropped_degenerate_faces},
-                      {"dropped_duplicate_faces", p.dropped_duplicate_faces},
-                      {"flipped_faces", p.flipped_faces},
-                      {"inside_out_components", p.inside_out_components},
-                      {"area", p.area},
-                      {"volume", p.closed() ? ordered_json(p.volume) : ordered_json()},
-                      {"mean_edge", p.mean_edge},
-                      {"box_low", row(p.box_low)},
-                      {"box_high", row(p.box_high)},
-                      {"gauss_bonnet",
-                       {{"deficit_sum_over_2pi", inspection.deficits_over_2pi()},
-                        {"residual", p.manifold() ? ordered_json(inspection.facts.gauss_bonnet_residual) : ordered_json()}}},
-                      {"unreferenced_vertices", inspection.facts.unreferenced_vertices},
-                      {"shortest_edge", inspection.facts.shortest_edge},
-                      {"longest_edge", inspection.facts.longest_edge},
-                      {"smallest_angle_deg", inspection.facts.smallest_angle * 180 / std::numbers::pi},
-                      {"box_diagonal", inspection.facts.diagonal},
-                      {"offset_in_diagonals", inspection.facts.offset},
-                      {"coordinate_rounding", inspection.facts.coordinate_rounding},
-                      {"defects", consequences_json(inspection.facts)}};
+    ordered_json json{
+        {"vertices", p.vertices},
+        {"vertices_in_use", p.vertices_in_use},
+        {"triangles", p.triangles},
+        {"edges", p.edges},
+        {"components", p.components},
+        {"boundary_edges", p.boundary_edges},
+        {"boundary_loops", p.boundary_loops},
+        {"euler_characteristic", p.euler_characteristic},
+        {"genus", p.genus >= 0 ? ordered_json(p.genus) : ordered_json()},
+        {"orientable", p.orientable},
+        {"closed", p.closed()},
+        {"manifold", p.manifold()},
+        {"nonmanifold_edges", p.nonmanifold_edges},
+        {"nonmanifold_vertices", p.nonmanifold_vertices},
+        {"zero_area_faces", p.zero_area_faces},
+        {"needle_faces", p.needle_faces},
+        {"duplicated_positions", p.duplicated_positions},
+        {"dropped_degenerate_faces", p.dropped_degenerate_faces},
+        {"dropped_duplicate_faces", p.dropped_duplicate_faces},
+        {"opposite_faces", p.opposite_faces},
+        {"flipped_faces", p.flipped_faces},
+        {"inside_out_components", p.inside_out_components},
+        {"area", p.area},
+        {"encloses_volume", p.encloses_volume()},
+        {"volume", p.encloses_volume() ? ordered_json(p.volume) : ordered_json()},
+        {"why_no_volume",
+         p.encloses_volume() ? ordered_json() : ordered_json(why_no_volume(inspection.prepared.mesh, inspection.prepared.topology))},
+        {"mean_edge", p.mean_edge},
+        {"box_low", row(p.box_low)},
+        {"box_high", row(p.box_high)},
+        {"gauss_bonnet",
+         {{"deficit_sum_over_2pi", inspection.deficits_over_2pi()},
+          {"residual", p.manifold() ? ordered_json(inspection.facts.gauss_bonnet_residual) : ordered_json()}}},
+        {"unreferenced_vertices", inspection.facts.unreferenced_vertices},
+        {"shortest_edge", inspection.facts.shortest_edge},
+        {"longest_edge", inspection.facts.longest_edge},
+        {"smallest_angle_deg", inspection.facts.smallest_angle * 180 / std::numbers::pi},
+        {"box_diagonal", inspection.facts.diagonal},
+        {"offset_in_diagonals", inspection.facts.offset},
+        {"coordinate_rounding", inspection.facts.coordinate_rounding},
+        {"defects", consequences_json(inspection.facts)}};
     add_stability(json, inspection.stability);
     json["lambda_crit_with_zero_area_faces"] = inspection.floored ? ordered_json(*inspection.floored) : ordered_json();
     json["warnings"] = ordered_json::array();

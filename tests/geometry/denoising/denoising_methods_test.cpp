@@ -193,6 +193,9 @@ TEST(VolumeRescaling, AfterEveryStepIsTheSameAsAtTheEnd) {
 TEST(VolumeRescaling, NeedsAVolume) {
     const TriangleMesh open = irregular_plane(4), closed = icosphere(1);
     EXPECT_FALSE(is_defined(DenoisingMethod::volume_rescaled, open, topology_of(open)));
+    TriangleMesh one_sided = torus_mesh(9, 7, 1, 0.4);   // closed, but a triangle disagrees: no volume, as on a Klein bottle
+    std::swap(one_sided.F(0, 0), one_sided.F(0, 1));
+    EXPECT_FALSE(is_defined(DenoisingMethod::volume_rescaled, one_sided, topology_of(one_sided)));
     EXPECT_TRUE(is_defined(DenoisingMethod::volume_rescaled, closed, topology_of(closed)));
     EXPECT_FALSE(is_defined(DenoisingMethod::volume_rescaled, two_of(closed, open), topology_of(two_of(closed, open))));
     DenoisingOptions options;

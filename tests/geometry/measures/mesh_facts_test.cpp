@@ -52,6 +52,12 @@ double difference_of_defined(const Vector& a, const Vector& b) {
 
 }   // namespace
 
+TEST(MeshFacts, SpacingIsThatOfTheFarthestCoordinate) {
+    EXPECT_EQ(coordinate_spacing(triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0})), 0x1p-52);
+    EXPECT_EQ(coordinate_spacing(triangle({-1e9, 0, 0}, {1, 0, 0}, {0, 1, 0})), 0x1p-23);
+    EXPECT_EQ(coordinate_spacing(triangle({0, 0, 3e-300}, {0, 1e-300, 0}, {0, 0, 0})), std::nextafter(3e-300, 1) - 3e-300);
+}
+
 TEST(MeshFacts, ExtremesOfAKnownTriangle) {
     const TriangleMesh mesh = triangle({0, 0, 0}, {3, 0, 0}, {0, 4, 0});
     const MeshFacts facts = mesh_facts(prepared(mesh));

@@ -304,6 +304,15 @@ TEST(LaplacianSmoothing, ARebuiltFlowEndsWhereNothingIsLeft) {
     EXPECT_EQ(smooth(mesh, options).collapse_iteration, 0) << "a frozen operator needs no surface";
 }
 
+/// A triangle by itself shrinks to a point: that is the end of a run, whatever its neighbours do, and no fault of the mesh.
+TEST(LaplacianSmoothing, ATriangleThatShrinksAwayCollapses) {
+    const TriangleMesh mesh = triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    const SmoothingOptions options{.lambda = 0.5 * critical_step(mesh), .iterations = 400, .rebuild = true, .monitor = true};
+    const Smoothed run = smooth(mesh, options);
+    EXPECT_GT(run.collapse_iteration, 1);
+    EXPECT_TRUE(run.X.allFinite());
+}
+
 /// Numbering the vertices otherwise moves the result along, for every scheme.
 TEST(LaplacianSmoothing, FollowsThePermutationOfItsVertices) {
     const TriangleMesh mesh = lopsided_ellipsoid(4);

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <limits>
 #include <tuple>
 
 #include "base/errors.h"
+#include "geometry/operators/laplace_operator.h"
+#include "geometry/operators/vertices_with_mass.h"
 #include "geometry/solver_test_meshes.h"
 
 using namespace meshfolio;
@@ -208,7 +211,40 @@ TEST(SpectrumCertificate, ZerosAreCountedFromTheTriangles) {
     EXPECT_FALSE(cut.certificate().holds());
     EXPECT_EQ(solved(two, 1).certificate().expected_zeros, 1);   // k is too small for both
     EXPECT_TRUE(solved(two, 1).certificate().holds());
+    EXPECT_TRUE(solved(two, 1).certificate().says_nothing());   // of two zeros, one was asked for
+    EXPECT_FALSE(s.certificate().says_nothing());
     EXPECT_EQ(solved(with_unreferenced_vertex(icosphere(2), {9, 9, 9}), 5).certificate().expected_zeros, 1);
+}
+
+// Each zero is told in the unit of the component that it lives on: edge-normalised weights grow with the size of a component.
+TEST(SpectrumCertificate, ZerosAreCountedOnComponentsOfAnySize) {
+    const TriangleMesh ball = icosphere(1);
+    const TriangleMesh three = side_by_side(side_by_side(ball, scaled(ball, 1e-12)), moved_by(scaled(ball, 1e9), Vector3::Constant(3e9)));
+    const LaplaceBeltrami laplacian = laplace_operator(three, OperatorKind::edge_normalised);
+    const SpectrumCertificate c = certify_spectrum(three, laplacian, smallest_eigenpairs(laplacian, 8));
+    EXPECT_EQ(c.zero_eigenvalues, 3);
+    EXPECT_NE(c.verdict(), Proof::refuted);
+}
+
+// π²/L² of a strip 10⁷ times as long as wide is below the rounding of its operator: no failure, but a vector that is no zero mode is one.
+TEST(SpectrumCertificate, ZerosHiddenByRoundingAreUndecided) {
+    const TriangleMesh strip = grid_mesh(40, 2, 1e7, 1);
+    const LaplaceBeltrami laplacian = laplace_beltrami(strip);
+    const OperatorWithMass whole = operator_with_mass(laplacian);
+    const Eigen::SelfAdjointEigenSolver<DenseMatrix> dense(DenseMatrix(symmetric_form(whole.A, whole.M)));   // reads the lower triangle
+    Spectrum spectrum;
+    spectrum.eigenvalues = dense.eigenvalues();
+    spectrum.eigenvectors = whole.M.cwiseSqrt().cwiseInverse().asDiagonal() * dense.eigenvectors();
+    const SpectrumCertificate c = certify_spectrum(strip, laplacian, spectrum);
+    EXPECT_GT(c.zero_eigenvalues, 1);
+    EXPECT_TRUE(c.zeros_undecided);
+    const Solved sound = solved(lopsided_ellipsoid(2), 8);
+    EXPECT_FALSE(sound.certificate().zeros_undecided);
+    Solved planted = sound;
+    planted.spectrum.eigenvalues[1] = 0;
+    EXPECT_EQ(planted.certificate().zero_eigenvalues, 2);
+    EXPECT_FALSE(planted.certificate().zeros_undecided);
+    EXPECT_EQ(planted.certificate().verdict(), Proof::refuted);
 }
 
 TEST(SpectrumCertificate, IsThatOfTheShapeWhateverItsScaleAndPlace) {

@@ -32,6 +32,28 @@ TEST(CurvatureSubject, PlanesAreKnownAtAnyTiltAndPlace) {
     EXPECT_FALSE(common_plane_normal(icosphere(1)).has_value());
 }
 
+// In a plane, but not a part of it: folded, on top of itself, or wound round a vertex twice.
+TEST(CurvatureSubject, WhatLiesInAPlaneMoreThanOnceIsNotFlat) {
+    TriangleMesh sheet = grid_mesh(6, 6, 1, 1);
+    ASSERT_TRUE(common_plane_normal(sheet).has_value());
+    TriangleMesh folded = sheet;
+    folded.X.row(16) += 2.5 * (sheet.X.row(17) - sheet.X.row(16));
+    EXPECT_FALSE(common_plane_normal(folded).has_value());
+    TriangleMesh two_sided = sheet;
+    two_sided.F.conservativeResize(2 * sheet.F.rows(), 3);
+    two_sided.F.bottomRows(sheet.F.rows()) = sheet.F.rowwise().reverse();
+    EXPECT_FALSE(common_plane_normal(two_sided).has_value());
+    constexpr int spokes = 12;
+    TriangleMesh wound;   // a fan of 12 triangles of 60°
+    wound.X = Positions::Zero(spokes + 1, 3);
+    wound.F.resize(spokes, 3);
+    for (int i = 0; i < spokes; ++i) {
+        wound.X.row(i + 1) << std::cos(i * pi / 3), std::sin(i * pi / 3), 0;
+        wound.F.row(i) << 0, i + 1, (i + 1) % spokes + 1;
+    }
+    EXPECT_FALSE(common_plane_normal(wound).has_value());
+}
+
 TEST(CurvatureSubject, SharedRangeReportsWhatEachFigureClips) {
     output::ColorRange shared;
     shared.low = -1;

@@ -153,7 +153,7 @@ TEST(DenoisingLaboratory, ALargeMeshIsStudiedOnAPatch) {
     EXPECT_LE(subject.mesh.vertex_count(), 200);
     EXPECT_EQ(subject.whole_vertices, 2562);
     EXPECT_EQ(subject.class_title(), "smooth, open");
-    EXPECT_FALSE(subject.encloses_volume);
+    EXPECT_FALSE(subject.has_volume_to_keep);
 }
 
 TEST(Methods, TheUsualReportPassesItsChecks) {

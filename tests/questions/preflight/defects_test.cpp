@@ -41,7 +41,7 @@ TEST(MeshDefects, NothingIsFoundOnASoundMesh) { EXPECT_EQ(found(icosphere(2)), S
 TEST(MeshDefects, EachPlantedDefectIsFoundAndNoOther) {
     const TriangleMesh ball = icosphere(1);
     EXPECT_EQ(found(with_face(ball, 3, 3, 5)), Set{"dropped_degenerate_faces 1"});
-    EXPECT_EQ(found(with_face(with_face(ball, ball.F(4, 1), ball.F(4, 0), ball.F(4, 2)), ball.F(4, 0), ball.F(4, 1), ball.F(4, 2))),
+    EXPECT_EQ(found(with_face(with_face(ball, ball.F(4, 1), ball.F(4, 2), ball.F(4, 0)), ball.F(4, 0), ball.F(4, 1), ball.F(4, 2))),
               Set{"dropped_duplicate_faces 2"});
     TriangleMesh turned = ball;
     std::swap(turned.F(7, 0), turned.F(7, 1));

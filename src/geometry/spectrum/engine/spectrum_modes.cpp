@@ -108,7 +108,8 @@ Modes distributed_modes(const SparseMatrix& A, const Vector& M, int k, Ranks& ra
         if (inertia->below <= below) break;
         wanted = inertia->below - below;
         if (modes.repairs == most_repairs)
-            throw SolverError(std::to_string(wanted) + " eigenpairs are counted by inertia and not found", "repair the mesh's needles");
+            throw SolverError(std::to_string(wanted) + " eigenpairs are counted by inertia and not found",
+                              "ask for other eigenpairs; needles and crowded eigenvalues are the usual causes");
     }
     modes.pairs = {modes.pairs.mu.head(k), modes.pairs.Y.leftCols(k)};
     return modes;

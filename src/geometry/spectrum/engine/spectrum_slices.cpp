@@ -73,7 +73,10 @@ public:
     void repair() {
         constexpr int most_repairs = 6;
         for (; !missing().empty(); ++repairs_) {
-            if (repairs_ == most_repairs) throw SolverError(what_is_missing(), "repair the mesh's needles, or ask for fewer eigenpairs");
+            if (repairs_ == most_repairs)
+                throw SolverError(what_is_missing(),
+                                  "ask for fewer eigenpairs; needles and crowded eigenvalues, as of many triangles around one edge, are "
+                                  "the usual causes");
             std::vector<SliceGoal> goals;
             std::vector<std::vector<const EightColumns*>> locked;
             const std::set<std::size_t> wanting = missing();

@@ -1,0 +1,242 @@
+#include "mesh/nesting.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numeric>
+
+#include "base/at.h"
+#include "mesh/box_tree.h"
+#include "mesh/mesh_topology.h"
+
+namespace meshfolio {
+
+namespace {
+
+constexpr int most_sampled_faces = 4096;
+constexpr long most_visits = 200'000'000;   // of boxes; some seconds
+
+/// The triangles of one shell, for questions about points.
+class ShellSurface {
+public:
+    ShellSurface(const TriangleMesh& mesh, const std::vector<char>& flip, const int* begin, const int* end, long& visits)
+        : mesh_(mesh), flip_(flip), faces_(begin, end), visits_(visits), tree_(boxes_of(mesh, faces_)) {}
+
+    /// Signed crossings of the ray from p in the direction of an axis. A crossing is decided edge by edge, each in the order of its
+    /// vertices, so that the ray hits exactly one of two triangles at an edge; a ray that meets it is moved to one side.
+    int winding_number(const Vector3& p, int axis) const {
+        const int x = (axis + 1) % 3, y = (axis + 2) % 3;
+        int sum = 0;
+        const auto wanted = [&](const Box& box) {
+            ++visits_;
+            return box.low[x] <= p[x] && p[x] <= box.high[x] && box.low[y] <= p[y] && p[y] <= box.high[y] && box.high[axis] >= p[axis];
+        };
+        tree_.visit(wanted, [&](int i) {
+            sum += crossing(faces_[at(i)], p, x, y);
+            return true;
+        });
+        return sum;
+    }
+
+    bool is_outside(const Vector3& p) const { return winding_number(p, 2) == 0 && winding_number(p, 0) == 0; }
+
+    /// Whether p lies within a distance of a triangle of some area.
+    bool is_near(const Vector3& p, double distance) const {
+        const auto wanted = [&](const Box& box) {
+            ++visits_;
+            return (box.low.array() <= p.array() + distance).all() && (box.high.array() >= p.array() - distance).all();
+        };
+        return !tree_.visit(wanted, [&](int i) { return !is_near(faces_[at(i)], p, distance); });
+    }
+
+private:
+    static std::vector<Box> boxes_of(const TriangleMesh& mesh, const std::vector<int>& faces) {
+        std::vector<Box> boxes;
+        for (const int t : faces) {
+            const auto corners = mesh.X(mesh.F.row(t), Eigen::all);
+            boxes.push_back({corners.colwise().minCoeff(), corners.colwise().maxCoeff()});
+        }
+        return boxes;
+    }
+
+    Vector3 corner(int t, int k) const { return mesh_.X.row(mesh_.F(t, k)); }
+
+    /// The side of the projected edge from u to v on which p lies: 1 left, −1 right; p on it counts as moved by (ε, ε²).
+    int side(const Vector3& p, int u, int v, int x, int y) const {
+        if (u > v) return -side(p, v, u, x, y);
+        const double ux = mesh_.X(u, x) - p[x], uy = mesh_.X(u, y) - p[y], vx = mesh_.X(v, x) - p[x], vy = mesh_.X(v, y) - p[y];
+        for (const double value : {ux * vy - uy * vx, uy - vy, vx - ux})
+            if (value != 0) return value > 0 ? 1 : -1;
+        return 0;
+    }
+
+    int crossing(int t, const Vector3& p, int x, int y) const {
+        const int a = mesh_.F(t, 0), b = mesh_.F(t, 1), c = mesh_.F(t, 2);
+        const int s = side(p, a, b, x, y);
+        if (s == 0 || side(p, b, c, x, y) != s || side(p, c, a, x, y) != s) return 0;
+        const Vector3 n = (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
+        if (!(s * n.dot(corner(t, 0) - p) > 0)) return 0;   // behind
+        return flip_[at(t)] != 0 ? -s : s;
+    }
+
+    bool is_near(int t, const Vector3& p, double distance) const {
+        const Vector3 n = (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
+        if (!(std::abs(n.dot(p - corner(t, 0))) <= distance * n.norm())) return false;
+        for (int k = 0; k < 3; ++k) {
+            const Vector3 edge = corner(t, (k + 1) % 3) - corner(t, k);
+            if (edge.cross(p - corner(t, k)).dot(n) < -distance * edge.norm() * n.norm()) return false;
+        }
+        return n.squaredNorm() > 0;
+    }
+
+    const TriangleMesh& mesh_;
+    const std::vector<char>& flip_;
+    std::vector<int> faces_;
+    long& visits_;
+    BoxTree tree_;
+};
+
+class Nesting {
+public:
+    Nesting(const TriangleMesh& mesh, const std::vector<char>& flip, const Shells& shells)
+        : mesh_(mesh), flip_(flip), shells_(shells), surfaces_(shells.sign.size()) {
+        sort_faces();
+        find_boxes();
+    }
+
+    std::vector<Turn> turns() {
+        std::map<std::array<double, 6>, std::vector<int>> shells_in;   // equal boxes are one
+        for (int s = 0; s < count(); ++s) shells_in[numbers_of(boxes_[at(s)])].push_back(s);
+        std::vector<Box> boxes;
+        std::vector<std::vector<int>> groups;
+        for (auto& [numbers, group] : shells_in) {
+            boxes.push_back(boxes_[at(group.front())]);
+            groups.push_back(std::move(group));
+        }
+        const BoxTree tree(std::move(boxes));
+        std::vector<Turn> turns(at(count()), Turn::none);
+        for (std::size_t g = 0; g < groups.size() && visits_ <= most_visits; ++g) {
+            const std::vector<int> around = shells_around(groups[g], groups, tree);
+            for (const int s : groups[g]) turns[at(s)] = turn_of(s, around, groups[g]);
+        }
+        if (visits_ > most_visits) turns.assign(at(count()), Turn::unknown);
+        return turns;
+    }
+
+private:
+    enum class Relation { outside, inside, same_place };
+
+    int count() const { return static_cast<int>(shells_.sign.size()); }
+
+    static std::array<double, 6> numbers_of(const Box& box) {
+        return {box.low.x(), box.low.y(), box.low.z(), box.high.x(), box.high.y(), box.high.z()};
+    }
+
+    void sort_faces() {
+        faces_.start.assign(at(count()) + 1, 0);
+        for (const int s : shells_.of_face)
+            if (s >= 0) ++faces_.start[at(s) + 1];
+        std::partial_sum(faces_.start.begin(), faces_.start.end(), faces_.start.begin());
+        faces_.item.resize(at(faces_.start.back()));
+        std::vector<int> next(faces_.start.begin(), faces_.start.end() - 1);
+        for (int t = 0; t < mesh_.face_count(); ++t)
+            if (const int s = shells_.of_face[at(t)]; s >= 0) faces_.item[at(next[at(s)]++)] = t;
+    }
+
+    void find_boxes() {
+        for (int s = 0; s < count(); ++s) {
+            const Vector3 first = mesh_.X.row(mesh_.F(*faces_.begin(s), 0));
+            Box box{first, first};
+            for (const int* t = faces_.begin(s); t != faces_.end(s); ++t) {
+                const auto corners = mesh_.X(mesh_.F.row(*t), Eigen::all);
+                box.low = box.low.cwiseMin(corners.colwise().minCoeff().transpose());
+                box.high = box.high.cwiseMax(corners.colwise().maxCoeff().transpose());
+            }
+            farthest_ = std::max({farthest_, box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff()});
+            boxes_.push_back(box);
+        }
+    }
+
+    /// How far from a surface a point of shell s may be and still lie on it: coordinates in files seldom have more than seven digits.
+    double tolerance(int s) const { return std::max(1e-6 * boxes_[at(s)].diagonal(), 0x1p-50 * farthest_); }
+
+    /// Shells with another box, around that of this group.
+    std::vector<int> shells_around(const std::vector<int>& group, const std::vector<std::vector<int>>& groups, const BoxTree& tree) {
+        const Box& inner = boxes_[at(group.front())];
+        const double t = tolerance(group.front());
+        std::vector<int> around;
+        const auto wanted = [&](const Box& box) {
+            ++visits_;
+            return (box.low.array() <= inner.low.array() + t).all() && (box.high.array() >= inner.high.array() - t).all();
+        };
+        tree.visit(wanted, [&](int other) {
+            if (groups[at(other)].front() == group.front()) return true;
+            visits_ += std::ssize(groups[at(other)]);
+            around.insert(around.end(), groups[at(other)].begin(), groups[at(other)].end());
+            return visits_ <= most_visits;
+        });
+        return around;
+    }
+
+    Turn turn_of(int s, const std::vector<int>& around, const std::vector<int>& group) {
+        int depth = 0;
+        bool has_twin = false;   // in the same place, of opposite sign
+        for (const int other : around) {
+            if (visits_ > most_visits) return Turn::unknown;
+            const Relation relation = relation_of(s, other);
+            if (relation == Relation::inside) ++depth;
+            if (relation == Relation::same_place && shells_.sign[at(other)] == -shells_.sign[at(s)]) has_twin = true;
+        }
+        const int right_sign = depth % 2 == 0 ? 1 : -1;
+        if (shells_.sign[at(s)] != -right_sign || has_twin) return Turn::none;
+        const auto opposite = std::ranges::find(group, right_sign, [&](int other) { return shells_.sign[at(other)]; });
+        if (opposite != group.end() && relation_of(s, *opposite) == Relation::same_place) return Turn::none;
+        return right_sign > 0 ? Turn::outwards : Turn::inwards;
+    }
+
+    /// Where shell s lies to another.
+    Relation relation_of(int s, int other) {
+        const ShellSurface& surface = surface_of(other);
+        const double near = tolerance(s);
+        const int faces = faces_.size(s), step = (faces - 1) / most_sampled_faces + 1;
+        Relation relation = Relation::same_place;
+        for (int i = 0; i < faces; i += step) {
+            const auto corners = mesh_.X(mesh_.F.row(faces_.begin(s)[i]), Eigen::all);
+            const Vector3 centroid = corners.colwise().mean();
+            for (const Vector3& p : {centroid, Vector3(corners.row(0)), Vector3(corners.row(1)), Vector3(corners.row(2))}) {
+                const bool outside = surface.is_outside(p);
+                if ((!outside && relation == Relation::inside) || surface.is_near(p, near)) continue;
+                if (outside) return Relation::outside;
+                relation = Relation::inside;
+            }
+            if (visits_ > most_visits) break;
+        }
+        return relation;
+    }
+
+    const ShellSurface& surface_of(int s) {
+        auto& surface = surfaces_[at(s)];
+        if (!surface) surface = std::make_unique<ShellSurface>(mesh_, flip_, faces_.begin(s), faces_.end(s), visits_);
+        return *surface;
+    }
+
+    const TriangleMesh& mesh_;
+    const std::vector<char>& flip_;
+    const Shells& shells_;
+    Incidence faces_;   // of each shell
+    std::vector<Box> boxes_;
+    std::vector<std::unique_ptr<ShellSurface>> surfaces_;   // built where they are asked for
+    double farthest_ = 0;                                   // largest coordinate
+    long visits_ = 0;
+};
+
+}   // namespace
+
+std::vector<Turn> turns_by_nesting(const TriangleMesh& mesh, const std::vector<char>& flip, const Shells& shells) {
+    return Nesting(mesh, flip, shells).turns();
+}
+
+}   // namespace meshfolio
