@@ -85,8 +85,10 @@ ChosenStep chosen_step(const TriangleMesh& mesh, SmoothingOptions options, std::
         chosen.warning = "step = " + plain_text(options.lambda) + " is beyond the largest stable step of " + plain_text(critical) +
                          "; the highest modes will grow";
     } else if (is_taubin) {
-        const double growth = std::abs((1 - options.lambda * top.value) * (1 - taubin_mu_of(laplacian, options) * top.value));
-        if (growth > 1) chosen.warning = "each iteration multiplies the highest mode by " + plain_text(growth, 4) + "; take a smaller step";
+        const TaubinGrowth growth = taubin_growth(laplacian, options);
+        chosen.warning = growth.warning(options.iterations);
+        if (!chosen.warning.empty())
+            chosen.warning += growth.of_highest_mode ? "; take a smaller step" : "; take fewer iterations, or mu nearer to minus step";
     }
     return chosen;
 }
