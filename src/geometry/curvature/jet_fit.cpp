@@ -21,12 +21,12 @@ constexpr int coefficients = 10;   // of a cubic in two variables
 /// A smallest singular value below this share of the largest column says that the points lie near a common cubic.
 constexpr double determined_from = 1e-6;
 
-/// What a cubic cannot follow, the residual of length |r|, may change second derivatives by up to gain · |r|, gain the norm of their rows
-/// of the pseudoinverse: 1 to 3 for two rings of even triangles, (width/length)⁻² times that for thin ones. Fits of a larger gain are
+/// What a cubic cannot follow, the residual r, may change second derivatives by up to gain · |r|, gain the norm of their rows of the
+/// pseudoinverse: 2 to 8 for two rings of even triangles, (length/width)² times that for thin ones. Thin samples of a larger gain are
 /// trusted if that is little: of the largest second derivative, or of a bend by one radian over the sample.
-constexpr double harmless_gain = 8, relative_error_at_most = 0.25, error_at_most = 0.15;
+constexpr double harmless_gain = 8, relative_error_at_most = 0.25, error_at_most = 0.05;
 
-constexpr int most_rings = 4;
+constexpr int most_rings = 3;
 
 struct HK {
     double H = undefined, K = undefined;
@@ -87,11 +87,17 @@ private:
         return unit;
     }
 
+    Eigen::Matrix2d moments() const { return local_.leftCols<2>().transpose() * local_.leftCols<2>(); }
+    /// Whether the sample is less than half as wide as it is long: (λ_min/λ_max of its moments)^½ < ½.
+    bool is_thin() const {
+        const Eigen::Vector2d squared = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>().computeDirect(moments()).eigenvalues();
+        return squared[0] < 0.25 * squared[1];
+    }
+
     /// Along the principal axes of the sample and scaled to a square, in which thin triangles hide no coefficient from the rank.
     HK jet_of_scaled_sample() {
-        const Eigen::Matrix2d moments = local_.leftCols<2>().transpose() * local_.leftCols<2>();
         Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-        axes.topLeftCorner<2, 2>() = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>().computeDirect(moments).eigenvectors();
+        axes.topLeftCorner<2, 2>() = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>().computeDirect(moments()).eigenvectors();
         local_ = (local_ * axes).eval();
         const double x = local_.col(0).cwiseAbs().maxCoeff(), y = local_.col(1).cwiseAbs().maxCoeff();
         return x > 0 && y > 0 ? trusted_jet(x, y) : HK{};
@@ -107,7 +113,8 @@ private:
         const Vector3 second = Vector3(2 * a[3], a[4], 2 * a[5]).cwiseProduct(per_unit);
         const double gain = spread.cwiseProduct(per_unit).maxCoeff();
         const double error = gain * reduced_.col(coefficients).tail(reduced_.rows() - coefficients).norm();
-        if (gain > harmless_gain && error > std::max(error_at_most, relative_error_at_most * second.cwiseAbs().maxCoeff())) return {};
+        if (gain > harmless_gain && is_thin() && error > std::max(error_at_most, relative_error_at_most * second.cwiseAbs().maxCoeff()))
+            return {};
         return curvature_of_graph(a[1] / x_unit, a[2] / y_unit, second[0], second[1], second[2]);
     }
 

@@ -121,7 +121,7 @@ TEST(OneMesh, InspectionTellsJoinedVerticesFromOtherTrianglesWithoutArea) {
         TriangleMesh mesh{Positions(5, 3), Faces(6, 3)};
         mesh.X << 1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1, last.transpose();
         mesh.F << 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 4, 0, 3, 4, 2, 4, 3;
-        return inspect_mesh(prepare_mesh({mesh, {}, {}}, "pair.obj"), OperatorKind::cotan, [](std::string_view) {});
+        return inspect_mesh(prepare_mesh({mesh, "pair.obj", {}, {}}), OperatorKind::cotan, [](std::string_view) {});
     };
     const Inspection pair = inspected({-1, -1, 1}), line = inspected({0, 0, 1});
     EXPECT_EQ(pair.facts.counts.zero_area_faces, 2);
