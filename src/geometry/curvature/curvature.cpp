@@ -73,13 +73,12 @@ Vector uniform_H(const TriangleMesh& mesh, const MeshTopology& topology) {
 
 Vector uniform_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology) {
     require_size("uniform_mean_curvature", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
-    return on_joined_vertices(mesh, topology,
-                              [](const auto& joined, const auto& around, const auto&) { return uniform_H(joined, around); });
+    return on_joined_vertices(mesh, topology, coincident_vertices(mesh), uniform_H);
 }
 
 Vector uniform_mean_curvature_scaled(const TriangleMesh& mesh, const MeshTopology& topology) {
     require_size("uniform_mean_curvature_scaled", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
-    return on_joined_vertices(mesh, topology, [](const auto& joined, const auto& around, const auto&) -> Vector {
+    return on_joined_vertices(mesh, topology, coincident_vertices(mesh), [](const auto& joined, const auto& around) -> Vector {
         return 4 * uniform_H(joined, around).array() / mean_squared_ring_edge(joined, around).array();
     });
 }
@@ -87,7 +86,7 @@ Vector uniform_mean_curvature_scaled(const TriangleMesh& mesh, const MeshTopolog
 Vector cotangent_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const LaplaceBeltrami& laplacian) {
     require_size("cotangent_mean_curvature", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
     require_size("cotangent_mean_curvature", "operator", laplacian.M.size(), mesh);
-    return on_joined_vertices(mesh, topology, [&](const auto& joined, const auto& around, const auto&) {
+    return on_joined_vertices(mesh, topology, laplacian.copies, [&](const auto& joined, const auto& around) {
         const Vector M = summed_at_first(laplacian.copies, laplacian.M);
         return mean_curvature_from(joined, around, [&](int i) -> Vector3 {
             if (!(M[i] > 0)) return Vector3::Constant(undefined);
@@ -116,7 +115,8 @@ Vector angle_deficit(const TriangleMesh& mesh, const MeshTopology& topology) {
 
 Vector gaussian_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const Vector& areas) {
     require_size("gaussian_curvature", "areas", areas.size(), mesh);
-    return on_joined_vertices(mesh, topology, [&](const auto& joined, const auto& around, const auto& copies) {
+    const std::vector<VertexCopy> copies = coincident_vertices(mesh);
+    return on_joined_vertices(mesh, topology, copies, [&](const auto& joined, const auto& around) {
         return gaussian_curvature(around, angle_deficit(joined, around), summed_at_first(copies, areas));
     });
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "base/parallel.h"
@@ -14,39 +13,38 @@ namespace meshfolio {
 
 namespace {
 
-constexpr double no_length_squared = std::numeric_limits<double>::epsilon();   // of the longest edge
-
 using Corners = std::array<Vector3, 3>;
 
 /// Whether all edges clearly have a length, from squares alone. False where the range of a double could decide.
-bool clearly_apart(const Corners& x) {
+bool clearly_apart(const Corners& x, double longest_squared) {
     const double a = (x[2] - x[1]).squaredNorm(), b = (x[0] - x[2]).squaredNorm(), c = (x[1] - x[0]).squaredNorm();
     const double longest = std::max({a, b, c});
-    return longest > 1e-200 && std::min({a, b, c}) > no_area * longest;
+    return longest > 1e-200 && std::min({a, b, c}) > std::max(no_area, longest_squared) * longest;
 }
 
 /// Calls join(k, l) for the corners at the ends of each edge without length.
 template <class Join>
-void for_each_edge_without_length(const Corners& x, Join join) {
+void for_each_edge_without_length(const Corners& x, double longest_squared, Join join) {
     const Vector3 u = x[1] - x[0], v = x[2] - x[0];
     const double extent = std::max(u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
     const double unit = extent > 0 ? extent : 1;
     const TriangleShape shape = triangle_shape(Vector3::Zero(), u / unit, v / unit);
-    const double share = shape.degenerate() ? no_area : no_length_squared;
+    const double share = shape.degenerate() ? std::max(no_area, longest_squared) : longest_squared;
     for (std::size_t k = 0; k < 3; ++k)
         if (shape.squared_edge[k] <= share * shape.longest_squared_edge()) join((k + 1) % 3, (k + 2) % 3);
 }
 
 }   // namespace
 
-std::vector<VertexCopy> coincident_vertices(const TriangleMesh& mesh) {
+std::vector<VertexCopy> coincident_vertices(const TriangleMesh& mesh, double longest) {
+    const double longest_squared = longest * longest;
     const auto joined_in = of_blocks(mesh.face_count(), [&](int begin, int end) {
         std::vector<std::pair<int, int>> pairs;
         for (int t = begin; t < end; ++t) {
             prefetch_corners(mesh, t);
             const Corners x{mesh.X.row(mesh.F(t, 0)), mesh.X.row(mesh.F(t, 1)), mesh.X.row(mesh.F(t, 2))};
-            if (clearly_apart(x)) continue;
-            for_each_edge_without_length(x, [&](std::size_t k, std::size_t l) {
+            if (clearly_apart(x, longest_squared)) continue;
+            for_each_edge_without_length(x, longest_squared, [&](std::size_t k, std::size_t l) {
                 pairs.emplace_back(mesh.F(t, static_cast<int>(k)), mesh.F(t, static_cast<int>(l)));
             });
         }

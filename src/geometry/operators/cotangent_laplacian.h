@@ -39,10 +39,10 @@ struct LaplaceBeltrami {
     Vector M;         // n lumped masses A_i; 0 at unreferenced vertices; coincident vertices share theirs equally [length²]
     std::vector<VertexCopy> copies = {};   // coincident_vertices() of the mesh
 };
-/// assemble(mesh) of the mesh with its coincident vertices joined.
+/// assemble(mesh) of the mesh with its coincident vertices joined. @param longest  of the edges that have no length
 template <class Assemble>
-LaplaceBeltrami assembled_joined(const TriangleMesh& mesh, Assemble assemble) {
-    std::vector<VertexCopy> copies = coincident_vertices(mesh);
+LaplaceBeltrami assembled_joined(const TriangleMesh& mesh, Assemble assemble, double longest = no_length) {
+    std::vector<VertexCopy> copies = coincident_vertices(mesh, longest);
     if (copies.empty()) return assemble(mesh);
     LaplaceBeltrami laplacian = assemble(with_joined_vertices(mesh, copies));
     share_equally(copies, laplacian.M);

@@ -97,11 +97,15 @@ LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, Ar
                 return {edge_normalised_laplacian(joined), ones_in_use(joined)};
             });
         case OperatorKind::idt:
-            return assembled_joined(mesh, [&](const TriangleMesh& joined) { return intrinsic_delaunay_laplacian(joined, area); });
+            return assembled_joined(
+                mesh, [&](const TriangleMesh& joined) { return intrinsic_delaunay_laplacian(joined, area); }, no_length_to_flips);
         case OperatorKind::idt_original_mass:
-            return assembled_joined(mesh, [&](const TriangleMesh& joined) -> LaplaceBeltrami {
-                return {intrinsic_delaunay_laplacian(joined, area).C, vertex_areas(joined, area)};
-            });
+            return assembled_joined(
+                mesh,
+                [&](const TriangleMesh& joined) -> LaplaceBeltrami {
+                    return {intrinsic_delaunay_laplacian(joined, area).C, vertex_areas(joined, area)};
+                },
+                no_length_to_flips);
         case OperatorKind::tufted:
             return assembled_joined(mesh, [&](const TriangleMesh& joined) { return tufted_laplacian(joined, area); });
     }

@@ -147,7 +147,7 @@ TEST(CoincidentVertices, AreTheLimitOfAClosingGap) {
     for (const TriangleMesh& mesh : {regular_tetrahedron(), irregular_sphere(2), irregular_plane(6)}) {
         const int a = mesh.F(1, 0), c = mesh.F(1, 1);
         const Vector3 along = (mesh.X.row(c) - mesh.X.row(a)).normalized();
-        for (const OperatorKind kind : {OperatorKind::cotan, OperatorKind::cotan_no_half, OperatorKind::tufted}) {
+        for (const OperatorKind kind : {OperatorKind::cotan, OperatorKind::cotan_no_half, OperatorKind::idt, OperatorKind::tufted}) {
             const Vector closed = eigenvalues_of(mesh, kind);
             const SmoothingOptions options = small_steps(mesh, SmoothingScheme::implicit_euler, kind);
             const Positions smoothed = smooth(mesh, options).X;
