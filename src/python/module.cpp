@@ -223,7 +223,9 @@ PYBIND11_MODULE(_core, m) {
           "A dict of n float64 each, NaN where undefined: area [length^2], h_uniform [length], k_gauss [1/length^2], h_cotan and\n"
           "h_uniform_scaled [1/length]; with jets also h_jet, k_jet; h_<operator> of another operator.");
     m.def("laplacian", &laplacian_of, "mesh"_a, py::kw_only(), "operator"_a = "cotan", "area"_a = "barycentric",
-          "C (n x n, scipy.sparse, negative semidefinite) and M (n masses [length^2]) of the operator M^-1 C.");
+          "C (n x n, scipy.sparse, negative semidefinite) and M (n masses [length^2]) of the operator M^-1 C. Of vertices that edges "
+          "without\n"
+          "length join, the first has the row and the mass of all; the others, like unreferenced vertices, have zeros.");
     m.def("spectrum", &spectrum, "mesh"_a, "k"_a, py::kw_only(), "operator"_a = "cotan", "area"_a = "barycentric",
           "The k smallest eigenpairs, M-orthonormal, and whether they are proved complete.");
     m.def("smooth", &smooth_mesh, "mesh"_a, "step"_a = py::none(), py::kw_only(), "scheme"_a = "explicit", "operator"_a = "cotan",
