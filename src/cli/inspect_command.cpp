@@ -90,9 +90,12 @@ std::string in_words(const Inspection& inspection) {
         line("Gauss-Bonnet", "sum of deficits / 2 pi = " + plain_text(inspection.deficits_over_2pi(), 12) +
                                  (p.manifold() ? ", off by " + plain_text(inspection.facts.gauss_bonnet_residual, 2) : ", not manifold"));
     if (inspection.stability) text += in_words(*inspection.stability);
+    if (inspection.joined_vertices > 0)
+        text += line("joined vertices",
+                     std::to_string(inspection.joined_vertices) + " at the end of an edge without length: one with its other end");
     if (inspection.floored) {
         text += line("with zero-area faces", plain_text(*inspection.floored, 8) +
-                                                 " if their cotangents counted, cut off at 1e12; flip edges, or take --operator idt");
+                                                 " if their cotangents counted, cut off at 1e12; flip edges, or take --operator tufted");
     }
     return text + consequences(inspection.facts);
 }

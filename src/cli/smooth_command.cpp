@@ -92,8 +92,10 @@ double step_of(const SmoothFlags& options, const SmoothingOptions& smoothing, co
 }
 
 void warn_of_taubin(const SmoothingOptions& smoothing, const TriangleMesh& mesh) {
-    const double growth = taubin_growth(laplace_operator(mesh, smoothing.laplacian), smoothing);
-    if (growth > 1) warn("each iteration multiplies the highest mode by " + plain_text(growth, 4) + "; take a smaller --lambda");
+    const TaubinGrowth growth = taubin_growth(laplace_operator(mesh, smoothing.laplacian), smoothing);
+    const std::string text = growth.warning(smoothing.iterations);
+    if (text.empty()) return;
+    warn(text + (growth.of_highest_mode ? "; take a smaller --lambda" : "; take fewer --iterations, or --mu nearer to minus lambda"));
 }
 
 /// Warns if a rebuilt operator made the step unstable, or if steps were cut.

@@ -85,8 +85,10 @@ ChosenStep chosen_step(const TriangleMesh& mesh, SmoothingOptions options, std::
         chosen.warning = "step = " + plain_text(options.lambda) + " is beyond the largest stable step of " + plain_text(critical) +
                          "; the highest modes will grow";
     } else if (is_taubin) {
-        const double growth = std::abs((1 - options.lambda * top.value) * (1 - taubin_mu_of(laplacian, options) * top.value));
-        if (growth > 1) chosen.warning = "each iteration multiplies the highest mode by " + plain_text(growth, 4) + "; take a smaller step";
+        const TaubinGrowth growth = taubin_growth(laplacian, options);
+        chosen.warning = growth.warning(options.iterations);
+        if (!chosen.warning.empty())
+            chosen.warning += growth.of_highest_mode ? "; take a smaller step" : "; take fewer iterations, or mu nearer to minus step";
     }
     return chosen;
 }
@@ -223,7 +225,9 @@ PYBIND11_MODULE(_core, m) {
           "A dict of n float64 each, NaN where undefined: area [length^2], h_uniform [length], k_gauss [1/length^2], h_cotan and\n"
           "h_uniform_scaled [1/length]; with jets also h_jet, k_jet; h_<operator> of another operator.");
     m.def("laplacian", &laplacian_of, "mesh"_a, py::kw_only(), "operator"_a = "cotan", "area"_a = "barycentric",
-          "C (n x n, scipy.sparse, negative semidefinite) and M (n masses [length^2]) of the operator M^-1 C.");
+          "C (n x n, scipy.sparse, negative semidefinite) and M (n masses [length^2]) of the operator M^-1 C. Of vertices that edges "
+          "without\n"
+          "length join, the first has the row and the mass of all; the others, like unreferenced vertices, have zeros.");
     m.def("spectrum", &spectrum, "mesh"_a, "k"_a, py::kw_only(), "operator"_a = "cotan", "area"_a = "barycentric",
           "The k smallest eigenpairs, M-orthonormal, and whether they are proved complete.");
     m.def("smooth", &smooth_mesh, "mesh"_a, "step"_a = py::none(), py::kw_only(), "scheme"_a = "explicit", "operator"_a = "cotan",

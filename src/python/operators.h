@@ -35,6 +35,7 @@ inline py::tuple laplacian_of(const Mesh& mesh, const std::string& laplacian, co
     const AreaForm form = area_of(area);
     const OperatorKind kind = operator_of(laplacian);
     auto found = interruptible([=, of = mesh.prepared](const Stop&) { return laplace_operator(of->mesh, kind, form); });
+    found.M = summed_at_first(found.copies, std::move(found.M));   // the mass where the row is
     return py::make_tuple(py::cast(std::move(found.C)), py::cast(std::move(found.M)));
 }
 

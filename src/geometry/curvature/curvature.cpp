@@ -59,10 +59,8 @@ Vector3 stiffness_times_positions(const SparseMatrix& C, const Positions& X, int
     return sum;
 }
 
-}   // namespace
-
-Vector uniform_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology) {
-    require_size("uniform_mean_curvature", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
+/// Of a mesh without coincident vertices.
+Vector uniform_H(const TriangleMesh& mesh, const MeshTopology& topology) {
     const Incidence& ring = topology.neighbours;
     return mean_curvature_from(mesh, topology, [&](int i) -> Vector3 {
         Vector3 sum = Vector3::Zero();
@@ -71,17 +69,29 @@ Vector uniform_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topo
     });
 }
 
+}   // namespace
+
+Vector uniform_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology) {
+    require_size("uniform_mean_curvature", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
+    return on_joined_vertices(mesh, topology, coincident_vertices(mesh), uniform_H);
+}
+
 Vector uniform_mean_curvature_scaled(const TriangleMesh& mesh, const MeshTopology& topology) {
-    const Vector h2 = mean_squared_ring_edge(mesh, topology);
-    return (4 * uniform_mean_curvature(mesh, topology).array() / h2.array()).matrix();
+    require_size("uniform_mean_curvature_scaled", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
+    return on_joined_vertices(mesh, topology, coincident_vertices(mesh), [](const auto& joined, const auto& around) -> Vector {
+        return 4 * uniform_H(joined, around).array() / mean_squared_ring_edge(joined, around).array();
+    });
 }
 
 Vector cotangent_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const LaplaceBeltrami& laplacian) {
     require_size("cotangent_mean_curvature", "topology", static_cast<Eigen::Index>(topology.on_boundary.size()), mesh);
     require_size("cotangent_mean_curvature", "operator", laplacian.M.size(), mesh);
-    return mean_curvature_from(mesh, topology, [&](int i) -> Vector3 {
-        if (!(laplacian.M[i] > 0)) return Vector3::Constant(undefined);
-        return stiffness_times_positions(laplacian.C, mesh.X, i) / laplacian.M[i];
+    return on_joined_vertices(mesh, topology, laplacian.copies, [&](const auto& joined, const auto& around) {
+        const Vector M = summed_at_first(laplacian.copies, laplacian.M);
+        return mean_curvature_from(joined, around, [&](int i) -> Vector3 {
+            if (!(M[i] > 0)) return Vector3::Constant(undefined);
+            return stiffness_times_positions(laplacian.C, joined.X, i) / M[i];
+        });
     });
 }
 
@@ -105,7 +115,10 @@ Vector angle_deficit(const TriangleMesh& mesh, const MeshTopology& topology) {
 
 Vector gaussian_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const Vector& areas) {
     require_size("gaussian_curvature", "areas", areas.size(), mesh);
-    return gaussian_curvature(topology, angle_deficit(mesh, topology), areas);
+    const std::vector<VertexCopy> copies = coincident_vertices(mesh);
+    return on_joined_vertices(mesh, topology, copies, [&](const auto& joined, const auto& around) {
+        return gaussian_curvature(around, angle_deficit(joined, around), summed_at_first(copies, areas));
+    });
 }
 
 Vector gaussian_curvature(const MeshTopology& topology, const Vector& deficits, const Vector& areas) {

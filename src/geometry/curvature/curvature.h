@@ -1,5 +1,6 @@
 /// @file
-/// Discrete curvature at vertices. Undefined values (boundary, non-manifold or unreferenced vertices, area ≤ 0) are NaN.
+/// Discrete curvature at vertices. Coincident vertices (operators/coincident_vertices.h) have that of the point they are: one normal, one
+/// area, one angle deficit. Undefined values (boundary, non-manifold or unreferenced vertices, area ≤ 0) are NaN.
 #pragma once
 
 #include "geometry/operators/cotangent_laplacian.h"
@@ -17,11 +18,12 @@ Vector uniform_mean_curvature_scaled(const TriangleMesh& mesh, const MeshTopolog
 Vector cotangent_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const LaplaceBeltrami& laplacian);
 
 /// Angle deficit: 2π − Σθ inside, π − Σθ on the boundary, where it is the turning of the boundary and not curvature. n values, 0 at
-/// unreferenced vertices. Their sum is 2πχ on every manifold mesh (Gauss–Bonnet). [rad]
+/// unreferenced vertices. Their sum is 2πχ on every manifold mesh (Gauss–Bonnet). Each of coincident
+/// vertices has its own here. [rad]
 Vector angle_deficit(const TriangleMesh& mesh, const MeshTopology& topology);
 /// K = (2π − Σθ)/A_i; NaN on the boundary. [1/length²]
 Vector gaussian_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const Vector& areas);
-/// The same from angle_deficit(), which several choices of areas share. @param deficits  n [rad] @param areas  n [length²]
+/// The same from angle_deficit() vertex by vertex, which several choices of areas share. @param deficits  n [rad] @param areas  n [length²]
 Vector gaussian_curvature(const MeshTopology& topology, const Vector& deficits, const Vector& areas);
 
 }   // namespace meshfolio

@@ -1,7 +1,8 @@
 #include "geometry/curvature/jet_fit.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "base/parallel.h"
 #include "geometry/curvature/two_rings.h"
 #include "geometry/linear/special_values.h"
+#include "geometry/operators/coincident_vertices.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -16,8 +18,15 @@ namespace {
 
 constexpr int coefficients = 10;   // of a cubic in two variables
 
-/// Pivots below this share of the largest say that the points lie near a common cubic.
+/// A smallest singular value below this share of the largest column says that the points lie near a common cubic.
 constexpr double determined_from = 1e-6;
+
+/// What a cubic cannot follow, the residual r, may change second derivatives by up to gain · |r|, gain the norm of their rows of the
+/// pseudoinverse: 2 to 8 for two rings of even triangles, (length/width)² times that for thin ones. Thin samples of a larger gain are
+/// trusted if that is little: of the largest second derivative, or of a bend by one radian over the sample.
+constexpr double harmless_gain = 8, relative_error_at_most = 0.25, error_at_most = 0.05;
+
+constexpr int most_rings = 3;
 
 struct HK {
     double H = undefined, K = undefined;
@@ -47,25 +56,25 @@ public:
     JetFitter(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals)
         : mesh_(mesh), topology_(topology), normals_(normals) {}
 
+    /// Of two rings as they are; where that is not trusted, of samples scaled to a square, with more rings one after the other.
     HK at(int v) {
+        if (!(normals_.row(v).squaredNorm() > 0)) return {};
         collect_two_rings(topology_.neighbours, v, points_);
-        if (points_.size() < coefficients || !(normals_.row(v).squaredNorm() > 0)) return {};
-        const double unit = read_points(v);
-        if (!(unit > 0)) return {};
-        Coefficients a;
-        if (!fitted(a)) {
-            qr_.compute(table_.leftCols<coefficients>());
-            qr_.setThreshold(determined_from);
-            if (qr_.rank() < coefficients) return {};
-            a = qr_.solve(table_.col(coefficients));
+        for (int rings = 2; rings <= most_rings; ++rings) {
+            if (rings > 2) collect_next_ring(topology_.neighbours, points_);
+            if (points_.size() < coefficients) continue;
+            const double unit = read_points(v);
+            if (!(unit > 0)) return {};
+            HK jet = rings == 2 ? trusted_jet(1, 1) : HK{};
+            if (std::isnan(jet.H)) jet = jet_of_scaled_sample();
+            if (!std::isnan(jet.H)) return {jet.H / unit, jet.K / (unit * unit)};
         }
-        const HK scaled = curvature_of_graph(a[1], a[2], 2 * a[3], a[4], 2 * a[5]);
-        return {scaled.H / unit, scaled.K / (unit * unit)};
+        return {};
     }
 
 private:
-    /// Monomials 1, x, y, x², xy, y², x³, x²y, xy², y³ and heights of the points in the frame of v, in the unit that is returned: the
-    /// largest distance from v along the plane, so that no power of it leaves the range.
+    /// Coordinates of the points in the frame of v, in the unit that is returned: the largest distance from v along the plane, so that no
+    /// power of it leaves the range.
     double read_points(int v) {
         const Eigen::Matrix3d frame = frame_of(normals_.row(v).transpose());
         const auto n = static_cast<Eigen::Index>(points_.size());
@@ -75,17 +84,52 @@ private:
         const double unit = local_.leftCols<2>().rowwise().norm().maxCoeff();
         if (!(unit > 0)) return 0;
         local_ /= unit;
-        table_.resize(n, coefficients + 1);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const double x = local_(i, 0), y = local_(i, 1);
-            table_.row(i) << 1, x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y, local_(i, 2);
-        }
         return unit;
     }
 
-    /// The fit without pivots, which Eigen makes slow; false where it cannot be sure that pivots would find the points determined:
-    /// their smallest is no less than the smallest singular value, and that no less than 1/‖R⁻¹‖.
-    bool fitted(Coefficients& a) {
+    Eigen::Matrix2d moments() const { return local_.leftCols<2>().transpose() * local_.leftCols<2>(); }
+    /// Whether the sample is less than half as wide as it is long: (λ_min/λ_max of its moments)^½ < ½.
+    bool is_thin() const {
+        const Eigen::Vector2d squared = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>().computeDirect(moments()).eigenvalues();
+        return squared[0] < 0.25 * squared[1];
+    }
+
+    /// Along the principal axes of the sample and scaled to a square, in which thin triangles hide no coefficient from the rank.
+    HK jet_of_scaled_sample() {
+        Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+        axes.topLeftCorner<2, 2>() = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>().computeDirect(moments()).eigenvectors();
+        local_ = (local_ * axes).eval();
+        const double x = local_.col(0).cwiseAbs().maxCoeff(), y = local_.col(1).cwiseAbs().maxCoeff();
+        return x > 0 && y > 0 ? trusted_jet(x, y) : HK{};
+    }
+
+    /// H and K of the fit in x/x_unit and y/y_unit; NaN where it is not determined or not trusted.
+    HK trusted_jet(double x_unit, double y_unit) {
+        fill_table(x_unit, y_unit);
+        Coefficients a;
+        Vector3 spread;   // of 2a₃, a₄, 2a₅ for heights of length 1
+        if (!fitted(a, spread)) return {};
+        const Vector3 per_unit(1 / (x_unit * x_unit), 1 / (x_unit * y_unit), 1 / (y_unit * y_unit));
+        const Vector3 second = Vector3(2 * a[3], a[4], 2 * a[5]).cwiseProduct(per_unit);
+        const double gain = spread.cwiseProduct(per_unit).maxCoeff();
+        const double error = gain * reduced_.col(coefficients).tail(reduced_.rows() - coefficients).norm();
+        if (gain > harmless_gain && is_thin() && error > std::max(error_at_most, relative_error_at_most * second.cwiseAbs().maxCoeff()))
+            return {};
+        return curvature_of_graph(a[1] / x_unit, a[2] / y_unit, second[0], second[1], second[2]);
+    }
+
+    /// Monomials 1, x, y, x², xy, y², x³, x²y, xy², y³ and heights of the points.
+    void fill_table(double x_unit, double y_unit) {
+        table_.resize(local_.rows(), coefficients + 1);
+        for (Eigen::Index i = 0; i < local_.rows(); ++i) {
+            const double x = local_(i, 0) / x_unit, y = local_(i, 1) / y_unit;
+            table_.row(i) << 1, x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y, local_(i, 2);
+        }
+    }
+
+    /// The fit by Householder reflections without pivots, which Eigen makes slow; false where the points may not determine it: the smallest
+    /// singular value is no less than 1/‖R⁻¹‖. @param spread  ‖rows of the pseudoinverse‖ of the second derivatives
+    bool fitted(Coefficients& a, Vector3& spread) {
         reduced_ = table_;
         Eigen::Matrix<double, coefficients, coefficients> inverse;   // of R, upper triangle
         const double largest = reduced_.leftCols<coefficients>().colwise().squaredNorm().maxCoeff();
@@ -109,6 +153,7 @@ private:
         if (!(squares * largest * determined_from * determined_from < 1)) return false;
         for (int i = 0; i < coefficients; ++i)
             a[i] = inverse.row(i).tail(coefficients - i).dot(reduced_.col(coefficients).segment(i, coefficients - i));
+        for (int i = 0; i < 3; ++i) spread[i] = (i == 1 ? 1 : 2) * inverse.row(3 + i).tail(coefficients - 3 - i).norm();
         return true;
     }
 
@@ -118,14 +163,11 @@ private:
     std::vector<int> points_;
     Positions local_;
     Table table_, reduced_;   // monomials of the points and their heights; the same as the fit leaves it
-    Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, coefficients>> qr_;
 };
 
-}   // namespace
-
-JetCurvature jet_curvature(const TriangleMesh& mesh, const MeshTopology& topology) {
+/// Of a mesh without coincident vertices.
+JetCurvature jets_of(const TriangleMesh& mesh, const MeshTopology& topology) {
     const int n = mesh.vertex_count();
-    if (static_cast<int>(topology.nonmanifold.size()) != n) throw MeshError("jet_curvature: the topology is of another mesh");
     const Positions normals = vertex_normals(mesh);
     JetCurvature jets{Vector::Constant(n, undefined), Vector::Constant(n, undefined), 0};
     for_blocks(n, [&](int, int begin, int end) {
@@ -137,6 +179,19 @@ JetCurvature jet_curvature(const TriangleMesh& mesh, const MeshTopology& topolog
             jets.K[v] = jet.K;
         }
     });
+    return jets;
+}
+
+}   // namespace
+
+JetCurvature jet_curvature(const TriangleMesh& mesh, const MeshTopology& topology) {
+    const int n = mesh.vertex_count();
+    if (static_cast<int>(topology.nonmanifold.size()) != n) throw MeshError("jet_curvature: the topology is of another mesh");
+    const std::vector<VertexCopy> copies = coincident_vertices(mesh);
+    const TriangleMesh joined = copies.empty() ? TriangleMesh() : with_joined_vertices(mesh, copies);
+    JetCurvature jets = copies.empty() ? jets_of(mesh, topology) : jets_of(joined, topology_of(joined));
+    spread(copies, jets.H);
+    spread(copies, jets.K);
     for (int v = 0; v < n; ++v) jets.unfitted += topology.vertex_faces.size(v) > 0 && std::isnan(jets.H[v]) ? 1 : 0;
     return jets;
 }

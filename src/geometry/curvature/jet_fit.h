@@ -15,7 +15,8 @@ struct JetCurvature {
 /// H and K of the degree-3 polynomial that fits, in least squares, the heights of a vertex and its two rings over the plane of its
 /// area-weighted normal. Second derivatives are O(h²) on any triangulation of points on a smooth surface. Boundary vertices have one,
 /// from the side where there are neighbours.
-/// NaN where ten coefficients are not determined (fewer than ten points, or points near a common cubic) and at non-manifold vertices.
+/// Where two rings do not determine it, or would turn what a cubic cannot follow into curvature, as long thin triangles do, up to four
+/// rings are taken. NaN where these do not help, where there are fewer than ten points, and at non-manifold vertices.
 /// @throws MeshError if the topology is of another mesh
 JetCurvature jet_curvature(const TriangleMesh& mesh, const MeshTopology& topology);
 

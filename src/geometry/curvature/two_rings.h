@@ -18,4 +18,12 @@ inline void collect_two_rings(const Incidence& ring, int v, std::vector<int>& po
     points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
+/// And the neighbours of all of them.
+inline void collect_next_ring(const Incidence& ring, std::vector<int>& points) {
+    const std::vector<int> inside = points;
+    for (const int p : inside) points.insert(points.end(), ring.begin(p), ring.end(p));
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
 }   // namespace meshfolio

@@ -44,7 +44,7 @@ DenoisingPrediction by_modes(const LaplaceBeltrami& laplacian, const Positions& 
     const DenseMatrix B = MPhi.transpose() * MPhi;
     const Vector B_diagonal = B.diagonal();
     const DenseMatrix GB = (Phi.transpose() * Phi).cwiseProduct(B);
-    const double unmoved = static_cast<double>(X.rows() - modes);   // vertices without mass
+    const auto unmoved = static_cast<double>((M.array() == 0).count());   // vertices without mass
     const Vector h = (1 + options.lambda * spectrum.eigenvalues.array()).inverse();
 
     DenoisingPrediction prediction{empty_error(options.iterations, M.sum()), empty_error(options.iterations, static_cast<double>(X.rows())),

@@ -96,10 +96,11 @@ double largest_relative_change(const Vector& eigenvalues, const Vector& referenc
 double linear_precision(const LaplaceBeltrami& laplacian, const TriangleMesh& mesh, const MeshTopology& topology) {
     const Box box = bounding_box(mesh);
     const Positions CX = laplacian.C * (mesh.X.rowwise() - box.centre().transpose());
+    const Vector M = summed_at_first(laplacian.copies, laplacian.M);
     double largest = undefined;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
-        if (!is_flat(mesh, topology, v) || !(laplacian.M[v] > 0)) continue;
-        largest = std::max(std::isnan(largest) ? 0 : largest, 0.5 * CX.row(v).norm() / laplacian.M[v]);
+        if (!is_flat(mesh, topology, v) || !(M[v] > 0)) continue;
+        largest = std::max(std::isnan(largest) ? 0 : largest, 0.5 * CX.row(v).norm() / M[v]);
     }
     return largest;
 }

@@ -58,6 +58,7 @@ OperatorWithMass reordered(const OperatorWithMass& whole, const std::vector<int>
     const int n = whole.size();
     OperatorWithMass sorted;
     sorted.all_vertices = whole.all_vertices;
+    sorted.copies = whole.copies;
     sorted.M = whole.M(order);
     sorted.vertex.resize(order.size());
     std::vector<int> place(order.size());

@@ -197,11 +197,13 @@ SparseMatrix cotangent_stiffness(const Faces& F, int vertex_count, const CornerV
 }
 
 LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, AreaForm area, const CotangentOptions& options) {
-    return laplacian_of(mesh, area, &TriangleShape::cotangent, options);
+    return assembled_joined(mesh,
+                            [&](const TriangleMesh& joined) { return laplacian_of(joined, area, &TriangleShape::cotangent, options); });
 }
 
 LaplaceBeltrami floored_laplace_beltrami(const TriangleMesh& mesh, AreaForm area) {
-    return laplacian_of(mesh, area, &TriangleShape::floored_cotangent, {});
+    return assembled_joined(mesh,
+                            [&](const TriangleMesh& joined) { return laplacian_of(joined, area, &TriangleShape::floored_cotangent, {}); });
 }
 
 LaplaceBeltrami laplace_beltrami(const Faces& F, int vertex_count, const CornerValues& lengths, AreaForm area,

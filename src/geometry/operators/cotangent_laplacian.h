@@ -8,6 +8,7 @@
 #pragma once
 
 #include "geometry/linear/sparse_types.h"
+#include "geometry/operators/coincident_vertices.h"
 #include "geometry/operators/vertex_areas.h"
 
 namespace meshfolio {
@@ -34,13 +35,24 @@ CornerValues corner_cotangents(const CornerValues& lengths, int* without_area = 
 SparseMatrix cotangent_stiffness(const Faces& F, int vertex_count, const CornerValues& cotangents, const CotangentOptions& options = {});
 
 struct LaplaceBeltrami {
-    SparseMatrix C;   // n × n
-    Vector M;         // n lumped masses A_i; 0 at unreferenced vertices [length²]
+    SparseMatrix C;   // n × n; of coincident vertices, the first has the row of all, the others have rows of zeros
+    Vector M;         // n lumped masses A_i; 0 at unreferenced vertices; coincident vertices share theirs equally [length²]
+    std::vector<VertexCopy> copies = {};   // coincident_vertices() of the mesh
 };
+/// assemble(mesh) of the mesh with its coincident vertices joined. @param longest  of the edges that have no length
+template <class Assemble>
+LaplaceBeltrami assembled_joined(const TriangleMesh& mesh, Assemble assemble, double longest = no_length) {
+    std::vector<VertexCopy> copies = coincident_vertices(mesh, longest);
+    if (copies.empty()) return assemble(mesh);
+    LaplaceBeltrami laplacian = assemble(with_joined_vertices(mesh, copies));
+    share_equally(copies, laplacian.M);
+    laplacian.copies = std::move(copies);
+    return laplacian;
+}
 LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric, const CotangentOptions& options = {});
 /// Keeps a stiffness for triangles without area, cotangents cut off at 1/no_area, to show what that does to the largest stable step.
 LaplaceBeltrami floored_laplace_beltrami(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric);
-/// The same of glued intrinsic triangles with m × 3 edge lengths.
+/// The same as laplace_beltrami of glued intrinsic triangles with m × 3 edge lengths.
 LaplaceBeltrami laplace_beltrami(const Faces& F, int vertex_count, const CornerValues& lengths, AreaForm area = AreaForm::barycentric,
                                  const CotangentOptions& options = {});
 

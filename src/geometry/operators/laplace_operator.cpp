@@ -82,7 +82,7 @@ LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, Ar
         case OperatorKind::cotan:
             return laplace_beltrami(mesh, area);
         case OperatorKind::uniform:
-            return uniform_operator(topology_of(mesh));
+            return uniform_operator(mesh, topology_of(mesh));
         case OperatorKind::cotan_no_half: {
             LaplaceBeltrami laplacian = laplace_beltrami(mesh, area);
             laplacian.C *= 2;
@@ -93,13 +93,21 @@ LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, Ar
         case OperatorKind::opposite_mean:
             return laplace_beltrami(mesh, area, {.opposite = CotangentOptions::OppositeVertices::mean});
         case OperatorKind::edge_normalised:
-            return {edge_normalised_laplacian(mesh), ones_in_use(mesh)};
+            return assembled_joined(mesh, [](const TriangleMesh& joined) -> LaplaceBeltrami {
+                return {edge_normalised_laplacian(joined), ones_in_use(joined)};
+            });
         case OperatorKind::idt:
-            return intrinsic_delaunay_laplacian(mesh, area);
+            return assembled_joined(
+                mesh, [&](const TriangleMesh& joined) { return intrinsic_delaunay_laplacian(joined, area); }, no_length_to_flips);
         case OperatorKind::idt_original_mass:
-            return {intrinsic_delaunay_laplacian(mesh, area).C, vertex_areas(mesh, area)};
+            return assembled_joined(
+                mesh,
+                [&](const TriangleMesh& joined) -> LaplaceBeltrami {
+                    return {intrinsic_delaunay_laplacian(joined, area).C, vertex_areas(joined, area)};
+                },
+                no_length_to_flips);
         case OperatorKind::tufted:
-            return tufted_laplacian(mesh, area);
+            return assembled_joined(mesh, [&](const TriangleMesh& joined) { return tufted_laplacian(joined, area); });
     }
     throw UsageError("laplace_operator: unknown operator");
 }

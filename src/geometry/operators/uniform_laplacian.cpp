@@ -36,6 +36,11 @@ LaplaceBeltrami uniform_operator(const MeshTopology& topology) {
     return {weighted_by_rows(uniform_laplacian(topology), valence), valence};
 }
 
+LaplaceBeltrami uniform_operator(const TriangleMesh& mesh, const MeshTopology& topology) {
+    return assembled_joined(
+        mesh, [&](const TriangleMesh& joined) { return uniform_operator(&joined == &mesh ? topology : topology_of(joined)); });
+}
+
 Vector mean_squared_ring_edge(const TriangleMesh& mesh, const MeshTopology& topology) {
     const Incidence& ring = topology.neighbours;
     Vector mean = Vector::Zero(mesh.X.rows());

@@ -11,6 +11,9 @@ namespace meshfolio {
 SparseMatrix uniform_laplacian(const MeshTopology& topology);
 /// The same as M⁻¹C with the valences as masses: C = D U is symmetric, the graph Laplacian.
 LaplaceBeltrami uniform_operator(const MeshTopology& topology);
+/// The same of a mesh whose coincident vertices are one. It sees no lengths, so that a closing gap does not lead to it: at a gap of 0 they
+/// are joined all the same, as in every operator, because one point has one motion. @param topology  of the mesh as it is
+LaplaceBeltrami uniform_operator(const TriangleMesh& mesh, const MeshTopology& topology);
 
 /// n values: mean of |x_j − x_i|² over the one-ring of i; 0 at unreferenced vertices. [length²]
 /// Δ_uniform x ≈ −½ H h² n with h² this mean, so 4/h² turns ½‖Δ_uniform x‖ (a length) into a curvature.

@@ -10,7 +10,7 @@ namespace meshfolio {
 namespace {
 
 void check_masses(const LaplaceBeltrami& laplacian) {
-    const auto& [C, M] = laplacian;
+    const auto& [C, M, copies] = laplacian;
     if (C.rows() != C.cols() || C.rows() != M.size())
         throw MeshError("the operator has " + std::to_string(C.rows()) + " rows, the mass " + std::to_string(M.size()));
     for (Eigen::Index i = 0; i < M.size(); ++i) {
@@ -26,9 +26,11 @@ void check_masses(const LaplaceBeltrami& laplacian) {
 OperatorWithMass operator_with_mass(const LaplaceBeltrami& laplacian) {
     if (laplacian.M.size() == 0) throw MeshError("the mesh has no vertices");
     check_masses(laplacian);
-    const auto& [C, M] = laplacian;
+    const SparseMatrix& C = laplacian.C;
+    const Vector M = summed_at_first(laplacian.copies, laplacian.M);
     OperatorWithMass reduced;
     reduced.all_vertices = static_cast<int>(M.size());
+    reduced.copies = laplacian.copies;
     std::vector<int> row(static_cast<std::size_t>(M.size()), -1);
     for (int v = 0; v < reduced.all_vertices; ++v) {
         if (!(M[v] > 0)) continue;
@@ -58,6 +60,7 @@ DenseMatrix to_all_vertices(const OperatorWithMass& reduced, const DenseMatrix& 
     DenseMatrix all = DenseMatrix::Zero(reduced.all_vertices, rows.cols());
     for (Eigen::Index c = 0; c < rows.cols(); ++c)
         for (int i = 0; i < reduced.size(); ++i) all(reduced.vertex[static_cast<std::size_t>(i)], c) = rows(i, c);
+    spread(reduced.copies, all);
     return all;
 }
 

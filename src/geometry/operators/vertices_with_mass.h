@@ -1,5 +1,6 @@
 /// @file
-/// The operator on the vertices that carry mass. Unreferenced vertices have none; their equations would be 0 = 0.
+/// The operator on its degrees of freedom: the vertices that carry mass, coincident ones only once. Unreferenced vertices have none; their
+/// equations would be 0 = 0. What solves with an operator solves with this.
 #pragma once
 
 #include <vector>
@@ -9,10 +10,11 @@
 namespace meshfolio {
 
 struct OperatorWithMass {
-    SparseMatrix A;            // −C among them, rows still summing to 0: positive semidefinite [dimensionless]
-    Vector M;                  // their masses, all > 0
-    std::vector<int> vertex;   // row i is vertex vertex[i], ascending
-    int all_vertices = 0;      // rows of the whole mesh
+    SparseMatrix A;                        // −C among them, rows still summing to 0: positive semidefinite [dimensionless]
+    Vector M;                              // their masses, all > 0
+    std::vector<int> vertex;               // row i is vertex vertex[i], ascending
+    int all_vertices = 0;                  // rows of the whole mesh
+    std::vector<VertexCopy> copies = {};   // vertices that have the values of others
 
     int size() const { return static_cast<int>(vertex.size()); }
 };
@@ -20,7 +22,7 @@ struct OperatorWithMass {
 /// @throws MeshError if a mass is negative or not finite, if no vertex has any, or if the sizes of C and M disagree
 OperatorWithMass operator_with_mass(const LaplaceBeltrami& laplacian);
 
-/// Rows of the operator to rows of the whole mesh, 0 elsewhere.
+/// Rows of the operator to rows of the whole mesh, copies included; 0 elsewhere.
 DenseMatrix to_all_vertices(const OperatorWithMass& reduced, const DenseMatrix& rows);
 
 /// Component label of each row, from 0 in order of first vertex; rows are joined by nonzero entries of A.

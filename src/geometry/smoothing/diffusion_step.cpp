@@ -46,7 +46,8 @@ DifferenceRows difference_rows(const OperatorWithMass& whole) {
     return L;
 }
 
-ExplicitDiffusion::ExplicitDiffusion(const OperatorWithMass& whole) : vertex_(whole.vertex), L_(difference_rows(whole)) {}
+ExplicitDiffusion::ExplicitDiffusion(const OperatorWithMass& whole)
+    : vertex_(whole.vertex), copies_(whole.copies), L_(difference_rows(whole)) {}
 
 bool ExplicitDiffusion::step(double lambda, const FourColumns& X, FourColumns& Y, double bound) const {
     constexpr int rows_a_task = 4096;
@@ -64,6 +65,7 @@ Positions ExplicitDiffusion::step(double lambda, const Positions& X) const {
     step(lambda, gathered(X, vertex_), next);
     Positions result = X;
     scatter(next, vertex_, result);
+    spread(copies_, result);
     return result;
 }
 

@@ -39,11 +39,12 @@ public:
     const std::vector<int>& vertex() const { return vertex_; }   // of each row
     /// @return whether all numbers of Y are finite and at most `bound`
     bool step(double lambda, const FourColumns& X, FourColumns& Y, double bound = std::numeric_limits<double>::max()) const;
-    /// n × 3 for the whole mesh; vertices without mass stay.
+    /// n × 3 for the whole mesh; copies go with their vertices, those without mass stay.
     Positions step(double lambda, const Positions& X) const;
 
 private:
     std::vector<int> vertex_;
+    std::vector<VertexCopy> copies_;
     DifferenceRows L_;
 };
 

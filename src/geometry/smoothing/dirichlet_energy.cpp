@@ -42,8 +42,9 @@ EvaluatedEnergy evaluated_energy(const SparseMatrix& C, const Positions& X) {
 /// max_i Σ_j |C_ij|/M_i among the vertices with mass.
 double largest_row(const LaplaceBeltrami& laplacian) {
     double largest = 0;
+    const Vector M = summed_at_first(laplacian.copies, laplacian.M);
     for (int i = 0; i < laplacian.C.outerSize(); ++i)
-        if (laplacian.M[i] > 0) largest = std::max(largest, laplacian.C.col(i).cwiseAbs().sum() / laplacian.M[i]);
+        if (M[i] > 0) largest = std::max(largest, laplacian.C.col(i).cwiseAbs().sum() / M[i]);
     return largest;
 }
 

@@ -92,7 +92,8 @@ ImplicitSolver& ImplicitSolver::operator=(ImplicitSolver&&) noexcept = default;
 
 void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, const Positions& X, double memory_limit, Ranks* ranks) {
     State& s = *state_;
-    const bool known = s.analyses > 0 && whole.vertex == s.whole.vertex && same_pattern(whole.A, s.whole.A);
+    const bool known =
+        s.analyses > 0 && whole.vertex == s.whole.vertex && whole.copies == s.whole.copies && same_pattern(whole.A, s.whole.A);
     if (known && lambda == s.lambda && ranks == nullptr && s.ready != LinearSolver::none && same_numbers(whole, s.whole) &&
         s.fits(memory_limit) == (s.ready == LinearSolver::direct))
         return;
@@ -151,6 +152,7 @@ Positions ImplicitSolver::step(const Positions& X) {
     step(rows);
     Positions result = X;
     scatter(rows, vertex(), result);
+    spread(state_->whole.copies, result);
     return result;
 }
 

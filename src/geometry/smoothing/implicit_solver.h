@@ -34,7 +34,7 @@ public:
     const std::vector<int>& vertex() const;   // of each row
     /// X := X'. @throws SolverError if conjugate gradients do not end
     void step(FourColumns& X);
-    /// n × 3 for the whole mesh; vertices without mass stay.
+    /// n × 3 for the whole mesh; copies go with their vertices, those without mass stay.
     Positions step(const Positions& X);
 
     LinearSolver solver() const;         // that is ready

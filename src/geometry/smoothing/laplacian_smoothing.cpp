@@ -98,6 +98,7 @@ public:
     void rebuild(const TriangleMesh& mesh) {
         const LaplaceBeltrami laplacian = laplace_operator(mesh, options_.laplacian, options_.area);
         const OperatorWithMass whole = operator_with_mass(laplacian);
+        copies_ = whole.copies;
         if (options_.scheme == SmoothingScheme::taubin && taubin_mu_ == 0) taubin_mu_ = taubin_mu_of(laplacian, options_);
         if (options_.scheme == SmoothingScheme::implicit_euler) {
             implicit_.prepare(whole, options_.lambda, mesh.X, options_.memory_limit, options_.ranks);
@@ -116,8 +117,11 @@ public:
         return options_.scheme == SmoothingScheme::implicit_euler ? implicit_.vertex() : explicit_->vertex();
     }
 
+    const std::vector<VertexCopy>& copies() const { return copies_; }
+
 private:
     const SmoothingOptions& options_;
+    std::vector<VertexCopy> copies_;
     LimitWatch limit_;
     ImplicitSolver& implicit_;
     double taubin_mu_ = 0;
@@ -204,6 +208,7 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, Impli
     const auto positions = [&] {
         Positions all = mesh.X;
         scatter_outside(X, diffusion.vertex(), frame, all);
+        spread(diffusion.copies(), all);
         return all;
     };
     const double area = surface_area(current);
@@ -215,6 +220,7 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, Impli
     for (int t = 1; t <= options.iterations && !result.blew_up; ++t) {
         if (rebuild && t > 1) {
             scatter(X, diffusion.vertex(), current.X);
+            spread(diffusion.copies(), current.X);
             if (collapsed(current, area)) {
                 result.collapse_iteration = t;
                 break;
@@ -253,9 +259,21 @@ double taubin_mu_of(const LaplaceBeltrami& laplacian, const SmoothingOptions& op
                     "take a smaller lambda");
 }
 
-double taubin_growth(const LaplaceBeltrami& laplacian, const SmoothingOptions& options) {
-    const double top = largest_eigenvalue(laplacian).value;
-    return std::abs((1 - options.lambda * top) * (1 - taubin_mu_of(laplacian, options) * top));
+/// f(μ) = (1 − λμ)(1 − mμ) with m < 0 is largest at μ = (1/λ + 1/m)/2, half the pass-band; |f| there or at the end of the spectrum.
+TaubinGrowth taubin_growth(const LaplaceBeltrami& laplacian, const SmoothingOptions& options) {
+    const double lambda = options.lambda, m = taubin_mu_of(laplacian, options), top = largest_eigenvalue(laplacian).value;
+    const auto factor = [&](double mu) { return std::abs((1 - lambda * mu) * (1 - m * mu)); };
+    const double middle = std::clamp(0.5 * (1 / lambda + 1 / m), 0.0, top);
+    return factor(top) > factor(middle) ? TaubinGrowth{factor(top), top, true} : TaubinGrowth{factor(middle), middle, false};
+}
+
+std::string TaubinGrowth::warning(int iterations) const {
+    constexpr double material = 1.05;
+    if (of_highest_mode) return factor > 1 ? "each iteration multiplies the highest mode by " + plain_text(factor, 4) : "";
+    const double in_all = std::pow(factor, iterations);
+    if (!(in_all > material)) return "";
+    return "each iteration multiplies modes near mu = " + plain_text(mu, 3) + " by up to " + plain_text(factor, 6) + ", all " +
+           std::to_string(iterations) + " by " + plain_text(in_all, 3) + ": the surface swells";
 }
 
 Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X) {

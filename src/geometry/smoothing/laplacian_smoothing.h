@@ -76,8 +76,17 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, Impli
 /// @throws MeshError if λ is too large for the pass-band
 double taubin_mu_of(const LaplaceBeltrami& laplacian, const SmoothingOptions& options);
 
-/// What an iteration of Taubin's multiplies the highest mode by, |(1 − λμ)(1 − mμ)| at μ_max: beyond 1 it grows. @throws MeshError as above
-double taubin_growth(const LaplaceBeltrami& laplacian, const SmoothingOptions& options);
+/// The largest factor |(1 − λμ)(1 − mμ)| of an iteration of Taubin's over all μ in [0, μ_max]: beyond 1 modes grow.
+struct TaubinGrowth {
+    double factor = 1;              // 1 at least, that of constants
+    double mu = 0;                  // where [1/length²]
+    bool of_highest_mode = false;   // μ = μ_max, where λ is too large; else in the pass-band, which every |m| > λ raises
+
+    /// A sentence where that is to be known: the highest mode grows at all, or modes of the pass-band by 5 % and more. Else empty.
+    std::string warning(int iterations) const;
+};
+/// @throws MeshError as above
+TaubinGrowth taubin_growth(const LaplaceBeltrami& laplacian, const SmoothingOptions& options);
 
 /// X + λLX for a fixed operator, and the solution of (M − λC)X' = MX: the two steps on their own, for tests and studies.
 Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X);

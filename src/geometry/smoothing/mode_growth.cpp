@@ -14,8 +14,9 @@ ModeGrowth mode_growth(const LaplaceBeltrami& laplacian, const LargestEigenvalue
         throw MeshError("growth of a mode: " + std::to_string(X.rows()) + " positions and a mode of " + std::to_string(top.mode.size()) +
                         " values for an operator on " + std::to_string(laplacian.M.size()) + " vertices");
     }
-    const ExplicitDiffusion diffusion(operator_with_mass(laplacian));
-    const Vector weights = laplacian.M.cwiseProduct(top.mode)(diffusion.vertex());   // 0 at vertices without mass
+    const OperatorWithMass whole = operator_with_mass(laplacian);
+    const ExplicitDiffusion diffusion(whole);
+    const Vector weights = whole.M.cwiseProduct(top.mode(whole.vertex));
     const auto amplitude = [&](const FourColumns& Y) {
         Four sum = Four::Zero();
         for (Eigen::Index i = 0; i < Y.rows(); ++i) sum += weights[i] * row_of(Y, i);

@@ -110,7 +110,7 @@ bool grounded_is_definite(const OperatorWithMass& whole, const Rows& rows, int& 
 
 /// The lowest mode, from the top of M⁻¹C.
 Enclosure enclose_bottom(const OperatorWithMass& whole, double nu, double stiffest) {
-    const OperatorWithMass negated{-whole.A, whole.M, whole.vertex, whole.all_vertices};
+    const OperatorWithMass negated{-whole.A, whole.M, whole.vertex, whole.all_vertices, whole.copies};
     const TopEstimate estimate = top_estimate(negated);
     constexpr double width = 1e-6;
     return enclose_largest(negated.A, negated.M, estimate.phi,

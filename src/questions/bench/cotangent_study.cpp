@@ -11,13 +11,15 @@ namespace {
 
 /// ½‖Lx‖ everywhere, boundary included; 0 where there is no area.
 Vector half_laplacian_length(const LaplaceBeltrami& laplacian, const Positions& X) {
+    const Vector M = summed_at_first(laplacian.copies, laplacian.M);
     Vector length = Vector::Zero(X.rows());
     for (Eigen::Index i = 0; i < X.rows(); ++i) {
-        if (!(laplacian.M[i] > 0)) continue;
+        if (!(M[i] > 0)) continue;
         Eigen::RowVector3d pull = Eigen::RowVector3d::Zero();   // Σ C_ij (x_j − x_i): rows sum to 0, so the origin does not matter
         for (SparseMatrix::InnerIterator entry(laplacian.C, i); entry; ++entry) pull += entry.value() * (X.row(entry.row()) - X.row(i));
-        length[i] = 0.5 * pull.norm() / laplacian.M[i];
+        length[i] = 0.5 * pull.norm() / M[i];
     }
+    spread(laplacian.copies, length);
     return length;
 }
 

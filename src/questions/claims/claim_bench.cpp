@@ -80,7 +80,7 @@ bool ClaimBench::has(std::string_view name, Property property) {
         const MeshCharacter character = mesh_character(prepared.mesh, prepared.topology);
         return character.kind() == MeshClass::sharp_edged && character.typical_angle < 2;
     }
-    const auto& [C, areas] = subject(name).laplacian;
+    const auto& [C, areas, copies] = subject(name).laplacian;
     return property == negative_weights ? has_negative_weights(C) : areas.minCoeff() < 0.99 * areas.maxCoeff();
 }
 
@@ -138,7 +138,7 @@ const SmoothingSubject& ClaimBench::subject(std::string_view name) {
 double ClaimBench::uniform_limit(std::string_view name) {
     const auto& source = mesh(name).mesh;
     return kept(uniform_limits_, source.get(),
-                [&] { return largest_stable_step(largest_eigenvalue(uniform_operator(source->topology()))); });
+                [&] { return largest_stable_step(largest_eigenvalue(uniform_operator(source->mesh(), source->topology()))); });
 }
 
 double ClaimBench::raw_step(std::string_view name, double lambda) {
@@ -215,9 +215,10 @@ Names ClaimBench::warnings() const {
 double roughness(const SmoothingSubject& subject, const Positions& X) {
     const Positions near = X.rowwise() - X.row(0);   // rows of C sum to 0: the origin may be chosen where nothing is rounded away
     const Positions CX = subject.laplacian.C * near;
+    const Vector M = summed_at_first(subject.laplacian.copies, subject.laplacian.M);
     double sum = 0;
     for (Eigen::Index i = 0; i < X.rows(); ++i)
-        if (subject.laplacian.M[i] > 0) sum += CX.row(i).squaredNorm() / subject.laplacian.M[i];
+        if (M[i] > 0) sum += CX.row(i).squaredNorm() / M[i];
     return std::sqrt(sum);
 }
 

@@ -110,7 +110,7 @@ std::size_t ExplicitStudy::first_beyond() const {
 ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings) {
     ExplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
-    study.uniform_top = largest_eigenvalue(uniform_operator(study.subject.topology())).value;
+    study.uniform_top = largest_eigenvalue(uniform_operator(study.subject.mesh(), study.subject.topology())).value;
     const int iterations = iterations_of(settings);
     const std::vector<double> steps = steps_of(settings, study.subject.critical, own_steps);
     const std::vector<double> told = told_steps(steps, study.subject);

@@ -12,8 +12,10 @@ namespace {
 Vector half_norms(const LaplaceBeltrami& laplacian, const Positions& X) {
     const Positions centred = X.rowwise() - X.colwise().mean();   // rows of C sum to 0; near 0 less is lost
     const Positions CX = laplacian.C * centred;
+    const Vector M = summed_at_first(laplacian.copies, laplacian.M);
     Vector values(X.rows());
-    for (Eigen::Index v = 0; v < X.rows(); ++v) values[v] = laplacian.M[v] > 0 ? 0.5 * CX.row(v).norm() / laplacian.M[v] : std::nan("");
+    for (Eigen::Index v = 0; v < X.rows(); ++v) values[v] = M[v] > 0 ? 0.5 * CX.row(v).norm() / M[v] : std::nan("");
+    spread(laplacian.copies, values);
     return values;
 }
 
@@ -35,7 +37,7 @@ ExperimentField estimate(const TriangleMesh& surface, const MeshTopology& topolo
         e.drawn = h * h * deficit_over_area(surface, areas);
     } else if (e.colour == ExperimentColour::h_uniform) {
         e.inside = uniform_mean_curvature(surface, topology) / h;
-        e.drawn = half_norms(uniform_operator(topology), surface.X) / h;
+        e.drawn = half_norms(uniform_operator(surface, topology), surface.X) / h;
     } else {
         const LaplaceBeltrami laplacian = laplace_operator(surface, e.kind, e.area);
         e.inside = h * operator_mean_curvature(surface, topology, e.kind, laplacian);

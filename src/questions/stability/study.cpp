@@ -65,8 +65,8 @@ StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settin
     const int steps = settings.quick ? 200 : 500;
     const LaplaceBeltrami laplacian = laplace_beltrami(study.mesh());
     study.cotangent = operator_limit("cotangent", OperatorKind::cotan, laplacian, study.mesh(), study.mean_edge, steps);
-    study.uniform =
-        operator_limit("uniform", OperatorKind::uniform, uniform_operator(study.topology()), study.mesh(), study.mean_edge, steps);
+    study.uniform = operator_limit("uniform", OperatorKind::uniform, uniform_operator(study.mesh(), study.topology()), study.mesh(),
+                                   study.mean_edge, steps);
     study.limiting = limiting_vertex(laplacian, *study.source, study.cotangent.certificate.top.vertex);
     study.peaks = peaks_of(study.cotangent.certificate.top.mode);
     return study;

@@ -37,10 +37,11 @@ std::function<Positions(const Positions&)> step_of(const LaplaceBeltrami& L, con
     } else {
         step = [=, lambda = options.lambda](const Positions& X) { return explicit_step_by(lambda, X); };
     }
-    return [=, vertex = whole.vertex](Positions X) {
+    return [=, vertex = whole.vertex, copies = whole.copies](Positions X) {
         const Eigen::RowVector3d near = X.row(vertex.front());
         const Positions rows = X(vertex, Eigen::all).rowwise() - near;
         X(vertex, Eigen::all) = step(rows).rowwise() + near;
+        spread(copies, X);
         return X;
     };
 }

@@ -16,7 +16,7 @@ std::vector<WrongLaplacian> wrong_laplacians(const AnswerSettings& s) {
     const auto with_masses = [&](const std::string& key, auto masses) {
         all.push_back({key, s.laplacian, [=](const TriangleMesh& mesh) {
                            const LaplaceBeltrami right = laplace_operator(mesh, s.laplacian, s.area);
-                           return LaplaceBeltrami{right.C, masses(right.M)};
+                           return LaplaceBeltrami{right.C, masses(right.M), right.copies};
                        }});
     };
     const auto by_two_areas = [&](const std::string& key, double factor, bool clamp_negative) {

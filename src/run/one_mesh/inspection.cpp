@@ -10,6 +10,17 @@ namespace meshfolio::run {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+/// Whether a triangle is without area although its vertices are apart.
+bool has_zero_area(const TriangleMesh& mesh, const std::vector<VertexCopy>& copies) {
+    int without_area = 0;
+    corner_cotangents(with_joined_vertices(mesh, copies), &without_area);
+    return without_area > 0;
+}
+
+}   // namespace
+
 Inspection inspect_mesh(PreparedMesh prepared, OperatorKind kind, const std::function<void(std::string_view)>& progress) {
     Inspection inspection;
     inspection.prepared = std::move(prepared);
@@ -17,8 +28,10 @@ Inspection inspect_mesh(PreparedMesh prepared, OperatorKind kind, const std::fun
     progress("counts and defects");
     inspection.facts = mesh_facts(inspection.prepared);
     try {
-        inspection.stability = stability_certificate(laplace_operator(mesh, kind), {.assembly = assembly_of(kind), .progress = progress});
-        if (kind == OperatorKind::cotan && inspection.facts.counts.zero_area_faces > 0)
+        const LaplaceBeltrami laplacian = laplace_operator(mesh, kind);
+        inspection.joined_vertices = static_cast<int>(laplacian.copies.size());
+        inspection.stability = stability_certificate(laplacian, {.assembly = assembly_of(kind), .progress = progress});
+        if (kind == OperatorKind::cotan && inspection.facts.counts.zero_area_faces > 0 && has_zero_area(mesh, laplacian.copies))
             inspection.floored = largest_stable_step(largest_eigenvalue(floored_laplace_beltrami(mesh)));
     } catch (const SolverError& error) {
         inspection.no_stability = error.what();

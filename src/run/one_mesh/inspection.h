@@ -19,7 +19,10 @@ struct Inspection {
     MeshFacts facts;
     std::optional<StabilityCertificate> stability;   // nothing when it could not be computed
     std::string no_stability;                        // why
-    std::optional<double> floored;   // λ_crit if triangles without area kept a stiffness; nothing where there are none [length²]
+    std::optional<double> floored;                   // λ_crit if triangles without area kept a stiffness; nothing where there are none
+                                                     // but those of joined vertices [length²]
+
+    int joined_vertices = 0;   // that are one point with an earlier vertex to the operator: ends of edges without length
 
     double deficits_over_2pi() const { return facts.total_deficit / (2 * std::numbers::pi); }
 };

@@ -68,6 +68,22 @@ TriangleMesh irregular_torus(int around) {
     return mesh;
 }
 
+/// A cylinder of radius 1, open at both ends.
+TriangleMesh strip_around(int around, int rows, double height) {
+    TriangleMesh mesh{Positions(around * (rows + 1), 3), Faces(2 * around * rows, 3)};
+    for (int j = 0; j <= rows; ++j)
+        for (int i = 0; i < around; ++i)
+            mesh.X.row(j * around + i) << std::cos(2 * pi * i / around), std::sin(2 * pi * i / around), j * height;
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < around; ++i) {
+            const int a = j * around + i, b = j * around + (i + 1) % around;
+            mesh.F.row(2 * a) << a, b, b + around;
+            mesh.F.row(2 * a + 1) << a, b + around, a + around;
+        }
+    }
+    return mesh;
+}
+
 }   // namespace
 
 TEST(JetFit, IsExactOnPlanes) {
@@ -126,12 +142,42 @@ TEST(JetFit, MovesAndScalesWithTheMesh) {
     EXPECT_LT((jet_curvature(turned, topology).H + jets.H).cwiseAbs().maxCoeff(), 1e-9);
 }
 
+// Rows of twelve points or more around, so close together that two rings are a thin strip: H = ½ and K = 0, or nothing.
+TEST(JetFit, OfThinTrianglesIsRightOrLeftOut) {
+    for (const int around : {12, 24, 48}) {
+        for (const double aspect : {1e-1, 3e-2, 1e-2, 1e-3, 1e-4}) {
+            for (const bool turned : {false, true}) {
+                TriangleMesh cylinder = strip_around(around, 12, aspect * 2 * pi / around);
+                if (turned) cylinder.X = (cylinder.X * some_rotation().transpose()).eval();
+                const JetCurvature jets = jet_curvature(cylinder, topology_of(cylinder));
+                for (int v = 0; v < cylinder.vertex_count(); ++v) {
+                    if (std::isnan(jets.H[v])) continue;
+                    EXPECT_NEAR(jets.H[v], 0.5, 0.1) << around << " around, aspect " << aspect;
+                    EXPECT_NEAR(jets.K[v], 0, 0.1) << around << " around, aspect " << aspect;
+                }
+            }
+        }
+    }
+}
+
+// A flat saddle is a cubic over every tangent plane, however thin the triangles; the boundary has a third ring.
+TEST(JetFit, OfThinTrianglesIsKeptWhereItIsGood) {
+    constexpr double bend = 1e-4;
+    for (const double aspect : {1.0, 0.1, 1e-2, 1e-3}) {
+        TriangleMesh saddle = grid_mesh(12, 12, 1, aspect);
+        saddle.X.col(2) = bend * (saddle.X.col(0).array().square() - saddle.X.col(1).array().square());
+        const JetCurvature jets = jet_curvature(saddle, topology_of(saddle));
+        EXPECT_EQ(jets.unfitted, 0) << "aspect " << aspect;
+        EXPECT_LT((jets.K.array() / (-4 * bend * bend) - 1).abs().maxCoeff(), 0.01) << "aspect " << aspect;
+    }
+}
+
 TEST(JetFit, SaysWhereThereIsNone) {
     const TriangleMesh star = fan(6, 0.1);   // seven points
     const JetCurvature none = jet_curvature(star, topology_of(star));
     EXPECT_TRUE(none.H.array().isNaN().all() && none.K.array().isNaN().all());
     EXPECT_EQ(none.unfitted, 7);
-    TriangleMesh loose = torus_mesh(12, 8, 1, 0.4);
+    TriangleMesh loose = torus_mesh(24, 12, 1, 0.4);
     loose.X.conservativeResize(loose.X.rows() + 1, 3);
     loose.X.row(loose.X.rows() - 1).setZero();
     const JetCurvature torus = jet_curvature(loose, topology_of(loose));

@@ -82,6 +82,54 @@ TEST(LaplacianSmoothing, TaubinPassesLowModesAndDampsHighOnes) {
     expect_damping(given, law(options.taubin_mu));
 }
 
+// f(μ) = (1 − λμ)(1 − mμ), sampled finely: 1 + (λ + m)²/(4λ|m|) at (1/λ + 1/m)/2 where |m| > λ, and the end of the spectrum beyond.
+TEST(LaplacianSmoothing, TaubinGrowthIsTheLargestFactorOverTheSpectrum) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(lopsided_ellipsoid(2));
+    const double top = largest_eigenvalue(laplacian).value;
+    for (const double share : {0.1, 0.5, 0.9, 1.4}) {
+        for (const double back : {-0.5, -1.0, -1.01, -1.05, -1.3}) {
+            const SmoothingOptions options{.lambda = share / top, .taubin_mu = back * share / top};
+            const TaubinGrowth growth = taubin_growth(laplacian, options);
+            double largest = 0;
+            for (int i = 0; i <= 20000; ++i) {
+                const double mu = top * i / 20000;
+                largest = std::max(largest, std::abs((1 - options.lambda * mu) * (1 - options.taubin_mu * mu)));
+            }
+            EXPECT_GE(growth.factor, largest * (1 - 1e-12));
+            EXPECT_LT(growth.factor, largest + 1e-6);
+            EXPECT_NEAR(std::abs((1 - options.lambda * growth.mu) * (1 - options.taubin_mu * growth.mu)), growth.factor, 1e-12);
+            const double middle = 0.5 * (1 / options.lambda + 1 / options.taubin_mu);
+            if (!growth.of_highest_mode && back < -1 && middle < top) {
+                EXPECT_NEAR(growth.factor, 1 + std::pow(1 + back, 2) / (4 * -back), 1e-12);
+                EXPECT_TRUE(growth.warning(1).empty());
+                EXPECT_FALSE(growth.warning(1000000).empty());
+            }
+            if (!growth.of_highest_mode && back >= -1) {
+                EXPECT_TRUE(growth.warning(1000000).empty()) << "nothing is raised";
+            }
+            if (growth.of_highest_mode && growth.factor > 1) {
+                EXPECT_NE(growth.warning(1).find("highest mode"), std::string::npos);
+            }
+        }
+    }
+}
+
+// The volume of a sphere is that of low modes: the run swells as the warning says, and keeps its volume where there is none.
+TEST(LaplacianSmoothing, TaubinRunsThatSwellAreWarnedOf) {
+    const TriangleMesh mesh = irregular_sphere(3);
+    SmoothingOptions options = options_of(SmoothingScheme::taubin, 0.5 * critical_step(mesh), 3000);
+    const auto volume_after = [&] {
+        return signed_volume(moved_to(mesh, smooth(mesh, options).X), Vector3::Zero()) / signed_volume(mesh, Vector3::Zero());
+    };
+    const TaubinGrowth growth = taubin_growth(laplace_beltrami(mesh), options);
+    EXPECT_GT(volume_after(), 1.15);
+    EXPECT_LT(volume_after(), std::pow(growth.factor, 3 * options.iterations));
+    EXPECT_FALSE(growth.warning(options.iterations).empty());
+    options.iterations = 20;
+    EXPECT_NEAR(volume_after(), 1, 0.05);
+    EXPECT_TRUE(growth.warning(options.iterations).empty());
+}
+
 TEST(LaplacianSmoothing, UniformStepsSolveTheirEquations) {
     const TriangleMesh mesh = side_by_side(irregular_sphere(2), moved_by(irregular_plane(6), {4, 0, 0}));
     const SparseMatrix U = uniform_laplacian(topology_of(mesh));

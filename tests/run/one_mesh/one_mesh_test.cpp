@@ -118,6 +118,23 @@ TEST(OneMesh, InspectionEndsWhenProgressThrows) {
     EXPECT_THROW(inspect_mesh(prepared_tetrahedron(), OperatorKind::cotan, [](std::string_view) { throw Enough{}; }), Enough);
 }
 
+// Triangles of joined vertices have no cotangents to count; one of three vertices on a line has.
+TEST(OneMesh, InspectionTellsJoinedVerticesFromOtherTrianglesWithoutArea) {
+    const auto inspected = [](const Vector3& last) {
+        TriangleMesh mesh{Positions(5, 3), Faces(6, 3)};
+        mesh.X << 1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1, last.transpose();
+        mesh.F << 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 4, 0, 3, 4, 2, 4, 3;
+        return inspect_mesh(prepare_mesh({mesh, "pair.obj", {}, {}}), OperatorKind::cotan, [](std::string_view) {});
+    };
+    const Inspection pair = inspected({-1, -1, 1}), line = inspected({0, 0, 1});
+    EXPECT_EQ(pair.facts.counts.zero_area_faces, 2);
+    EXPECT_EQ(pair.joined_vertices, 1);
+    EXPECT_FALSE(pair.floored.has_value());
+    EXPECT_EQ(line.facts.counts.zero_area_faces, 1);
+    EXPECT_EQ(line.joined_vertices, 0);
+    EXPECT_TRUE(line.floored.has_value());
+}
+
 TEST(OneMesh, IsDrawnFromEverySideThatIsNamed) {
     const PreparedMesh mesh = prepared_tetrahedron();
     PictureRequest request{.views = views_named(""), .range = std::pair{-1.0, 1.0}};
