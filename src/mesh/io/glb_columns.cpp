@@ -26,6 +26,7 @@ void GlbColumns::Column::fill(std::size_t points) {
 
 void GlbColumns::add(const GlbDocument::Json& primitive, const std::vector<std::uint32_t>& vertices, std::size_t before) {
     const GlbDocument::Json& attributes = primitive.at("attributes");
+    document_.spend(8 * attributes.size());
     for (const auto& [name, index] : attributes.items()) {
         if (is_column(name))
             add_attribute(name, document_.accessor(attributes, name), vertices, before);

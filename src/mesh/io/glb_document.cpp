@@ -119,6 +119,7 @@ void GlbDocument::add_replacements(GlbAccessor& made, const Json& sparse, const 
 }
 
 GlbAccessor GlbDocument::accessor(std::size_t index) {
+    spend(32);   // as long as it takes to read that many numbers
     const Json& json = entry("accessors", index);
     const std::string name = "accessor " + std::to_string(index);
     static const std::map<std::size_t, ScalarType> types{{5120, ScalarType::int8},   {5121, ScalarType::uint8},

@@ -30,10 +30,11 @@ GlbShape::GlbShape(GlbDocument& document, const Json& primitive, const std::vect
                    const std::vector<Eigen::Matrix4d>* joints, WarningTally& warnings)
     : document_(document), warnings_(warnings), joints_(joints), base_(document.accessor(primitive.at("attributes"), "POSITION")) {
     if (base_.components != 3) document.damaged("positions are not VEC3");
-    const Json targets = primitive.value("targets", Json::array());
-    for (std::size_t t = 0; t < std::min(targets.size(), weights.size()); ++t) {
-        if (weights[t] == 0 || !targets[t].contains("POSITION")) continue;
-        targets_.push_back({document.accessor(targets[t], "POSITION"), weights[t]});
+    const auto targets = primitive.find("targets");
+    document.spend(weights.size());
+    for (std::size_t t = 0; targets != primitive.end() && t < std::min(targets->size(), weights.size()); ++t) {
+        if (weights[t] == 0 || !targets->at(t).contains("POSITION")) continue;
+        targets_.push_back({document.accessor(targets->at(t), "POSITION"), weights[t]});
         if (targets_.back().moves.components != 3 || targets_.back().moves.count != base_.count)
             document.damaged("a morph target does not fit the positions");
     }

@@ -214,6 +214,14 @@ TEST(GlbScene, WorkIsLimited) {
     for (int i = 0; i < 2000; ++i) glb.json["meshes"][0]["primitives"].push_back(strip);
     for (int i = 0; i < 4000; ++i) glb.json["nodes"].push_back({{"mesh", 0}});
     EXPECT_TRUE(has_text(refusal_of(glb), "its instances make more than"));
+    GlbParts morphed = plain_glb();
+    const json target{{"POSITION", 0}};
+    for (int i = 0; i < 2000; ++i) {
+        primitive_of(morphed)["targets"].push_back(target);
+        morphed.json["meshes"][0]["weights"].push_back(0.5);
+        morphed.json["nodes"].push_back({{"mesh", 0}});
+    }
+    EXPECT_TRUE(has_text(refusal_of(morphed), "its instances make more than"));
     GlbParts wide = plain_glb();
     wide.json["accessors"][0].erase("bufferView");
     wide.json["accessors"][0]["count"] = 4294967295;
