@@ -25,8 +25,8 @@ class Glb:
         self.check_views()
         self.mesh = self.json["meshes"][0]
         (self.primitive,) = self.mesh["primitives"]
-        self.extras = self.mesh["extras"]
-        self.indices = [i for (i,) in self.rows(self.primitive["indices"])]
+        self.extras = self.mesh.get("extras")
+        self.indices = self.indices_of(self.mesh)
         self.attributes = {name: self.rows(number) for name, number in self.primitive["attributes"].items()}
         count = len(self.attributes["POSITION"])
         assert {len(rows) for rows in self.attributes.values()} == {count}
@@ -62,6 +62,17 @@ class Glb:
             rows = [tuple(c / LARGEST[accessor["componentType"]] for c in row) for row in rows]
         return rows
 
-    def positions(self):
-        node = self.json["nodes"][0]
-        return [[t + s * x for t, s, x in zip(node["translation"], node["scale"], row)] for row in self.attributes["POSITION"]]
+    def indices_of(self, mesh):
+        (primitive,) = mesh["primitives"]
+        return [i for (i,) in self.rows(primitive["indices"])]
+
+    def positions(self, node=0):
+        node = self.json["nodes"][node]
+        move, scale = node.get("translation", [0, 0, 0]), node.get("scale", [1, 1, 1])
+        return [[t + s * x for t, s, x in zip(move, scale, row)] for row in self.attributes["POSITION"]]
+
+    def bodies(self):
+        """Of each node of the scene, the corners of its triangles, one after the other."""
+        assert self.json["scenes"][self.json["scene"]]["nodes"] == list(range(len(self.json["nodes"])))
+        meshes = [self.json["meshes"][node["mesh"]] for node in self.json["nodes"]]
+        return [[self.positions(number)[i] for i in self.indices_of(mesh)] for number, mesh in enumerate(meshes)]

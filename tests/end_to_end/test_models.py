@@ -91,6 +91,66 @@ class RenderGlb(unittest.TestCase):
         self.assertEqual(set(Glb((folder / "a.glb").read_bytes()).attributes), {"POSITION", "NORMAL"})
 
 
+def points_of(obj):
+    return [[float(word) for word in line.split()[1:4]] for line in obj.splitlines() if line.startswith("v ")]
+
+
+def shifted(obj, shift):
+    points = iter(points_of(obj))
+    lines = (line if not line.startswith("v ") else "v " + " ".join(repr(x + d) for x, d in zip(next(points), shift)) for line in obj.splitlines())
+    return "\n".join(lines) + "\n"
+
+
+class MeshesAsGlb(unittest.TestCase):
+    """What commands write as GLB, read by a reader that is not ours."""
+
+    def written(self, text, name="mesh.obj"):
+        folder = temporary_folder(self)
+        (folder / name).write_text(text)
+        process = run("noise", folder / name, "--sigma", 0, "-o", folder / "out.glb")
+        self.assertEqual(process.returncode, 0, process.stderr)
+        return Glb((folder / "out.glb").read_bytes()), folder, process.stderr
+
+    def test_far_from_the_origin_the_shape_is_kept(self):
+        near = sample(temporary_folder(self), "torus").read_text()
+        for offset in (1e5, 1e7):
+            text = shifted(near, (offset, -offset, 0.1 * offset))
+            glb, folder, said = self.written(text)
+            self.assertEqual(said, "")
+            for expected, found in zip(points_of(text), glb.positions(), strict=True):
+                for a, b in zip(expected, found):
+                    self.assertAlmostEqual(a, b, delta=1e-7 + 2e-16 * offset)
+            for name in ("mesh.obj", "out.glb"):
+                run("curvature", folder / name, "--csv", folder / f"{name}.csv")
+            for a, b in zip(*(curvature(folder / f"{name}.csv", "h_cotan") for name in ("mesh.obj", "out.glb")), strict=True):
+                self.assertAlmostEqual(a, b, delta=2e-5)
+
+    def test_bodies_that_touch_are_nodes_of_their_own_and_said_for_stl(self):
+        square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+        text = square + shifted(square, (1, 0, 0)) + "f 1 2 3\nf 1 3 4\nf 5 6 7\nf 5 7 8\n"
+        glb, folder, said = self.written(text)
+        self.assertEqual(said, "")
+        points = points_of(text)
+        self.assertEqual(glb.bodies(), [[points[i] for i in body] for body in ([0, 1, 2, 0, 2, 3], [4, 5, 6, 4, 6, 7])])
+        self.assertIn("comps=2", run("inspect", folder / "out.glb").stdout)
+        told = run("noise", folder / "mesh.obj", "--sigma", 0, "-o", folder / "out.stl").stderr
+        self.assertIn("2 of 8 vertices lie where others do", told)
+        self.assertIn("comps=1", run("inspect", folder / "out.stl").stdout)
+
+    def test_colours_are_linear_light(self):
+        ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+        ply += "property uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        glb, folder, said = self.written(ply + "0 0 0 128 64 255\n1 0 0 0 1 2\n0 1 0 3 254 12\n3 0 1 2\n", "grey.ply")
+        self.assertEqual(said, "")
+        channels = [[128, 64, 255], [0, 1, 2], [3, 254, 12]]
+        for row, stored in zip(channels, glb.attributes["COLOR_0"], strict=True):
+            for channel, x in zip(row, stored):
+                self.assertAlmostEqual(x, linear(channel), delta=1e-5)
+        run("noise", folder / "out.glb", "--sigma", 0, "-o", folder / "back.ply")
+        body = (folder / "back.ply").read_bytes().split(b"end_header\n", 1)[1]
+        self.assertEqual([list(body[27 * v + 24 : 27 * v + 27]) for v in range(3)], channels)
+
+
 class Scripts(html.parser.HTMLParser):
     """Scripts of a page: [(attributes, content)], and its policy."""
 

@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <limits>
 
 #include "base/joined.h"
 #include "base/lower_case.h"
+#include "mesh/io/column_groups.h"
+#include "mesh/io/glb_parts.h"
 #include "mesh/io/mesh_encoders.h"
 #include "mesh/io/mesh_files.h"
-#include "mesh/point_table.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -24,49 +25,68 @@ Strings values_without_place(const std::string& format, const Attributes& attrib
     return {format + " holds no values of vertices: not kept are " + joined(names, ", ") + "; write PLY or VTP for them"};
 }
 
+/// "N values of a, b …" for each kind of value that a float of glTF does not hold.
 Strings values_that_change(const Attributes& attributes) {
-    constexpr double exact = 1LL << 53;
-    const auto is_changed = [](double x) {
-        return std::abs(x) <= exact && std::floor(x) == x && static_cast<double>(static_cast<float>(x)) != x;
+    struct Kind {
+        bool (*is_met)(double);
+        const char* told;
+        long long count = 0;
+        Strings names = {};
     };
-    std::array<std::pair<long long, Strings>, 2> found;   // what is not finite, what is rounded
-    for (const VertexColumn& column : attributes.columns) {
-        const std::array counts{std::ranges::count_if(column.values, [](double x) { return !std::isfinite(x); }),
-                                std::ranges::count_if(column.values, is_changed)};
-        for (std::size_t kind = 0; kind < counts.size(); ++kind) {
-            if (counts[kind] == 0) continue;
-            found[kind].first += counts[kind];
-            found[kind].second.push_back(column.name);
+    using Float = std::numeric_limits<float>;
+    std::array kinds{Kind{[](double x) { return !std::isfinite(x); },
+                          "are undefined or infinite, which glTF forbids: 0 or the largest float stands for them"},
+                     Kind{[](double x) { return std::isfinite(x) && std::abs(x) > Float::max(); },
+                          "are beyond the largest float (3.4e38), which stands for them"},
+                     Kind{[](double x) { return x != 0 && std::abs(x) < Float::min() && static_cast<float>(x) != x; },
+                          "are too small for a float (below 1.2e-38): 0 or a coarser value stands for them"},
+                     Kind{[](double x) { return std::abs(x) <= 1LL << 53 && std::floor(x) == x && static_cast<float>(x) != x; },
+                          "are whole numbers beyond those of a float, and rounded"}};
+    Strings sentences;
+    for (const ColumnGroup group : groups_of(attributes.columns)) {
+        if (is_gltf_color(group)) {
+            const auto without = std::ranges::count_if(group.front().values, [](double x) { return std::isnan(x); });
+            if (without > 0) sentences.push_back(std::to_string(without) + " vertices have no colour, and are written as white");
+            continue;
+        }
+        if (group.size() > 1 && group.front().name == "red")
+            sentences.push_back("colours that are no floats between 0 and 1 are written as values (_red, _green, _blue), not as colours");
+        for (const VertexColumn& column : group) {
+            for (Kind& kind : kinds) {
+                const auto count = std::ranges::count_if(column.values, kind.is_met);
+                if (count > 0 && !is_normal(column)) kind.names.push_back(column.name);
+                kind.count += is_normal(column) ? 0 : count;
+            }
         }
     }
-    constexpr std::array told{"are undefined or infinite, which glTF forbids: 0 or the largest float stands for them",
-                              "are whole numbers beyond those of a float, and rounded"};
-    Strings sentences;
-    for (std::size_t kind = 0; kind < told.size(); ++kind) {
-        const auto& [count, names] = found[kind];
-        if (count > 0)
-            sentences.push_back(std::to_string(count) + " values of " + joined(names, ", ") + " " + told[kind] + "; PLY and VTP keep them");
-    }
+    for (const Kind& kind : kinds)
+        if (kind.count > 0)
+            sentences.push_back(std::to_string(kind.count) + " values of " + joined(kind.names, ", ") + " " + kind.told +
+                                "; PLY and VTP keep them");
     return sentences;
 }
 
-/// What becomes of the surface where coordinates are rounded to floats.
+/// What becomes of the surface where coordinates are rounded to floats, and where a reader welds what lies at one place.
 Strings corners_that_move(const std::string& format, const TriangleMesh& mesh) {
     constexpr double turned = 0.996;   // the cosine of 5°
-    const TriangleMesh rounded{mesh.X.cast<float>().cast<double>(), mesh.F};
-    const auto places = [](const TriangleMesh& of) {
-        PointTable table(static_cast<std::size_t>(of.vertex_count()));
-        for (int v = 0; v < of.vertex_count(); ++v) table.number_of({of.X(v, 0), of.X(v, 1), of.X(v, 2)});
-        return table.points().size();
-    };
+    const bool is_glb = format == "GLB";
+    const TriangleMesh rounded{stored_as_floats(mesh, is_glb ? float_frame(mesh) : GlbFrame()), mesh.F};
+    const std::vector<int> together = one_part(mesh), parts = is_glb ? parts_that_keep_apart(mesh, rounded.X) : together;
     const Positions before = face_normals(mesh), after = face_normals(rounded);   // 0 where there is no area
     const Vector cosines = before.cwiseProduct(after).rowwise().sum();
     const auto spoilt = (before.rowwise().squaredNorm().array() > 0 && cosines.array() < turned).count();
-    const std::size_t merged = places(mesh) - places(rounded);
-    if (spoilt == 0 && merged == 0) return {};
-    return {"rounded to the floats of " + format + ", " + std::to_string(merged) + " of " + std::to_string(mesh.vertex_count()) +
-            " vertices fall onto others and " + std::to_string(spoilt) + " of " + std::to_string(mesh.face_count()) +
-            " faces turn by 5 degrees or vanish; write OBJ, OFF, PLY or VTP, or move the mesh to the origin"};
+    const int met = count_of_welded(mesh.X, together), merged = count_of_welded(rounded.X, together) - met;
+    const int welded = std::min(met, count_of_welded(mesh.X, parts));
+    const std::string of_all = " of " + std::to_string(mesh.vertex_count()) + " vertices ";
+    Strings sentences;
+    if (welded > 0)
+        sentences.push_back(std::to_string(welded) + of_all + "lie where others do and are one with them when the " + format +
+                            " file is read again; OBJ, OFF, PLY and VTP keep them apart");
+    if (spoilt > 0 || merged > 0)
+        sentences.push_back("rounded to the floats of " + format + ", " + std::to_string(merged) + of_all + "fall onto others and " +
+                            std::to_string(spoilt) + " of " + std::to_string(mesh.face_count()) +
+                            " faces turn by 5 degrees or vanish; write OBJ, OFF, PLY or VTP, or move the mesh to the origin");
+    return sentences;
 }
 
 }   // namespace

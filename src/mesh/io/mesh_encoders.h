@@ -15,8 +15,9 @@ std::string ply_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>&
 /// PolyData of VTK in XML, its arrays appended as they are, coordinates as double. Colours and normals are arrays of components.
 std::string vtp_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>& columns);
 
-/// Binary glTF 2.0, coordinates as float. Colours are COLOR_0; any other column or array c is the attribute _c, as float. It
-/// may hold no NaN and nothing infinite: 0 and the largest floats stand for them.
+/// Binary glTF 2.0, coordinates as float in a frame that suits the mesh; components that touch are meshes of their own. Colours are
+/// COLOR_0, in linear light; any other column or array c is the attribute _c, as float. It may hold no NaN and nothing infinite: 0 and the
+/// largest floats stand for them.
 std::string glb_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>& columns);
 
 /// A file of binary glTF 2.0: its JSON and its data, each filled up to a multiple of 4 bytes.

@@ -71,12 +71,9 @@ std::vector<VertexColumn> with_normals_of(const TriangleMesh& mesh, std::vector<
     return columns;
 }
 
-void check_floats(const TriangleMesh& mesh, const std::string& file) {
+std::string stl_bytes(const TriangleMesh& mesh, const std::string& file) {
     if (mesh.X.cwiseAbs().maxCoeff() > std::numeric_limits<float>::max())
-        throw MeshError("a coordinate is beyond what the format can hold (3.4e38)", "write OBJ, OFF, PLY or VTP", {file, 0});
-}
-
-std::string stl_bytes(const TriangleMesh& mesh) {
+        throw MeshError("a coordinate is beyond what the format can hold (3.4e38)", "write OBJ, OFF, PLY, VTP or GLB", {file, 0});
     const Positions normals = face_normals(mesh);
     std::string bytes(80, ' ');
     bytes.reserve(84 + at(mesh.face_count()) * 50);
@@ -122,8 +119,7 @@ std::string encode_mesh(const TriangleMesh& mesh, const std::string& file, const
     if (ending == ".off") return off_text(mesh);
     if (ending == ".ply") return ply_bytes(mesh, with_normals_of(mesh, attributes.columns));
     if (ending == ".vtp") return vtp_bytes(mesh, with_normals_of(mesh, attributes.columns));
-    if (ending == ".stl" || ending == ".glb") check_floats(mesh, file);
-    if (ending == ".stl") return stl_bytes(mesh);
+    if (ending == ".stl") return stl_bytes(mesh, file);
     if (ending == ".glb") return glb_bytes(mesh, attributes.columns);
     throw UsageError("cannot write a mesh as '" + ending + "'", "name the file .obj, .off, .ply, .stl, .vtp or .glb", {file, 0});
 }

@@ -125,12 +125,17 @@ LoadedMesh triangulated(const PolygonList& polygons, Positions X, const std::str
 }
 
 WeldedMesh welded(const std::vector<std::array<double, 3>>& points, std::span<const int> corners, const std::vector<long>& lines,
-                  const std::string& file, WarningTally warnings) {
-    PointTable table(points.size());
+                  const std::string& file, WarningTally warnings, std::vector<std::size_t> groups) {
+    if (groups.empty()) groups = {0};
+    groups.push_back(points.size());
     std::vector<int> number(points.size()), first;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        number[i] = table.number_of(points[i]);
-        if (at(number[i]) == first.size()) first.push_back(static_cast<int>(i));
+    for (std::size_t group = 0; group + 1 < groups.size(); ++group) {
+        PointTable table(groups[group + 1] - groups[group]);
+        const auto before = static_cast<int>(first.size());
+        for (std::size_t i = groups[group]; i < groups[group + 1]; ++i) {
+            number[i] = before + table.number_of(points[i]);
+            if (at(number[i]) == first.size()) first.push_back(static_cast<int>(i));
+        }
     }
     const std::size_t count = corners.empty() ? points.size() : corners.size();
     PolygonList triangles;
@@ -140,8 +145,9 @@ WeldedMesh welded(const std::vector<std::array<double, 3>>& points, std::span<co
         if (i % 3 == 2) triangles.end_polygon(lines.empty() ? 0 : lines[i / 3]);
     }
     Positions X(static_cast<Eigen::Index>(first.size()), 3);
-    for (Eigen::Index v = 0; v < X.rows(); ++v) X.row(v) = Eigen::Map<const Vector3>(table.points()[static_cast<std::size_t>(v)].data());
-    return {triangulated(triangles, std::move(X), file, std::move(warnings)), std::move(first)};
+    for (Eigen::Index v = 0; v < X.rows(); ++v)
+        X.row(v) = Eigen::Map<const Vector3>(points[at(first[static_cast<std::size_t>(v)])].data()).array() + 0.0;   // −0 is 0
+    return {triangulated(triangles, std::move(X), file, std::move(warnings)), std::move(first), std::move(number)};
 }
 
 double checked_coordinate(std::string_view word, const std::string& file, long line) {

@@ -64,15 +64,17 @@ LoadedMesh triangulated(const PolygonList& polygons, Positions X, const std::str
 /// A mesh whose file repeats a vertex for each of its faces or normals.
 struct WeldedMesh {
     LoadedMesh loaded;
-    std::vector<int> first;   // of each vertex, the first of the points there
+    std::vector<int> first;    // of each vertex, the first of the points there
+    std::vector<int> vertex;   // of each point
 };
 
 /// Points with equal coordinates become one vertex, in the order of the first of them.
 /// @param corners  of triangles, three each, as numbers of points; empty: the points one after the other
 /// @param lines  of the triangles; empty: binary file
+/// @param groups  ascending from 0: points from one of them to the next are welded with one another only; empty: all are
 /// @throws InputError as `triangulated`
 WeldedMesh welded(const std::vector<std::array<double, 3>>& points, std::span<const int> corners, const std::vector<long>& lines,
-                  const std::string& file, WarningTally warnings);
+                  const std::string& file, WarningTally warnings, std::vector<std::size_t> groups = {});
 
 /// A coordinate read from a file.
 /// @throws InputError if `word` is not a finite decimal number or exceeds largest_coordinate

@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "color/srgb.h"
 #include "draw_mesh.h"
+#include "mesh/io/glb_parts.h"
 #include "mesh/io/mesh_encoders.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
@@ -35,18 +36,11 @@ void pad(std::string& bytes) {
     while (bytes.size() % 4 != 0) bytes += '\0';
 }
 
-/// Box of the corners of triangles.
-struct Grid {
-    Box box;
-    double step;   // [length]
-
-    explicit Grid(const TriangleMesh& mesh) : box(bounding_box(mesh)), step(box.extent().maxCoeff() / grid_steps) {}
-
-    /// Clamps vertices outside of the box, which no triangle uses.
-    std::uint32_t at(double x, int axis) const {
-        return static_cast<std::uint32_t>(std::lrint(std::clamp((x - box.low[axis]) / step, 0.0, double(grid_steps))));
-    }
-};
+/// Steps over the box of the corners of triangles.
+GlbFrame grid_of(const TriangleMesh& mesh) {
+    const Box box = bounding_box(mesh);
+    return {box.low, box.extent().maxCoeff() / grid_steps};
+}
 
 /// The binary chunk and what describes it.
 class Writer {
@@ -60,12 +54,13 @@ public:
         indices_ = end({{"componentType", is_short ? unsigned_short : unsigned_int}, {"count", mesh_.F.size()}, {"type", "SCALAR"}});
     }
 
-    void write_positions(const Grid& grid) {
+    /// Vertices outside of the grid, which no triangle uses, go to its border.
+    void write_positions(const GlbFrame& grid) {
         std::array<std::uint32_t, 3> low{grid_steps, grid_steps, grid_steps}, high{0, 0, 0};
         begin(vertex_data, 8);
         for (int v = 0; v < count_; ++v) {
             for (int k = 0; k < 3; ++k) {
-                const std::uint32_t at = grid.at(mesh_.X(v, k), k);
+                const auto at = static_cast<std::uint32_t>(std::lrint(std::clamp(grid.stored(mesh_.X(v, k), k), 0.0, double(grid_steps))));
                 low[static_cast<std::size_t>(k)] = std::min(low[static_cast<std::size_t>(k)], at);
                 high[static_cast<std::size_t>(k)] = std::max(high[static_cast<std::size_t>(k)], at);
                 put(bytes_, at, 2);
@@ -190,7 +185,7 @@ std::string write_glb(const TriangleMesh& mesh, const Vector& values, const std:
     if (!can_be_a_model(mesh)) throw MeshError("no model: needs triangles of some extent and finite coordinates");
     if (range && values.size() != mesh.vertex_count()) throw MeshError("no model: one value a vertex is needed");
     const render::DrawOptions look;
-    const Grid grid(mesh);
+    const GlbFrame grid = grid_of(mesh);
     Writer writer(mesh);
     writer.write_indices();
     writer.write_positions(grid);
@@ -209,7 +204,7 @@ std::string write_glb(const TriangleMesh& mesh, const Vector& values, const std:
     json["extensionsUsed"] = json["extensionsRequired"] = Json::array({"KHR_mesh_quantization"});
     json["scene"] = 0;
     json["scenes"][0]["nodes"] = Json::array({0});
-    json["nodes"][0] = {{"mesh", 0}, {"translation", numbers(grid.box.low)}, {"scale", numbers(Vector3::Constant(grid.step))}};
+    json["nodes"][0] = grid.node(0);
     json["materials"][0] = material_of(range.has_value(), look.surface_color);
     json["meshes"][0]["extras"] = std::move(extras);
     return writer.glb(std::move(json));

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "mesh/io/append_bytes.h"
 #include "mesh/triangle_mesh.h"
@@ -41,5 +43,58 @@ inline std::string glb_data(const TriangleMesh& mesh) {
     data.resize(2048);
     return data;
 }
+
+/// A file put together accessor by accessor; `json` is free to be changed.
+struct GlbParts {
+    nlohmann::json json{{"asset", {{"version", "2.0"}}}, {"accessors", nlohmann::json::array()}, {"bufferViews", nlohmann::json::array()}};
+    std::string data;
+
+    template <class T>
+    std::size_t view(const std::vector<T>& numbers) {
+        data.resize((data.size() + 3) / 4 * 4);
+        json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", data.size()}, {"byteLength", numbers.size() * sizeof(T)}});
+        for (const T x : numbers) append(data, x);
+        return json["bufferViews"].size() - 1;
+    }
+
+    template <class T>
+    std::size_t accessor(const std::vector<T>& numbers, const std::string& type, bool normalized = false) {
+        const int code = std::is_same_v<T, float> ? 5126
+                                                  : 5120 +
+                                                        (sizeof(T) == 1   ? 0
+                                                         : sizeof(T) == 2 ? 2
+                                                                          : 4) +
+                                                        (std::is_unsigned_v<T> ? 1 : 0);
+        const std::size_t columns = type == "SCALAR" ? 1 : type == "MAT4" ? 16 : static_cast<std::size_t>(type[3] - '0');
+        const std::size_t from = view(numbers);
+        json["accessors"].push_back({{"bufferView", from}, {"componentType", code}, {"type", type}, {"count", numbers.size() / columns}});
+        if (normalized) json["accessors"].back()["normalized"] = true;
+        return json["accessors"].size() - 1;
+    }
+
+    std::size_t positions(const TriangleMesh& mesh) {
+        std::vector<float> numbers;
+        for (const double x : mesh.X.reshaped<Eigen::RowMajor>()) numbers.push_back(static_cast<float>(x));
+        return accessor(numbers, "VEC3");
+    }
+
+    std::size_t indices(const TriangleMesh& mesh) {
+        std::vector<std::uint16_t> numbers;
+        for (const int v : mesh.F.reshaped<Eigen::RowMajor>()) numbers.push_back(static_cast<std::uint16_t>(v));
+        return accessor(numbers, "SCALAR");
+    }
+
+    /// A primitive of that mesh, as another mesh of the file. @return the primitive
+    nlohmann::json& add_mesh(const TriangleMesh& mesh) {
+        const nlohmann::json primitive{{"attributes", {{"POSITION", positions(mesh)}}}, {"indices", indices(mesh)}};
+        json["meshes"].push_back({{"primitives", nlohmann::json::array({primitive})}});
+        return json["meshes"].back()["primitives"][0];
+    }
+
+    std::string bytes() {
+        json["buffers"] = nlohmann::json::array({{{"byteLength", data.size()}}});
+        return glb_of(json.dump(), data);
+    }
+};
 
 }   // namespace meshfolio::testing

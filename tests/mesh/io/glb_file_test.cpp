@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "mesh/io/glb_bytes.h"
 #include "mesh/io/mesh_files.h"
@@ -128,7 +129,9 @@ TEST(Glb, CustomColoursAndValuesAreColumns) {
     const std::vector<VertexColumn>& columns = read.attributes.columns;
     ASSERT_EQ(columns.size(), 5U);
     EXPECT_EQ(columns[1].name, "green");
-    EXPECT_EQ(columns[1].values, (Vector(4) << 1, 51, 101, 151).finished());
+    const auto as_srgb = [](double x) { return std::round(255 * (1.055 * std::pow(x / 255, 1 / 2.4) - 0.055)); };
+    EXPECT_EQ(columns[1].values, (Vector(4) << 13, as_srgb(51), as_srgb(101), as_srgb(151)).finished()) << "linear light in the file";
+    EXPECT_EQ(columns[3].values, (Vector(4) << 3, 53, 103, 153).finished()) << "alpha is linear everywhere";
     EXPECT_EQ(columns[1].type, ScalarType::uint8);
     EXPECT_EQ(columns[4].name, "HEIGHT");
     EXPECT_EQ(columns[4].values, (Vector(4) << 0.5, 1.5, -2.5, 1e30F).finished());
@@ -141,15 +144,19 @@ TEST(Glb, WhatIsRefusedIsNamed) {
     EXPECT_TRUE(refused(glb("", "", R"(,"extensionsRequired":["EXT_meshopt_compression"])"), "m.glb", "'EXT_meshopt_compression'"));
     EXPECT_EQ(refusal(glb("", "", R"(,"extensionsRequired":["KHR_mesh_quantization","KHR_materials_unlit"])"), "m.glb"), "accepted");
     EXPECT_TRUE(refused(with(R"({"byteLength":2048})", R"({"byteLength":2048,"uri":"m.bin"})"), "m.glb", "in another file"));
-    EXPECT_TRUE(refused(with(R"("count":4})", R"("count":4,"sparse":{}})"), "m.glb", "sparse"));
+    EXPECT_TRUE(refused(with(R"("count":4})", R"("count":4,"sparse":{}})"), "m.glb", "no valid glTF"));
     EXPECT_TRUE(refused(with(R"("count":4})", R"("count":400})"), "m.glb", "accessor 0 reaches beyond its data"));
     EXPECT_TRUE(refused(with(R"("count":4})", R"("count":4294967295})"), "m.glb", "reaches beyond its data"));
     EXPECT_TRUE(refused(with(R"("count":4})", R"("count":-4})"), "m.glb", "count is no whole number"));
     EXPECT_TRUE(refused(with(R"("count":4})", R"("count":1e400})"), "m.glb", "no valid glTF"));
     EXPECT_TRUE(refused(with(R"("count":4})", R"("count":3})"), "m.glb", "index 3 out of range (3 vertices)"));
-    EXPECT_TRUE(refused(with(R"("nodes":[{"mesh":0}])", R"("nodes":[{"mesh":0,"children":[0]}])"), "m.glb", "has two parents"));
+    EXPECT_TRUE(refused(with(R"("nodes":[{"mesh":0}])", R"("nodes":[{"mesh":0,"children":[0]}])"), "m.glb", "its own ancestor"));
+    EXPECT_TRUE(refused(with(R"("nodes":[{"mesh":0}])", R"("nodes":[{"children":[1,1]},{"mesh":0}])"), "m.glb", "has two parents"));
+    EXPECT_TRUE(refused(with(R"("nodes":[0])", R"("nodes":[0,0])"), "m.glb", "names node 0 twice"));
     EXPECT_TRUE(refused(with(R"("scenes":[{"nodes":[0]}])", R"("scenes":[{"nodes":[7]}])"), "m.glb", "no entry 7 of nodes"));
-    EXPECT_TRUE(refused(with(R"("scenes")", R"("scenery")"), "m.glb", "no entry 0 of scenes"));
+    std::string draco = replaced(glb_text(tetrahedron()), R"("indices":1)", R"("extensions":{"KHR_draco_mesh_compression":{}})");
+    draco = replaced(draco, R"({"bufferView":0,"componentType":5126)", R"({"componentType":5126)");
+    EXPECT_TRUE(refused(glb_of(draco, glb_data(tetrahedron())), "m.glb", "'KHR_draco_mesh_compression'")) << "not named as required";
     EXPECT_TRUE(refused(with(R"("mesh":0)", R"("mesh":0,"translation":[1e101,0,0])"), "m.glb", "out of the supported range"));
     EXPECT_TRUE(refused(with(R"("mesh":0)", R"("mesh":0,"translation":"far")"), "m.glb", "no valid glTF"));
     EXPECT_TRUE(refused(with(R"({"asset")", R"(["asset")"), "m.glb", "no valid glTF"));
