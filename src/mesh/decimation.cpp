@@ -230,4 +230,13 @@ TriangleMesh decimated(const TriangleMesh& mesh, int vertices) {
     return result;
 }
 
+TriangleMesh small_copy(const TriangleMesh& mesh, int vertices) {
+    TriangleMesh copy = decimated(mesh, vertices);
+    if (copy.vertex_count() / 4 > vertices)
+        throw MeshError("cannot be decimated to " + std::to_string(vertices) + " vertices: " + std::to_string(copy.vertex_count()) +
+                            " remain, since every component and every boundary keeps some",
+                        "take a mesh of fewer components");
+    return copy;
+}
+
 }   // namespace meshfolio
