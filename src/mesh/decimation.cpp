@@ -231,11 +231,15 @@ TriangleMesh decimated(const TriangleMesh& mesh, int vertices) {
 }
 
 TriangleMesh small_copy(const TriangleMesh& mesh, int vertices) {
+    const auto require_few = [&](int remaining) {
+        if (remaining / 4 > vertices)
+            throw MeshError("cannot be decimated to " + std::to_string(vertices) + " vertices: " + std::to_string(remaining) +
+                                " remain, since every component and every boundary keeps some",
+                            "take a mesh of fewer components");
+    };
+    require_few(3 * topology_without_edges(mesh).component_count);   // before the work, if nothing else stands in the way
     TriangleMesh copy = decimated(mesh, vertices);
-    if (copy.vertex_count() / 4 > vertices)
-        throw MeshError("cannot be decimated to " + std::to_string(vertices) + " vertices: " + std::to_string(copy.vertex_count()) +
-                            " remain, since every component and every boundary keeps some",
-                        "take a mesh of fewer components");
+    require_few(copy.vertex_count());
     return copy;
 }
 
