@@ -57,7 +57,7 @@ double ribbon_width(const DrawOptions& options) { return std::max(1.5, std::min(
 
 /// What a thread needs to draw a tile.
 struct Workplace {
-    explicit Workplace(const SamplePattern& pattern) : tile(pattern) {}
+    Workplace(const SamplePattern& pattern, WideBudget& budget) : tile(pattern, &budget) {}
 
     SampleTile tile;
     std::vector<std::int32_t> triangles;
@@ -190,9 +190,11 @@ std::vector<Image> draw_framed(const Surface& surface, std::span<const View> vie
     const Palette palette(options);
     const std::vector<Projection> projections = projections_of(views);
     const std::vector<ProjectedScene> scenes = projected(scene, projections);
-    const TileLists lists(scenes, pattern_of(options.samples));
+    const SamplePattern& pattern = pattern_of(options.samples);
+    WideBudget budget(std::int64_t{options.width} * options.height / (std::int64_t{pattern.block_side} * pattern.block_side));
+    const TileLists lists(scenes, pattern, budget);
 
-    tbb::enumerable_thread_specific<Workplace> places([&] { return Workplace(pattern_of(options.samples)); });
+    tbb::enumerable_thread_specific<Workplace> places([&] { return Workplace(pattern, budget); });
     PictureMaker maker(options, !surface.values.empty());
     std::vector<Image> images(views.size());
     for (std::size_t p = 0; p < projections.size(); ++p) {   // one after the other: views with heights need much memory

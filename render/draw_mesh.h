@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "color/colormap.h"
@@ -49,7 +50,13 @@ struct DrawOptions {
     int samples = 4;                             // per pixel: 1 or 4
 };
 
-/// One picture a view, in order; drawn in parallel, same bytes for any number of threads.
+/// Large triangles cover each other so often that drawing them would take minutes or gigabytes.
+struct TooMuchOverdraw : std::runtime_error {
+    TooMuchOverdraw() : std::runtime_error("too many large triangles lie over each other") {}
+};
+
+/// Returns one picture a view, in order; drawn in parallel, same bytes for any number of threads.
+/// @throws TooMuchOverdraw where triangles larger than 63 pixels cover the picture some thousand times and are not hidden
 std::vector<Image> draw_views(const Surface& surface, std::span<const View> views, const DrawOptions& options);
 
 }   // namespace render

@@ -232,13 +232,18 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "draw_mesh.h"
 
 namespace render {
 
 HWY_EXPORT(RasterizeAll);
 
-SampleTile::SampleTile(const SamplePattern& pattern)
+SampleTile::SampleTile(const SamplePattern& pattern, WideBudget* budget)
     : pattern_(pattern),
+      budget_(budget),
       blocks_on_side_(tile_side / pattern.block_side),
       blocks_(static_cast<std::size_t>(blocks_on_side_ * blocks_on_side_)),
       regions_(static_cast<std::size_t>(blocks_on_side_ * blocks_on_side_ / (SampleRegion::side * SampleRegion::side))) {}
@@ -250,10 +255,36 @@ void SampleTile::start(int x, int y) {
         b.top.fill(no_triangle), b.bottom.fill(no_triangle);
         return b;
     }();
-    x_ = x, y_ = y;
+    x_ = x, y_ = y, spent_ = 0;
+    wide_.fill({});
     std::fill(blocks_.begin(), blocks_.end(), empty);
     std::fill(regions_.begin(), regions_.end(), SampleRegion{});
 }
+
+bool SampleTile::repeats(const Triangle2& oriented) {
+    std::uint64_t hash = 0;
+    for (const ScreenPoint& p : oriented.corner)
+        for (const std::uint64_t part :
+             {static_cast<std::uint64_t>(p.x), static_cast<std::uint64_t>(p.y), std::bit_cast<std::uint64_t>(p.depth)})
+            hash = (std::rotl(hash, 5) ^ part) * 0x9E3779B97F4A7C15U;   // golden ratio, Knuth 6.4
+    return oriented == std::exchange(wide_[hash >> 58], oriented);
+}
+
+void SampleTile::spend_purse() {
+    if (budget_ != nullptr) budget_->spend(spent_);
+    spent_ = 0;
+}
+
+namespace {
+
+void take(std::atomic<std::int64_t>& left, std::int64_t count) {
+    if ((left -= count) < 0) throw TooMuchOverdraw();
+}
+
+}   // namespace
+
+void WideBudget::spend(std::int64_t steps) { take(steps_, steps); }
+void WideBudget::list(std::int64_t entries) { take(entries_, entries); }
 
 void rasterize(const ProjectedScene& scene, std::span<const std::int32_t> triangles, SampleTile& tile) {
     if (!triangles.empty()) HWY_DYNAMIC_DISPATCH(RasterizeAll)(scene, triangles, tile);

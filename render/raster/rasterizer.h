@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -28,10 +29,25 @@ struct SampleRegion {
     float ceiling = std::numeric_limits<float>::infinity();   // everything seen from below lies here or lower
 };
 
+/// Bounds the time and memory that wide triangles take in all tiles of a call together. The total does not depend on threads.
+class WideBudget {
+public:
+    /// @param blocks  of one picture
+    explicit WideBudget(std::int64_t blocks) : steps_(1'000'000'000 + 500 * blocks) {}
+    /// Takes steps: a block drawn is one, a region looked at two, a tile met eight. @throws TooMuchOverdraw when too little is left
+    void spend(std::int64_t steps);
+    /// Takes entries of the lists of tiles, 4 bytes each. @throws TooMuchOverdraw
+    void list(std::int64_t entries);
+
+private:
+    std::atomic<std::int64_t> steps_, entries_ = 200'000'000;
+};
+
 /// The samples of one square of the picture.
 class SampleTile {
 public:
-    explicit SampleTile(const SamplePattern& pattern);
+    /// @param budget  must outlive the tile; null: without limit
+    explicit SampleTile(const SamplePattern& pattern, WideBudget* budget = nullptr);
 
     /// Empties it for another place. @param x, y  upper left pixel
     void start(int x, int y);
@@ -42,11 +58,22 @@ public:
     int blocks_on_side() const { return blocks_on_side_; }
     SampleBlock* row(int block_row) { return blocks_.data() + static_cast<std::ptrdiff_t>(block_row) * blocks_on_side_; }
     const SampleBlock* row(int block_row) const { return blocks_.data() + static_cast<std::ptrdiff_t>(block_row) * blocks_on_side_; }
+    /// Remembers a wide triangle. @return whether it was the last of its hash already, so that it is hidden behind itself
+    bool repeats(const Triangle2& oriented);
+    /// Counts what a wide triangle takes. @throws TooMuchOverdraw
+    void spend(int steps) {
+        if ((spent_ += steps) >= purse) spend_purse();
+    }
     SampleRegion& region(int x, int y) { return *(regions_.data() + std::ptrdiff_t{y} * (blocks_on_side_ / SampleRegion::side) + x); }
 
 private:
     const SamplePattern& pattern_;
-    int x_ = 0, y_ = 0, blocks_on_side_;
+    static constexpr int purse = 1 << 14;   // steps that are taken from the budget at a time
+    void spend_purse();
+
+    WideBudget* budget_;
+    int x_ = 0, y_ = 0, blocks_on_side_, spent_ = 0;
+    std::array<Triangle2, 64> wide_;   // drawn before, by hash
     std::vector<SampleBlock> blocks_;
     std::vector<SampleRegion> regions_;
 };

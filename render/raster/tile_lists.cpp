@@ -185,8 +185,8 @@ TileRange range_of(const ProjectedScene& projected, std::int32_t id, const Sampl
 
 class PartSorter {
 public:
-    PartSorter(std::span<const ProjectedScene> projections, const SampleLines& lines)
-        : projections_(projections), lines_(lines), lists_(static_cast<std::size_t>(lines.columns * lines.rows) + 1) {}
+    PartSorter(std::span<const ProjectedScene> projections, const SampleLines& lines, WideBudget& budget)
+        : projections_(projections), lines_(lines), budget_(budget), lists_(static_cast<std::size_t>(lines.columns * lines.rows) + 1) {}
 
     TileLists::Part sorted(std::size_t begin, std::size_t end) const {
         const std::size_t count = end - begin, stride = count + block_samples;
@@ -207,6 +207,7 @@ public:
         };
         for_each_entry([&](std::size_t list, std::int32_t) { ++part.start[list + 2]; });
         for (std::size_t i = 2; i < part.start.size(); ++i) part.start[i] += part.start[i - 1];
+        budget_.list(part.start.back());
         part.triangles.resize(part.start.back());
         for_each_entry([&](std::size_t list, std::int32_t id) { part.triangles[part.start[list + 1]++] = id; });
         return part;
@@ -225,18 +226,21 @@ private:
 
     std::span<const ProjectedScene> projections_;
     SampleLines lines_;
+    WideBudget& budget_;
     std::size_t lists_;   // of a projection: its tiles, and one for what lies nowhere
 };
 
-TileLists::TileLists(std::span<const ProjectedScene> projections, const SamplePattern& pattern)
+TileLists::TileLists(std::span<const ProjectedScene> projections, const SamplePattern& pattern, WideBudget& budget)
     : columns_((projections[0].scene.width - 1) / tile_side + 1), rows_((projections[0].scene.height - 1) / tile_side + 1) {
     static_assert(tile_side * subpixels == 1 << 14);
     const std::size_t count = projections[0].scene.surface.triangles.size();
     const std::size_t part_size =
         std::max(smallest_part, triangles_per_list * projections.size() * static_cast<std::size_t>(columns_ * rows_));
     parts_.resize((count + part_size - 1) / part_size);
-    const PartSorter sorter(projections, {pattern.first, pattern.pitch, pattern.pitch_shift(), 14 - pattern.pitch_shift(),
-                                          pattern.columns_of_rows, columns_, rows_});
+    const PartSorter sorter(
+        projections,
+        {pattern.first, pattern.pitch, pattern.pitch_shift(), 14 - pattern.pitch_shift(), pattern.columns_of_rows, columns_, rows_},
+        budget);
     tbb::parallel_for(std::size_t{0}, parts_.size(),
                       [&](std::size_t i) { parts_[i] = sorter.sorted(i * part_size, std::min(count, (i + 1) * part_size)); });
 }

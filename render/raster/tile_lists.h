@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "raster/rasterizer.h"
 #include "scene/scene.h"
 
 namespace render {
@@ -14,7 +15,8 @@ namespace render {
 /// tile that a triangle meets, or one.
 class TileLists {
 public:
-    TileLists(std::span<const ProjectedScene> projections, const SamplePattern& pattern);
+    /// @throws TooMuchOverdraw when the budget does not hold the entries
+    TileLists(std::span<const ProjectedScene> projections, const SamplePattern& pattern, WideBudget& budget);
 
     int columns() const { return columns_; }
     int rows() const { return rows_; }

@@ -10,7 +10,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <iterator>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace render {
 
@@ -75,6 +77,20 @@ bool seen_edge_on(const ProjectedScene& projected, std::int32_t id) {
     return std::abs(glm::dot(normal, projected.axes.depth)) < edge_on * glm::length(normal);
 }
 
+/// Leaves the first of equal ribbons, as of many triangles in one place: no other is seen.
+std::vector<Ribbon> each_once(std::vector<Ribbon> ribbons) {
+    std::vector<std::size_t> order(ribbons.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto same = [&](std::size_t i, std::size_t j) { return ribbons[i].screen == ribbons[j].screen; };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return ribbons[i].screen.corner < ribbons[j].screen.corner; });
+    order.erase(std::unique(order.begin(), order.end(), same), order.end());
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i) ribbons[i] = ribbons[order[i]];
+    ribbons.erase(ribbons.begin() + static_cast<std::ptrdiff_t>(order.size()), ribbons.end());
+    return ribbons;
+}
+
 ScreenPoint moved(const ScreenPoint& p, glm::dvec2 by) { return {p.x + std::llrint(by.x), p.y + std::llrint(by.y), p.depth}; }
 
 }   // namespace
@@ -118,7 +134,7 @@ std::vector<Ribbon> edge_on_ribbons(const ProjectedScene& scene, std::span<const
         ribbons.push_back({{{a0, b0, b1}}, glm::ivec3(e.a, e.b, e.b)});
         ribbons.push_back({{{a0, b1, a1}}, glm::ivec3(e.a, e.b, e.a)});
     }
-    return ribbons;
+    return each_once(std::move(ribbons));
 }
 
 }   // namespace render

@@ -2,6 +2,7 @@
 /// A surface made ready to be drawn: its vertices on the sample grid, with what shading needs of them.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -32,12 +33,14 @@ glm::vec3 unpacked_normal(std::uint32_t packed);
 struct ScreenPoint {
     std::int64_t x = 0, y = 0;
     double depth = 0;   // grid steps from the middle of the picture along the depth axis
+    auto operator<=>(const ScreenPoint&) const = default;
 };
 /// Corners up to here are drawn exactly (2⁴⁴ pixels from the corner of the picture); triangles that reach farther are left out.
 inline constexpr std::int64_t largest_coordinate = std::int64_t{1} << 52;
 
 struct Triangle2 {
     std::array<ScreenPoint, 3> corner;
+    bool operator==(const Triangle2&) const = default;
 };
 
 /// What does not depend on the view. Memory: 16 bytes a vertex, 4 more with values.

@@ -22,7 +22,12 @@ ExitCode run_lab(const LabFlags& options) {
     const report::Templates templates(options.templates);
     const PreparedMesh prepared = load_mesh(options.mesh);
     const std::string name = mesh_name(options.mesh);
-    const LabMesh lab = about_mesh(options.mesh, [&] { return lab_mesh(prepared.mesh, name, {{"lab", {}}}, {.vertices = 0}); });
+    const LabMesh lab = about_mesh(options.mesh, [&] {
+        return lab_mesh(prepared.mesh, name, {{"lab", {}}}, {.vertices = 50'000, .decimated_to = 20'000});
+    });
+    if (lab.is_decimated)
+        warn(shown(options.mesh) + ": a page holds at most 50000 vertices, so it shows a copy of " +
+             std::to_string(lab.mesh.vertex_count()));
     if (!lab.has_all_modes())
         warn(shown(options.mesh) + ": the page has the lowest " + std::to_string(lab.eigenvalues.size()) + " modes of " +
              std::to_string(lab.mesh.vertex_count()) + ", a truncation");
@@ -41,7 +46,9 @@ Command lab_command(CLI::App& parent) {
     app.required("MESH", options->mesh, formats_read);
     app.required("-o,--output FILE", options->output, "the page, one HTML file that works offline");
     app.text("--templates DIR", options->templates, "folder of templates that replace those of the same name");
-    app.footer("Up to 2,000 vertices the page has all modes, above the lowest 300.\nExample: meshfolio lab cube.obj -o lab.html");
+    app.footer(
+        "Up to 2,000 vertices the page has all modes, above the lowest 300;\nbeyond 50,000 it shows a decimated copy of 20,000.\nExample: "
+        "meshfolio lab cube.obj -o lab.html");
     return {app, [options] { return run_lab(*options); }};
 }
 

@@ -230,4 +230,17 @@ TriangleMesh decimated(const TriangleMesh& mesh, int vertices) {
     return result;
 }
 
+TriangleMesh small_copy(const TriangleMesh& mesh, int vertices) {
+    const auto require_few = [&](int remaining) {
+        if (remaining / 4 > vertices)
+            throw MeshError("cannot be decimated to " + std::to_string(vertices) + " vertices: " + std::to_string(remaining) +
+                                " remain, since every component and every boundary keeps some",
+                            "take a mesh of fewer components");
+    };
+    require_few(3 * topology_without_edges(mesh).component_count);   // before the work, if nothing else stands in the way
+    TriangleMesh copy = decimated(mesh, vertices);
+    require_few(copy.vertex_count());
+    return copy;
+}
+
 }   // namespace meshfolio

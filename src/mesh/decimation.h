@@ -12,5 +12,8 @@ namespace meshfolio {
 /// out. The same mesh gives the same result.
 /// @throws MeshError if vertices < 4, or a triangle names a vertex twice or one that does not exist
 [[nodiscard]] TriangleMesh decimated(const TriangleMesh& mesh, int vertices);
+/// Returns the same for those who cannot work on a much larger mesh, such as one of a hundred thousand separate triangles.
+/// @throws MeshError also if more than four times as many vertices remain
+[[nodiscard]] TriangleMesh small_copy(const TriangleMesh& mesh, int vertices);
 
 }   // namespace meshfolio

@@ -28,10 +28,10 @@ class Outcome:
         self.errors = [line for line in self.lines if not line.startswith("meshfolio: warning: ")]
 
 
-def limits(as_nobody):
+def limits(as_nobody, seconds=SECONDS):
     def apply():
         resource.setrlimit(resource.RLIMIT_AS, (MEGABYTES << 20, MEGABYTES << 20))
-        resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         if as_nobody:
             os.setgroups([])

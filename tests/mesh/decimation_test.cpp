@@ -108,6 +108,17 @@ TEST(Decimation, LeavesASmallMeshAloneAndRefusesTooFew) {
     EXPECT_THROW(static_cast<void>(decimated(mesh, 3)), MeshError);
 }
 
+/// Separate triangles keep their corners, whatever is asked for.
+TEST(Decimation, ACopyThatCannotBeSmallIsRefused) {
+    constexpr int triangles = 100;
+    TriangleMesh mesh{Positions::Random(3 * triangles, 3), Faces(triangles, 3)};
+    for (int t = 0; t < triangles; ++t) mesh.F.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
+    EXPECT_EQ(decimated(mesh, 10).vertex_count(), 3 * triangles);
+    EXPECT_THROW(static_cast<void>(small_copy(mesh, 10)), MeshError);
+    EXPECT_EQ(small_copy(mesh, 75).vertex_count(), 3 * triangles);   // four times as many
+    EXPECT_LE(small_copy(icosphere(3), 50).vertex_count(), 50);
+}
+
 TEST(Decimation, NonManifoldVerticesStay) {
     // Two fans of a shaken sphere that touch in one point: the point is where it was.
     TriangleMesh sphere = icosphere(2);

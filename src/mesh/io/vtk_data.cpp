@@ -43,7 +43,7 @@ std::optional<double> not_finite(std::string_view word) {
 
 void VtkFile::fail(const std::string& problem, const std::string& remedy) const { throw InputError({file_, 0}, problem, remedy); }
 
-VtkFile::VtkFile(std::string_view bytes, std::string file) : file_(std::move(file)), left_(300 * bytes.size() + (1 << 20)) {
+VtkFile::VtkFile(std::string_view bytes, std::string file) : file_(std::move(file)), left_(50 * bytes.size() + (1 << 20)) {
     // What follows "_" may be binary, which no reader of XML takes.
     const std::size_t end = bytes.find("<AppendedData"), begin = end == bytes.npos ? end : bytes.find('_', bytes.find('>', end));
     std::string text(bytes.substr(0, end));

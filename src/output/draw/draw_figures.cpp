@@ -135,7 +135,7 @@ void draw_view_files(const FigureJob& job, std::size_t index, const std::filesys
     options.width = settings.width;
     options.height = settings.height;
     options.frame = full_frame(request, index, !has_six_views(request), options.width, options.height);
-    std::vector<render::Image> views = render::draw_views(surface_in(request, panel), directions, options);
+    std::vector<render::Image> views = drawn_views(surface_in(request, panel), directions, options);
     for_each_task(views.size(), [&](std::size_t i) {
         label_view(views[i], directions[i].name);
         write_file(folder / view_file(panel, directions[i]), render::encode_png(views[i]));
@@ -156,14 +156,14 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
     options.width = large.width;
     options.height = large.height;
     options.frame = large.frame;
-    pictures = render::draw_views(surface, hero, options);
+    pictures = drawn_views(surface, hero, options);
     if (job.six) {
         const PictureFrame whole = job.six->covering_all();
         options.width = whole.width;
         options.height = whole.height;
         options.frame = job.six->frame;
         const std::vector<render::View> directions = views_in_reading_order();
-        const std::vector<render::Image> views = render::draw_views(surface, directions, options);
+        const std::vector<render::Image> views = drawn_views(surface, directions, options);
         for (std::size_t i = 0; i < views.size(); ++i) {
             const PictureFrame& size = job.six->of(directions[i]);
             pictures.push_back(

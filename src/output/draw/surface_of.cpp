@@ -17,6 +17,14 @@ namespace meshfolio::output {
 static_assert(sizeof(glm::dvec3) == 3 * sizeof(double) && alignof(glm::dvec3) == alignof(double));
 static_assert(sizeof(glm::ivec3) == 3 * sizeof(int) && alignof(glm::ivec3) == alignof(int));
 
+std::vector<render::Image> drawn_views(const render::Surface& surface, std::span<const render::View> views,
+                                       const render::DrawOptions& options) try {
+    return render::draw_views(surface, views, options);
+} catch (const render::TooMuchOverdraw& error) {
+    throw MeshError(std::string("cannot be drawn: ") + error.what() + " (" + std::to_string(surface.triangles.size()) + " in all)",
+                    "take smaller pictures (--size), or a mesh without repeated triangles");
+}
+
 render::Surface surface_of(const TriangleMesh& mesh, const Vector* values) {
     render::Surface surface;
     surface.positions = {reinterpret_cast<const glm::dvec3*>(mesh.X.data()), static_cast<std::size_t>(mesh.X.rows())};

@@ -11,6 +11,10 @@
 
 namespace meshfolio::output {
 
+/// render::draw_views for a mesh that somebody named. @throws MeshError where its triangles lie over each other too often to be drawn
+std::vector<render::Image> drawn_views(const render::Surface& surface, std::span<const render::View> views,
+                                       const render::DrawOptions& options);
+
 /// A view of the mesh (and of `values`, one a vertex, when given); both must outlive it.
 render::Surface surface_of(const TriangleMesh& mesh, const Vector* values = nullptr);
 

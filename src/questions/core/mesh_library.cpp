@@ -53,7 +53,7 @@ struct MeshLibrary::Shelf {
         LibraryMesh small = *mesh;
         small.is_copy = true;
         small.prepared =
-            std::make_shared<const PreparedMesh>(prepare_mesh({decimated(source->mesh(), vertices), mesh->prepared->file, {}, {}}));
+            std::make_shared<const PreparedMesh>(prepare_mesh({small_copy(source->mesh(), vertices), mesh->prepared->file, {}, {}}));
         // The error is printed with two digits, so a sample of the vertices is enough.
         const ClosestPoint surface(small.mesh());
         const int stride = 1 + whole.vertex_count() / most_measured, measured = (whole.vertex_count() - 1) / stride + 1;

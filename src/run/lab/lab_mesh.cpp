@@ -109,8 +109,8 @@ LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std:
     lab.name = name;
     lab.source_vertices = source.vertex_count();
     lab.mesh = without_unreferenced_vertices(with_joined_vertices(source, coincident_vertices(source))).mesh;
-    lab.is_decimated = limits.vertices > 0 && lab.mesh.vertex_count() > limits.vertices;
-    if (lab.is_decimated) lab.mesh = decimated(lab.mesh, limits.decimated_to);
+    lab.is_decimated = lab.mesh.vertex_count() > limits.vertices;
+    if (lab.is_decimated) lab.mesh = small_copy(lab.mesh, limits.decimated_to);
     const Box box = bounding_box(lab.mesh);
     lab.mesh.X = lab.mesh.X.rowwise() - box.centre().transpose();
     lab.diagonal = box.diagonal();

@@ -25,7 +25,7 @@ struct LabReading {
 };
 
 struct LabLimits {
-    int vertices = 620, decimated_to = 420;    // larger meshes are decimated; 0: none is
+    int vertices = 620, decimated_to = 420;    // larger meshes are decimated
     int all_modes = 2000, fewer_modes = 300;   // all modes up to this many vertices, else the lowest 300
 };
 
@@ -58,6 +58,7 @@ std::vector<LabReading> readings_at(const LabMesh& lab, const Spectrum& spectrum
 std::vector<BestDenoising> denoising_on(const LabMesh& lab, const QuestionSettings& settings);
 
 /// @param questions  whose panels open on this mesh, with the user's settings; "lab": one that belongs to none
+/// @throws MeshError if the mesh cannot be decimated
 LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std::map<std::string, QuestionSettings>& questions,
                  const LabLimits& limits = {});
 

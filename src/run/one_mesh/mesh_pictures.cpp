@@ -63,7 +63,7 @@ std::vector<render::Image> pictures_of(const PreparedMesh& prepared, const Field
     const Vector3 &low = prepared.preflight.box_low, &high = prepared.preflight.box_high;
     if (!draw.frame && std::ranges::all_of(views, &render::View::is_along_axis))   // what draw_views would find by itself
         draw.frame = render::frame_of({{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}}, draw.width, draw.height, draw.fill);
-    return render::draw_views(output::surface_of(prepared.mesh, sheet.range ? &field.values : nullptr), views, draw);
+    return output::drawn_views(output::surface_of(prepared.mesh, sheet.range ? &field.values : nullptr), views, draw);
 }
 
 TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {

@@ -79,7 +79,8 @@ inline SampleTile drawn(const std::vector<Triangle2>& triangles, int samples) {
     const render::DrawOptions options{.width = width, .height = height};
     const render::Scene scene(surface, {}, options);
     const render::ProjectedScene projected(scene, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-    const render::TileLists lists({&projected, 1}, render::pattern_of(samples));
+    render::WideBudget budget(0);
+    const render::TileLists lists({&projected, 1}, render::pattern_of(samples), budget);
     std::vector<std::int32_t> ids;
     lists.collect(0, tile_y / 64 * lists.columns() + tile_x / 64, ids);
     SampleTile tile = empty_tile(samples);

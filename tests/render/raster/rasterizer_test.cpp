@@ -261,4 +261,33 @@ TEST_P(InstructionSet, PicturesHaveTheSameBytesAsWithTheLeastOne) {
         }
 }
 
+/// Wide triangles, and the same with each followed by itself, its corners in another order.
+TEST(Rasterizer, TrianglesThatRepeatEarlierOnesAreNotSeen) {
+    std::mt19937_64 random(11);
+    std::vector<Triangle2> once, repeated;
+    for (int i = 0; i < 200; ++i) once.push_back(random_triangle(random, 200 * 256, 1));
+    repeated = once;
+    for (const Triangle2& t : once)
+        repeated.push_back({{t.corner[2], t.corner[0], t.corner[1]}}), repeated.push_back({{t.corner[1], t.corner[0], t.corner[2]}});
+    const SampleTile of_once = drawn_wide(once, 4), of_repeated = drawn_wide(repeated, 4);
+    for (int row = 0; row < of_once.blocks_on_side(); ++row)
+        for (int column = 0; column < of_once.blocks_on_side(); ++column) {
+            ASSERT_EQ(of_once.row(row)[column].top, of_repeated.row(row)[column].top);
+            ASSERT_EQ(of_once.row(row)[column].bottom, of_repeated.row(row)[column].bottom);
+        }
+}
+
+TEST(Rasterizer, WorkWithoutEndIsRefused) {
+    render::WideBudget nothing_left(-2'000'000);
+    SampleTile tile(render::four_samples, &nothing_left);
+    tile.start(tile_x, tile_y);
+    std::mt19937_64 random(12);
+    const auto draw = [&](int count) {
+        for (int i = 0; i < count; ++i) render::rasterize_wide(random_triangle(random, 200 * 256, 1), i, tile);
+    };
+    EXPECT_NO_THROW(draw(4));   // counted in portions
+    EXPECT_THROW(draw(10000), render::TooMuchOverdraw);
+    EXPECT_THROW(nothing_left.list(1'000'000'000), render::TooMuchOverdraw);
+}
+
 }   // namespace

@@ -38,7 +38,8 @@ TEST(TileLists, HoldEveryTriangleThatCoversASampleAndAreAscending) {
     std::vector<render::ProjectedScene> projected;
     for (const render::Projection& p : render::projections_of(render::six_views)) projected.emplace_back(scene, p.axes);
     for (const int samples : {1, 4}) {
-        const render::TileLists lists(projected, render::pattern_of(samples));
+        render::WideBudget budget(0);
+        const render::TileLists lists(projected, render::pattern_of(samples), budget);
         ASSERT_EQ(lists.columns(), 5);
         ASSERT_EQ(lists.rows(), 3);
         std::vector<std::int32_t> list, everything, seen;
@@ -67,7 +68,8 @@ TEST(TileLists, BrokenTrianglesAreInNone) {
     const render::Surface surface = mesh.surface();
     const render::Scene scene(surface, {}, {.width = 300, .height = 170});
     const render::ProjectedScene projected(scene, render::projections_of(render::six_views)[2].axes);
-    const render::TileLists lists({&projected, 1}, render::four_samples);
+    render::WideBudget budget(0);
+    const render::TileLists lists({&projected, 1}, render::four_samples, budget);
     std::vector<std::int32_t> list;
     for (int t = 0; t < lists.columns() * lists.rows(); ++t) {
         lists.collect(0, t, list);
