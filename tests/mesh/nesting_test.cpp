@@ -22,7 +22,7 @@ using namespace meshfolio::testing;
 
 namespace {
 
-PreparedMesh prepared(const TriangleMesh& mesh) { return prepare_mesh({mesh, "m.obj", {}, {}}); }
+PreparedMesh prepared_solid(const TriangleMesh& mesh) { return prepare_mesh({mesh, "m.obj", {}, {}}); }
 
 TriangleMesh turned(TriangleMesh mesh) {
     mesh.F.col(1).swap(mesh.F.col(2));
@@ -37,7 +37,7 @@ TriangleMesh cube(double size, const Vector3& centre = Vector3::Zero()) {
 }
 
 /// a × b × c, one corner at the origin.
-TriangleMesh box(double a, double b, double c, const Vector3& low = Vector3::Zero()) {
+TriangleMesh box_of_solid(double a, double b, double c, const Vector3& low = Vector3::Zero()) {
     TriangleMesh mesh = unit_cube();
     mesh.X = (mesh.X * Vector3(a, b, c).asDiagonal()).rowwise() + low.transpose();
     return mesh;
@@ -94,7 +94,7 @@ double winding_number(const TriangleMesh& mesh, const Vector3& p) {
 }
 
 void expect_left_alone(const TriangleMesh& mesh, double volume, const char* what) {
-    const PreparedMesh result = prepared(mesh);
+    const PreparedMesh result = prepared_solid(mesh);
     ASSERT_EQ(result.mesh.face_count(), mesh.face_count()) << what;
     EXPECT_EQ(result.mesh.F, mesh.F) << what;
     EXPECT_EQ(result.preflight.inside_out_components + result.preflight.flipped_faces, 0) << what;
@@ -102,7 +102,7 @@ void expect_left_alone(const TriangleMesh& mesh, double volume, const char* what
     EXPECT_NEAR(result.preflight.volume, volume, 1e-12 * (1 + std::abs(volume))) << what;
 }
 
-double volume_of(const TriangleMesh& mesh) { return prepared(mesh).preflight.volume; }
+double volume_of(const TriangleMesh& mesh) { return prepared_solid(mesh).preflight.volume; }
 
 TriangleMesh klein_bottle(int n, int m) {
     TriangleMesh mesh;
@@ -147,17 +147,17 @@ TEST(Nesting, ShellsAlternateByDepth) {
             }
             std::shuffle(shells.begin(), shells.end(), random);
             const TriangleMesh mesh = shuffled(all_of(shells), random, true);
-            const PreparedMesh result = prepared(mesh);
+            const PreparedMesh result = prepared_solid(mesh);
             EXPECT_EQ(result.preflight.inside_out_components, wrong) << depth << " " << ways;
             EXPECT_NEAR(result.preflight.volume, volume, 1e-12 * 64) << depth << " " << ways;
             EXPECT_TRUE(wrong > 0 || result.mesh.F == mesh.F);
-            EXPECT_EQ(prepared(result.mesh).preflight.inside_out_components, 0);   // the result agrees with itself
+            EXPECT_EQ(prepared_solid(result.mesh).preflight.inside_out_components, 0);   // the result agrees with itself
         }
     }
 }
 
 TEST(Nesting, AFilledCavityIsNamed) {
-    const PreparedMesh result = prepared(joined(cube(3), cube(1)));
+    const PreparedMesh result = prepared_solid(joined(cube(3), cube(1)));
     ASSERT_EQ(result.warnings.size(), 1U);
     EXPECT_EQ(result.warnings[0].message, "1 closed component within a body pointed outwards (positive volume), reoriented as a cavity");
     EXPECT_NEAR(result.preflight.volume, 26, 1e-12);
@@ -168,7 +168,7 @@ TEST(Nesting, CavitiesThatTouchTheWallStayCavities) {
     expect_left_alone(welded(joined(body, turned(cube(2, {1, 1, 1})))), 56, "a vertex and three walls");
     expect_left_alone(joined(body, turned(cube(2, {0, 0, 1}))), 56, "a wall");
     expect_left_alone(joined(body, turned(cube(2, {0, 1, 1}))), 56, "two walls along an edge");
-    expect_left_alone(joined(body, turned(box(4, 1, 1, {-2, -0.5, -0.5}))), 60, "a channel from wall to wall");
+    expect_left_alone(joined(body, turned(box_of_solid(4, 1, 1, {-2, -0.5, -0.5}))), 60, "a channel from wall to wall");
 }
 
 TEST(Nesting, ABodyThatFillsACavityIsLeftAlone) {
@@ -185,17 +185,17 @@ TEST(Nesting, BodiesSideBySideAddUpWhateverTheyShare) {
         expect_left_alone(welded(joined(a, b)), volume, what);
         for (int i = 0; i < 5; ++i) EXPECT_NEAR(volume_of(shuffled(welded(joined(turned(a), b)), random, i > 0)), volume, 1e-12) << what;
     };
-    both_ways(box(1, 1, 1), box(1, 1, 1, {3, 0, 0}), 2, "nothing");
-    both_ways(box(1, 1, 1), box(1, 1, 1, {1, 1, 1}), 2, "a vertex");
-    both_ways(box(1, 1, 1), box(1, 1, 1, {1, 1, 0}), 2, "an edge");
-    both_ways(box(1, 1, 1), box(0.5, 0.5, 0.5, {1, 0.2, 0.2}), 1.125, "part of a face");
+    both_ways(box_of_solid(1, 1, 1), box_of_solid(1, 1, 1, {3, 0, 0}), 2, "nothing");
+    both_ways(box_of_solid(1, 1, 1), box_of_solid(1, 1, 1, {1, 1, 1}), 2, "a vertex");
+    both_ways(box_of_solid(1, 1, 1), box_of_solid(1, 1, 1, {1, 1, 0}), 2, "an edge");
+    both_ways(box_of_solid(1, 1, 1), box_of_solid(0.5, 0.5, 0.5, {1, 0.2, 0.2}), 1.125, "part of a face");
     expect_left_alone(two_tetrahedra(true), 0.5, "a face that both have");
     EXPECT_NEAR(volume_of(turned(two_tetrahedra(true))), 0.5, 1e-15);   // turned as a whole
 }
 
 // The volume of a wall without a counterpart would depend on the origin, and so on whatever else is in the file.
 TEST(Nesting, AWallInsideABodyLeavesNoVolume) {
-    const PreparedMesh result = prepared(two_tetrahedra(false));
+    const PreparedMesh result = prepared_solid(two_tetrahedra(false));
     EXPECT_TRUE(std::isnan(result.preflight.volume));
     EXPECT_EQ(result.preflight.unbalanced_edges, 3);
     EXPECT_TRUE(result.preflight.closed());
@@ -208,33 +208,33 @@ TEST(Nesting, AWallInsideABodyLeavesNoVolume) {
 
 TEST(Nesting, SurfacesWithoutAnInsideHaveNoVolume) {
     for (const TriangleMesh& mesh : {flat_grid(4, 5), moebius_strip(9), klein_bottle(12, 9)}) {
-        const PreparedMesh result = prepared(mesh);
+        const PreparedMesh result = prepared_solid(mesh);
         EXPECT_TRUE(std::isnan(result.preflight.volume));
         EXPECT_NE(why_no_volume(result.mesh, result.topology), "");
         EXPECT_FALSE(encloses_volume(result.mesh, result.topology));
         EXPECT_TRUE(std::isnan(enclosed_volume(result.mesh)));
     }
-    EXPECT_TRUE(prepared(klein_bottle(12, 9)).preflight.closed());
-    const PreparedMesh klein = prepared(klein_bottle(12, 9));
+    EXPECT_TRUE(prepared_solid(klein_bottle(12, 9)).preflight.closed());
+    const PreparedMesh klein = prepared_solid(klein_bottle(12, 9));
     EXPECT_NE(why_no_volume(klein.mesh, klein.topology).find("orientation"), std::string::npos);
     TriangleMesh pillow = flat_grid(2, 2);
     pillow.F.conservativeResize(4, 3);
     pillow.F.bottomRows(2) = pillow.F.topRows(2).rowwise().reverse().eval();
-    EXPECT_EQ(prepared(pillow).preflight.volume, 0);   // it has two sides, and nothing between them
+    EXPECT_EQ(prepared_solid(pillow).preflight.volume, 0);   // it has two sides, and nothing between them
 }
 
 TEST(Nesting, OpenAndIntersectingSurfacesHoldNothing) {
     TriangleMesh open = cube(4);
     open.F.conservativeResize(10, 3);   // without a wall
     const TriangleMesh inside = joined(open, turned(cube(1)));
-    EXPECT_EQ(prepared(inside).preflight.inside_out_components, 1);
-    EXPECT_EQ(prepared(joined(open, cube(1))).preflight.inside_out_components, 0);
+    EXPECT_EQ(prepared_solid(inside).preflight.inside_out_components, 1);
+    EXPECT_EQ(prepared_solid(joined(open, cube(1))).preflight.inside_out_components, 0);
     expect_left_alone(joined(cube(2), cube(2, {1, 1, 1})), 16, "overlapping");
     // A prism within the box of a bent one, half in it: its box lies in the other's, its surface does not.
-    TriangleMesh bent = all_of({box(4, 1, 2), box(1, 3, 2, {0, 1, 0})});
+    TriangleMesh bent = all_of({box_of_solid(4, 1, 2), box_of_solid(1, 3, 2, {0, 1, 0})});
     expect_left_alone(joined(torus(24, 12), cube(0.4, {1.5, 0, 0.2})), signed_volume(torus(24, 12)) + 0.064, "across a torus");
     expect_left_alone(joined(torus(24, 12), cube(0.4)), signed_volume(torus(24, 12)) + 0.064, "in the hole of a torus");
-    expect_left_alone(joined(bent, box(1, 1, 1, {2, 2, 0.5})), 14 + 1, "beside");
+    expect_left_alone(joined(bent, box_of_solid(1, 1, 1, {2, 2, 0.5})), 14 + 1, "beside");
 }
 
 TEST(Nesting, OppositeFacesStayAndRepeatedOnesGo) {
@@ -246,15 +246,15 @@ TEST(Nesting, OppositeFacesStayAndRepeatedOnesGo) {
             mesh.F.conservativeResize(3 + copies + opposite, 3);
             for (int i = 0; i < copies; ++i) mesh.F.row(3 + i) = first;
             for (int i = 0; i < opposite; ++i) mesh.F.row(3 + copies + i) << first(1), first(0), first(2);
-            const Preflight p = prepared(mesh).preflight;
+            const Preflight p = prepared_solid(mesh).preflight;
             EXPECT_EQ(p.dropped_duplicate_faces, copies - 1 + std::max(0, opposite - 1));
             EXPECT_EQ(p.opposite_faces, opposite > 0 ? 1 : 0);
             EXPECT_EQ(p.triangles, 4 + (opposite > 0 ? 1 : 0));
             EXPECT_EQ(p.encloses_volume(), opposite == 0);
         }
     }
-    EXPECT_EQ(prepared(closed).preflight.opposite_faces, 1);
-    EXPECT_EQ(prepared(closed).preflight.dropped_duplicate_faces, 0);
+    EXPECT_EQ(prepared_solid(closed).preflight.opposite_faces, 1);
+    EXPECT_EQ(prepared_solid(closed).preflight.dropped_duplicate_faces, 0);
 }
 
 // Random tetrahedra and cubes of all sizes, apart or one in the other, every one turned at random: afterwards the sum of the winding
@@ -279,7 +279,7 @@ TEST(Nesting, AgreesWithSolidAngles) {
             bodies.back().X = moved(rotated(bodies.back().X), centre);
             if (random() % 2 == 0) bodies.back() = turned(bodies.back());
         }
-        const TriangleMesh result = prepared(all_of(bodies)).mesh;
+        const TriangleMesh result = prepared_solid(all_of(bodies)).mesh;
         const Positions normals = face_normals(result);
         for (int t = 0; t < result.face_count(); t += 6) {
             const Vector3 centroid = (result.X.row(result.F(t, 0)) + result.X.row(result.F(t, 1)) + result.X.row(result.F(t, 2))) / 3;
@@ -303,8 +303,8 @@ TEST(Nesting, ManyShellsTakeSeconds) {
         many.F.middleRows(4 * i, 4) = one.F.array() + 4 * i;
     }
     const double volume = count / 6.0, outer = 1e5;
-    EXPECT_EQ(prepared(many).preflight.inside_out_components, count);
-    EXPECT_NEAR(prepared(joined(many, cube(outer))).preflight.volume, outer * outer * outer - volume, 1e-12 * outer * outer * outer);
-    EXPECT_EQ(prepared(joined(many, cube(outer))).preflight.inside_out_components, 0);
+    EXPECT_EQ(prepared_solid(many).preflight.inside_out_components, count);
+    EXPECT_NEAR(prepared_solid(joined(many, cube(outer))).preflight.volume, outer * outer * outer - volume, 1e-12 * outer * outer * outer);
+    EXPECT_EQ(prepared_solid(joined(many, cube(outer))).preflight.inside_out_components, 0);
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
 }
