@@ -175,12 +175,12 @@ private:
         const fs::path parent = folder_at(below.parent_path());
         for (int number = 0;; ++number) {
             const fs::path place = parent / name_beside(below.filename().string(), number);
-            if (::mkdir(place.c_str(), 0700) == 0)
-                made_.emplace_back(from_ / below, place);
-            else if (errno != EEXIST)
+            const bool is_new = !is_folder(place);
+            if (is_new && ::mkdir(place.c_str(), 0700) != 0) {
+                if (errno == EEXIST) continue;
                 throw OutputError(place.string(), std::string("cannot create the folder (") + std::strerror(errno) + ")");
-            else if (!is_folder(place))
-                continue;
+            }
+            if (is_new) made_.emplace_back(from_ / below, place);
             return folders_[below] = place;
         }
     }
