@@ -112,7 +112,7 @@ std::vector<VertexColumn> GlbColumns::of_vertices(const WeldedMesh& mesh) {
         for (Eigen::Index v = 0; v < values.size(); ++v) {
             values[v] = column.values[at(mesh.first[static_cast<std::size_t>(v)])];
             if (!column.is_color()) continue;
-            const double channel = largest * (column.component == 3 ? values[v] : srgb_of_linear(values[v]));
+            const double channel = largest * (column.component == 3 ? values[v] : std::min(srgb_of_linear(values[v]), 1.0));
             values[v] = is_integer(color) ? std::round(channel) : channel;
         }
         const bool holds_nan = column.has_gaps && is_integer(column.type);

@@ -83,9 +83,9 @@ private:
             if (corners.empty()) continue;
             const std::size_t first = points_.size();
             const std::vector<std::uint32_t> vertices = used_vertices(corners, shape.vertex_count());
-            add_points(shape, vertices, place);
+            const bool turned = add_points(shape, vertices, place);
             if (keeps_columns_) columns_.add(primitive, vertices, first);
-            add_triangles(corners, mode, static_cast<int>(first), shape.matrix(vertices[0], place).topLeftCorner<3, 3>().determinant() < 0);
+            add_triangles(corners, mode, static_cast<int>(first), turned);
         }
     }
 
@@ -135,16 +135,21 @@ private:
         return used;
     }
 
-    void add_points(const GlbShape& shape, const std::vector<std::uint32_t>& vertices, const Eigen::Matrix4d& place) {
+    /// @return whether they are mirrored, which turns triangles (§3.5.3)
+    bool add_points(const GlbShape& shape, const std::vector<std::uint32_t>& vertices, const Eigen::Matrix4d& place) {
         document_.refuse_too_many(points_.size() + vertices.size());
         document_.spend(vertices.size() * shape.cost());
+        bool is_mirrored = false;
         for (const std::uint32_t v : vertices) {
-            const Vector3 x = shape(v, place);
+            const Eigen::Matrix4d matrix = shape.matrix(v, place);
+            const Vector3 x = (matrix * shape.vertex(v)).head<3>();
+            if (v == vertices[0]) is_mirrored = matrix.topLeftCorner<3, 3>().determinant() < 0;
             if (!(x.cwiseAbs().array() <= largest_coordinate).all())
                 document_.fail("vertex " + std::to_string(v) + ": coordinate is not finite or out of the supported range (1e100)",
                                "every coordinate must be finite");
             points_.push_back({x[0], x[1], x[2]});
         }
+        return is_mirrored;
     }
 
     /// Independent ones (mode 4), a strip whose every second one is turned (5), or a fan (6).

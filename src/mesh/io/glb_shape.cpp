@@ -84,11 +84,11 @@ Eigen::Matrix4d GlbShape::matrix(std::size_t i, const Eigen::Matrix4d& place) co
     return total > 0 ? Eigen::Matrix4d(sum / total) : joint(influences_[0], 0);
 }
 
-Vector3 GlbShape::operator()(std::size_t i, const Eigen::Matrix4d& place) const {
+Eigen::Vector4d GlbShape::vertex(std::size_t i) const {
     Eigen::Vector4d x(base_(i, 0), base_(i, 1), base_(i, 2), 1);
     for (const Target& target : targets_)
         for (int k = 0; k < 3; ++k) x[k] += target.weight * target.moves(i, k);
-    return (matrix(i, place) * x).head<3>();
+    return x;
 }
 
 }   // namespace meshfolio

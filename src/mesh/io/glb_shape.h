@@ -33,9 +33,9 @@ public:
     std::size_t vertex_count() const { return base_.count; }
     /// How many numbers a vertex is computed from, roughly.
     std::size_t cost() const { return 1 + targets_.size() + 4 * influences_.size(); }
-    /// Vertex i at rest. @param place  from the node to the world; not used with a skin (§3.7.3.3)
-    Vector3 operator()(std::size_t i, const Eigen::Matrix4d& place) const;
-    /// The matrix that moves vertex i.
+    /// Vertex i, morphed, in the coordinates of the node or of its skin (homogeneous).
+    Eigen::Vector4d vertex(std::size_t i) const;
+    /// What moves it to its place at rest. @param place  from the node to the world; not used with a skin (§3.7.3.3)
     Eigen::Matrix4d matrix(std::size_t i, const Eigen::Matrix4d& place) const;
 
 private:

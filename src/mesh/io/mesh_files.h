@@ -1,7 +1,7 @@
 /// @file
 /// Meshes from and to files. Reading is strict: what cannot be understood is an InputError with file and line; what
-/// was understood but looked odd is a warning. Vertex order is the file's; STL and GLB, whose vertices are there once for each of their
-/// faces or normals, are welded where positions are equal.
+/// was understood but looked odd is a warning. Vertex order is the file's; STL and each mesh of a GLB, whose vertices are there once for
+/// each of their faces or normals, are welded where positions are equal.
 ///
 /// A new format is one `parse_…` function here, one line in the table of mesh_files.cpp, one encoder when it is written too.
 #pragma once

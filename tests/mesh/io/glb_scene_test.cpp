@@ -242,7 +242,8 @@ TEST(GlbScene, ColoursOfSomeMeshesOnlyAreWhiteElsewhereAndSeamsAreTold) {
     ASSERT_EQ(read.attributes.columns.size(), 4U);
     for (const VertexColumn& column : read.attributes.columns) {
         const bool is_color = column.name != "ID";
-        for (int v = 0; v < 4; ++v) EXPECT_TRUE(is_color ? column.values[v] == 1 : std::isnan(column.values[v])) << column.name;
+        for (int v = 0; v < 4; ++v)
+            EXPECT_TRUE(is_color ? std::abs(column.values[v] - 1) < 1e-12 : std::isnan(column.values[v])) << column.name;
         EXPECT_EQ(column.type, is_color ? ScalarType::float32 : ScalarType::float64);
     }
     EXPECT_NEAR(read.attributes.columns[0].values[4], 0.7353569831, 1e-6) << "half the light, in sRGB";
