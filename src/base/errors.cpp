@@ -40,7 +40,8 @@ CodePoint decode_utf8(const std::string& text, std::size_t at) {
 
 bool may_be_shown(std::uint32_t code) {
     const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
-    const bool bidirectional = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+    const bool bidirectional =
+        code == 0x61c || code == 0x200e || code == 0x200f || (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
     return !control && !bidirectional && code != 0x2028 && code != 0x2029;
 }
 

@@ -173,7 +173,8 @@ Command report_command(CLI::App& parent) {
     app.texts("--data DIR", flags->data,
               "folder with the assignment's meshes by their own paths (repeatable, the first that has one wins)");
     app.text("--out DIR", flags->out, "folder of the report, replaced as a whole but for files of yours; default: out");
-    app.text("--config FILE", flags->config, "settings file (TOML); data/report.toml documents every key");
+    app.text("--config FILE", flags->config,
+             "settings file (TOML; data/report.toml documents every key), or where no file has that name, bundled settings");
     app.text("--author NAME", flags->author, "whose work it is; also with --from");
     app.text("--threads", flags->threads, "at most so many threads; default: all");
     app.text("--size PIXELS", flags->size, "pixels of one view; default: 800, or 400 with --quick");
@@ -182,7 +183,7 @@ Command report_command(CLI::App& parent) {
     app.text("--pdf auto|require|off", flags->pdf,
              "report.pdf and appendix.pdf: auto, where an engine is there (the default); require; or off");
     app.text("--pdf-browser FILE", flags->pdf_browser, "the browser that prints, by name or path; default: the first that is found");
-    app.text("--templates DIR", flags->templates, "folder of templates that replace those of the same name");
+    app.text("--templates DIR", flags->templates, "folder of templates that replace those of the same name; links may not lead out of it");
     app.flag("--quick", flags->quick, "small settings for a first look: 20 s up to 100,000 triangles, 60 s at a million");
     app.text("--time SECONDS", flags->time,
              "seconds on two cores to fit into: settings are made small, large meshes decimated; default: as promised, 180 up to 346,000 "

@@ -1,5 +1,8 @@
 // RFC 4180 with LF line ends.
 
+#include <algorithm>
+#include <string_view>
+
 #include "base/number_text.h"
 #include "report/escape.h"
 #include "report/writers.h"
@@ -8,15 +11,32 @@ namespace meshfolio::report {
 
 namespace {
 
+/// Does a spreadsheet run a cell that begins so? Blanks and quotes before the sign are skipped, as some programs skip them; a number is no
+/// formula. (OWASP, CSV injection; the last four are the wide forms of the first.)
+bool is_formula(std::string_view cell) {
+    cell.remove_prefix(std::min(cell.find_first_not_of(" \"'"), cell.size()));
+    if (parse_number(cell)) return false;
+    constexpr std::string_view signs[] = {"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
+    return std::ranges::any_of(signs, [&](std::string_view sign) { return cell.starts_with(sign); });
+}
+
+/// A text that no spreadsheet runs: "'" stands before what would be a formula, in the cell and behind every character at which a program
+/// set to another separator would begin a cell.
 std::string field(const std::string& raw) {
-    std::string text = valid_utf8(raw);
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    constexpr std::string_view separators = ",;|";
+    const std::string text = safe_text(raw);
     std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
+        const std::string_view cell = std::string_view(text).substr(begin, end - begin);
+        if (is_formula(cell)) quoted += '\'';
+        for (const char c : cell) quoted.append(c == '"' ? 2 : 1, c);
+        if (end < text.size()) quoted += text[end];
+        begin = end + 1;
     }
-    return quoted + '"';
+    quoted += '"';
+    const bool is_plain = quoted.size() == text.size() + 2 && text.find_first_of(",\"") == text.npos;
+    return is_plain ? text : quoted;
 }
 
 std::string field(const Cell& cell) {

@@ -19,7 +19,8 @@ std::string_view viewer_program();
 /// Templates by file name ("report.html"): those compiled in, each replaced by the file of that name in a folder when it is there.
 class Templates {
 public:
-    /// @throws UsageError if `folder` is given and not a folder, or a template in it has a syntax error (named with its line)
+    /// @throws UsageError if `folder` is given and not a folder, or a template in it has a syntax error (named with its line) or is a link
+    ///         to what lies outside of it
     explicit Templates(const std::filesystem::path& folder = {});
     const std::string& operator[](const std::string& name) const;   // @throws UsageError for an unknown name
     std::vector<std::string> names() const;
@@ -90,7 +91,7 @@ std::string write_json(const Document& document, const DrawnFigures& figures, co
 /// The JSON schema (draft 7) of results.json, made from the descriptions that write and read it (json/json_fields.h).
 const std::string& results_schema();
 
-/// RFC 4180, LF line ends, header `name [unit]`, numbers exact, undefined cells empty.
+/// RFC 4180, LF line ends, header `name [unit]`, numbers exact, undefined cells empty. Texts are on one line and no formulas.
 std::string write_csv(const Table& table);
 std::string write_csv(const Plot& plot);
 /// One row a cell; the lines over a panel follow its cells, by their names and without a value.

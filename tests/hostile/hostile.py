@@ -299,9 +299,50 @@ class Bombs(Hostile):
                 ("properties.ply", 3, "ply\nformat ascii 1.0\nelement vertex 1\n" + "property float x\n" * (size << 16) + "end_header\n"),
                 ("header.ply", 3, "ply\nformat ascii 1.0\ncomment " + "x" * (size << 22)),
                 ("count.stl", 3, bytes(80) + b"\xff\xff\xff\xff" + bytes(50)), ("solids.stl", 3, "solid\nendsolid\n" * (size << 16)),
-                ("facets.stl", 3, "solid " + "facet " * (size << 16))):
+                ("facets.stl", 3, "solid " + "facet " * (size << 16)), ("normals.stl", 3, "solid\n" + "facet normal " * (size << 16)),
+                ("names.obj", 0, TETRAHEDRON + "g a\\\n" * (size << 16)),
+                ("hub.obj", 0, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf " + "1 2 1 3 " * 8000),
+                ("spikes.obj", 0, TETRAHEDRON + "".join(f"v {i % 89} {i * i % 97} 0\n" for i in range(90)) + "f " +
+                 " ".join(str(5 + i * i * i % 90) for i in range(32000)))):
             with self.subTest(name):
                 self.judge(code, "inspect", self.write(name, content))
+
+    def test_columns(self):
+        """Files below 100 kB with as many arrays, components and names as they can hold, read and written."""
+        array = '<DataArray type="UInt8" Name="%s" NumberOfComponents="%d" format="%s"/>'
+        points = '<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">%s</DataArray></Points>'
+        polys = ('<Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 2 1 0 1 3 0 3 2 1 2 3</DataArray>'
+                 '<DataArray type="Int32" Name="offsets" format="ascii">3 6 9 12</DataArray></Polys>')
+        cells = points % "0 0 0 1 0 0 0 1 0 0 0 1" + polys
+        vtp = '<VTKFile type="PolyData" byte_order="LittleEndian"><PolyData>%s</PolyData>%s</VTKFile>'
+        piece = '<Piece NumberOfPoints="%d"><PointData>%s</PointData>%s</Piece>'
+        data = '<AppendedData encoding="raw">_' + "\xa0\x0f\0\0" + "\0" * 4000 + "</AppendedData>"
+        empty = piece % (0, "".join(array % (i, 1000, "ascii") for i in range(1000)), points % "")
+        shared = "".join(array % (i, 1000, 'appended" offset="0') for i in range(1000))
+        ply = ("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n%selement face 1\n"
+               "property list uchar int vertex_indices\n%send_header\n%s3 0 1 2%s\n")
+        rows = "".join(f"{i % 2} {i // 2} 0{{}}\n" for i in range(3))
+        for name, code, content in (
+                ("empty.vtp", 0, vtp % (empty + piece % (4, "", cells), "")), ("shared.vtp", 3, vtp % (piece % (4, shared, cells), data)),
+                ("names.vtp", 0, vtp % (piece % (4, "", "<CellData>" + "".join(array % ("x" * 50 + str(i), 1, "ascii") for i in range(600))
+                                                 + "</CellData>" + cells), "")),
+                ("columns.ply", 0, ply % ("".join(f"property char p{i}\n" for i in range(3000)), "", rows.replace("{}", " 1" * 3000), "")),
+                ("faces.ply", 0, ply % ("", "".join(f"property char p{i}\n" for i in range(5000)), rows.replace("{}", ""), " 1" * 5000))):
+            with self.subTest(name):
+                path = self.write(name, content.encode("latin-1"))
+                for ending in ("vtp", "ply", "glb"):
+                    self.judge(code, "noise", path, "--sigma", "0", "-o", f"out.{ending}")
+
+    def test_links_of_templates(self):
+        (self.folder / "mine").mkdir()
+        os.symlink(self.write("secret"), self.folder / "mine" / "report.html")
+        for command in (["report", "--only", "q2", "--out", "out"], ["lab", self.write("m.obj"), "-o", "lab.html"]):
+            self.judge(2, *command, "--templates", "mine", says=r"report\.html: is a link that leads out")
+
+    def test_folders_named_like_what_is_bundled(self):
+        for name in ("s0", "bunny", "cow.obj"):
+            (self.folder / name).mkdir()
+        self.judge(0, "report", "--config", "s0", "--plan")
 
 
 class Numbers(Hostile):

@@ -51,12 +51,43 @@ TEST(WriteCsv, NumbersReadBackExactlyAndUndefinedIsEmpty) {
     EXPECT_EQ(rows[3][1], "");
 }
 
-TEST(WriteCsv, AnyTextComesBack) {
-    const Table table{"t", "", {{"a,\"b\"\nc"}, {"x"}}, {{hostile, std::string("plain")}}};
+TEST(WriteCsv, AnyTextComesBackOnOneLine) {
+    const Table table{
+        "t", "", {{"a,\"b\"\nc"}, {"x"}}, {{hostile, std::string("plain")}, {std::string("\x1b\u202e\0 \u200f", 9), std::string("é")}}};
     const auto rows = parsed(write_csv(table));
-    ASSERT_EQ(rows.size(), 2u);
-    EXPECT_EQ(rows[0].front(), "a,\"b\"\nc");
-    EXPECT_EQ(rows[1], (std::vector<std::string>{valid_utf8(hostile), "plain"}));
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[0].front(), "a,\"b\" c");
+    EXPECT_EQ(rows[1].back(), "plain");
+    EXPECT_EQ(rows[2], (std::vector<std::string>{"\\x1b\\xe2\\x80\\xae\\x00 \\xe2\\x80\\x8f", "é"}));
+}
+
+/// The cells that programs set to any separator make of a text, without the blanks and quotes that they skip.
+std::vector<std::string> cells_of(const std::string& text) {
+    std::vector<std::string> cells(1);
+    for (const char c : text) {
+        if (std::string(",;|\t\r\n").find(c) != std::string::npos)
+            cells.emplace_back();
+        else if (!cells.back().empty() || (c != ' ' && c != '"'))
+            cells.back() += c;
+    }
+    return cells;
+}
+
+TEST(WriteCsv, NoCellIsAFormulaWhateverTheSeparator) {
+    for (const std::string before : {"", " ", "\t", "\r", "\n", "\"", "a;", "a,", "a; ", "a\t", "a\n", "a,\"", "1;2;", "a|", "a;\" "}) {
+        for (const std::string sign : {"=", "+", "-", "@", "\uFF1D"}) {
+            const std::string text = before + sign + "cmd|'/c calc'!A0";
+            const Plot plot{.x_label = text, .y_label = "y", .series = {{text, {1}, {2}, {}, {}}}};
+            for (const std::string& csv : {write_csv(Table{"t", "", {{text}}, {{text}}}), write_csv(plot)}) {
+                for (const auto& row : parsed(csv)) {
+                    for (const std::string& field : row)
+                        for (const std::string& cell : cells_of(field)) EXPECT_FALSE(cell.starts_with(sign)) << csv;
+                }
+            }
+        }
+    }
+    const Table numbers{"t", "", {{"a"}, {"b"}, {"c"}, {"d"}}, {{-3.5, std::string("-3.5"), std::string("+1e-7"), std::string("1;-2")}}};
+    EXPECT_EQ(write_csv(numbers), "a,b,c,d\n-3.5,-3.5,+1e-7,1;-2\n");
 }
 
 TEST(WriteCsv, ShortRowsAreFilledUp) {

@@ -66,7 +66,7 @@ std::string_view ending_of_content(std::string_view bytes) {
     if (word == "ply") return ".ply";
     for (const char* keyword : {"v", "vn", "vt", "mtllib", "usemtl", "o", "g"})
         if (word == keyword) return ".obj";
-    return word == "solid" ? ".stl" : "";
+    return lower_case(std::string(word)) == "solid" ? ".stl" : "";
 }
 
 void refuse_other_content(std::string_view bytes, const std::string& file) {

@@ -32,7 +32,11 @@ public:
                 ++normals_seen_;
             else if (keyword == "f" || keyword == "fo")
                 face(rest);
-            else if (keyword != "csh" && keyword != "call")   // would run a program or read another file
+            else if (keyword == "csh" || keyword == "call")   // would run a program or read another file
+                continue;
+            else if (statements_.ends_before_keyword())
+                out_->append(statements_.text()) += '\n';
+            else
                 out_->append(of_.obj, statements_.begin(), done - statements_.begin());
         }
         out_->append(of_.obj, done);

@@ -75,16 +75,27 @@ void check_content(const Found& found, const std::string& file) {
     }
 }
 
-/// As bytes, which other formats take for colours; none where some vertex has none, or another range.
-std::vector<VertexColumn> colors_of(const CheckedObj& checked) {
-    const Eigen::Map<const Vector> colors(checked.colors.data(), static_cast<Eigen::Index>(checked.colors.size()));
-    if (checked.colors.size() != checked.coordinates.size() || colors.minCoeff() < 0 || colors.maxCoeff() > 1) return {};
-    const Vector bytes = (255 * colors).array().round();
-    std::vector<VertexColumn> columns;
-    for (const char* channel : {"red", "green", "blue"}) {
-        const auto first = static_cast<Eigen::Index>(columns.size());
-        columns.push_back({channel, bytes(Eigen::seq(first, Eigen::last, Eigen::fix<3>)), ScalarType::uint8});
+/// As bytes, which other formats take for colours. The largest value tells whether they go up to 1 or to 255; vertices without one are
+/// white.
+std::vector<VertexColumn> colors_of(CheckedObj& checked) {
+    if (checked.colored.empty()) return {};
+    const auto vertices = static_cast<Eigen::Index>(checked.coordinates.size() / 3);
+    const auto count = static_cast<Eigen::Index>(checked.colored.size());
+    const Eigen::Map<const Positions> colors(checked.colors.data(), count, 3);
+    const double largest = colors.maxCoeff();
+    const bool are_bytes = largest > 1;
+    if (colors.minCoeff() < 0 || largest > 255 || (are_bytes && (colors.array() != colors.array().round()).any())) {
+        checked.warnings.add(0, "colours are not kept: they are neither from 0 to 1 nor whole numbers up to 255", "colours not kept");
+        return {};
     }
+    if (are_bytes) checked.warnings.add(0, "colours above 1 are taken as from 0 to 255", "colours above 1");
+    if (count < vertices)
+        checked.warnings.add(0, "vertices without a colour, white in other formats than OBJ", "vertices without a colour",
+                             std::to_string(vertices - count));
+    Positions bytes = Positions::Constant(vertices, 3, 255);
+    bytes(checked.colored, Eigen::all) = ((are_bytes ? 1 : 255) * colors).array().round().matrix();
+    std::vector<VertexColumn> columns;
+    for (const char* channel : {"red", "green", "blue"}) columns.push_back({channel, bytes.col(std::ssize(columns)), ScalarType::uint8});
     return columns;
 }
 
@@ -96,12 +107,13 @@ LoadedMesh parse_obj(std::string_view text, const std::string& file, Keep keep) 
     found.polygons.reserve(checked.face_lines.size());
     parse_checked(checked, found);
     check_content(found, file);
+    std::vector<VertexColumn> colors = keep == Keep::attributes ? colors_of(checked) : std::vector<VertexColumn>();
     Positions X = Eigen::Map<const Positions>(checked.coordinates.data(), static_cast<Eigen::Index>(found.vertices), 3);
     LoadedMesh loaded = triangulated(found.polygons, std::move(X), file, std::move(checked.warnings));
     if (keep == Keep::attributes) {
         loaded.attributes.obj = without_bom(text);
         loaded.attributes.face_lines = loaded.face_lines;
-        loaded.attributes.columns = colors_of(checked);
+        loaded.attributes.columns = std::move(colors);
     }
     return loaded;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "base/in_quotes.h"
@@ -26,6 +27,15 @@ constexpr std::array free_form{"cstype"sv, "deg"sv,   "bmat"sv, "step"sv, "curv"
                                "ctech"sv,  "stech"sv, "bsp"sv,  "bzp"sv,  "cdc"sv,  "cdp"sv,   "res"sv};
 constexpr std::array commands{"csh"sv, "call"sv};   // would run a program or read another file
 
+bool is_one_of(std::span<const std::string_view> names, std::string_view keyword) {
+    return std::ranges::find(names, keyword) != names.end();
+}
+
+bool is_keyword(std::string_view word) {
+    static constexpr std::array read{"v"sv, "vt"sv, "vn"sv, "f"sv, "fo"sv, "p"sv, "l"sv};
+    return is_one_of(read, word) || is_one_of(dropped, word) || is_one_of(free_form, word) || is_one_of(commands, word);
+}
+
 /// Texture coordinates or normals: not used, but indices that miss them tell of a damaged file.
 struct UnusedAttribute {
     const char* name;
@@ -45,6 +55,9 @@ public:
             line_ = statements_.line();
             if (statements_.is_cut_off())
                 checked_.warnings.add(line_, "line continuation at the end of the file", "line continuations at the end of the file");
+            if (statements_.ends_before_keyword())
+                checked_.warnings.add(line_, "\\ at the end of a line before a statement ignored",
+                                      "lines that end in \\ before a statement, where it is ignored");
             std::string_view rest = statements_.text();
             const std::string_view keyword = take_word(rest);
             if (keyword == "v")
@@ -81,9 +94,9 @@ private:
         if (count == 4 && value[3] != 1)
             checked_.warnings.add(line_, "vertex weight other than 1 ignored", "vertex weights other than 1 ignored");
         checked_.coordinates.insert(checked_.coordinates.end(), value.begin(), value.begin() + 3);
-        if (count == 6 || count == 7)
-            checked_.colors.insert(checked_.colors.end(), value.begin() + static_cast<int>(count) - 3,
-                                   value.begin() + static_cast<int>(count));
+        if (count != 6 && count != 7) return;
+        checked_.colors.insert(checked_.colors.end(), value.begin() + static_cast<int>(count) - 3, value.begin() + static_cast<int>(count));
+        checked_.colored.push_back(static_cast<int>(checked_.coordinates.size() / 3) - 1);
     }
 
     void face(std::string_view rest) {
@@ -152,15 +165,14 @@ private:
     }
 
     void other(std::string_view keyword) {
-        const auto is_one_of = [&](const auto& names) { return std::ranges::find(names, keyword) != names.end(); };
         WarningTally& warnings = checked_.warnings;
-        if (is_one_of(dropped)) return;
+        if (is_one_of(dropped, keyword)) return;
         if (keyword == "p" || keyword == "l") {
             warnings.add(line_, "point or line element ignored", "point or line elements ignored");
-        } else if (is_one_of(free_form)) {
+        } else if (is_one_of(free_form, keyword)) {
             checked_.free_form = true;
             warnings.add(line_, "free-form statement ignored", "free-form statements ignored", in_quotes(keyword));
-        } else if (is_one_of(commands)) {
+        } else if (is_one_of(commands, keyword)) {
             warnings.add(line_, "command statement ignored", "command statements ignored", in_quotes(keyword));
         } else {
             warnings.add(line_, "unknown statement ignored", "unknown statements ignored", in_quotes(keyword));
@@ -181,24 +193,32 @@ bool ends_in_backslash(std::string_view line) {
     return last != std::string_view::npos && line[last] == '\\';
 }
 
+std::string_view without_backslash(std::string_view line) { return line.substr(0, line.find_last_of('\\')); }
+
 }   // namespace
 
 bool ObjStatements::next() {
+    ends_before_keyword_ = false;
     if (!lines_.next_with_words()) return false;
     line_ = lines_.number();
     statement_ = lines_.line();
     begin_ = static_cast<std::size_t>(statement_.data() - start_);
     if (!ends_in_backslash(statement_)) return true;
+    std::string_view first = without_backslash(statement_);
+    const std::string_view keyword = take_word(first);
+    const bool is_read = keyword == "v" || keyword == "f" || keyword == "fo";
     joined_.clear();
     std::string_view part = statement_;
     while (ends_in_backslash(part)) {
-        joined_.append(part.substr(0, part.find_last_of('\\'))).push_back(' ');
-        if (!lines_.next()) {
-            cut_off_ = true;
-            part = {};
-            break;
-        }
-        part = without_comment(lines_.line());
+        joined_.append(without_backslash(part)).push_back(' ');
+        LineScanner following = lines_;
+        cut_off_ = !following.next();
+        part = cut_off_ ? std::string_view() : without_comment(following.line());
+        std::string_view words = ends_in_backslash(part) ? without_backslash(part) : part;
+        ends_before_keyword_ = !is_read && is_keyword(take_word(words));
+        if (ends_before_keyword_) part = {};
+        if (cut_off_ || ends_before_keyword_) break;
+        lines_ = following;
     }
     statement_ = joined_.append(part);
     return true;

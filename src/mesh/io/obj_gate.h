@@ -14,7 +14,8 @@ namespace meshfolio {
 
 struct CheckedObj {
     std::vector<double> coordinates;   // x y z of each vertex, correctly rounded
-    std::vector<double> colors;        // r g b, from 0 to 1, of those that have one
+    std::vector<double> colors;        // r g b of those that have one, one after the other
+    std::vector<int> colored;          // the vertices that have one
     std::string text;                  // "f a b c …" only, one face a line, indices counted from 1
     std::vector<long> face_lines;      // in the file, of each "f" of the text
     WarningTally warnings;
@@ -26,18 +27,20 @@ struct CheckedObj {
 /// @throws InputError with the physical line
 CheckedObj check_obj(std::string_view text, const std::string& file);
 
-/// The statements of an OBJ file: lines with a word, continued lines joined, comments left out.
+/// The statements of an OBJ file: lines with a word, continued lines joined, comments left out. A line that ends in "\\" is continued, but
+/// where what follows begins with a keyword and the statement is none of positions or faces: names may end so ("g C:\\parts\\").
 class ObjStatements {
 public:
     explicit ObjStatements(std::string_view text) : start_(text.data()), lines_(text) {}
 
     bool next();   // false at the end of the text
 
-    std::string_view text() const { return statement_; }   // until the next one
-    long line() const { return line_; }                    // on which it begins, from 1
-    std::size_t begin() const { return begin_; }           // of its first line in the text
-    std::size_t end() const { return lines_.offset(); }    // of its last line, behind what ends it
-    bool is_cut_off() const { return cut_off_; }           // continued beyond the end of the text
+    std::string_view text() const { return statement_; }                // until the next one
+    long line() const { return line_; }                                 // on which it begins, from 1
+    std::size_t begin() const { return begin_; }                        // of its first line in the text
+    std::size_t end() const { return lines_.offset(); }                 // of its last line, behind what ends it
+    bool is_cut_off() const { return cut_off_; }                        // continued beyond the end of the text
+    bool ends_before_keyword() const { return ends_before_keyword_; }   // with a "\\" all the same
 
 private:
     const char* start_;
@@ -46,7 +49,7 @@ private:
     std::string joined_;
     long line_ = 0;
     std::size_t begin_ = 0;
-    bool cut_off_ = false;
+    bool cut_off_ = false, ends_before_keyword_ = false;
 };
 
 }   // namespace meshfolio

@@ -85,6 +85,10 @@ private:
         // The shortest vertex is "0 0 0" and a line end, the shortest face "0" and one; the last line end may be missing.
         const auto room = static_cast<long long>(size_ - words_.offset()) + 1;
         constexpr long long most = std::numeric_limits<int>::max();
+        if (vertices_ >= 0 && faces_ == 0 && vertices_ <= room / 6) {
+            fail(counts_line_, "no faces (" + vertex_count(vertices_) + " alone)",
+                 vertices_ == 0 ? "export the mesh again" : "points are not a mesh; export it with its faces");
+        }
         if (vertices_ < 1 || faces_ < 1 || vertices_ > most || faces_ > most || vertices_ > room / 6 || faces_ > room / 2) {
             fail(counts_line_,
                  "impossible counts (" + vertex_count(vertices_) + ", " + std::to_string(faces_) + " faces in a file of " +

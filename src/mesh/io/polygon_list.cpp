@@ -72,6 +72,10 @@ private:
             warnings_.add(line, "polygon crosses itself or has no area; its triangles may overlap",
                           "polygons cross themselves or have no area; their triangles may overlap");
         }
+        if (cut.spikes > 0) {
+            warnings_.add(line, "polygon goes out and back on the same line, which is left out",
+                          "polygons go out and back on the same line, which is left out");
+        }
         const auto vertex = [&](Eigen::Index t, int k) { return distinct_[static_cast<std::size_t>(cut.triangles(t, k))]; };
         for (Eigen::Index t = 0; t < cut.triangles.rows(); ++t) push(vertex(t, 0), vertex(t, 1), vertex(t, 2), line);
     }

@@ -22,7 +22,8 @@ bool same_word(std::string_view word, std::string_view keyword) {
     return std::ranges::equal(word, keyword, {}, [](char c) { return lower_case(c); });
 }
 
-/// "solid name  facet normal … outer loop  vertex … (3) endloop endfacet … endsolid name", any number of solids.
+/// "solid name  facet normal … outer loop  vertex … (3) endloop endfacet … endsolid name", any number of solids. Keywords of two words may
+/// be written as one, those of one word as two, and lines may end anywhere but within a vertex.
 class TextStl {
 public:
     TextStl(std::string_view text, const std::string& file) : words_(text), file_(file) {}
@@ -31,12 +32,13 @@ public:
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
             if (same_word(word, "solid")) {
                 open_ = true;
-                words_.skip_line();
-            } else if (same_word(word, "endsolid")) {
-                open_ = false;
-                words_.skip_line();
+                skip_name();
+            } else if (is_keyword(word, "end", "solid")) {
+                open_ = skip_name();
+            } else if (is_keyword(word, "facet", "normal")) {
+                facet(true);
             } else if (same_word(word, "facet")) {
-                facet();
+                facet(false);
             } else {
                 fail("expected 'facet' or 'endsolid', found " + in_quotes(word));
             }
@@ -50,26 +52,51 @@ private:
         throw InputError({file_, words_.line()}, problem, "the file may be damaged or cut off");
     }
 
-    void expect(std::string_view keyword) {
-        const std::string_view word = words_.next();
-        if (word.empty()) fail("ends inside a facet");
-        if (!same_word(word, keyword)) fail("expected '" + std::string(keyword) + "', found " + in_quotes(word));
+    /// Is it this keyword, or its first word before the second one on the same line? Takes the second one then.
+    bool is_keyword(std::string_view word, const std::string& first, const std::string& second) {
+        std::string_view rest = words_.rest_of_line();
+        if (!same_word(word, first) || !same_word(take_word(rest), second)) return same_word(word, first + second);
+        words_.next_on_line();
+        return true;
     }
 
-    /// The normal is left out: the winding says the same, and more exactly.
-    void facet() {
+    /// Leaves out the name of a solid, which a facet on the same line ends. @return whether there is such a facet
+    bool skip_name() {
+        for (;;) {
+            std::string_view rest = words_.rest_of_line();
+            const std::string_view word = take_word(rest);
+            if (same_word(word, "facetnormal") || (same_word(word, "facet") && same_word(take_word(rest), "normal"))) return true;
+            if (words_.next_on_line().empty()) return false;
+        }
+    }
+
+    void expect(const std::string& first, const std::string& second = "") {
+        const std::string_view word = words_.next();
+        if (word.empty()) fail("ends inside a facet");
+        if (!is_keyword(word, first, second)) fail("expected '" + first + second + "', found " + in_quotes(word));
+    }
+
+    void facet(bool has_normal) {
         lines_.push_back(words_.line());
-        words_.skip_line();
-        expect("outer");
-        expect("loop");
+        skip_normal(has_normal);
         for (int k = 0; k < 3; ++k) {
             expect("vertex");
             std::array<double, 3> corner{};
             for (double& x : corner) x = coordinate();
             corners_.push_back(corner);
         }
-        expect("endloop");
-        expect("endfacet");
+        expect("end", "loop");
+        expect("end", "facet");
+    }
+
+    /// The normal is left out: the winding says the same, and more exactly. Its numbers may stand on later lines.
+    void skip_normal(bool has_normal) {
+        int numbers = has_normal ? 0 : -1;   // behind "normal"
+        for (std::string_view word = words_.next(); !is_keyword(word, "outer", "loop"); word = words_.next(), ++numbers) {
+            const bool is_part = numbers < 0 ? same_word(word, "normal") : numbers < 3;
+            if (word.empty()) fail("ends inside a facet");
+            if (!is_part) fail("expected 'outer loop', found " + in_quotes(word));
+        }
     }
 
     double coordinate() {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -20,12 +21,14 @@ namespace {
 
 using Point = Eigen::Vector2d;
 
+constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();   // of what is computed from coordinates within [−1, 1]
+
 /// Twice the signed area of the triangle a, b, c; 0 where it cannot be told from the rounding of coordinates within [−1, 1].
 double turn(const Point& a, const Point& b, const Point& c) {
     const Point u = b - a;
     const Point v = c - a;
     const double area = u.x() * v.y() - u.y() * v.x();
-    const double noise = 8 * std::numeric_limits<double>::epsilon() * (u.lpNorm<1>() + v.lpNorm<1>());
+    const double noise = rounding * (u.lpNorm<1>() + v.lpNorm<1>());
     return std::abs(area) > noise ? area : 0;
 }
 
@@ -58,6 +61,61 @@ bool fan_is_valid(const std::vector<Point>& p) {
         if (turn(p[0], p[i], p[i + 1]) <= 0 || turn(p[0], p[1], p[i + 1]) < 0) return false;
     return true;
 }
+
+/// Finds the corners of a polygon that are spikes, at which it turns back on itself. Removing one keeps the area. Neighbours at one place
+/// become one corner beside a removed spike, and everywhere where more than rounding is tolerated.
+class SpikeRemover {
+public:
+    /// @param tolerance  a spike is no wider
+    SpikeRemover(const std::vector<Point>& points, double tolerance) : p_(points), tolerance_(tolerance) {}
+
+    /// The corners left when none is a spike any more.
+    std::vector<int> run() {
+        left_.resize(p_.size());
+        std::iota(left_.begin(), left_.end(), 0);
+        for (std::size_t before = 0; before != left_.size();) {
+            before = left_.size();
+            for (int half = 0; half < 2; ++half) {   // the second time the ends meet in the middle
+                pass();
+                std::ranges::rotate(left_, left_.begin() + std::ssize(left_) / 2);
+            }
+        }
+        std::ranges::rotate(left_, std::ranges::min_element(left_));
+        return left_;
+    }
+
+private:
+    bool is_same_place(int a, int b) const { return (p_[at(a)] - p_[at(b)]).lpNorm<1>() <= tolerance_; }
+
+    bool is_spike(int a, int b, int c) const {
+        const Point u = p_[at(a)] - p_[at(b)], v = p_[at(c)] - p_[at(b)];
+        return std::abs(u.x() * v.y() - u.y() * v.x()) <= tolerance_ * (u.lpNorm<1>() + v.lpNorm<1>()) && u.dot(v) > 0;
+    }
+
+    void pass() {
+        std::vector<int> kept;
+        for (const int corner : left_) {
+            bool removed = false;
+            while (ends_in_spike(kept, corner)) removed = true;
+            removed |= tolerance_ > rounding;
+            if (!removed || kept.empty() || !is_same_place(kept.back(), corner)) kept.push_back(corner);
+        }
+        left_ = std::move(kept);
+    }
+
+    /// Takes off the last corners, all at one place, where they are a spike before the next corner.
+    bool ends_in_spike(std::vector<int>& kept, int next) const {
+        if (kept.empty() || is_same_place(kept.back(), next)) return false;
+        const auto elsewhere = std::find_if(kept.rbegin(), kept.rend(), [&](int corner) { return !is_same_place(corner, kept.back()); });
+        if (elsewhere == kept.rend() || !is_spike(*elsewhere, kept.back(), next)) return false;
+        kept.erase(elsewhere.base(), kept.end());
+        return true;
+    }
+
+    const std::vector<Point>& p_;
+    double tolerance_;
+    std::vector<int> left_;
+};
 
 Faces fan(int corners) {
     Faces triangles(corners - 2, 3);
@@ -172,6 +230,8 @@ private:
 
     bool is_ear(int corner) {
         if (care_ == Care::none || done_ == count_ - 3) return true;
+        const Point &a = p_[at(previous_[at(corner)])], &b = p_[at(corner)], &c = p_[at(next_[at(corner)])];
+        if (a == b || b == c || c == a) return true;   // of no area, wherever it lies
         if (convex_[at(corner)] == 0) return false;
         if (care_ == Care::convex_only) return true;
         const int obstacle = corner_within(corner);
@@ -230,6 +290,21 @@ private:
     int done_ = 0;
 };
 
+/// Relative to the polygon's size. The first is what arithmetic rounds; a polygon that crosses itself is tried again with what files round,
+/// written with some nine digits, as floats, or with fewer digits.
+constexpr std::array spike_tolerances{rounding, 1e-9, 1e-6, 1e-5};
+
+PolygonTriangles clipped(const std::vector<Point>& points, const std::vector<int>& left) {
+    std::vector<Point> chosen;
+    chosen.reserve(left.size());
+    for (const int corner : left) chosen.push_back(points[at(corner)]);
+    const int count = static_cast<int>(chosen.size());
+    PolygonTriangles cut = count == 3 || fan_is_valid(chosen) ? PolygonTriangles{fan(count), true} : EarClipper(std::move(chosen)).clip();
+    cut.triangles = cut.triangles.unaryExpr([&](int corner) { return left[at(corner)]; }).eval();
+    cut.spikes = static_cast<int>(points.size()) - count;
+    return cut;
+}
+
 }   // namespace
 
 PolygonTriangles triangulated_polygon(const Positions& corners) {
@@ -242,7 +317,18 @@ PolygonTriangles triangulated_polygon(const Positions& corners) {
     std::vector<Point> points = flattened(corners);
     if (points.empty()) return {fan(count), false};
     if (fan_is_valid(points)) return {fan(count), true};
-    return EarClipper(std::move(points)).clip();
+    PolygonTriangles best;
+    std::size_t corners_left = 0;
+    for (const double tolerance : spike_tolerances) {
+        const std::vector<int> left = SpikeRemover(points, tolerance).run();
+        if (left.size() < 3) break;
+        if (left.size() == corners_left) continue;
+        PolygonTriangles cut = clipped(points, left);
+        if (cut.simple || corners_left == 0) best = std::move(cut);
+        if (best.simple) return best;
+        corners_left = left.size();
+    }
+    return corners_left > 0 ? best : PolygonTriangles{fan(count), false};
 }
 
 Faces triangulate_polygon(const Positions& corners) { return triangulated_polygon(corners).triangles; }

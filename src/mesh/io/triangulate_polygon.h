@@ -10,8 +10,9 @@ namespace meshfolio {
 inline constexpr int max_polygon_corners = 32768;
 
 struct PolygonTriangles {
-    Faces triangles;      // (n − 2) × 3 indices into the corners, turning as the polygon does
+    Faces triangles;      // (n − 2 − spikes) × 3 indices into the corners, turning as the polygon does
     bool simple = true;   // false: the polygon crosses itself (some triangles overlap) or has no area
+    int spikes = 0;       // corners left out because the polygon goes out to them and back on the same line
 };
 
 /// @throws MeshError with fewer than 3 corners or more than max_polygon_corners

@@ -29,8 +29,6 @@ const std::map<std::string_view, ScalarType> types{
     {"Float32", ScalarType::float32}, {"Float64", ScalarType::float64},
 };
 
-std::size_t base64_size(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
-
 /// "nan", "-inf" or "Infinity", in letters of any case, as VTK and others write them.
 std::optional<double> not_finite(std::string_view word) {
     double number = 0;
@@ -106,11 +104,11 @@ VtkArray VtkFile::array(const pugi::xml_node& element) {
 }
 
 /// Sizes, then data. Of packed data: the number of blocks, their size, that of the last (0: as the others), the packed size of each.
+/// In base64, sizes and data are encoded together or apart.
 std::string VtkFile::data_of(std::string_view encoded, bool is_text, const std::string& name) {
     const std::size_t word = size_of(header_);
     const auto bytes = [&](std::size_t count) {   // the first so many
-        std::string found = is_text ? from_base64(encoded.substr(0, base64_size(count))) : std::string(encoded.substr(0, count));
-        found.resize(std::min(found.size(), count));
+        std::string found = is_text ? from_base64_parts(encoded, count) : std::string(encoded.substr(0, count));
         if (found.size() < count) fail(name + " ends early", "the file may be cut off");
         return found;
     };
@@ -134,18 +132,18 @@ std::string VtkFile::data_of(std::string_view encoded, bool is_text, const std::
     const std::size_t block = number(header, 1), last = number(header, 2) == 0 ? block : number(header, 2);
     require(block == 0 || (left_ - last) / block >= count - 1);
     const std::size_t total = (count - 1) * block + last;
-    left_ -= total;
+    require(left_ - total >= header_size);   // many arrays may share one
+    left_ -= total + header_size;
     std::size_t packed_size = 0;
     for (std::size_t b = 0; b < count; ++b) {
         packed_size += number(header, 3 + b);
         require(packed_size <= encoded.size());
     }
-    encoded.remove_prefix(std::min(encoded.size(), is_text ? base64_size(header_size) : header_size));
-    const std::string packed = bytes(packed_size);
+    const std::string packed = bytes(header_size + packed_size);
     const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> unpacker(libdeflate_alloc_decompressor(),
                                                                                                      &libdeflate_free_decompressor);
     std::string data(total, '\0');
-    for (std::size_t b = 0, at = 0; b < count; at += number(header, 3 + b), ++b) {
+    for (std::size_t b = 0, at = header_size; b < count; at += number(header, 3 + b), ++b) {
         const libdeflate_result result = libdeflate_zlib_decompress(unpacker.get(), packed.data() + at, number(header, 3 + b),
                                                                     data.data() + b * block, b + 1 < count ? block : last, nullptr);
         if (result != LIBDEFLATE_SUCCESS) fail(name + ": damaged zlib data", "the file may be damaged");

@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "base/errors.h"
 #include "base/in_quotes.h"
@@ -16,6 +19,8 @@ namespace meshfolio {
 
 namespace {
 
+constexpr std::size_t most_columns = 10000;   // numbers a point, of all arrays
+
 /// Reader of VTK's PolyData as XML (VTK, "VTK XML File Formats"): points, polygons and strips of all pieces, one after the other.
 class VtpReader {
 public:
@@ -26,7 +31,8 @@ public:
         const pugi::xml_node data = vtk_.root().child("PolyData");
         if (!data) fail("holds " + in_quotes(vtk_.root().attribute("type").value()) + ", not PolyData", "save the surface as .vtp");
         for (const pugi::xml_node& piece : data.children("Piece")) read_piece(piece);
-        if (!not_kept_.empty()) warnings_.add(0, "arrays that are not kept", "arrays that are not kept", joined(not_kept_, ", "));
+        if (!not_kept_.empty())
+            warnings_.add(0, "arrays that are not kept", "arrays that are not kept", listed({not_kept_.begin(), not_kept_.end()}));
         LoadedMesh loaded = triangulated(polygons_, Eigen::Map<const Positions>(points_.data(), vertices(), 3), file_, warnings_);
         for (const Column& column : columns_) {
             if (std::ssize(column.values) != vertices()) continue;                                        // not in every piece
@@ -59,17 +65,62 @@ private:
         for (const double x : points.values)
             if (!(std::abs(x) <= largest_coordinate)) fail("a coordinate is not finite or beyond 1e100", "every coordinate must be finite");
         points_.insert(points_.end(), points.values.begin(), points.values.end());
-        for (const bool strips : {false, true}) read_cells(piece.child(strips ? "Strips" : "Polys"), strips, first);
-        if (!keeps_columns_) return;
+        const Ghosts ghosts = ghosts_of(piece, points.values.size() / 3);
+        std::size_t cell = piece.attribute("NumberOfVerts").as_ullong() + piece.attribute("NumberOfLines").as_ullong();
+        for (const bool strips : {false, true}) cell = read_cells(piece.child(strips ? "Strips" : "Polys"), strips, first, ghosts, cell);
+        if (!ghosts.cells.empty() && ghosts.cells.size() != cell)
+            fail("the array of ghosts has not one entry a cell", "the file may be damaged");
+        if (!keeps_columns_ || points.values.empty()) return;
         for (const pugi::xml_node& element : piece.child("PointData").children("DataArray")) read_columns(element, first);
-        for (const pugi::xml_node& element : piece.child("CellData").children()) not_kept(element.attribute("Name").value());
+        for (const pugi::xml_node& element : piece.child("CellData").children())
+            if (!is_ghost_array(element)) not_kept_.insert(element.attribute("Name").value());
     }
 
-    /// `offsets` says behind which entry of `connectivity` each cell ends.
-    void read_cells(const pugi::xml_node& cells, bool strips, std::size_t first) {
+    /// Which points and cells of a piece stand in others as well, or are hidden (vtkDataSetAttributes, bits of vtkGhostType). The array's
+    /// earlier name held levels: 0, or how far the cell lies from its piece.
+    struct Ghosts {
+        std::vector<double> points, cells;   // empty: none is said to be one
+        bool levels = false;                 // of cells
+    };
+
+    static bool is_ghost_array(const pugi::xml_node& element) {
+        const std::string_view name = element.attribute("Name").value();
+        return name == "vtkGhostType" || name == "vtkGhostLevels";
+    }
+
+    Ghosts ghosts_of(const pugi::xml_node& piece, std::size_t points) {
+        Ghosts ghosts;
+        const pugi::xml_node of_points = piece.child("PointData").find_child_by_attribute("DataArray", "Name", "vtkGhostType");
+        const pugi::xml_node of_cells = piece.child("CellData").find_child(is_ghost_array);
+        ghosts.levels = of_cells.attribute("Name").value() == std::string_view("vtkGhostLevels");
+        if (of_points) ghosts.points = vtk_.array(of_points).values;
+        if (of_cells) ghosts.cells = vtk_.array(of_cells).values;
+        if (of_points && ghosts.points.size() != points) fail("the array of ghosts has not one entry a point", "the file may be damaged");
+        return ghosts;
+    }
+
+    /// Is cell number `cell` of a piece left out? VTK draws no cell with a hidden point; points alone make a duplicate of a cell whose
+    /// corners all are.
+    static bool is_left_out(const Ghosts& ghosts, std::size_t cell, std::span<const double> corners) {
+        constexpr unsigned duplicate_cell = 1, refined_cell = 8, hidden_cell = 32, duplicate_point = 1, hidden_point = 2;
+        const auto bits = [](double x) { return x >= 0 && x <= 255 ? static_cast<unsigned>(x) : 0U; };
+        const auto is_point = [&](unsigned kind) {
+            return [&ghosts, bits, kind](double corner) { return (bits(ghosts.points[static_cast<std::size_t>(corner)]) & kind) != 0; };
+        };
+        if (cell < ghosts.cells.size()) {
+            const unsigned kind = bits(ghosts.cells[cell]);
+            if (ghosts.levels ? kind > 0 : (kind & (duplicate_cell | refined_cell | hidden_cell)) != 0) return true;
+        }
+        if (ghosts.points.empty()) return false;
+        if (std::ranges::any_of(corners, is_point(hidden_point))) return true;
+        return ghosts.cells.empty() && std::ranges::all_of(corners, is_point(duplicate_point));
+    }
+
+    /// `offsets` says behind which entry of `connectivity` each cell ends. @return number of the next cell
+    std::size_t read_cells(const pugi::xml_node& cells, bool strips, std::size_t first, const Ghosts& ghosts, std::size_t cell) {
         const pugi::xml_node connectivity = cells.find_child_by_attribute("DataArray", "Name", "connectivity");
         const pugi::xml_node offsets = cells.find_child_by_attribute("DataArray", "Name", "offsets");
-        if (!connectivity || !offsets) return;
+        if (!connectivity || !offsets) return cell;
         const std::vector<double> corners = vtk_.array(connectivity).values;
         const auto points = static_cast<double>(points_.size() / 3 - first);
         for (const double corner : corners)
@@ -80,9 +131,14 @@ private:
             if (!(end >= begin && end <= static_cast<double>(corners.size())))
                 fail("offsets of cells do not rise", "the file may be damaged");
             const auto from = static_cast<std::size_t>(begin), count = static_cast<std::size_t>(end) - from;
-            add_cell(std::span(corners).subspan(from, count), strips, static_cast<int>(first));
+            const std::span<const double> of_cell = std::span(corners).subspan(from, count);
+            if (is_left_out(ghosts, cell++, of_cell))
+                warnings_.add(0, "ghost or hidden cell left out", "ghost or hidden cells left out");
+            else
+                add_cell(of_cell, strips, static_cast<int>(first));
             begin = end;
         }
+        return cell;
     }
 
     /// A polygon, or a strip, in which every second triangle is turned.
@@ -99,19 +155,24 @@ private:
 
     void read_columns(const pugi::xml_node& element, std::size_t first) {
         const std::string name = element.attribute("Name").value();
-        if (element.attribute("type").value() == std::string_view("String")) return not_kept(name);
+        if (element.attribute("type").value() == std::string_view("String")) {
+            not_kept_.insert(name);
+            return;
+        }
         const VtkArray array = vtk_.array(element);
         const auto parts = static_cast<std::size_t>(array.components);
         const std::size_t points = points_.size() / 3 - first;
         if (array.values.size() != parts * points)
             fail("array " + in_quotes(name) + " has not one entry a point", "the file may be damaged");
+        const auto [place, is_new] = first_columns_.try_emplace({name, parts}, columns_.size());
+        if (is_new && columns_.size() + parts > most_columns)
+            fail("more than " + std::to_string(most_columns) + " numbers a point, array " + in_quotes(name), "leave arrays out");
         for (std::size_t part = 0; part < parts; ++part) {
-            const auto is_it = [&](const Column& c) { return c.array == name && c.part == part && c.parts == parts; };
-            auto place = std::ranges::find_if(columns_, is_it);
-            if (place == columns_.end())
-                place = columns_.insert(place, {column_name(name, array, part), name, part, parts, array.type, {}});
-            if (place->values.size() != first || place->type != array.type) continue;   // not in every piece
-            for (std::size_t i = 0; i < points; ++i) place->values.push_back(array.values[parts * i + part]);
+            if (is_new) columns_.push_back({column_name(name, array, part), name, part, parts, array.type, {}});
+            if (is_new) names_.insert(columns_.back().name);
+            Column& column = columns_[place->second + part];
+            if (column.values.size() != first || column.type != array.type) continue;   // not in every piece
+            for (std::size_t i = 0; i < points; ++i) column.values.push_back(array.values[parts * i + part]);
         }
     }
 
@@ -119,14 +180,10 @@ private:
     std::string column_name(const std::string& name, const VtkArray& array, std::size_t part) const {
         static constexpr std::array channels{"red", "green", "blue", "alpha"}, axes{"nx", "ny", "nz", ""};
         if (array.components == 1) return name;
-        const bool is_color = array.type == ScalarType::uint8 && (array.components == 3 || array.components == 4);
+        const bool is_color = array.components == 3 ? array.type == ScalarType::uint8 || name == "RGB"
+                                                    : array.components == 4 && (array.type == ScalarType::uint8 || name == "RGBA");
         const std::string known = name == "Normals" && array.components == 3 ? axes[part] : is_color ? channels[part] : "";
-        const bool is_free = std::ranges::find(columns_, known, &Column::name) == columns_.end();
-        return !known.empty() && is_free ? known : component_name(name, part, static_cast<std::size_t>(array.components));
-    }
-
-    void not_kept(const std::string& array) {
-        if (std::ranges::find(not_kept_, array) == not_kept_.end()) not_kept_.push_back(array);
+        return !known.empty() && !names_.contains(known) ? known : component_name(name, part, static_cast<std::size_t>(array.components));
     }
 
     struct Column {
@@ -143,7 +200,8 @@ private:
     std::vector<double> points_;   // x y z of each
     PolygonList polygons_;
     std::vector<Column> columns_;
-    std::vector<std::string> not_kept_;
+    std::map<std::pair<std::string, std::size_t>, std::size_t> first_columns_;   // of arrays, by name and components
+    std::set<std::string> names_, not_kept_;                                     // of columns; of arrays
 };
 
 }   // namespace

@@ -18,8 +18,14 @@ namespace {
 
 constexpr const char* own_role = "your mesh";
 
+/// Folders do not count: a mesh is looked for further, by the same name.
+bool is_no_folder(const fs::path& path) {
+    std::error_code unknown;
+    return may_be_there(path) && !fs::is_directory(path, unknown);
+}
+
 std::optional<fs::path> first_that_exists(const std::vector<fs::path>& candidates) {
-    const auto it = std::ranges::find_if(candidates, may_be_there);
+    const auto it = std::ranges::find_if(candidates, is_no_folder);
     return it == candidates.end() ? std::nullopt : std::optional(*it);
 }
 
@@ -84,9 +90,10 @@ FoundMesh MeshFinder::found_role(const MeshRole& role) const {
 
 FoundMesh MeshFinder::found_file(const fs::path& path, const fs::path& base) const {
     const std::string name = name_of(path);
-    const auto file = may_be_there(base / path) ? base / path : in_folders(folders_, path);
-    if (file) return {file, {}, path.string(), name, input_of(name, "", path)};
     const MeshRole* role = role_of_path(path.string());
+    const bool is_beside = is_no_folder(base / path) || (role == nullptr && may_be_there(base / path));   // reading a folder reports it
+    const auto file = is_beside ? base / path : in_folders(folders_, path);
+    if (file) return {file, {}, path.string(), name, input_of(name, "", path)};
     if (role == nullptr)
         throw InputError({path.string()}, "no such mesh beside the settings file, in the data folders or among the bundled meshes",
                          "`meshfolio list` names the bundled ones");
@@ -136,7 +143,7 @@ std::optional<FoundMesh> MeshFinder::found(const MeshLookup& lookup, const fs::p
 bool MeshFinder::still_has(const report::Input& input, const fs::path& base) const {
     if (own_.empty() == (input.role == own_role)) return false;
     const bool is_asked = !input.asked.empty();
-    if (input.stand_in && is_asked && (in_folders(folders_, input.asked) || may_be_there(base / input.asked))) return false;
+    if (input.stand_in && is_asked && (in_folders(folders_, input.asked) || is_no_folder(base / input.asked))) return false;
     std::vector<fs::path> names{input.file}, candidates;
     if (is_asked) names.emplace_back(input.asked);
     for (const MeshRole& role : mesh_role_list())

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
@@ -34,6 +35,15 @@ void require_syntax(const std::string& name, const std::string& text, const std:
     }
 }
 
+/// Links may lead from one template to another one; a folder of templates is often somebody else's, and shows no other file.
+void require_within(const fs::path& folder, const fs::path& file) {
+    std::error_code unknown;
+    const fs::path root = fs::canonical(folder, unknown), target = fs::canonical(file, unknown);
+    if (unknown) return;   // reading it reports why
+    if (std::ranges::mismatch(root, target).in1 != root.end())
+        throw UsageError("is a link that leads out of the folder of templates", "put a copy of the file in its place", {file.string(), 0});
+}
+
 }   // namespace
 
 Templates::Templates(const fs::path& folder) {
@@ -43,8 +53,11 @@ Templates::Templates(const fs::path& folder) {
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored))
         throw UsageError("not a folder of templates", "make one with meshfolio templates FOLDER", {folder.string(), 0});
-    for (const auto& [name, unused] : text_)
-        if (may_be_there(folder / name)) replace(name, folder / name);
+    for (const auto& [name, unused] : text_) {
+        if (!may_be_there(folder / name)) continue;
+        require_within(folder, folder / name);
+        replace(name, folder / name);
+    }
 }
 
 void Templates::replace(const std::string& name, const fs::path& file) {

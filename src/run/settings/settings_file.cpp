@@ -228,7 +228,8 @@ ReportSettings parse_settings(std::string_view text, const std::string& file, Re
 ReportSettings read_settings(const std::string& config, ReportSettings before) {
     std::error_code error;
     const std::string_view bundled = bundled_report_text(config);
-    if (!bundled.empty() && !fs::exists(config, error)) return parse_settings(bundled, config + ".toml", std::move(before));
+    const bool is_file = fs::exists(config, error) && !fs::is_directory(config, error);
+    if (!bundled.empty() && !is_file) return parse_settings(bundled, config + ".toml", std::move(before));
     std::string text;
     try {
         text = read_file(config, limits::largest_settings);

@@ -113,3 +113,39 @@ TEST(ObjFile, RepeatedCornersOfAQuadAreOneCorner) {
     EXPECT_EQ(loaded.mesh.F, (Faces(2, 3) << 0, 1, 2, 0, 1, 2).finished());
     EXPECT_EQ(warnings_of(loaded), "5: 3 polygons with repeated corners, which are ignored\n7: face with fewer than 3 vertices ignored\n");
 }
+
+// assimp #3532: a name of Windows ends in a backslash, and the line behind it was taken for more of the name.
+TEST(ObjFile, ABackslashBehindANameSwallowsNoStatement) {
+    for (const std::string line :
+         {"g C:\\a\\", "o part\\ ", "usemtl a\\\r", "mtllib x\\", "s off\\", "vt 0 0\\", "vn 0 0 1 \\", "g\\", "x y\\", "l 1 2\\"}) {
+        const LoadedMesh read = parse_obj(obj_points + line + "\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", "m.obj");
+        EXPECT_EQ(read.mesh.F, tetrahedron().F) << line;
+        EXPECT_NE(warnings_of(read).find("5: \\ at the end of a line before a statement ignored"), std::string::npos) << line;
+    }
+    const std::string faces = "\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    EXPECT_EQ(warnings_of(parse_obj(obj_points + "g left \\\n right \\\nhand" + faces, "m.obj")), "") << "more of the name";
+    EXPECT_EQ(warnings_of(parse_obj(obj_points + "# C:\\a\\" + faces, "m.obj")), "");
+    EXPECT_EQ(parse_obj(obj_points + "g a \\\nb \\" + faces, "m.obj").mesh.F, tetrahedron().F);
+    EXPECT_TRUE(refused(obj_points + "f 1 3 2\\" + faces, "m.obj:5", "'f'")) << "numbers go on";
+    const LoadedMesh named = parse_obj(obj_points + "g C:\\a\\" + faces, "m.obj", Keep::attributes);
+    EXPECT_EQ(warnings_of(parse_obj(encode_mesh(named.mesh, "m.obj", named.attributes), "m.obj")), "") << "written so that all read it";
+}
+
+// three.js #19254
+TEST(ObjFile, ColoursOfSomeVerticesOrUpTo255AreKeptOrToldOf) {
+    const auto colors = [](const std::string& first, const std::string& second) {
+        const LoadedMesh read = parse_obj("v 0 0 0" + first + "\nv 1 0 0" + second + "\nv 0 1 0\nf 1 2 3\n", "m.obj", Keep::attributes);
+        std::string told;
+        for (const VertexColumn& column : read.attributes.columns)
+            for (const double value : column.values) told += std::to_string(static_cast<int>(value)) + " ";
+        return told + warnings_of(read);
+    };
+    const std::string white = "0: vertices without a colour, white in other formats than OBJ (";
+    EXPECT_EQ(colors(" 0 1 0", ""), "0 255 255 255 255 255 0 255 255 " + white + "2)\n");
+    EXPECT_EQ(colors(" 0 0.5 1", " 1 1 1 1"), "0 255 255 128 255 255 255 255 255 " + white + "1)\n");
+    EXPECT_EQ(colors(" 0 128 255", " 1 2 3"),
+              "0 1 255 128 2 255 255 3 255 0: colours above 1 are taken as from 0 to 255\n" + white + "1)\n");
+    for (const std::string odd : {" 0 1.5 0", " 0 256 0", " -1 0 0", " 2 0.5 0"})
+        EXPECT_EQ(colors(odd, ""), "0: colours are not kept: they are neither from 0 to 1 nor whole numbers up to 255\n") << odd;
+    EXPECT_EQ(colors("", ""), "");
+}

@@ -77,3 +77,11 @@ TEST(OffFile, RefusesMissingAndBadData) {
         EXPECT_TRUE(refused("OFF\n4 4 6\n0 0 0\n1 0 " + std::string(number) + "\n0 1 0\n0 0 1\n" + off_faces, "m.off:4", "")) << number;
     }
 }
+
+TEST(OffFile, PointsAloneAreToldOf) {
+    EXPECT_TRUE(refused("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "m.off:2", "no faces (3 vertices alone)"));
+    EXPECT_TRUE(refused("COFF 1 0 0\n0 0 0 1 1 1\n", "m.off:1", "no faces (1 vertex alone)"));
+    EXPECT_TRUE(refused("OFF\n0 0 0\n", "m.off:2", "no faces (0 vertices alone)"));
+    EXPECT_TRUE(refused("OFF\n900 0 0\n0 0 0\n", "m.off:2", "impossible counts"));
+    EXPECT_TRUE(refused("OFF\n-3 0 0\n0 0 0\n", "m.off:2", "impossible counts"));
+}

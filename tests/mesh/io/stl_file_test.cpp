@@ -64,6 +64,52 @@ TEST(StlFile, TextAndBinaryAgreeAndMinusZeroIsZero) {
     EXPECT_EQ(parse_stl(upper, "m.stl").mesh.X, text.mesh.X);
 }
 
+// meshlab #194, numpy-stl #206, meshio #642: other programs write the keywords of a facet with and without blanks, and where they like.
+TEST(StlFile, KeywordsMayBeOneWordOrTwoAndStandOnAnyLine) {
+    const auto all_replaced = [](std::string text, const std::string& from, const std::string& to) {
+        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+        return text;
+    };
+    const std::vector<std::pair<std::string, std::string>> spellings{{"endloop", "end loop"},
+                                                                     {"endfacet", "End \t Facet"},
+                                                                     {"outer loop", "OUTERLOOP"},
+                                                                     {"facet normal", "facetNormal"},
+                                                                     {"\nendsolid", "\nend solid"},
+                                                                     {"  outer", "\touter"},
+                                                                     {"nan nan nan", "0 0\n 1"},
+                                                                     {"nan nan nan", "0 0"},
+                                                                     {"normal nan", "\nnormal nan"},
+                                                                     {"\n", " "},
+                                                                     {"\n", "\t"},
+                                                                     {"\n", "\r"},
+                                                                     {"\n  outer", " outer"}};
+    const TriangleMesh expected = parse_stl(text_stl, "m.stl").mesh;
+    for (unsigned chosen = 0; chosen < 1U << spellings.size(); chosen += chosen < 64 ? 1 : 37) {
+        std::string text = text_stl;
+        for (std::size_t i = 0; i < spellings.size(); ++i)
+            if ((chosen >> i & 1) != 0) text = all_replaced(text, spellings[i].first, spellings[i].second);
+        const LoadedMesh read = parse_stl(text, "m.stl");
+        EXPECT_EQ(read.mesh.X, expected.X) << text;
+        EXPECT_EQ(read.mesh.F, expected.F) << text;
+        EXPECT_EQ(warnings_of(read), "") << text;
+        EXPECT_NE(refusal(all_replaced(text, "1 0 0", "1 0"), "m.stl"), "accepted") << text;
+    }
+    EXPECT_EQ(parse_stl(all_replaced(text_stl, "facet normal nan nan nan", "facet"), "m.stl").mesh.F, expected.F);
+    const std::string two = text_stl + text_stl;
+    EXPECT_EQ(parse_stl(all_replaced(two, "\n", " "), "m.stl").mesh.face_count(), 8);
+    EXPECT_EQ(parse_mesh(all_replaced(text_stl, "solid", "SOLID"), standard_input).mesh.F, expected.F);
+}
+
+TEST(StlFile, MissingKeywordsAreNotReadOver) {
+    const std::string whole = "solid x facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet endsolid\n";
+    EXPECT_EQ(parse_stl(whole, "m.stl").mesh.face_count(), 1);
+    for (const std::string word : {"outer loop ", "outer ", "loop ", "vertex ", "endloop ", "endfacet ", "1 0 0 "})
+        EXPECT_TRUE(refused(replaced(whole, word, "") + whole, "m.stl:1", "")) << word;
+    EXPECT_TRUE(refused(replaced(whole, "endloop", "end\nloop"), "m.stl:1", "expected 'endloop', found 'end'"));
+    EXPECT_TRUE(refused(replaced(whole, "endloop", "end facet"), "m.stl:1", "expected 'endloop', found 'end'"));
+}
+
 TEST(StlFile, NearlyEqualCornersAreNotWelded) {
     TriangleMesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0x1p-30, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}, {3, 4, 5}});
     EXPECT_EQ(parse_stl(binary_stl(mesh), "m.stl").mesh.vertex_count(), 5);

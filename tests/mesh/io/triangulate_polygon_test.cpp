@@ -119,6 +119,91 @@ TEST(TriangulatePolygon, BridgeToAHole) {
     EXPECT_GE(face_normals({X, cut.triangles}).col(2).minCoeff(), 0);
 }
 
+TEST(TriangulatePolygon, SpikesAreLeftOut) {
+    const Positions square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+    const auto expect_square = [&](const std::vector<std::array<double, 2>>& points, int spikes) {
+        const PolygonTriangles cut = triangulated_polygon(polygon(points));
+        EXPECT_TRUE(cut.simple);
+        EXPECT_EQ(cut.spikes, spikes);
+        EXPECT_EQ(cut.triangles.rows(), std::ssize(points) - 2 - spikes);
+        EXPECT_NEAR(surface_area({polygon(points), cut.triangles}), 4, 1e-12);
+        EXPECT_GT(face_areas({polygon(points), cut.triangles}).minCoeff(), 0);
+    };
+    expect_square({{0, 0}, {2, 0}, {3, 0}, {2, 0}, {2, 2}, {0, 2}}, 2);                    // out
+    expect_square({{3, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}, {2, 0}}, 2);                    // out, beginning at its end
+    expect_square({{2, 0}, {2, 2}, {0, 2}, {0, 0}, {2, 0}, {3, 0}}, 2);                    // out, ending there
+    expect_square({{0, 0}, {3, 0}, {2, 0}, {2, 2}, {0, 2}}, 1);                            // along an edge and back
+    expect_square({{0, 0}, {1, 0}, {1, 1}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}, 2 - 1 + 1);    // in
+    expect_square({{0, 0}, {2, 0}, {3, 1}, {4, 5}, {3, 1}, {2, 0}, {2, 2}, {0, 2}}, 4);    // out around a corner
+    expect_square({{0, 0}, {2, 0}, {3, 0}, {3, 0}, {3, 0}, {2, 0}, {2, 2}, {0, 2}}, 4);    // with corners at one place
+    expect_square({{0, 0}, {2, 0}, {0, 0}, {2, 0}, {0, 0}, {2, 0}, {2, 2}, {0, 2}}, 4);    // an edge walked five times
+    expect_square({{0, 0}, {2, 0}, {3, 0}, {2, 0}, {2, -1}, {2, 0}, {2, 2}, {0, 2}}, 4);   // two of them at one corner
+    EXPECT_EQ(triangulated_polygon(square).spikes, 0);
+    EXPECT_FALSE(triangulated_polygon(polygon({{0, 0}, {1, 1}, {2, 2}, {1, 1}})).simple) << "nothing but a spike";
+}
+
+/// With `count` spikes: at a corner, or in the middle of an edge, out and back to any distance, with one to three corners on the way.
+Positions with_spikes(const Positions& X, int count, unsigned seed) {
+    std::mt19937 bits(seed);
+    const auto random = [&](double low, double high) { return low + (high - low) * static_cast<double>(bits() % 4096) / 4096; };
+    std::vector<Vector3> corners;
+    for (const auto row : X.rowwise()) corners.emplace_back(row);
+    for (int i = 0; i < count; ++i) {
+        const auto place = static_cast<std::ptrdiff_t>(bits() % corners.size());
+        const Vector3 a = corners[static_cast<std::size_t>(place)], b = corners[static_cast<std::size_t>(place + 1) % corners.size()];
+        Vector3 way(random(-2, 2), random(-2, 2), 0);
+        if (bits() % 2 == 0) way = (b - a) * random(0.1, 2);
+        std::vector<Vector3> out{a + way};
+        if (bits() % 2 == 0) out = {a + way / 2, a + way, a + way / 2};
+        if (bits() % 4 == 0) out.push_back(a);
+        if (bits() % 4 == 0) out.insert(out.begin(), a);
+        if (out.back() != a && !way.cross(b - a).isZero()) out.push_back(a);
+        corners.insert(corners.begin() + place + 1, out.begin(), out.end());
+    }
+    Positions result(std::ssize(corners), 3);
+    for (Eigen::Index i = 0; i < result.rows(); ++i) result.row(i) = corners[static_cast<std::size_t>(i)];
+    return result;
+}
+
+TEST(TriangulatePolygon, AreasOfPolygonsWithSpikesAreThoseOfNewell) {
+    for (unsigned seed = 0; seed < 600; ++seed) {
+        Positions X = with_spikes(random_star(4 + static_cast<int>(seed % 20), seed), 1 + static_cast<int>(seed % 5), seed);
+        if (seed % 2 == 1) X = X.colwise().reverse().eval();
+        const double area = area_vector(X).norm();
+        for (const auto& [offset, scale] : {std::pair{0., 1.}, {0., 1e-9}, {0., 1e12}, {1e3, 1.}, {-1e6, 1.}}) {
+            const Positions placed = (scale * rotated(X)).rowwise() + Eigen::RowVector3d(offset, 2 * offset, -offset);
+            for (const double digits : {0., 1e6}) {   // as files round: not, or to six decimals
+                if (digits > 0 && scale != 1) continue;
+                const Positions written = digits > 0 ? Positions((placed * digits).array().round() / digits) : placed;
+                const PolygonTriangles cut = triangulated_polygon(written);
+                const double found = surface_area({written.rowwise() - written.row(0), cut.triangles}) / (scale * scale);
+                const double error = digits > 0 ? 1e-4 : 1e-12 + 1e-14 * std::abs(offset);
+                EXPECT_NEAR(found, area, error * (1 + area)) << seed << " " << offset << " " << scale << " " << digits;
+            }
+        }
+    }
+}
+
+TEST(TriangulatePolygon, BridgesToSeveralHoles) {
+    for (int holes = 1; holes <= 9; ++holes) {
+        for (const bool clockwise : {false, true}) {
+            std::vector<std::array<double, 2>> points{{0, 0}};
+            for (int i = 0; i < holes; ++i) {   // every bridge begins at the corner (0, 0)
+                const double x = 3 * i + 3, y = 30 - 3 * i;
+                for (const auto& [dx, dy] : {std::pair{0, 0}, {0, 1}, {1, 1}, {1, 0}, {0, 0}}) points.push_back({x + dx, y + dy});
+                points.push_back({0, 0});
+            }
+            for (const auto& corner : {std::array{40., 0.}, {40., 40.}, {0., 40.}}) points.push_back(corner);
+            if (clockwise) std::ranges::reverse(points);
+            const Positions X = polygon(points);
+            EXPECT_NEAR(area_vector(X).norm(), 1600 - holes, 1e-9);
+            const PolygonTriangles cut = triangulated_polygon(X);
+            EXPECT_EQ(cut.spikes, 0);
+            EXPECT_NEAR(surface_area({X, cut.triangles}), 1600 - holes, 1e-9) << holes << clockwise;
+        }
+    }
+}
+
 TEST(TriangulatePolygon, ManyCornersTakeNoMoreThanMoments) {
     expect_tiling(random_star(20000, 1), 1e-9);
     expect_tiling(spiral(20000), 1e-9);

@@ -37,7 +37,8 @@ std::string zlib_of(const std::string& bytes) {
 /// How a file holds its arrays.
 struct Form {
     bool appended, text, packed, long_header, big_endian;
-    std::size_t block = 40;   // bytes that are packed together
+    std::size_t block = 40;       // bytes that are packed together
+    int parts = packed ? 2 : 1;   // of text, encoded apart from each other: all; sizes and data; the first size, the others and data
 };
 
 class Writer {
@@ -78,7 +79,7 @@ private:
         std::string header, data;
         if (!form_.packed) {
             put(header, raw.size());
-            return written(header + raw);
+            return form_.parts == 1 ? written(header + raw) : written(header) + "\n" + written(raw);
         }
         const std::size_t blocks = (raw.size() + form_.block - 1) / form_.block;
         for (const std::size_t number : {blocks, form_.block, raw.size() % form_.block}) put(header, number);
@@ -87,7 +88,9 @@ private:
             put(header, packed.size());
             data += packed;
         }
-        return written(header) + written(data);
+        const std::size_t first = form_.long_header ? 8 : 4;
+        if (form_.parts == 3) return written(header.substr(0, first)) + written(header.substr(first)) + written(data);
+        return form_.parts == 1 ? written(header + data) : written(header) + written(data);
     }
 
     Form form_;
@@ -116,6 +119,10 @@ std::vector<Form> all_forms() {
     for (int bits = 0; bits < 32; ++bits) {
         const Form form{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0};
         if (form.appended || form.text) forms.push_back(form);   // raw bytes stand behind the XML only
+        for (int parts = 1; form.text && parts <= 3; ++parts) {
+            forms.push_back(form);
+            forms.back().parts = parts;
+        }
     }
     return forms;
 }
@@ -138,7 +145,7 @@ TEST(Vtp, EveryFormReadsAlike) {
     for (const Form& form : all_forms()) {
         const LoadedMesh read = parse_mesh(vtp(form), "m.vtp", Keep::attributes);
         const std::string which = std::to_string(form.appended) + std::to_string(form.text) + std::to_string(form.packed) +
-                                  std::to_string(form.long_header) + std::to_string(form.big_endian);
+                                  std::to_string(form.long_header) + std::to_string(form.big_endian) + std::to_string(form.parts);
         expect_tetrahedron(read, "", which);
         const std::vector<VertexColumn>& columns = read.attributes.columns;
         ASSERT_EQ(names_of(columns), "red green blue quality nx ny nz pair_0 pair_1 ") << which;
@@ -231,6 +238,84 @@ TEST(Vtp, StripsAndPieces) {
     const std::size_t begin = ascii.find("<Piece"), end = ascii.find("</PolyData>");
     const std::string twice = ascii.substr(0, end) + ascii.substr(begin, end - begin) + ascii.substr(end);
     EXPECT_EQ(parse_mesh(twice, "m.vtp").mesh.F, joined(tetrahedron(), tetrahedron()).F);
+}
+
+// pyvista #2411. Bits of vtkDataSetAttributes: a duplicate is 1, a refined cell 8, a hidden cell 32, a hidden point 2.
+TEST(Vtp, GhostAndHiddenCellsAreLeftOut) {
+    const auto with = [](const std::string& data, const std::string& array, const std::string& values) {
+        return replaced(ascii, "<Points>",
+                        "<" + data + "><DataArray type=\"UInt8\" Name=\"" + array + "\" format=\"ascii\">" + values + "</DataArray></" +
+                            data + "><Points>");
+    };
+    const auto faces = [](const std::string& text) { return parse_mesh(text, "m.vtp", Keep::attributes).mesh.face_count(); };
+    for (int bits = 0; bits < 256; ++bits) {   // the first cell is the line
+        const std::string flags = std::to_string(bits);
+        EXPECT_EQ(faces(with("CellData", "vtkGhostType", "0 " + flags + " 0 " + flags + " 0")), (bits & 41) != 0 ? 2 : 4) << bits;
+        EXPECT_EQ(faces(with("CellData", "vtkGhostLevels", "1 0 " + flags + " 0 0")), bits != 0 ? 3 : 4) << bits;
+        EXPECT_EQ(faces(with("PointData", "vtkGhostType", "0 " + flags + " 0 0")), (bits & 2) != 0 ? 1 : 4) << bits;
+    }
+    const LoadedMesh some = parse_mesh(with("CellData", "vtkGhostType", "0 0 32 1 0"), "m.vtp", Keep::attributes);
+    EXPECT_EQ(some.mesh.F, mesh_of({}, {{0, 2, 1}, {1, 2, 3}}).F);
+    EXPECT_EQ(some.mesh.X, tetrahedron().X) << "vertices keep their order";
+    EXPECT_EQ(warnings_of(some), "0: points or lines ignored\n0: 2 ghost or hidden cells left out\n");
+    EXPECT_EQ(faces(with("PointData", "vtkGhostType", "1 1 1 0")), 3) << "a cell of duplicate points alone";
+    const std::string owned = replaced(with("PointData", "vtkGhostType", "1 1 1 1"), "<Points>",
+                                       "<CellData><DataArray type=\"UInt8\" Name=\"vtkGhostType\" format=\"ascii\">0 0 0 0 0</DataArray>"
+                                       "</CellData><Points>");
+    EXPECT_EQ(faces(owned), 4) << "cells say themselves whose they are";
+    EXPECT_TRUE(refused(with("CellData", "vtkGhostType", "0 0 0 0"), "m.vtp", "not one entry a cell"));
+    EXPECT_TRUE(refused(with("PointData", "vtkGhostType", "0 0 0"), "m.vtp", "not one entry a point"));
+    EXPECT_TRUE(refused(with("CellData", "vtkGhostType", "0 1 1 8 32"), "m.vtp", "no triangles"));
+}
+
+TEST(Vtp, GhostStripsAreLeftOutWhole) {
+    const std::string strip = replaced(replaced(ascii, "0 2 1  0 1 3  0 3 2  1 2 3", "0 1 2 3 0 1 2"), "3 6 9 12", "4 7");
+    const std::string strips = replaced(replaced(strip, "<Polys>", "<Strips>"), "</Polys>", "</Strips>");
+    const std::string ghost =
+        replaced(strips, "<Points>",
+                 "<CellData><DataArray type=\"UInt8\" Name=\"vtkGhostType\" format=\"ascii\">0 1 0</DataArray></CellData><Points>");
+    EXPECT_EQ(parse_mesh(ghost, "m.vtp").mesh.F, mesh_of({}, {{0, 1, 2}}).F);
+}
+
+TEST(Vtp, ManyArraysTakeNoMoreThanMoments) {
+    std::string empty =
+        "<Piece NumberOfPoints=\"0\"><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\"/></Points><PointData>";
+    std::string shared;
+    for (int i = 0; i < 800; ++i) {
+        const std::string array = "<DataArray type=\"Int8\" Name=\"" + std::to_string(i) + "\" NumberOfComponents=\"1000\" format=\"";
+        empty += array + "ascii\"/>";
+        shared += array + "appended\" offset=\"0\"/>";
+    }
+    EXPECT_TRUE(
+        parse_mesh(replaced(ascii, "<Piece", empty + "</PointData></Piece><Piece"), "m.vtp", Keep::attributes).attributes.columns.empty());
+    const std::string zeros = std::string("\xa0\x0f\0\0", 4) + std::string(4000, '\0');
+    const std::string many = replaced(replaced(ascii, "<Points>", "<PointData>" + shared + "</PointData><Points>"), "</VTKFile>",
+                                      "<AppendedData encoding=\"raw\">_" + zeros + "</AppendedData></VTKFile>");
+    try {
+        parse_mesh(many, "m.vtp", Keep::attributes);
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("more than 10000 numbers a point"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(parse_mesh(many, "m.vtp").mesh.face_count(), 4);
+}
+
+TEST(Vtp, ColoursOfAnyTypeKeepTheirNames) {
+    for (const ScalarType type : {ScalarType::uint8, ScalarType::uint16, ScalarType::float32}) {
+        for (const std::size_t channels : {3U, 4U}) {
+            std::vector<VertexColumn> columns{{"grey", Vector::LinSpaced(4, 0, 3), ScalarType::uint8}};
+            for (std::size_t i = 0; i < channels; ++i)
+                columns.push_back({std::array{"red", "green", "blue", "alpha"}[i], Vector::Constant(4, double(i % 2)), type});
+            for (const char* file : {"m.vtp", "m.ply"}) {
+                const LoadedMesh read = parse_mesh(encode_mesh(tetrahedron(), file, {.columns = columns}), file, Keep::attributes);
+                ASSERT_EQ(names_of(read.attributes.columns), names_of(columns)) << file;
+                for (std::size_t i = 0; i < columns.size(); ++i) {
+                    EXPECT_EQ(read.attributes.columns[i].values, columns[i].values);
+                    EXPECT_EQ(read.attributes.columns[i].type, columns[i].type);
+                }
+            }
+        }
+    }
 }
 
 TEST(Vtp, WhatIsRefusedIsNamed) {

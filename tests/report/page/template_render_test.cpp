@@ -75,6 +75,27 @@ TEST(Templates, AnUnreadableOneIsRefused) {
     EXPECT_NE(usage_error_of([&] { Templates(folder.path()); }).find("report.html"), std::string::npos);
 }
 
+TEST(Templates, LinksLeadNowhereOutsideTheirFolder) {
+    const TemporaryFolder outside, folder;
+    outside.write("secret", "root:x");
+    folder.write("mine.md", "mine");
+    std::filesystem::create_symlink("mine.md", folder.path() / "report.md");
+    const TemporaryFolder links;
+    std::filesystem::create_directory_symlink(folder.path(), links.path() / "theme");
+    EXPECT_EQ(Templates(links.path() / "theme")["report.md"], "mine") << "the folder itself may be a link";
+    for (const std::filesystem::path& target :
+         {outside.path() / "secret", std::filesystem::path("..") / outside.path().filename() / "secret"}) {
+        std::filesystem::remove(folder.path() / "report.md");
+        std::filesystem::create_symlink(target, folder.path() / "report.md");
+        EXPECT_NE(usage_error_of([&] { Templates(folder.path()); }).find("report.md: is a link that leads out"), std::string::npos)
+            << target;
+    }
+    std::filesystem::remove(folder.path() / "report.md");
+    std::filesystem::create_directory_symlink(outside.path(), folder.path() / "words");
+    outside.write("q1.md", "## key\n");
+    EXPECT_NE(usage_error_of([&] { Templates(folder.path()); }).find("words/q1.md: is a link that leads out"), std::string::npos);
+}
+
 TEST(Templates, FolderReplacesFileByFile) {
     const Templates replaced = with_markdown("mine");
     EXPECT_EQ(replaced["report.md"], "mine");

@@ -154,6 +154,19 @@ TEST(SettingsFile, AFileThatCannotBeReadIsAUsageError) {
     }
 }
 
+TEST(SettingsFile, AFolderNamedAsBundledSettingsDoesNotHideThem) {
+    const TemporaryFolder folder;
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path());
+    const std::string digest = read_settings("s0").experiments_digest;
+    std::filesystem::create_directory("s0");
+    EXPECT_EQ(read_settings("s0").experiments_digest, digest);
+    std::filesystem::remove("s0");
+    folder.write("s0", "seed = 7\n");
+    EXPECT_NE(read_settings("s0").experiments_digest, digest) << "a file comes first";
+    std::filesystem::current_path(before);
+}
+
 // The program accepts everything that data/report.toml documents.
 TEST(DefaultSettings, AreValidAndSoAreTheirCommentedExamples) {
     const std::string text = read_file(std::filesystem::path(MESHFOLIO_SOURCE_DIR) / "data" / "report.toml");
