@@ -166,6 +166,7 @@ Positions with_spikes(const Positions& X, int count, unsigned seed) {
 }
 
 TEST(TriangulatePolygon, AreasOfPolygonsWithSpikesAreThoseOfNewell) {
+    int tried = 0, crossing = 0;
     for (unsigned seed = 0; seed < 600; ++seed) {
         Positions X = with_spikes(random_star(4 + static_cast<int>(seed % 20), seed), 1 + static_cast<int>(seed % 5), seed);
         if (seed % 2 == 1) X = X.colwise().reverse().eval();
@@ -176,12 +177,20 @@ TEST(TriangulatePolygon, AreasOfPolygonsWithSpikesAreThoseOfNewell) {
                 if (digits > 0 && scale != 1) continue;
                 const Positions written = digits > 0 ? Positions((placed * digits).array().round() / digits) : placed;
                 const PolygonTriangles cut = triangulated_polygon(written);
+                ++tried;
+                // Rounding bends a spike; a few polygons then cross themselves for good, which is told.
+                const bool is_exact = digits == 0 && offset == 0;
+                if (!is_exact && !cut.simple) {
+                    ++crossing;
+                    continue;
+                }
                 const double found = surface_area({written.rowwise() - written.row(0), cut.triangles}) / (scale * scale);
                 const double error = digits > 0 ? 1e-4 : 1e-12 + 1e-14 * std::abs(offset);
                 EXPECT_NEAR(found, area, error * (1 + area)) << seed << " " << offset << " " << scale << " " << digits;
             }
         }
     }
+    EXPECT_LT(crossing, 0.03 * tried);
 }
 
 TEST(TriangulatePolygon, BridgesToSeveralHoles) {
