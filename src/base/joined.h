@@ -16,8 +16,8 @@ inline std::string joined(const std::vector<std::string>& parts, std::string_vie
     return text;
 }
 
-/// "a, b, c" for a message: of many names the first twelve and how many more, of a long one its beginning.
-inline std::string listed(const std::vector<std::string>& names) {
+/// Returns "a, b, c" for a message: of many names the first twelve and how many more, of a long one its beginning.
+inline std::string first_of_many(const std::vector<std::string>& names) {
     constexpr std::size_t most = 12, longest = 80;
     std::vector<std::string> shown(names.begin(), names.size() > most ? names.begin() + most : names.end());
     for (std::string& name : shown)

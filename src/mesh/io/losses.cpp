@@ -6,7 +6,7 @@
 #include "base/joined.h"
 #include "base/lower_case.h"
 #include "mesh/io/column_groups.h"
-#include "mesh/io/glb_parts.h"
+#include "mesh/io/glb/glb_parts.h"
 #include "mesh/io/mesh_encoders.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/triangle_measures.h"
@@ -22,7 +22,7 @@ Strings values_without_place(const std::string& format, const Attributes& attrib
     for (const VertexColumn& column : attributes.columns)
         if (!is_normal(column)) names.push_back(column.name);
     if (names.empty()) return {};
-    return {format + " holds no values of vertices: not kept are " + joined(names, ", ") + "; write PLY or VTP for them"};
+    return {format + " holds no values of vertices: not kept are " + first_of_many(names) + "; write PLY or VTP for them"};
 }
 
 /// "N values of a, b …" for each kind of value that a float of glTF does not hold.
@@ -61,7 +61,7 @@ Strings values_that_change(const Attributes& attributes) {
     }
     for (const Kind& kind : kinds)
         if (kind.count > 0)
-            sentences.push_back(std::to_string(kind.count) + " values of " + joined(kind.names, ", ") + " " + kind.told +
+            sentences.push_back(std::to_string(kind.count) + " values of " + first_of_many(kind.names) + " " + kind.told +
                                 "; PLY and VTP keep them");
     return sentences;
 }

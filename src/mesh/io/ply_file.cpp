@@ -36,7 +36,7 @@ public:
             else
                 read_others(element);
         body_.end(warnings);
-        if (const std::string names = listed(not_kept()); keep == Keep::attributes && !names.empty())
+        if (const std::string names = first_of_many(not_kept()); keep == Keep::attributes && !names.empty())
             warnings.add(0, "properties that are not kept", "properties that are not kept", names);
         LoadedMesh loaded = F_.rows() > 0 ? LoadedMesh{{std::move(X_), std::move(F_)}, file_, {}, warnings.warnings()}
                                           : triangulated(polygons_, std::move(X_), file_, std::move(warnings));

@@ -32,7 +32,7 @@ public:
         if (!data) fail("holds " + in_quotes(vtk_.root().attribute("type").value()) + ", not PolyData", "save the surface as .vtp");
         for (const pugi::xml_node& piece : data.children("Piece")) read_piece(piece);
         if (!not_kept_.empty())
-            warnings_.add(0, "arrays that are not kept", "arrays that are not kept", listed({not_kept_.begin(), not_kept_.end()}));
+            warnings_.add(0, "arrays that are not kept", "arrays that are not kept", first_of_many({not_kept_.begin(), not_kept_.end()}));
         LoadedMesh loaded = triangulated(polygons_, Eigen::Map<const Positions>(points_.data(), vertices(), 3), file_, warnings_);
         for (const Column& column : columns_) {
             if (std::ssize(column.values) != vertices()) continue;                                        // not in every piece

@@ -10,7 +10,7 @@
 #include "base/errors.h"
 #include "color/srgb.h"
 #include "draw_mesh.h"
-#include "mesh/io/glb_parts.h"
+#include "mesh/io/glb/glb_parts.h"
 #include "mesh/io/mesh_encoders.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"

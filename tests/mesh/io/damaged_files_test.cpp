@@ -6,7 +6,7 @@
 #include "base/errors.h"
 #include "damaged_bytes.h"
 #include "mesh/io/append_bytes.h"
-#include "mesh/io/glb_bytes.h"
+#include "mesh/io/glb/glb_bytes.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/mesh_checks.h"
 #include "mesh/small_meshes.h"

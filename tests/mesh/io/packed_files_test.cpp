@@ -3,7 +3,7 @@
 #include <libdeflate.h>
 
 #include "base/gunzipped.h"
-#include "mesh/io/glb_bytes.h"
+#include "mesh/io/glb/glb_bytes.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/rejections.h"
 

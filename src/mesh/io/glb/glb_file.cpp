@@ -6,9 +6,9 @@
 
 #include "base/at.h"
 #include "base/in_quotes.h"
-#include "mesh/io/glb_columns.h"
-#include "mesh/io/glb_scene.h"
-#include "mesh/io/glb_shape.h"
+#include "mesh/io/glb/glb_columns.h"
+#include "mesh/io/glb/glb_scene.h"
+#include "mesh/io/glb/glb_shape.h"
 #include "mesh/io/mesh_files.h"
 
 namespace meshfolio {

@@ -1,4 +1,4 @@
-#include "mesh/io/glb_document.h"
+#include "mesh/io/glb/glb_document.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/joined.h"
-#include "mesh/io/glb_parts.h"
+#include "mesh/io/glb/glb_parts.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/rejections.h"
 #include "mesh/small_meshes.h"

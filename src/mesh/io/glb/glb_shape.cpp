@@ -1,4 +1,4 @@
-#include "mesh/io/glb_shape.h"
+#include "mesh/io/glb/glb_shape.h"
 
 #include <cmath>
 

@@ -8,7 +8,7 @@
 
 #include "base/at.h"
 #include "mesh/io/column_groups.h"
-#include "mesh/io/glb_parts.h"
+#include "mesh/io/glb/glb_parts.h"
 #include "mesh/io/mesh_encoders.h"
 #include "mesh/io/srgb_curve.h"
 

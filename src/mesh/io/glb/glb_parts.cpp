@@ -1,4 +1,4 @@
-#include "mesh/io/glb_parts.h"
+#include "mesh/io/glb/glb_parts.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "mesh/io/glb_scene.h"
+#include "mesh/io/glb/glb_scene.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

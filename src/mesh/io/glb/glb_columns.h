@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/io/glb_document.h"
+#include "mesh/io/glb/glb_document.h"
 
 namespace meshfolio {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "mesh/io/glb_bytes.h"
+#include "mesh/io/glb/glb_bytes.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/rejections.h"
 #include "mesh/small_meshes.h"

@@ -2,7 +2,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "mesh/io/glb_bytes.h"
+#include "mesh/io/glb/glb_bytes.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/rejections.h"
 #include "mesh/mesh_checks.h"

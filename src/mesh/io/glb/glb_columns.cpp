@@ -1,4 +1,4 @@
-#include "mesh/io/glb_columns.h"
+#include "mesh/io/glb/glb_columns.h"
 
 #include <algorithm>
 #include <array>
@@ -121,7 +121,7 @@ std::vector<VertexColumn> GlbColumns::of_vertices(const WeldedMesh& mesh) {
     }
     if (!not_kept_.empty())
         warnings_.add(0, "attributes that are not kept", "attributes that are not kept",
-                      joined({not_kept_.begin(), not_kept_.end()}, ", "));
+                      first_of_many({not_kept_.begin(), not_kept_.end()}));
     return kept;
 }
 

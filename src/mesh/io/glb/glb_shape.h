@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "mesh/io/glb_document.h"
+#include "mesh/io/glb/glb_document.h"
 #include "mesh/triangle_mesh.h"
 
 namespace meshfolio {
