@@ -127,12 +127,6 @@ json item_view(const ItemMark& mark) {
             {"picture", base64(picture)}};
 }
 
-/// Prefixes text that a spreadsheet would take for a formula.
-std::string harmless_cell(const std::string& text) {
-    const std::string plain = report::safe_text(text);
-    return !plain.empty() && std::string_view("=+-@").find(plain.front()) != std::string_view::npos ? "'" + plain : plain;
-}
-
 }   // namespace
 
 std::string said_of(const ItemMark& mark) {
@@ -189,7 +183,7 @@ std::string class_csv(const std::vector<StudentMarks>& students, const Rubric& r
     }
     table.columns.push_back({"remarks"});
     for (const StudentMarks& marks : students) {
-        std::vector<report::Cell> row{harmless_cell(marks.id), harmless_cell(marks.source), marks.score(), rubric.points()};
+        std::vector<report::Cell> row{marks.id, marks.source, marks.score(), rubric.points()};
         for (std::size_t i = 0; i < rubric.items.size(); ++i) {
             const ItemMark* mark = i < marks.items.size() ? &marks.items[i] : nullptr;
             std::vector<std::string> each;
@@ -199,7 +193,7 @@ std::string class_csv(const std::vector<StudentMarks>& students, const Rubric& r
             row.emplace_back(mark == nullptr ? std::string("refused")
                                              : verdict_word(mark->verdict) + (each.empty() ? "" : ": " + joined(each, " | ")));
         }
-        row.emplace_back(harmless_cell(marks.refused.empty() ? joined(marks.remarks, "; ") : marks.refused));
+        row.emplace_back(marks.refused.empty() ? joined(marks.remarks, "; ") : marks.refused);
         table.rows.push_back(std::move(row));
     }
     return report::write_csv(table);

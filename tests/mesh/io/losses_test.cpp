@@ -89,7 +89,9 @@ TEST(Losses, ColoursOfObjGoToOtherFormats) {
     }
     EXPECT_EQ(told(read.mesh, "m.obj", read.attributes), "") << "the text stays";
     EXPECT_TRUE(says(encode_mesh(read.mesh, "m.obj", read.attributes), "v 0 1 0 0.2 0.4 0.6"));
-    EXPECT_TRUE(parse_mesh("v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "m.obj", Keep::attributes).attributes.columns.empty());
+    const auto some = parse_mesh("v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "m.obj", Keep::attributes).attributes.columns;
+    ASSERT_EQ(some.size(), 3U);
+    EXPECT_EQ(some[1].values, (Vector(3) << 0, 255, 255).finished()) << "white where the file has none";
 }
 
 TEST(Losses, FormatsWithoutValuesNameThem) {

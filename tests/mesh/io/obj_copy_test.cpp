@@ -72,7 +72,7 @@ TEST(ObjCopy, PolygonsStayWhereTheyFallIntoTheSameTriangles) {
 }
 
 TEST(ObjCopy, RepairsAreWritten) {
-    const std::string turned = corner + "f 1/1 3/2 2/3\nf 1/1 4/2 2/3\nf 1 4 3\nf 2 3 4\nf 2 2 3\nf 4 3 2\nvt 0 0\nvt 1 0\nvt 0 1\n";
+    const std::string turned = corner + "f 1/1 3/2 2/3\nf 1/1 4/2 2/3\nf 1 4 3\nf 2 3 4\nf 2 2 3\nf 3 4 2\nvt 0 0\nvt 1 0\nvt 0 1\n";
     const PreparedMesh mesh = prepared(turned);
     EXPECT_EQ(mesh.preflight.flipped_faces, 1);
     EXPECT_EQ(mesh.mesh.face_count(), 4);

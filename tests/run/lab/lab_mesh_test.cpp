@@ -149,7 +149,7 @@ TEST(LabMesh, LargeMeshesAreDecimatedAndItsRoundingIsMeasured) {
 }
 
 TEST(LabMesh, BeyondItsLimitThereAreTheLowestModesAndOnlyProjections) {
-    const LabMesh lab = lab_mesh(icosphere(3), "sphere", {{"lab", {}}}, {.vertices = 0, .all_modes = 100, .fewer_modes = 40});
+    const LabMesh lab = lab_mesh(icosphere(3), "sphere", {{"lab", {}}}, {.vertices = 1000, .all_modes = 100, .fewer_modes = 40});
     EXPECT_EQ(lab.mesh.vertex_count(), 642);
     EXPECT_EQ(lab.eigenvalues.size(), 40);
     EXPECT_FALSE(lab.has_all_modes());

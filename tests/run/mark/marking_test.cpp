@@ -245,7 +245,7 @@ TEST(Marking, PagesAndTablesShowTheMarks) {
     EXPECT_NE(student_json(right, rubric).find("\"status\": \"passed\""), std::string::npos);
     EXPECT_EQ(class_csv({wrong, right, refused}, rubric),
               "student,submission,score,max_score,a,a_verdict,remarks\n"
-              "eve,,0,8,0,wrong,\nada,'=ada<b>,8,8,8,right,\nbob,,0,8,0,refused,is a link\n");
+              "eve,,0,8,0,wrong,\nada,\"'=ada<b>\",8,8,8,right,\nbob,,0,8,0,refused,is a link\n");
 }
 
 TEST(Rubrics, TheBundledOneIsGoodAndItsMeshesAreThere) {

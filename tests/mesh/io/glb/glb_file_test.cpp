@@ -113,7 +113,7 @@ TEST(Glb, CustomColoursAndValuesAreColumns) {
     const TriangleMesh mesh = tetrahedron();
     std::string data = glb_data(mesh);
     for (int v = 0; v < 4; ++v) {
-        for (int k = 0; k < 3; ++k) data[512 + static_cast<std::size_t>(4 * v + k)] = static_cast<char>(50 * v + k);
+        for (int k = 0; k < 4; ++k) data[512 + static_cast<std::size_t>(4 * v + k)] = static_cast<char>(50 * v + k);
     }
     std::string heights;
     for (const float h : {0.5F, 1.5F, -2.5F, 1e30F}) append(heights, h);
