@@ -8,7 +8,8 @@ import unittest
 from common import STRACE, Faults, needs_strace
 
 SYSTEM = ("/lib/", "/lib64/", "/usr/lib/", "/usr/lib64/", "/usr/local/lib/", "/etc/ld.so", "/proc/self/", "/proc/cpuinfo", "/proc/meminfo", "/proc/sys/vm/",
-          "/sys/devices/system/", "/sys/fs/cgroup/", "/sys/kernel/mm/", "/dev/null", "/proc/filesystems", "/etc/localtime", "/usr/share/zoneinfo")
+          "/sys/devices/system/", "/sys/fs/cgroup/", "/sys/kernel/mm/", "/dev/null", "/proc/filesystems", "/etc/localtime", "/usr/share/zoneinfo",
+          "/etc/nsswitch.conf", "/etc/passwd")  # the account's home folder
 MISLEADING = ["$(touch PWNED).obj", "a;touch PWNED;.obj", "`touch PWNED`.obj", "..obj", "a .. b.obj", "|touch PWNED.obj", "-rf.obj", "a\nb.obj"]
 READING = ["open", "openat", "openat2"]
 CHANGING = ["rename", "renameat", "renameat2", "link", "linkat", "symlink", "symlinkat", "unlink", "unlinkat", "rmdir", "mkdir", "mkdirat", "truncate",
