@@ -33,8 +33,9 @@ struct SampleRegion {
 class WideBudget {
 public:
     /// @param blocks  of one picture
-    explicit WideBudget(std::int64_t blocks) : steps_(1'000'000'000 + 500 * blocks) {}
-    /// Takes steps: a block drawn is one, a region looked at two, a tile met eight. @throws TooMuchOverdraw when too little is left
+    explicit WideBudget(std::int64_t blocks) : steps_(800'000'000 + 500 * blocks) {}
+    /// Takes steps of about 20 ns: a block drawn is four, a region looked at one, a tile met ten. @throws TooMuchOverdraw when too little
+    /// is left
     void spend(std::int64_t steps);
     /// Takes entries of the lists of tiles, 4 bytes each. @throws TooMuchOverdraw
     void list(std::int64_t entries);

@@ -86,9 +86,9 @@ public:
                 const Blocks part{std::max(all.x0, x * side), std::min(all.x1, (x + 1) * side - 1), std::max(all.y0, y * side),
                                   std::min(all.y1, (y + 1) * side - 1)};
                 SampleRegion& region = tile_.region(x, y);
-                tile_.spend(2);
+                tile_.spend(1);
                 if (misses(part) || is_hidden(part, region)) continue;
-                tile_.spend((part.x1 - part.x0 + 1) * (part.y1 - part.y0 + 1));
+                tile_.spend(4 * (part.x1 - part.x0 + 1) * (part.y1 - part.y0 + 1));
                 const bool full = fills(part);
                 for (int by = part.y0; by <= part.y1; ++by)
                     for (int bx = part.x0; bx <= part.x1; ++bx) full ? fill_block(bx, by) : draw_block(bx, by);
@@ -214,7 +214,7 @@ void rasterize_wide(const Triangle2& t, std::int32_t id, SampleTile& tile) {
     const auto [x0, x1] = blocks_between(left, right, tile.x(), tile);
     const auto [y0, y1] = blocks_between(top, bottom, tile.y(), tile);
     if (x0 > x1 || y0 > y1) return;
-    tile.spend(8);   // in steps of about 15 ns
+    tile.spend(10);
     if (farthest > largest_narrow)
         rasterize_with<Wide>(t, id, {x0, x1, y0, y1}, tile);
     else

@@ -22,7 +22,7 @@ std::size_t size_at_end(std::string_view bytes) {
 }   // namespace
 
 std::string gunzipped(std::string_view bytes, const std::string& file) {
-    const std::size_t most = std::min<std::size_t>(largest_file, 50 * bytes.size() + (1 << 20));
+    const std::size_t most = std::min<std::size_t>(largest_file, 25 * bytes.size() + (1 << 20));
     const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> unpacker(libdeflate_alloc_decompressor(),
                                                                                                      &libdeflate_free_decompressor);
     std::string text;

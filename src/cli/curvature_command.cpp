@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "cli/commands.h"
@@ -9,6 +11,15 @@
 namespace meshfolio::cli {
 
 namespace {
+
+void warn_of_missing_jets(const PreparedMesh& prepared, const std::vector<VertexColumn>& columns, const std::string& file) {
+    const auto jets = std::ranges::find(columns, "h_jet", &VertexColumn::name);
+    const Preflight& p = prepared.preflight;
+    const auto missing = jets->values.array().isNaN().count() - (p.vertices - p.vertices_in_use);
+    if (missing > 0)
+        warn(file + ": " + std::to_string(missing) + " of " + std::to_string(p.vertices_in_use) +
+             " vertices have no jet: too few vertices around, or a sample too thin to be trusted");
+}
 
 /// Warns of interior vertices whose area is not positive: they have no curvature.
 void warn_of_empty_areas(const PreparedMesh& prepared, const std::string& file, AreaForm form) {
@@ -45,6 +56,7 @@ Command curvature_command(CLI::App& parent) {
                 output::FileGroup files;
                 files.keep(options->mesh);
                 const std::vector<VertexColumn> columns = curvature_columns(prepared, form, kind, options->jets);
+                if (options->jets) warn_of_missing_jets(prepared, columns, shown(options->mesh));
                 if (!options->ply.empty()) add_mesh(files, options->ply, prepared.mesh, beside_attributes(prepared, columns));
                 if (!options->csv.empty() || options->ply.empty())
                     print_to(files, options->csv.empty() ? "-" : options->csv, vertex_table(prepared, columns));

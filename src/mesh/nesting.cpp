@@ -108,8 +108,8 @@ public:
     }
 
     std::vector<Turn> turns() {
-        std::map<std::array<double, 6>, std::vector<int>> shells_in;   // equal boxes are one
-        for (int s = 0; s < count(); ++s) shells_in[numbers_of(boxes_[at(s)])].push_back(s);
+        std::map<std::array<double, 11>, std::vector<int>> shells_in;   // copies of one shell in one place are one
+        for (int s = 0; s < count(); ++s) shells_in[numbers_of(s)].push_back(s);
         std::vector<Box> boxes;
         std::vector<std::vector<int>> groups;
         for (auto& [numbers, group] : shells_in) {
@@ -131,8 +131,18 @@ private:
 
     int count() const { return static_cast<int>(shells_.sign.size()); }
 
-    static std::array<double, 6> numbers_of(const Box& box) {
-        return {box.low.x(), box.low.y(), box.low.z(), box.high.x(), box.high.y(), box.high.z()};
+    /// Box, number of faces, and moments of the corners: alike for shells of the same faces in the same order.
+    std::array<double, 11> numbers_of(int s) const {
+        const Box& box = boxes_[at(s)];
+        Vector3 sum = Vector3::Zero();
+        double squares = 0;
+        for (const int* t = faces_.begin(s); t != faces_.end(s); ++t) {
+            const auto corners = mesh_.X(mesh_.F.row(*t), Eigen::all);
+            sum += corners.colwise().sum().transpose();
+            squares += corners.squaredNorm();
+        }
+        return {box.low.x(), box.low.y(), box.low.z(), box.high.x(), box.high.y(), box.high.z(), double(faces_.size(s)),
+                sum.x(),     sum.y(),     sum.z(),     squares};
     }
 
     void sort_faces() {
@@ -163,7 +173,7 @@ private:
     /// How far from a surface a point of shell s may be and still lie on it: coordinates in files seldom have more than seven digits.
     double tolerance(int s) const { return std::max(1e-6 * boxes_[at(s)].diagonal(), 0x1p-50 * farthest_); }
 
-    /// Shells with another box, around that of this group.
+    /// Shells of other groups whose boxes hold the box of this group.
     std::vector<int> shells_around(const std::vector<int>& group, const std::vector<std::vector<int>>& groups, const BoxTree& tree) {
         const Box& inner = boxes_[at(group.front())];
         const double t = tolerance(group.front());
@@ -197,20 +207,28 @@ private:
         return right_sign > 0 ? Turn::outwards : Turn::inwards;
     }
 
-    /// Where shell s lies to another.
+    /// Where shell s lies to another. Where no point is clearly apart, the gap may be less than most files have digits: then all must
+    /// agree.
     Relation relation_of(int s, int other) {
+        const Relation relation = relation_of(s, other, tolerance(s), false);
+        return relation != Relation::same_place ? relation : relation_of(s, other, 0x1p-46 * farthest_, true);
+    }
+
+    /// @param near  points so close to the other shell tell nothing
+    /// @param all  points inside and points outside together mean the same place, not outside
+    Relation relation_of(int s, int other, double near, bool all) {
         const ShellSurface& surface = surface_of(other);
-        const double near = tolerance(s);
         const int faces = faces_.size(s), step = (faces - 1) / most_sampled_faces + 1;
         Relation relation = Relation::same_place;
         for (int i = 0; i < faces; i += step) {
             const auto corners = mesh_.X(mesh_.F.row(faces_.begin(s)[i]), Eigen::all);
             const Vector3 centroid = corners.colwise().mean();
             for (const Vector3& p : {centroid, Vector3(corners.row(0)), Vector3(corners.row(1)), Vector3(corners.row(2))}) {
-                const bool outside = surface.is_outside(p);
-                if ((!outside && relation == Relation::inside) || surface.is_near(p, near)) continue;
-                if (outside) return Relation::outside;
-                relation = Relation::inside;
+                const Relation here = surface.is_outside(p) ? Relation::outside : Relation::inside;
+                if (here == relation || surface.is_near(p, near)) continue;
+                if (all && relation != Relation::same_place) return Relation::same_place;
+                if (here == Relation::outside && !all) return Relation::outside;
+                relation = here;
             }
             if (visits_ > most_visits) break;
         }

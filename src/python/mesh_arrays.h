@@ -32,8 +32,11 @@ struct Mesh {
     const TriangleMesh& triangles() const { return prepared->mesh; }
 };
 
+/// A dict that refuses arrays of other than n rows when they are set. @throws MeshError where one of these has another number
+inline py::dict checked(const py::dict& arrays, Eigen::Index n) { return py::module_::import("meshfolio").attr("_Attributes")(n, arrays); }
+
 inline Mesh mesh_of(PreparedMesh prepared) {
-    py::dict attributes = dict_of(prepared.attributes.columns);
+    py::dict attributes = checked(dict_of(prepared.attributes.columns), prepared.mesh.X.rows());
     std::erase_if(prepared.attributes.columns, [](const VertexColumn& column) { return !is_normal(column); });
     return {std::make_shared<const PreparedMesh>(std::move(prepared)), std::move(attributes)};
 }

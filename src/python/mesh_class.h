@@ -18,9 +18,9 @@ namespace meshfolio::python {
 
 inline Mesh new_mesh(const py::object& vertices, const py::object& faces, const std::string& name, const py::dict& attributes) {
     LoadedMesh loaded{triangles_of(vertices, faces, name), name, {}, {}};
-    columns_of(attributes, loaded.mesh.X.rows());   // refuses what cannot be saved
+    const py::dict own = checked(copy_of(attributes), loaded.mesh.X.rows());
     Mesh mesh = mesh_of(interruptible([loaded](const Stop&) { return prepare_mesh(loaded); }));
-    mesh.attributes = copy_of(attributes);
+    mesh.attributes = own;
     return mesh;
 }
 
@@ -70,7 +70,8 @@ inline Mesh mesh_of_state(const py::tuple& state) {
     if (state[7].cast<bool>()) {   // computed when they are written
         for (const char* name : {"nx", "ny", "nz"}) mesh.attributes.columns.push_back({name, Vector::Zero(mesh.mesh.X.rows())});
     }
-    return {std::make_shared<const PreparedMesh>(std::move(mesh)), state[4].cast<py::dict>(), true};
+    const py::dict attributes = checked(state[4].cast<py::dict>(), mesh.mesh.X.rows());
+    return {std::make_shared<const PreparedMesh>(std::move(mesh)), attributes, true};
 }
 
 inline void add_mesh(py::module_& m) {
@@ -121,6 +122,11 @@ inline void add_mesh(py::module_& m) {
         .def_property_readonly(
             "vertex_normals", [](const Mesh& mesh) { return vertex_normals(mesh.triangles()); },
             "n x 3 of length 1, the area-weighted mean of the faces around; 0 without area");
+    m.def("_check_attribute", [](const py::str& name, const py::object& values, Eigen::Index n) {
+        py::dict one;
+        one[name] = values;
+        columns_of(one, n);   // refuses what cannot be saved
+    });
     mesh_class.def("copy", copied, "The same surface, with attributes of its own.")
         .def("__copy__", copied)
         .def("__deepcopy__", [](const Mesh& mesh, const py::dict& /*seen*/) { return copy_of(mesh); })

@@ -130,6 +130,29 @@ TriangleMesh two_tetrahedra(bool with_wall) {
 
 }   // namespace
 
+/// (±1, 0, 0), (0, ±1, 0), (0, 0, ±1).
+TriangleMesh octahedron() {
+    return mesh_of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+                   {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}});
+}
+
+// A shell that fills the box of the one around it lies within it all the same.
+TEST(Nesting, ShellsOfOneBoxAreToldApart) {
+    expect_left_alone(all_of({cube(2), turned(octahedron())}), 8 - 4.0 / 3, "a cavity in a cube");
+    EXPECT_NEAR(volume_of(all_of({turned(cube(2)), octahedron()})), 8 - 4.0 / 3, 1e-12) << "all inverted";
+    EXPECT_NEAR(volume_of(all_of({cube(2), octahedron()})), 8 - 4.0 / 3, 1e-12) << "the cavity outwards";
+}
+
+// Walls thinner than the digits of most files are walls.
+TEST(Nesting, ThinWallsHaveTwoSides) {
+    for (const double gap : {1e-5, 1e-6, 1e-7, 1e-9}) {
+        const double inner = 2 * (1 - gap), volume = 8 - inner * inner * inner;
+        for (const TriangleMesh& mesh : {all_of({cube(2), turned(cube(inner))}), all_of({turned(cube(2)), cube(inner)}),
+                                         all_of({cube(2), cube(inner)}), all_of({turned(cube(2)), turned(cube(inner))})})
+            EXPECT_NEAR(volume_of(mesh), volume, 1e-13) << gap;
+    }
+}
+
 // Whichever way the file turned them: bodies outwards, cavities inwards, islands outwards. What agrees stays as it is.
 TEST(Nesting, ShellsAlternateByDepth) {
     std::mt19937 random(1);

@@ -136,9 +136,10 @@ class Attributes(unittest.TestCase):
 
     def test_what_fits_no_mesh_is_refused(self):
         for values, words in (([1.0] * 7, "7 values, the mesh has 8 vertices"), (["a"] * 8, "no numbers"), (np.zeros((8, 1, 1)), "axis")):
-            self.mesh.attributes["wrong"] = values
-            with self.subTest(words=words), self.assertRaisesRegex(meshfolio.MeshError, f"'wrong'.*{words}"):
-                meshfolio.save(self.mesh, "never.ply")
+            for setting in (lambda a: a.__setitem__("wrong", values), lambda a: a.update(wrong=values), lambda a: a.setdefault("wrong", values)):
+                with self.subTest(words=words), self.assertRaisesRegex(meshfolio.MeshError, f"'wrong'.*{words}"):
+                    setting(self.mesh.attributes)
+            self.assertNotIn("wrong", self.mesh.attributes)
             with self.assertRaisesRegex(meshfolio.MeshError, words):
                 meshfolio.Mesh(self.mesh.vertices, self.mesh.faces, attributes={"wrong": values})
 

@@ -54,6 +54,13 @@ std::vector<VertexCopy> coincident_vertices(const TriangleMesh& mesh, double lon
     DisjointSets classes(mesh.vertex_count());
     for (const auto& block : joined_in)
         for (const auto& [a, b] : block.value) classes.join(a, b);
+    const auto stays = [&](int t) {
+        const int a = classes.find(mesh.F(t, 0)), b = classes.find(mesh.F(t, 1)), c = classes.find(mesh.F(t, 2));
+        return a != b && b != c && c != a;
+    };
+    bool some_stay = false;
+    for (int t = 0; t < mesh.face_count() && !some_stay; ++t) some_stay = stays(t);
+    if (!some_stay) return {};   // a strip a hundred million times as long as wide is a strip, not a line
     std::vector<VertexCopy> copies;
     for (int v = 0; v < mesh.vertex_count(); ++v)
         if (const int first = classes.find(v); first != v) copies.push_back({v, first});

@@ -28,7 +28,7 @@ inline const double no_length_to_flips = std::cbrt(std::numeric_limits<double>::
 
 /// Vertices joined by edges of length `no_length` or less. In a triangle without area, which gives no stiffness to hold its ends together,
 /// an edge of √no_area = 1e-6 has none either.
-/// @return  all vertices but the first of each class, ascending; empty for almost every mesh
+/// @return  all vertices but the first of each class, ascending; empty for almost every mesh, and where no triangle would be left
 std::vector<VertexCopy> coincident_vertices(const TriangleMesh& mesh, double longest = no_length);
 
 /// The mesh of the same vertices whose triangles name the first vertex of each class. Triangles that name a vertex twice then are left out.

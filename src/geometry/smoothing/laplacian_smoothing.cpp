@@ -268,12 +268,12 @@ TaubinGrowth taubin_growth(const LaplaceBeltrami& laplacian, const SmoothingOpti
 }
 
 std::string TaubinGrowth::warning(int iterations) const {
-    constexpr double material = 1.05;
+    constexpr double material = 1.2;
     if (of_highest_mode) return factor > 1 ? "each iteration multiplies the highest mode by " + plain_text(factor, 4) : "";
     const double in_all = std::pow(factor, iterations);
     if (!(in_all > material)) return "";
-    return "each iteration multiplies modes near mu = " + plain_text(mu, 3) + " by up to " + plain_text(factor, 6) + ", all " +
-           std::to_string(iterations) + " by " + plain_text(in_all, 3) + ": the surface swells";
+    return "each iteration multiplies modes near mu = " + plain_text(mu, 3) + ", where the mesh has any, by up to " +
+           plain_text(factor, 6) + ", all " + std::to_string(iterations) + " by " + plain_text(in_all, 3) + ": the surface may swell";
 }
 
 Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X) {

@@ -82,7 +82,8 @@ struct TaubinGrowth {
     double mu = 0;                  // where [1/length²]
     bool of_highest_mode = false;   // μ = μ_max, where λ is too large; else in the pass-band, which every |m| > λ raises
 
-    /// A sentence where that is to be known: the highest mode grows at all, or modes of the pass-band by 5 % and more. Else empty.
+    /// A sentence where that is to be known: the highest mode grows at all, or modes of the pass-band, where there are any, by 20 % and
+    /// more. Else empty.
     std::string warning(int iterations) const;
 };
 /// @throws MeshError as above

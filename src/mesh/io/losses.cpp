@@ -5,6 +5,7 @@
 
 #include "base/joined.h"
 #include "base/lower_case.h"
+#include "base/number_text.h"
 #include "mesh/io/column_groups.h"
 #include "mesh/io/glb/glb_parts.h"
 #include "mesh/io/mesh_encoders.h"
@@ -68,7 +69,8 @@ Strings values_that_change(const Attributes& attributes) {
 
 /// What becomes of the surface where coordinates are rounded to floats, and where a reader welds what lies at one place.
 Strings corners_that_move(const std::string& format, const TriangleMesh& mesh) {
-    constexpr double turned = 0.996;   // the cosine of 5°
+    constexpr double turned = 0.996;         // the cosine of 5°
+    constexpr double worth_telling = 1e-3;   // of an edge: curvatures change by some per cent
     const bool is_glb = format == "GLB";
     const TriangleMesh rounded{stored_as_floats(mesh, is_glb ? float_frame(mesh) : GlbFrame()), mesh.F};
     const std::vector<int> together = one_part(mesh), parts = is_glb ? parts_that_keep_apart(mesh, rounded.X) : together;
@@ -82,6 +84,10 @@ Strings corners_that_move(const std::string& format, const TriangleMesh& mesh) {
     if (welded > 0)
         sentences.push_back(std::to_string(welded) + of_all + "lie where others do and are one with them when the " + format +
                             " file is read again; OBJ, OFF, PLY and VTP keep them apart");
+    const double moved = (rounded.X - mesh.X).rowwise().norm().maxCoeff(), share = moved / mean_edge_length(mesh);
+    if (spoilt == 0 && merged == 0 && share > worth_telling)
+        sentences.push_back("rounded to the floats of " + format + ", vertices move by up to " + plain_text(100 * share, 2) +
+                            " % of the mean edge, and curvatures change; write OBJ, OFF, PLY or VTP, or move the mesh to the origin");
     if (spoilt > 0 || merged > 0)
         sentences.push_back("rounded to the floats of " + format + ", " + std::to_string(merged) + of_all + "fall onto others and " +
                             std::to_string(spoilt) + " of " + std::to_string(mesh.face_count()) +

@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "base/in_quotes.h"
 #include "base/lower_case.h"
+#include "base/number_text.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/io/text_scanner.h"
@@ -65,7 +66,9 @@ private:
         for (;;) {
             std::string_view rest = words_.rest_of_line();
             const std::string_view word = take_word(rest);
-            if (same_word(word, "facetnormal") || (same_word(word, "facet") && same_word(take_word(rest), "normal"))) return true;
+            const bool is_facet = same_word(word, "facetnormal") || (same_word(word, "facet") && same_word(take_word(rest), "normal"));
+            const std::string_view number = take_word(rest);
+            if (is_facet && (number.empty() || parse_number(number) || same_word(number, "nan"))) return true;   // else part of a name
             if (words_.next_on_line().empty()) return false;
         }
     }

@@ -34,7 +34,8 @@ std::string foreign_contents(const fs::path& folder, const FolderKind& kind) {
     fs::directory_iterator it(folder, error);
     for (; !error && it != fs::directory_iterator(); it.increment(error)) {
         const std::string name = it->path().filename().string();
-        if (name == ".gitignore" || process_in_name(name, ".meshfolio.tmp-") != 0) continue;
+        const bool is_part = name.starts_with(".meshfolio.part-");   // of a run that is under way, or was killed
+        if (name == ".gitignore" || is_part || process_in_name(name, ".meshfolio.tmp-") != 0) continue;
         if (kind.marker == batch_folder.marker && has_mark(it->path(), report_folder)) continue;   // parts that were merged
         return "files that no run of ours put there";
     }

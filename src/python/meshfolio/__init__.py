@@ -48,6 +48,36 @@ __all__ = [
 ]  # fmt: skip
 
 
+class _Attributes(dict):
+    """Arrays by name, of one row a vertex: others are refused when they are set."""
+
+    def __init__(self, rows, arrays):
+        self._rows = rows
+        self.update(arrays)
+
+    def __setitem__(self, name, values):
+        _core._check_attribute(str(name), values, self._rows)
+        super().__setitem__(name, values)
+
+    def update(self, *arrays, **named):
+        new = dict(*arrays, **named)
+        for name, values in new.items():  # all or none
+            _core._check_attribute(str(name), values, self._rows)
+        super().update(new)
+
+    def setdefault(self, name, values=None):
+        if name not in self:
+            self[name] = values
+        return self[name]
+
+    def __ior__(self, arrays):
+        self.update(arrays)
+        return self
+
+    def __reduce__(self):
+        return _Attributes, (self._rows, dict(self))
+
+
 class Picture(numpy.ndarray):
     """height x width x 4 uint8: red, green, blue (sRGB) and alpha, rows from the top. A notebook shows it."""
 

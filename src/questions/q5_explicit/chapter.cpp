@@ -1,4 +1,5 @@
 // Question 5: explicit Laplacian smoothing, the step it allows, and what a larger one does.
+#include "geometry/measures/mesh_facts.h"
 #include "questions/q5_explicit/parts.h"
 
 namespace meshfolio::q5_explicit {
@@ -162,7 +163,9 @@ void add_checks(report::Section& section, const ExplicitStudy& study) {
         }
         if (!study.stable(i)) continue;
         add(section, energy_check(words.line("check.energy", limits, mesh), run),
-            check_at_most(words.line("check.barycentre", limits, mesh), 0, barycentre_drift(subject, run.result.X), 1e-10));
+            report::within_rounding(
+                check_at_most(words.line("check.barycentre", limits, mesh), 0, barycentre_drift(subject, run.result.X), 1e-10),
+                coordinate_spacing(subject.mesh()) / subject.diagonal));
     }
 }
 

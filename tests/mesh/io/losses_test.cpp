@@ -94,6 +94,15 @@ TEST(Losses, ColoursOfObjGoToOtherFormats) {
     EXPECT_EQ(some[1].values, (Vector(3) << 0, 255, 255).finished()) << "white where the file has none";
 }
 
+// Half a float's digit at 1e5 is 4e-3: curvatures of a sphere of edges 0.1 are spoilt long before a face turns.
+TEST(Losses, StlFarFromTheOriginIsToldBeforeFacesTurn) {
+    TriangleMesh sphere = icosphere(3);
+    EXPECT_EQ(told(sphere, "m.stl"), "");
+    sphere.X.rowwise() += Eigen::RowVector3d(1e4, 5e3, -3e3);
+    EXPECT_TRUE(says(told(sphere, "m.stl"), "of the mean edge, and curvatures change"));
+    EXPECT_EQ(told(sphere, "m.glb"), "") << "moved and scaled";
+}
+
 TEST(Losses, FormatsWithoutValuesNameThem) {
     const Attributes attributes{
         .columns = {{"nx", Vector::Ones(4)}, {"quality", Vector::Ones(4)}, {"red", Vector::Ones(4), ScalarType::uint8}}};

@@ -65,6 +65,14 @@ TEST(StlFile, TextAndBinaryAgreeAndMinusZeroIsZero) {
 }
 
 // meshlab #194, numpy-stl #206, meshio #642: other programs write the keywords of a facet with and without blanks, and where they like.
+TEST(StlFile, NamesMayHoldKeywords) {
+    for (const char* name : {"facet normal vertex", "facet", "end facet normal of"}) {
+        std::string named = text_stl;
+        named.replace(named.find("<b>"), 3, name);
+        EXPECT_EQ(parse_mesh(named, "m.stl").mesh.F, parse_mesh(text_stl, "m.stl").mesh.F) << name;
+    }
+}
+
 TEST(StlFile, KeywordsMayBeOneWordOrTwoAndStandOnAnyLine) {
     const auto all_replaced = [](std::string text, const std::string& from, const std::string& to) {
         for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))

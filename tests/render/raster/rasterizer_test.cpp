@@ -278,7 +278,7 @@ TEST(Rasterizer, TrianglesThatRepeatEarlierOnesAreNotSeen) {
 }
 
 TEST(Rasterizer, WorkWithoutEndIsRefused) {
-    render::WideBudget nothing_left(-2'000'000);
+    render::WideBudget nothing_left(-1'600'000);
     SampleTile tile(render::four_samples, &nothing_left);
     tile.start(tile_x, tile_y);
     std::mt19937_64 random(12);

@@ -47,7 +47,7 @@ GlbDocument::GlbDocument(std::string_view bytes, const std::string& file, Warnin
     const std::size_t size = word(bytes, 8);
     if (size > bytes.size() || size < 20) fail("ends early (byte " + std::to_string(bytes.size()) + ")", "the file may be cut off");
     if (size < bytes.size()) warnings.add(0, "bytes after the end ignored", "bytes after the end ignored");
-    most_ = std::clamp<std::size_t>(4 * size, 200000, most_triangles);
+    most_ = std::clamp<std::size_t>(size / 4, 200000, most_triangles);
     bytes = bytes.substr(12, size - 12);
     const std::string_view text = take_chunk(bytes, "JSON");
     if (!bytes.empty()) data_ = take_chunk(bytes, {"BIN\0", 4});

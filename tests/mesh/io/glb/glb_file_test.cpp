@@ -176,7 +176,7 @@ TEST(Glb, InstancesAreLimited) {
     numbers.pop_back();
     std::string text = replaced(glb_text(tetrahedron()), R"("nodes":[{"mesh":0}])", R"("nodes":[)" + nodes + "]");
     text = replaced(text, R"({"nodes":[0]})", R"({"nodes":[)" + numbers + "]}");
-    EXPECT_EQ(refusal(glb_of(text, glb_data(tetrahedron())), "m.glb"), "accepted") << "four times as many as the file has bytes";
+    EXPECT_EQ(refusal(glb_of(text, glb_data(tetrahedron())), "m.glb"), "accepted") << "few enough";
     std::string primitives = R"("indices":1})";
     for (int i = 1; i < 40; ++i) primitives += R"(,{"attributes":{"POSITION":0},"indices":1})";
     const std::string many = replaced(text, R"("indices":1})", primitives);
