@@ -193,27 +193,28 @@ private:
 
     Turn turn_of(int s, const std::vector<int>& around, const std::vector<int>& group) {
         int depth = 0;
-        bool has_twin = false;   // in the same place, of opposite sign
+        std::vector<int> twins;   // in the same place up to the digits of a file, of opposite sign
         for (const int other : around) {
             if (visits_ > most_visits) return Turn::unknown;
-            const Relation relation = relation_of(s, other);
+            Relation relation = relation_of(s, other, tolerance(s), false);
+            const bool is_twin = relation == Relation::same_place && shells_.sign[at(other)] == -shells_.sign[at(s)];
+            if (is_twin) twins.push_back(other);
+            if (relation == Relation::same_place && !is_twin) relation = exact_relation(s, other);
             if (relation == Relation::inside) ++depth;
-            if (relation == Relation::same_place && shells_.sign[at(other)] == -shells_.sign[at(s)]) has_twin = true;
         }
+        if (!twins.empty() && depth % 2 == 1) return Turn::none;   // within a solid: a cavity and the body that fills it
+        for (const int twin : twins) depth += exact_relation(s, twin) == Relation::inside ? 1 : 0;   // the two sides of a thin wall
         const int right_sign = depth % 2 == 0 ? 1 : -1;
-        if (shells_.sign[at(s)] != -right_sign || has_twin) return Turn::none;
+        if (shells_.sign[at(s)] != -right_sign) return Turn::none;
         const auto opposite = std::ranges::find(group, right_sign, [&](int other) { return shells_.sign[at(other)]; });
-        if (opposite != group.end() && relation_of(s, *opposite) == Relation::same_place) return Turn::none;
+        if (opposite != group.end() && relation_of(s, *opposite, tolerance(s), false) == Relation::same_place) return Turn::none;
         return right_sign > 0 ? Turn::outwards : Turn::inwards;
     }
 
-    /// Where shell s lies to another. Where no point is clearly apart, the gap may be less than most files have digits: then all must
-    /// agree.
-    Relation relation_of(int s, int other) {
-        const Relation relation = relation_of(s, other, tolerance(s), false);
-        return relation != Relation::same_place ? relation : relation_of(s, other, 0x1p-46 * farthest_, true);
-    }
+    /// Where shell s lies to another that is closer than the digits of most files: what all its points say.
+    Relation exact_relation(int s, int other) { return relation_of(s, other, 0x1p-46 * farthest_, true); }
 
+    /// Where shell s lies to another.
     /// @param near  points so close to the other shell tell nothing
     /// @param all  points inside and points outside together mean the same place, not outside
     Relation relation_of(int s, int other, double near, bool all) {

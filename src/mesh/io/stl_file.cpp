@@ -68,7 +68,7 @@ private:
             const std::string_view word = take_word(rest);
             const bool is_facet = same_word(word, "facetnormal") || (same_word(word, "facet") && same_word(take_word(rest), "normal"));
             const std::string_view number = take_word(rest);
-            if (is_facet && (number.empty() || parse_number(number) || same_word(number, "nan"))) return true;   // else part of a name
+            if (is_facet && (number.empty() || parse_number(number) || same_word(number, "nan"))) return true;
             if (words_.next_on_line().empty()) return false;
         }
     }
