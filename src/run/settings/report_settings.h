@@ -102,7 +102,8 @@ struct ReportSettings {
 /// @throws SettingsErrors
 ReportSettings parse_settings(std::string_view text, const std::string& file, ReportSettings before = {});
 
-/// The same from the file of that name, else, also where a folder has it, from the bundled one of data/reports. @throws SettingsErrors, also for one that cannot be read
+/// The same from the file of that name, else, also where a folder has it, from the bundled one of data/reports. @throws SettingsErrors,
+/// also for one that cannot be read
 ReportSettings read_settings(const std::string& config, ReportSettings before = {});
 
 /// @throws SettingsErrors, UsageError

@@ -53,8 +53,7 @@ TEST(OffFile, RefusesBadHeaders) {
 }
 
 TEST(OffFile, RefusesImpossibleCountsAtOnce) {
-    for (const char* counts :
-         {"-1 4 6", "4 -1 6", "0 4 6", "2147483648 4 0", "4 2147483648 0", "768614336404564651 4 0", "1000 4 0"}) {
+    for (const char* counts : {"-1 4 6", "4 -1 6", "0 4 6", "2147483648 4 0", "4 2147483648 0", "768614336404564651 4 0", "1000 4 0"}) {
         EXPECT_TRUE(refused("OFF\n" + std::string(counts) + "\n" + off_points + off_faces, "m.off:2", "impossible counts")) << counts;
     }
     EXPECT_TRUE(refused("OFF\n4 99999999999999999999 6\n" + off_points + off_faces, "m.off:2", "bad face count"));
