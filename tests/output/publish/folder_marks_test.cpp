@@ -44,6 +44,14 @@ TEST(FolderMarks, AreRegularFilesWithOurContents) {
     for (const FolderKind& other : {marks_folder, batch_folder}) EXPECT_THROW(require_ours(folder, other), OutputError) << other.words;
 }
 
+TEST(FolderMarks, PartsOfARunThatWasKilledAreNobodysFiles) {
+    const TemporaryFolder place;
+    write_file(place.path() / ".meshfolio.part-999999999-0", "half an index\n");
+    EXPECT_NO_THROW(require_ours(place.path(), batch_folder));
+    write_file(place.path() / "notes.part", "mine\n");
+    EXPECT_THROW(require_ours(place.path(), batch_folder), OutputError);
+}
+
 TEST(FolderMarks, AHomeIsNeverReplaced) {
     const TemporaryFolder home;
     const std::string before = std::getenv("HOME") == nullptr ? "" : std::getenv("HOME");
