@@ -4,6 +4,7 @@
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "mesh/io/mesh_files.h"
+#include "run/arguments.h"
 #include "run/console.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/vertex_columns.h"
