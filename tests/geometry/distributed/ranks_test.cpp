@@ -1,5 +1,7 @@
 // Spectrum, certificate and implicit steps with a factor that others hold: here this process alone, by other means than the program's own,
 // and, where the build has them, the ranks of MPI. tests/end_to_end/slow_ranks.py runs several.
+#include <Eigen/Eigenvalues>
+
 #include "geometry/distributed/ranks.h"
 
 #include <gtest/gtest.h>
