@@ -22,11 +22,11 @@ struct CotangentOptions {
 };
 
 /// m × 3 cotangents from positions: (u · v)/|u × v|, and 0 in triangles without area (mesh/triangle_kind.h), which bound no surface and so
-/// have no Dirichlet energy. `without_area`, when given, counts them.
-CornerValues corner_cotangents(const TriangleMesh& mesh, int* without_area = nullptr);
+/// have no Dirichlet energy.
+CornerValues corner_cotangents(const TriangleMesh& mesh);
 /// The same from the m × 3 edge lengths of intrinsic triangles: (b² + c² − a²)/(4A) with Kahan's form of Heron's A.
 /// @throws MeshError if a length is negative or not finite
-CornerValues corner_cotangents(const CornerValues& lengths, int* without_area = nullptr);
+CornerValues corner_cotangents(const CornerValues& lengths);
 
 /// C, n × n, from triangles and the cotangents of their corners; every diagonal entry is stored. [dimensionless]
 /// Corners of a triangle may be the same vertex, and several edges may join the same two vertices, whose weight is then

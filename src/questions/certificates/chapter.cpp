@@ -77,7 +77,7 @@ Certified certified(SharedMesh source, const QuestionSettings& settings) {
     c.source = std::move(source);
     c.laplacian = laplace_beltrami(c.mesh());
     c.angle_deficits = angle_deficit(c.mesh(), c.topology());
-    corner_cotangents(c.mesh(), &c.without_area);
+    c.without_area = c.source->preflight().zero_area_faces;
     const Spectrum spectrum =
         smallest_eigenpairs(c.laplacian, settings.k.empty() ? 15 : std::ranges::max(settings.k), {.dense_below = 200});
     c.modes = static_cast<int>(spectrum.eigenvalues.size());

@@ -200,6 +200,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 extern const Chapter chapter{
     .id = "q3",
     .code = {{"laplace_beltrami", "src/geometry/operators/cotangent_laplacian.cpp"},
+             {"cotangent_stiffness", "src/geometry/operators/cotangent_laplacian.cpp"},
              {"corner_cotangents", "src/geometry/operators/cotangent_laplacian.cpp"},
              {"vertex_areas", "src/geometry/operators/vertex_areas.cpp"},
              {"cotangent_mean_curvature", "src/geometry/curvature/curvature.cpp"},

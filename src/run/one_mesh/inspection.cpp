@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "mesh/orientation.h"
+#include "mesh/triangle_kind.h"
 #include "questions/preflight/defects.h"
 
 namespace meshfolio::run {
@@ -14,9 +15,10 @@ namespace {
 
 /// Whether a triangle is without area although its vertices are apart.
 bool has_zero_area(const TriangleMesh& mesh, const std::vector<VertexCopy>& copies) {
-    int without_area = 0;
-    corner_cotangents(with_joined_vertices(mesh, copies), &without_area);
-    return without_area > 0;
+    const TriangleMesh joined = with_joined_vertices(mesh, copies);
+    for (int t = 0; t < joined.face_count(); ++t)
+        if (kind_of(joined, t) == TriangleKind::zero_area) return true;
+    return false;
 }
 
 }   // namespace

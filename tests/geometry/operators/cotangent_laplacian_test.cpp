@@ -76,7 +76,6 @@ TEST(CotangentLaplacian, IsTheSumOfItsTriangles) {
     }
 }
 
-// Vertex 0 of a fan of 200 has more triangles than are sorted by insertion; so has, shuffled, any other.
 TEST(CotangentLaplacian, ColumnsAreSortedAndHaveTheirDiagonal) {
     for (const TriangleMesh& mesh : {irregular_sphere(2), fan(200), with_shuffled_vertices(fan(200)).mesh}) {
         const SparseMatrix C = stiffness(mesh);
@@ -247,21 +246,15 @@ TEST(CotangentLaplacian, FarFromTheOrigin) {
 }
 
 TEST(CotangentLaplacian, TrianglesWithoutAreaHaveNoCotangents) {
-    int without_area = -1;
     const TriangleMesh line = triangle({0, 0, 0}, {1, 0, 0}, {3, 0, 0}), point = triangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1});
-    for (const TriangleMesh* mesh : {&line, &point}) {
-        EXPECT_EQ(corner_cotangents(*mesh, &without_area).cwiseAbs().maxCoeff(), 0);
-        EXPECT_EQ(without_area, 1);
-    }
+    for (const TriangleMesh* mesh : {&line, &point}) EXPECT_EQ(corner_cotangents(*mesh).cwiseAbs().maxCoeff(), 0);
     EXPECT_NEAR(floored_laplace_beltrami(line).C.coeff(1, 2), 0.5 * 3 / 9e-12, 1);
     EXPECT_NEAR(floored_laplace_beltrami(line).C.coeff(0, 2), 0.5 * -2 / 9e-12, 1);
     EXPECT_EQ(DenseMatrix(floored_laplace_beltrami(point).C).cwiseAbs().maxCoeff(), 0);
-    EXPECT_GT(corner_cotangents(triangle({0, 0, 0}, {1, 0, 0}, {3, 1e-6, 0}), &without_area)(0, 0), 1e5);
-    EXPECT_EQ(without_area, 0);
+    EXPECT_GT(corner_cotangents(triangle({0, 0, 0}, {1, 0, 0}, {3, 1e-6, 0}))(0, 0), 1e5);
     CornerValues lengths(2, 3);
     lengths << 1, 2, 4, 3, 4, 5;   // no triangle, and a right one
-    const CornerValues cotangents = corner_cotangents(lengths, &without_area);
-    EXPECT_EQ(without_area, 1);
+    const CornerValues cotangents = corner_cotangents(lengths);
     EXPECT_EQ(cotangents.row(0).cwiseAbs().maxCoeff(), 0);
     EXPECT_NEAR(cotangents(1, 0), 4.0 / 3, 1e-15);
     EXPECT_NEAR(cotangents(1, 2), 0, 1e-15);
