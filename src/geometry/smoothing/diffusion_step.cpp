@@ -26,24 +26,27 @@ void scatter(const FourColumns& rows, const std::vector<int>& vertex, Positions&
     });
 }
 
-/// A is symmetric, so its column i is row i.
 DifferenceRows difference_rows(const OperatorWithMass& whole) {
-    DifferenceRows L;
-    const auto entries = static_cast<std::size_t>(whole.A.nonZeros());
-    L.start.reserve(static_cast<std::size_t>(whole.size()) + 1);
-    L.column.reserve(entries);
-    L.weight.reserve(entries);
-    L.start.push_back(0);
-    for (int i = 0; i < whole.size(); ++i) {
-        const double mass = whole.M[i];
-        for (SparseMatrix::InnerIterator entry(whole.A, i); entry; ++entry) {
-            if (entry.row() == i) continue;
-            L.column.push_back(static_cast<std::int32_t>(entry.row()));
-            L.weight.push_back(-entry.value() / mass);
-        }
-        L.start.push_back(static_cast<std::uint32_t>(L.column.size()));
-    }
+    DifferenceRows L = whole.A;
+    for (int i = 0; i < whole.size(); ++i)
+        for (DifferenceRows::InnerIterator entry(L, i); entry; ++entry) entry.valueRef() /= -whole.M[i];
+    L.prune([](Eigen::Index i, Eigen::Index j, double) { return i != j; });
     return L;
+}
+
+bool explicit_rows(const DifferenceRows& L, double lambda, const FourColumns& X, int first, int last, double bound, FourColumns& Y) {
+    const int *const start = L.outerIndexPtr(), *const column = L.innerIndexPtr();
+    const double* const weight = L.valuePtr();
+    bool near = true;
+    for (int i = first; i < last; ++i) {
+        const Four x = row_of(X, i);
+        Four sum = Four::Zero();
+        for (int k = start[i], end = start[i + 1]; k < end; ++k) sum += weight[k] * (row_of(X, column[k]) - x);
+        const Four y = x + lambda * sum;
+        row_of(Y, i) = y;
+        near = near && (y.abs() <= bound).all();
+    }
+    return near;
 }
 
 ExplicitDiffusion::ExplicitDiffusion(const OperatorWithMass& whole)
@@ -56,7 +59,7 @@ bool ExplicitDiffusion::step(double lambda, const FourColumns& X, FourColumns& Y
         if (!explicit_rows(L_, lambda, X, rows.begin(), rows.end(), bound, Y)) near = false;
     };
     // Each thread comes back to the rows that are in its cache.
-    tbb::parallel_for(tbb::blocked_range<int>(0, L_.rows(), rows_a_task), body, tbb::static_partitioner());
+    tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(L_.rows()), rows_a_task), body, tbb::static_partitioner());
     return near;
 }
 

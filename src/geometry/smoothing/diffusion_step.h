@@ -2,7 +2,6 @@
 /// Explicit steps of ∂X/∂t = LX with a fixed operator, prepared once and applied many times. Private to the layer.
 #pragma once
 
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -15,15 +14,8 @@ namespace meshfolio {
 FourColumns gathered(const Positions& X, const std::vector<int>& vertex);
 void scatter(const FourColumns& rows, const std::vector<int>& vertex, Positions& X);
 
-/// Off-diagonal entries of a matrix whose rows sum to 0, row by row.
-struct DifferenceRows {
-    std::vector<std::uint32_t> start;   // of row i in the two below; one more than rows
-    std::vector<std::int32_t> column;
-    std::vector<double> weight;
-
-    int rows() const { return static_cast<int>(start.size()) - 1; }
-};
-/// Rows of M⁻¹C without their diagonal.
+/// M⁻¹C without its diagonal: its rows sum to 0, which says what stands there.
+using DifferenceRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 DifferenceRows difference_rows(const OperatorWithMass& whole);
 
 /// y_i = x_i + λ Σ_j w_ij (x_j − x_i) for the rows [first, last).

@@ -220,7 +220,7 @@ extern const Chapter chapter{
     .id = "q5",
     .code = {{"smooth", "src/geometry/smoothing/laplacian_smoothing.cpp"},
              {"explicit_step", "src/geometry/smoothing/laplacian_smoothing.cpp"},
-             {"ExplicitRows", "src/geometry/smoothing/diffusion_kernels.cpp"},
+             {"explicit_rows", "src/geometry/smoothing/diffusion_step.cpp"},
              {"largest_eigenvalue", "src/geometry/spectrum/stability.cpp"},
              {"answer", "src/questions/q5_explicit/chapter.cpp"}},
     .answer = answer,
