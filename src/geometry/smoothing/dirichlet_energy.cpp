@@ -11,32 +11,29 @@ namespace meshfolio {
 
 namespace {
 
-/// ½ Σ_{i<j} C_ij |x_i − x_j|², and the bound of what rounding has changed of it.
-struct EvaluatedEnergy {
-    double value = 0, rounding = 0;
+struct Energy {
+    double value = 0;
+    double magnitude = 0;   // sum of the absolute values of its terms
 };
 
-/// The same as −½ Σ_c x_cᵀ C x_c because rows of C sum to 0, wherever X lies. A term has five roundings; it is added up in its column, and
-/// the columns in the longest mantissa there is.
-template <class Real>
-EvaluatedEnergy evaluated_energy(const SparseMatrix& C, const Positions& X) {
+/// E = ½ Σ_{i<j} C_ij |x_i − x_j|², which is −½ Σ_c x_cᵀ C x_c because rows of C sum to 0. In the longest mantissa there is: needles make
+/// large terms of both signs.
+Energy evaluated_energy(const SparseMatrix& C, const Positions& X) {
     long double energy = 0, magnitude = 0;
-    int longest_column = 0;
-    for (Eigen::Index j = 0; j < C.outerSize(); ++j) {
-        Real column = 0, size = 0;
-        int entries = 0;
-        for (SparseMatrix::InnerIterator entry(C, j); entry && entry.row() < j; ++entry, ++entries) {
-            const Real term = Real(0.5) * entry.value() * (X.row(entry.row()).cast<Real>() - X.row(j).cast<Real>()).squaredNorm();
-            column += term;
-            size += std::abs(term);
+    for (Eigen::Index j = 0; j < C.outerSize(); ++j)
+        for (SparseMatrix::InnerIterator C_ij(C, j); C_ij && C_ij.row() < j; ++C_ij) {
+            const auto edge = X.row(C_ij.row()).cast<long double>() - X.row(j).cast<long double>();
+            const long double term = 0.5L * C_ij.value() * edge.squaredNorm();
+            energy += term;
+            magnitude += std::abs(term);
         }
-        energy += column;
-        magnitude += size;
-        longest_column = std::max(longest_column, entries);
-    }
-    const long double terms = (5 + longest_column) * static_cast<long double>(std::numeric_limits<Real>::epsilon());
-    const long double columns = static_cast<long double>(C.outerSize()) * std::numeric_limits<long double>::epsilon();
-    return {static_cast<double>(energy), static_cast<double>((terms + columns) * magnitude) + epsilon * static_cast<double>(energy)};
+    return {static_cast<double>(energy), static_cast<double>(magnitude)};
+}
+
+/// What rounding can have changed of it: a term has five roundings, and one for each that is added before it.
+double evaluation_rounding(const SparseMatrix& C, const Energy& energy) {
+    const double roundings = static_cast<double>(5 + C.nonZeros() / 2) * std::numeric_limits<long double>::epsilon();
+    return roundings * energy.magnitude + epsilon * energy.value;
 }
 
 /// max_i Σ_j |C_ij|/M_i among the vertices with mass.
@@ -50,9 +47,10 @@ double largest_row(const LaplaceBeltrami& laplacian) {
 
 }   // namespace
 
-double dirichlet_energy(const SparseMatrix& C, const Positions& X) { return evaluated_energy<double>(C, X).value; }
+double dirichlet_energy(const SparseMatrix& C, const Positions& X) { return evaluated_energy(C, X).value; }
 
-double energy_rounding(const SparseMatrix& C, const Positions& X) { return evaluated_energy<double>(C, X).rounding; }
+/// A cotangent is known to a few roundings of its size.
+double energy_rounding(const SparseMatrix& C, const Positions& X) { return 16 * epsilon * evaluated_energy(C, X).magnitude; }
 
 EnergyWatch::EnergyWatch(const LaplaceBeltrami& laplacian, SmoothingScheme scheme, double lambda, const Positions& start)
     : laplacian_(laplacian), scheme_(scheme), lambda_(lambda), stiffness_(std::min(1 / lambda, largest_row(laplacian))), before_(start) {
@@ -70,13 +68,10 @@ void EnergyWatch::look(const Positions& X) {
     before_ = X;
 }
 
-/// Where needles make large terms of both signs cancel, the longer mantissa is taken for all.
 void EnergyWatch::enter(const Positions& X) {
-    constexpr double enough = 1e-12;
-    EvaluatedEnergy energy = evaluated_energy<double>(laplacian_.C, X);
-    if (!(energy.rounding <= enough * energy.value)) energy = evaluated_energy<long double>(laplacian_.C, X);
+    const Energy energy = evaluated_energy(laplacian_.C, X);
     energy_.push_back(energy.value);
-    evaluation_ = energy.rounding;
+    evaluation_ = evaluation_rounding(laplacian_.C, energy);
 }
 
 double EnergyWatch::energy_of_rounding(const Positions& X) const {
