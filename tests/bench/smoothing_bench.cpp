@@ -69,7 +69,7 @@ void explicit_eigen(benchmark::State& state) {
 void explicit_ours(benchmark::State& state) {
     const Subject& subject = subject_at(static_cast<int>(state.range(0)));
     const OperatorWithMass whole = operator_with_mass(subject.laplacian);
-    const ExplicitDiffusion diffusion(reordered(whole, product_order(whole, subject.mesh.X)));
+    const ExplicitDiffusion diffusion(reordered(whole, morton_order(subject.mesh.X(whole.vertex, Eigen::all))));
     for (auto _ : state) {
         FourColumns X = gathered(subject.mesh.X, diffusion.vertex()), next(X.rows());
         for (int t = 0; t < iterations(state); ++t) {

@@ -41,19 +41,6 @@ std::vector<int> morton_order(const Positions& X) {
     return order;
 }
 
-std::vector<int> product_order(const OperatorWithMass& whole, const Positions& X) {
-    constexpr std::ptrdiff_t window = 1024;
-    std::vector<int> order = morton_order(X(whole.vertex, Eigen::all));
-    const int* const start = whole.A.outerIndexPtr();
-    const auto fewer = [&](int i, int j) { return start[i + 1] - start[i] < start[j + 1] - start[j]; };
-    for (auto begin = order.begin(); begin != order.end();) {
-        const auto end = begin + std::min(window, order.end() - begin);
-        std::stable_sort(begin, end, fewer);
-        begin = end;
-    }
-    return order;
-}
-
 OperatorWithMass reordered(const OperatorWithMass& whole, const std::vector<int>& order) {
     const int n = whole.size();
     OperatorWithMass sorted;

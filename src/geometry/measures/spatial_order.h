@@ -11,10 +11,6 @@ namespace meshfolio {
 /// Rows of X in the order of Morton's curve through a cube of 2²¹ cells a side; rows of one cell as they come.
 std::vector<int> morton_order(const Positions& X);
 
-/// Rows of the operator in the order in which a product with it is fastest, X being the positions of the whole mesh: Morton's, but of every
-/// 1024 rows, which fit into the first cache, those with fewer entries first: the processor predicts loops of equal length.
-std::vector<int> product_order(const OperatorWithMass& whole, const Positions& X);
-
 /// The same operator with row order[i] as row i: of C, of M and of `vertex`, which no longer ascends. Entries of a row ascend in the
 /// new order, so that sums over a row are the same whatever the order was before.
 OperatorWithMass reordered(const OperatorWithMass& whole, const std::vector<int>& order);

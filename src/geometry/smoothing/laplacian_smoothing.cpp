@@ -104,7 +104,7 @@ public:
             implicit_.prepare(whole, options_.lambda, mesh.X, options_.memory_limit, options_.ranks);
             return;
         }
-        if (whole.vertex != with_mass_) order_ = product_order(whole, mesh.X);
+        if (whole.vertex != with_mass_) order_ = morton_order(mesh.X(whole.vertex, Eigen::all));
         with_mass_ = whole.vertex;
         explicit_.emplace(reordered(whole, order_));
         if (options_.scheme == SmoothingScheme::taubin) between_ = FourColumns(whole.size());

@@ -31,23 +31,6 @@ TEST(SpatialOrder, IsAPermutationThatShortensTheWay) {
     EXPECT_LT(way(X(order, Eigen::all)), 0.1 * way(X));
 }
 
-TEST(SpatialOrder, ProductOrderPutsRowsOfEqualLengthTogether) {
-    const TriangleMesh mesh = with_unreferenced_vertex(irregular_sphere(5), {9, 9, 9});
-    const OperatorWithMass whole = operator_with_mass(laplace_beltrami(mesh));
-    const std::vector<int> order = product_order(whole, mesh.X), curve = morton_order(mesh.X(whole.vertex, Eigen::all));
-    ASSERT_EQ(order.size(), curve.size());
-    const auto length = [&](int row) { return whole.A.outerIndexPtr()[row + 1] - whole.A.outerIndexPtr()[row]; };
-    for (std::size_t begin = 0; begin < order.size(); begin += 1024) {
-        const std::size_t end = std::min(order.size(), begin + 1024);
-        std::vector<int> window(order.begin() + std::ptrdiff_t(begin), order.begin() + std::ptrdiff_t(end));
-        for (std::size_t i = 1; i < window.size(); ++i) EXPECT_LE(length(window[i - 1]), length(window[i]));
-        std::vector<int> on_curve(curve.begin() + std::ptrdiff_t(begin), curve.begin() + std::ptrdiff_t(end));
-        std::sort(window.begin(), window.end());
-        std::sort(on_curve.begin(), on_curve.end());
-        EXPECT_EQ(window, on_curve) << "rows stay near where the curve has them";
-    }
-}
-
 TEST(SpatialOrder, ReorderedIsTheSameOperator) {
     const OperatorWithMass whole = operator_with_mass(laplace_beltrami(with_unreferenced_vertex(irregular_sphere(2), {9, 9, 9})));
     std::vector<int> order(static_cast<std::size_t>(whole.size()));
