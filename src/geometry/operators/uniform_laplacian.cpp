@@ -1,5 +1,7 @@
 #include "geometry/operators/uniform_laplacian.h"
 
+#include <vector>
+
 #include "base/parallel.h"
 #include "geometry/operators/vertices_with_mass.h"
 
@@ -8,24 +10,14 @@ namespace meshfolio {
 SparseMatrix uniform_laplacian(const MeshTopology& topology) {
     const Incidence& ring = topology.neighbours;
     const int n = static_cast<int>(ring.start.size()) - 1;
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(ring.item.size() + static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) {
+        if (ring.size(i) > 0) entries.emplace_back(i, i, -1);
+        for (const int* j = ring.begin(i); j != ring.end(i); ++j) entries.emplace_back(i, *j, 1.0 / ring.size(i));
+    }
     SparseMatrix L(n, n);
-    int* const start = L.outerIndexPtr();
-    start[0] = 0;
-    for (int j = 0; j < n; ++j) start[j + 1] = start[j] + (ring.size(j) > 0 ? ring.size(j) + 1 : 0);
-    L.resizeNonZeros(start[n]);
-    // The pattern is symmetric, so column j has an entry 1/valence(i) for each neighbour i of j.
-    for_each_index(n, [&](int j) {
-        int* row = L.innerIndexPtr() + start[j];
-        double* value = L.valuePtr() + start[j];
-        const auto append = [&](int i, double x) {
-            *row++ = i;
-            *value++ = x;
-        };
-        const int* i = ring.begin(j);
-        for (; i != ring.end(j) && *i < j; ++i) append(*i, 1.0 / ring.size(*i));
-        if (ring.size(j) > 0) append(j, -1);
-        for (; i != ring.end(j); ++i) append(*i, 1.0 / ring.size(*i));
-    });
+    L.setFromTriplets(entries.begin(), entries.end());
     return L;
 }
 

@@ -6,7 +6,6 @@
 #include "base/parallel.h"
 #include "geometry/operators/intrinsic_triangles.h"
 #include "geometry/operators/triangle_shape.h"
-#include "mesh/prefetch.h"
 
 namespace meshfolio {
 namespace {
@@ -40,27 +39,17 @@ CornerAreas mixed_shares(const TriangleShape& triangle) {
 }
 
 /// Sums over the triangles, in their order; `shape_of(t)` is triangle t in units of which `unit_area` is one [length²].
-template <class Shares, class ShapeOf>
-Vector sum_of_shares(const Faces& F, Eigen::Index vertex_count, Shares shares_of, ShapeOf shape_of, double unit_area) {
-    Vector areas = Vector::Zero(vertex_count);
-    const auto shares = [&](int t) { return shares_of(shape_of(t)); };
-    in_order(static_cast<int>(F.rows()), shares, [&](int t, const CornerAreas& share) {
-        for (int k = 0; k < 3; ++k) areas[F(t, k)] += share[static_cast<std::size_t>(k)];
-    });
-    return areas * unit_area;
-}
-
 template <class ShapeOf>
-Vector areas_from_shapes(const Faces& F, Eigen::Index vertex_count, AreaForm form, ShapeOf shape_of, double unit_area) {
-    switch (form) {
-        case AreaForm::barycentric:
-            return sum_of_shares(F, vertex_count, barycentric_shares, shape_of, unit_area);
-        case AreaForm::voronoi:
-            return sum_of_shares(F, vertex_count, voronoi_shares, shape_of, unit_area);
-        case AreaForm::mixed:
-            return sum_of_shares(F, vertex_count, mixed_shares, shape_of, unit_area);
-    }
-    throw MeshError("vertex_areas: unknown form of area");
+Vector sum_of_shares(const Faces& F, Eigen::Index vertex_count, AreaForm form, ShapeOf shape_of, double unit_area) {
+    constexpr std::array shares_of_form{barycentric_shares, voronoi_shares, mixed_shares};
+    const auto shares_of = shares_of_form[static_cast<std::size_t>(form)];
+    Vector areas = Vector::Zero(vertex_count);
+    in_order(
+        static_cast<int>(F.rows()), [&](int t) { return shares_of(shape_of(t)); },
+        [&](int t, const CornerAreas& share) {
+            for (int k = 0; k < 3; ++k) areas[F(t, k)] += share[static_cast<std::size_t>(k)];
+        });
+    return areas * unit_area;
 }
 
 }   // namespace
@@ -75,11 +64,8 @@ AreaForm area_form_named(const std::string& name) {
 
 Vector vertex_areas(const TriangleMesh& mesh, AreaForm form) {
     const double scale = unit_scale(mesh);
-    const auto shape_of = [&](int t) {
-        prefetch_corners(mesh, t);
-        return triangle_shape(mesh, t, scale);
-    };
-    return areas_from_shapes(mesh.F, mesh.X.rows(), form, shape_of, 1 / (scale * scale));
+    const auto shape_of = [&](int t) { return triangle_shape(mesh, t, scale); };
+    return sum_of_shares(mesh.F, mesh.X.rows(), form, shape_of, 1 / (scale * scale));
 }
 
 Vector vertex_areas(const Faces& F, int vertex_count, const CornerValues& lengths, AreaForm form) {
@@ -88,7 +74,7 @@ Vector vertex_areas(const Faces& F, int vertex_count, const CornerValues& length
     const double longest = lengths.rows() > 0 ? lengths.maxCoeff() : 0;
     const double unit = longest > 0 ? longest : 1;
     const auto shape_of = [&](int t) { return triangle_shape(lengths(t, 0) / unit, lengths(t, 1) / unit, lengths(t, 2) / unit); };
-    return areas_from_shapes(F, vertex_count, form, shape_of, unit * unit);
+    return sum_of_shares(F, vertex_count, form, shape_of, unit * unit);
 }
 
 }   // namespace meshfolio
