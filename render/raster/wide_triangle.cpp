@@ -13,16 +13,12 @@ namespace render {
 
 namespace {
 
-__extension__ using Wide = __int128;   // edge functions of corners far outside the picture need 107 bits
-
-/// Corners up to here (a million pixels) keep edge functions below 2⁶¹: 64-bit integers suffice.
-constexpr std::int64_t largest_narrow = std::int64_t{1} << 28;
+__extension__ using Integer = __int128;   // edge functions of corners far outside the picture need 107 bits
 
 bool comes_before(const ScreenPoint& a, const ScreenPoint& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
 
 /// Twice the area of `t`, made positive by exchanging two corners where needed. The first corner becomes the topmost, so that
 /// doubled triangles get equal depths to the last bit whatever the order of their corners.
-template <class Integer>
 Integer oriented(Triangle2& t) {
     const ScreenPoint &a = t.corner[0], &b = t.corner[1], &c = t.corner[2];
     const Integer area = Integer(b.x - a.x) * Integer(c.y - a.y) - Integer(b.y - a.y) * Integer(c.x - a.x);
@@ -37,16 +33,16 @@ struct Blocks {
 };
 
 /// E(p) = (b − a) × (p − a) + bias: not negative at the samples that belong to the inner side of the edge from a to b.
-template <class Integer>
 struct EdgeFunction {
-    Integer dx, dy, at_tile;   // its value at the upper left corner of the tile
+    std::int64_t dx, dy;
+    Integer at_tile;   // its value at the upper left corner of the tile
 
     EdgeFunction(const ScreenPoint& a, const ScreenPoint& b, const SampleTile& tile)
         : dx(b.x - a.x),
           dy(b.y - a.y),
           at_tile(value(std::int64_t{subpixels} * tile.x() - a.x, std::int64_t{subpixels} * tile.y() - a.y) - (owns_samples() ? 0 : 1)) {}
     bool owns_samples() const { return dy < 0 || (dy == 0 && dx > 0); }   // top and left edges
-    Integer value(std::int64_t x, std::int64_t y) const { return dx * Integer(y) - dy * Integer(x); }
+    Integer value(std::int64_t x, std::int64_t y) const { return Integer(dx) * y - Integer(dy) * x; }
     Integer at(std::int64_t x, std::int64_t y) const { return at_tile + value(x, y); }
 };
 
@@ -55,7 +51,6 @@ struct DepthPlane {
     double at_corner, across, down, lowest, highest;
     std::int64_t x, y;   // of the first corner
 
-    template <class Integer>
     DepthPlane(const Triangle2& t, Integer area) : at_corner(t.corner[0].depth), x(t.corner[0].x), y(t.corner[0].y) {
         const ScreenPoint &a = t.corner[0], &b = t.corner[1], &c = t.corner[2];
         const double bz = b.depth - a.depth, cz = c.depth - a.depth, twice_area = static_cast<double>(area);
@@ -70,7 +65,6 @@ struct DepthPlane {
     }
 };
 
-template <class Integer>
 class WideTriangle {
 public:
     WideTriangle(const Triangle2& t, Integer area, std::int32_t id, SampleTile& tile)
@@ -103,13 +97,13 @@ private:
 
     /// One edge function is negative at all four corners.
     bool misses(const Blocks& part) const {
-        return std::any_of(edges_.begin(), edges_.end(), [&](const EdgeFunction<Integer>& e) {
+        return std::any_of(edges_.begin(), edges_.end(), [&](const EdgeFunction& e) {
             return e.at(steps(e.dy > 0 ? part.x0 : part.x1 + 1), steps(e.dx > 0 ? part.y1 + 1 : part.y0)) < 0;
         });
     }
     /// All edge functions are positive at all four corners.
     bool fills(const Blocks& part) const {
-        return std::all_of(edges_.begin(), edges_.end(), [&](const EdgeFunction<Integer>& e) {
+        return std::all_of(edges_.begin(), edges_.end(), [&](const EdgeFunction& e) {
             return e.at(steps(e.dy > 0 ? part.x1 + 1 : part.x0), steps(e.dx > 0 ? part.y0 : part.y1 + 1)) > 0;
         });
     }
@@ -169,7 +163,7 @@ private:
         Depths z;
         for (std::size_t s = 0; s < block_samples; ++s) {
             const std::int64_t x = pattern.x[s], y = pattern.y[s];
-            const auto is_outside = [&](const EdgeFunction<Integer>& edge) { return edge.at(x0 + x, y0 + y) < 0; };
+            const auto is_outside = [&](const EdgeFunction& edge) { return edge.at(x0 + x, y0 + y) < 0; };
             const bool outside = std::any_of(edges_.begin(), edges_.end(), is_outside);
             z[s] = outside ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(depth_.at(left + x, top + y));
         }
@@ -183,7 +177,7 @@ private:
         for (std::size_t s = 0; s < block_samples; ++s) block.lowest[s] = z[s] < block.lowest[s] ? z[s] : block.lowest[s];
     }
 
-    std::array<EdgeFunction<Integer>, 3> edges_;
+    std::array<EdgeFunction, 3> edges_;
     DepthPlane depth_;
     std::int32_t id_;
     SampleTile& tile_;
@@ -198,15 +192,10 @@ std::pair<int, int> blocks_between(std::int64_t low, std::int64_t high, int tile
             static_cast<int>(std::clamp<std::int64_t>((high - origin) >> shift, -1, last))};
 }
 
-template <class Integer>
-void rasterize_with(Triangle2 t, std::int32_t id, const Blocks& blocks, SampleTile& tile) {
-    const auto area = oriented<Integer>(t);
-    if (area != 0 && !tile.repeats(t)) WideTriangle<Integer>(t, area, id, tile).draw(blocks);
-}
-
 }   // namespace
 
-void rasterize_wide(const Triangle2& t, std::int32_t id, SampleTile& tile) {
+void rasterize_wide(const Triangle2& triangle, std::int32_t id, SampleTile& tile) {
+    Triangle2 t = triangle;
     const auto [left, right] = std::minmax({t.corner[0].x, t.corner[1].x, t.corner[2].x});
     const auto [top, bottom] = std::minmax({t.corner[0].y, t.corner[1].y, t.corner[2].y});
     const std::int64_t farthest = std::max(std::max(-left, right), std::max(-top, bottom));
@@ -215,10 +204,8 @@ void rasterize_wide(const Triangle2& t, std::int32_t id, SampleTile& tile) {
     const auto [y0, y1] = blocks_between(top, bottom, tile.y(), tile);
     if (x0 > x1 || y0 > y1) return;
     tile.spend(10);
-    if (farthest > largest_narrow)
-        rasterize_with<Wide>(t, id, {x0, x1, y0, y1}, tile);
-    else
-        rasterize_with<std::int64_t>(t, id, {x0, x1, y0, y1}, tile);
+    const Integer area = oriented(t);
+    if (area != 0 && !tile.repeats(t)) WideTriangle(t, area, id, tile).draw({x0, x1, y0, y1});
 }
 
 }   // namespace render
