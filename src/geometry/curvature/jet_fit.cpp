@@ -50,7 +50,12 @@ Eigen::Matrix3d frame_of(const Vector3& normal) {
 
 class JetFitter {
     using Table = Eigen::Matrix<double, Eigen::Dynamic, coefficients + 1>;
-    using Coefficients = Eigen::Matrix<double, coefficients, 1>;
+    using Square = Eigen::Matrix<double, coefficients, coefficients>;
+    struct Fit {
+        Eigen::Matrix<double, coefficients, 1> a;
+        Vector3 spread;        // of 2a₃, a₄, 2a₅ for heights of length 1: norms of rows of the pseudoinverse
+        double residual = 0;   // |r|
+    };
 
 public:
     JetFitter(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals)
@@ -106,13 +111,12 @@ private:
     /// H and K of the fit in x/x_unit and y/y_unit; NaN where it is not determined or not trusted.
     HK trusted_jet(double x_unit, double y_unit) {
         fill_table(x_unit, y_unit);
-        Coefficients a;
-        Vector3 spread;   // of 2a₃, a₄, 2a₅ for heights of length 1
-        if (!fitted(a, spread)) return {};
+        Fit cubic;
+        if (!fit(cubic)) return {};
+        const auto& a = cubic.a;
         const Vector3 per_unit(1 / (x_unit * x_unit), 1 / (x_unit * y_unit), 1 / (y_unit * y_unit));
         const Vector3 second = Vector3(2 * a[3], a[4], 2 * a[5]).cwiseProduct(per_unit);
-        const double gain = spread.cwiseProduct(per_unit).maxCoeff();
-        const double error = gain * reduced_.col(coefficients).tail(reduced_.rows() - coefficients).norm();
+        const double gain = cubic.spread.cwiseProduct(per_unit).maxCoeff(), error = gain * cubic.residual;
         if (gain > harmless_gain && is_thin() && error > std::max(error_at_most, relative_error_at_most * second.cwiseAbs().maxCoeff()))
             return {};
         return curvature_of_graph(a[1] / x_unit, a[2] / y_unit, second[0], second[1], second[2]);
@@ -127,34 +131,28 @@ private:
         }
     }
 
-    /// The fit by Householder reflections without pivots, which Eigen makes slow; false where the points may not determine it: the smallest
-    /// singular value is no less than 1/‖R⁻¹‖. @param spread  ‖rows of the pseudoinverse‖ of the second derivatives
-    bool fitted(Coefficients& a, Vector3& spread) {
-        reduced_ = table_;
-        Eigen::Matrix<double, coefficients, coefficients> inverse;   // of R, upper triangle
-        const double largest = reduced_.leftCols<coefficients>().colwise().squaredNorm().maxCoeff();
+    /// Least squares by modified Gram–Schmidt on the table, heights included, as stable as reflections (Björck 1967): it becomes (Q, r).
+    /// False where the points may not determine the fit: the smallest singular value of R is no less than 1/‖R⁻¹‖.
+    bool fit(Fit& fit) {
+        const double largest = table_.leftCols<coefficients>().colwise().squaredNorm().maxCoeff();
+        Square inverse = Square::Zero();   // of R, upper triangle
+        Eigen::Matrix<double, coefficients, coefficients + 1> R;
         for (int k = 0; k < coefficients; ++k) {
-            const Eigen::Index below = reduced_.rows() - k;
-            auto v = reduced_.col(k).tail(below);
-            const double norm = v.norm();
-            if (!(norm > 0)) return false;
-            const double r = v[0] > 0 ? -norm : norm, scale = 1 / (norm * (norm + std::abs(v[0])));   // 2/|v|²
-            v[0] -= r;
+            auto q = table_.col(k);
+            R(k, k) = q.norm();
+            if (!(R(k, k) > 0)) return false;
+            q /= R(k, k);
             for (int j = k + 1; j <= coefficients; ++j) {
-                auto w = reduced_.col(j).tail(below);
-                w -= scale * v.dot(w) * v;
+                R(k, j) = q.dot(table_.col(j));
+                table_.col(j) -= R(k, j) * q;
             }
-            inverse(k, k) = 1 / r;
-            for (int i = 0; i < k; ++i)
-                inverse(i, k) = -inverse(k, k) * inverse.row(i).segment(i, k - i).dot(reduced_.col(k).segment(i, k - i));
+            inverse(k, k) = 1 / R(k, k);
+            for (int i = 0; i < k; ++i) inverse(i, k) = -inverse(k, k) * inverse.row(i).segment(i, k - i).dot(R.col(k).segment(i, k - i));
         }
-        double squares = 0;
-        for (int k = 0; k < coefficients; ++k) squares += inverse.col(k).head(k + 1).squaredNorm();
-        if (!(squares * largest * determined_from * determined_from < 1)) return false;
-        for (int i = 0; i < coefficients; ++i)
-            a[i] = inverse.row(i).tail(coefficients - i).dot(reduced_.col(coefficients).segment(i, coefficients - i));
-        for (int i = 0; i < 3; ++i) spread[i] = (i == 1 ? 1 : 2) * inverse.row(3 + i).tail(coefficients - 3 - i).norm();
-        return true;
+        fit.a = inverse * R.col(coefficients);
+        fit.residual = table_.col(coefficients).norm();
+        fit.spread = Vector3(2 * inverse.row(3).norm(), inverse.row(4).norm(), 2 * inverse.row(5).norm());
+        return inverse.squaredNorm() * largest * determined_from * determined_from < 1;
     }
 
     const TriangleMesh& mesh_;
@@ -162,7 +160,7 @@ private:
     const Positions& normals_;
     std::vector<int> points_;
     Positions local_;
-    Table table_, reduced_;   // monomials of the points and their heights; the same as the fit leaves it
+    Table table_;   // monomials of the points and their heights
 };
 
 /// Of a mesh without coincident vertices.
