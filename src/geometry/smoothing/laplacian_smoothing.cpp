@@ -8,7 +8,6 @@
 #include "base/errors.h"
 #include "base/nearest_word.h"
 #include "base/number_text.h"
-#include "base/parallel.h"
 #include "geometry/measures/spatial_order.h"
 #include "geometry/smoothing/diffusion_step.h"
 #include "geometry/smoothing/limit_watch.h"
@@ -38,7 +37,6 @@ struct Frame {
     double diagonal = 0;   // of the box [unit]
 
     Positions inside(const Positions& X) const { return (X.rowwise() - centre) / unit; }
-    Positions outside(const Positions& X) const { return (X * unit).rowwise() + centre; }
 };
 
 Frame frame_of(const TriangleMesh& mesh) {
@@ -63,72 +61,6 @@ void check(const SmoothingOptions& options) {
     if (options.scheme == SmoothingScheme::taubin && !(std::isfinite(options.taubin_mu) && options.taubin_mu <= 0))
         throw MeshError("smoothing: Taubin's mu = " + plain_text(options.taubin_mu), "it must be negative, or 0 for the pass-band");
 }
-
-/// One scheme with one operator at a time, in the units of the frame. Positions are kept as the rows of the solver at hand: spatially
-/// sorted, so that neighbours are near each other in memory.
-class Diffusion {
-public:
-    Diffusion(const TriangleMesh& mesh, const SmoothingOptions& options, ImplicitSolver& implicit)
-        : options_(options), limit_(options), implicit_(implicit) {
-        rebuild(mesh);
-    }
-
-    /// One step. @return whether all coordinates are finite and within ± `bound` after it
-    bool step(const FourColumns& X, FourColumns& next, double bound) {
-        switch (options_.scheme) {
-            case SmoothingScheme::implicit_euler:
-                std::copy_n(X.data(), FourColumns::width * X.rows(), next.data());
-                implicit_.step(next);
-                return false;   // not known
-            case SmoothingScheme::taubin:
-                explicit_->step(options_.lambda, X, between_);
-                return explicit_->step(taubin_mu_, between_, next, bound);
-            case SmoothingScheme::explicit_euler:
-                break;
-        }
-        return explicit_->step(limit_.lambda(), X, next, bound);
-    }
-    /// What one call of step() advances the time by.
-    double time_step() const {
-        if (options_.scheme == SmoothingScheme::taubin) return options_.lambda + taubin_mu_;
-        return options_.scheme == SmoothingScheme::explicit_euler ? limit_.lambda() : options_.lambda;
-    }
-    const LimitWatch& limit() const { return limit_; }
-
-    void rebuild(const TriangleMesh& mesh) {
-        const LaplaceBeltrami laplacian = laplace_operator(mesh, options_.laplacian, options_.area);
-        const OperatorWithMass whole = operator_with_mass(laplacian);
-        copies_ = whole.copies;
-        if (options_.scheme == SmoothingScheme::taubin && taubin_mu_ == 0) taubin_mu_ = taubin_mu_of(laplacian, options_);
-        if (options_.scheme == SmoothingScheme::implicit_euler) {
-            implicit_.prepare(whole, options_.lambda, mesh.X, options_.memory_limit, options_.ranks);
-            return;
-        }
-        if (whole.vertex != with_mass_) order_ = morton_order(mesh.X(whole.vertex, Eigen::all));
-        with_mass_ = whole.vertex;
-        explicit_.emplace(reordered(whole, order_));
-        if (options_.scheme == SmoothingScheme::taubin) between_ = FourColumns(whole.size());
-        limit_.look(whole);
-    }
-
-    double taubin_mu() const { return taubin_mu_; }
-    /// Vertices with mass, by rows.
-    const std::vector<int>& vertex() const {
-        return options_.scheme == SmoothingScheme::implicit_euler ? implicit_.vertex() : explicit_->vertex();
-    }
-
-    const std::vector<VertexCopy>& copies() const { return copies_; }
-
-private:
-    const SmoothingOptions& options_;
-    std::vector<VertexCopy> copies_;
-    LimitWatch limit_;
-    ImplicitSolver& implicit_;
-    double taubin_mu_ = 0;
-    std::vector<int> with_mass_, order_;   // vertices, ascending, and the order of the rows
-    std::optional<ExplicitDiffusion> explicit_;
-    FourColumns between_;   // after the first of Taubin's two steps
-};
 
 void check_rows(const OperatorWithMass& whole, const Positions& X) {
     if (X.rows() == whole.all_vertices) return;
@@ -162,18 +94,119 @@ int runaway_vertex(const FourColumns& X, const std::vector<int>& vertex, double 
     return not_finite >= 0 ? not_finite : farthest;
 }
 
-/// Into the rows of the vertices with mass, in the units of the mesh.
-void scatter_outside(const FourColumns& X, const std::vector<int>& vertex, const Frame& frame, Positions& all) {
-    for_each_index(static_cast<int>(vertex.size()), [&](int i) {
-        all.row(vertex[static_cast<std::size_t>(i)]) = Eigen::Map<const Eigen::RowVector3d>(X.row(i)) * frame.unit + frame.centre;
-    });
-}
+/// What a solver had done before a run.
+struct SolverCounts {
+    int analyses, factorisations;
+    long long iterations;
 
-bool all_finite(const FourColumns& X, const Frame& frame) {
-    Positions rows(X.rows(), 3);
-    for (Eigen::Index i = 0; i < X.rows(); ++i) rows.row(i) = Eigen::Map<const Eigen::RowVector3d>(X.row(i));
-    return frame.outside(rows).allFinite();
-}
+    explicit SolverCounts(const ImplicitSolver& solver)
+        : analyses(solver.analyses()), factorisations(solver.factorisations()), iterations(solver.iterations()) {}
+    void enter(const ImplicitSolver& solver, Smoothed& result) const {
+        result.solver = solver.solver();
+        result.factor_nonzeros = solver.factor_nonzeros();
+        result.analyses = solver.analyses() - analyses;
+        result.factorisations = solver.factorisations() - factorisations;
+        result.solver_iterations = solver.iterations() - iterations;
+    }
+};
+
+/// A run in the units of the frame: one scheme, one operator at a time, and the positions of the vertices with mass as the rows of the
+/// solver at hand.
+class Diffusion {
+public:
+    /// @param options  in the units of the frame; kept by reference, as `mesh` and `implicit`
+    Diffusion(const TriangleMesh& mesh, const SmoothingOptions& options, const Frame& frame, ImplicitSolver& implicit)
+        : mesh_(mesh), options_(options), frame_(frame), current_{frame.inside(mesh.X), mesh.F}, limit_(options), implicit_(implicit) {
+        assemble();
+    }
+
+    /// Takes the operator of the positions as they are. @return false where nothing is left of the surface
+    bool rebuild() {
+        scatter(X_, vertex(), current_.X);
+        spread(copies_, current_.X);
+        if (collapsed(current_, area_)) return false;
+        assemble();
+        return true;
+    }
+
+    /// One step, to be accepted. @return the vertex that has run away in it, −1: none
+    int step() {
+        const double limit = options_.blow_up_at * frame_.diagonal;
+        // Of each coordinate: then the distance is less than the limit, and its square finite.
+        return advance(std::min(limit / 2, 1e153)) ? -1 : runaway_vertex(next_, vertex(), limit);
+    }
+    bool step_is_finite() const {
+        return (Eigen::Map<const Vector>(next_.data(), FourColumns::width * next_.rows()) * frame_.unit).allFinite();
+    }
+    void accept() { std::swap(X_, next_); }
+
+    /// What one step advances the time by.
+    double time_step() const {
+        if (options_.scheme == SmoothingScheme::taubin) return options_.lambda + taubin_mu_;
+        return options_.scheme == SmoothingScheme::explicit_euler ? limit_.lambda() : options_.lambda;
+    }
+    const LimitWatch& limit() const { return limit_; }
+    double taubin_mu() const { return taubin_mu_; }
+
+    /// Of the whole mesh, in its own units.
+    Positions positions() const {
+        Positions all = mesh_.X;
+        for (std::size_t i = 0; i < vertex().size(); ++i)
+            all.row(vertex()[i]) = Eigen::Map<const Eigen::RowVector3d>(X_.row(static_cast<Eigen::Index>(i))) * frame_.unit + frame_.centre;
+        spread(copies_, all);
+        return all;
+    }
+
+private:
+    void assemble() {
+        const LaplaceBeltrami laplacian = laplace_operator(current_, options_.laplacian, options_.area);
+        const OperatorWithMass whole = operator_with_mass(laplacian);
+        copies_ = whole.copies;
+        if (options_.scheme == SmoothingScheme::taubin && taubin_mu_ == 0) taubin_mu_ = taubin_mu_of(laplacian, options_);
+        if (options_.scheme == SmoothingScheme::implicit_euler) {
+            implicit_.prepare(whole, options_.lambda, current_.X, options_.memory_limit, options_.ranks);
+        } else {
+            if (order_.size() != whole.vertex.size()) order_ = morton_order(current_.X(whole.vertex, Eigen::all));
+            explicit_.emplace(reordered(whole, order_));
+            limit_.look(whole);
+        }
+        X_ = gathered(current_.X, vertex());
+        next_ = FourColumns(X_.rows());
+        between_ = FourColumns(options_.scheme == SmoothingScheme::taubin ? X_.rows() : 0);
+    }
+
+    /// From X to the next. @return whether all coordinates are known to be finite and within ± `bound` after it
+    bool advance(double bound) {
+        switch (options_.scheme) {
+            case SmoothingScheme::implicit_euler:
+                std::copy_n(X_.data(), FourColumns::width * X_.rows(), next_.data());
+                implicit_.step(next_);
+                return false;
+            case SmoothingScheme::taubin:
+                explicit_->step(options_.lambda, X_, between_);
+                return explicit_->step(taubin_mu_, between_, next_, bound);
+            case SmoothingScheme::explicit_euler:
+                break;
+        }
+        return explicit_->step(limit_.lambda(), X_, next_, bound);
+    }
+
+    /// Of each row.
+    const std::vector<int>& vertex() const { return explicit_ ? explicit_->vertex() : implicit_.vertex(); }
+
+    const TriangleMesh& mesh_;
+    const SmoothingOptions& options_;
+    Frame frame_;
+    TriangleMesh current_;   // as the operator was built on it last
+    const double area_ = surface_area(current_);
+    std::vector<VertexCopy> copies_;
+    LimitWatch limit_;
+    ImplicitSolver& implicit_;
+    double taubin_mu_ = 0;
+    std::vector<int> order_;   // of the rows of explicit steps: spatially sorted, neighbours are near each other in memory
+    std::optional<ExplicitDiffusion> explicit_;
+    FourColumns X_, next_, between_;   // the last: after the first of Taubin's two steps
+};
 
 }   // namespace
 
@@ -197,57 +230,28 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, Impli
     SmoothingOptions inside = options;
     inside.lambda /= step_unit;
     inside.taubin_mu /= step_unit;
-    const int analyses_before = solver.analyses(), factorisations_before = solver.factorisations();
-    const long long iterations_before = solver.iterations();
-
-    Smoothed result;
-    result.X = mesh.X;
-    TriangleMesh current{frame.inside(mesh.X), mesh.F};   // as the operator was built on it last
-    Diffusion diffusion(current, inside, solver);
-    FourColumns X = gathered(current.X, diffusion.vertex()), next(X.rows());
-    const auto positions = [&] {
-        Positions all = mesh.X;
-        scatter_outside(X, diffusion.vertex(), frame, all);
-        spread(diffusion.copies(), all);
-        return all;
-    };
-    const double area = surface_area(current);
+    const SolverCounts before(solver);
+    Diffusion diffusion(mesh, inside, frame, solver);
     const bool rebuild = options.rebuild && options.laplacian != OperatorKind::uniform;   // the uniform operator sees no positions
-    const double limit = options.blow_up_at * frame.diagonal;
-    // Of each coordinate: then the distance is less than the limit, and its square finite.
-    const double surely_near = std::min(limit / 2, 1e153);
-
+    Smoothed result;
     for (int t = 1; t <= options.iterations && !result.blew_up; ++t) {
-        if (rebuild && t > 1) {
-            scatter(X, diffusion.vertex(), current.X);
-            spread(diffusion.copies(), current.X);
-            if (collapsed(current, area)) {
-                result.collapse_iteration = t;
-                break;
-            }
-            diffusion.rebuild(current);
-            X = gathered(current.X, diffusion.vertex());
-            next = FourColumns(X.rows());
+        if (rebuild && t > 1 && !diffusion.rebuild()) {
+            result.collapse_iteration = t;
+            break;
         }
         if (diffusion.limit().watching()) enter_step(result, diffusion.limit().step(), step_unit);
-        const bool near = diffusion.step(X, next, surely_near);
-        if (!near) result.blow_up_vertex = runaway_vertex(next, diffusion.vertex(), limit);
+        result.blow_up_vertex = diffusion.step();
         result.blew_up = result.blow_up_vertex >= 0;
         if (result.blew_up) result.blow_up_iteration = t;
-        if (result.blew_up && !all_finite(next, frame)) break;
-        std::swap(X, next);
+        if (result.blew_up && !diffusion.step_is_finite()) break;
+        diffusion.accept();
         result.iterations = t;
         result.time += diffusion.time_step() * step_unit;
-        if (options.after_step && !options.after_step(t, positions())) break;
+        if (options.after_step && !options.after_step(t, diffusion.positions())) break;
     }
-    if (result.iterations > 0) result.X = positions();
+    result.X = result.iterations > 0 ? diffusion.positions() : mesh.X;
     result.taubin_mu = diffusion.taubin_mu() * step_unit;
-    if (options.scheme != SmoothingScheme::implicit_euler) return result;
-    result.solver = solver.solver();
-    result.factor_nonzeros = solver.factor_nonzeros();
-    result.analyses = solver.analyses() - analyses_before;
-    result.factorisations = solver.factorisations() - factorisations_before;
-    result.solver_iterations = solver.iterations() - iterations_before;
+    if (options.scheme == SmoothingScheme::implicit_euler) before.enter(solver, result);
     return result;
 }
 
