@@ -34,9 +34,7 @@ ExpectedError empty_error(int iterations, double weight_sum) {
 }
 
 DenoisingPrediction by_modes(const LaplaceBeltrami& laplacian, const Positions& X, int modes, const PredictionOptions& options) {
-    SpectrumOptions all;
-    all.dense_below = modes;
-    const Spectrum spectrum = smallest_eigenpairs(laplacian, modes, all);
+    const Spectrum spectrum = smallest_eigenpairs(laplacian, modes, {.dense_below = modes});
     const DenseMatrix& Phi = spectrum.eigenvectors;
     const Vector& M = laplacian.M;
     const DenseMatrix c = Phi.transpose() * (M.asDiagonal() * centred(X, M));

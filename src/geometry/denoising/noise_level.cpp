@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "geometry/curvature/two_rings.h"
+#include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -22,15 +23,8 @@ constexpr double lower_quartile = -0.674490, percentile_99 = 2.326348;
 
 /// Two half steps to the mean of the neighbours.
 Positions smoothed(Positions X, const MeshTopology& topology) {
-    for (int step = 0; step < 2; ++step) {
-        Positions next = X;
-        for (int v = 0; v < X.rows(); ++v) {
-            Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-            for (const int* w = topology.neighbours.begin(v); w != topology.neighbours.end(v); ++w) sum += X.row(*w);
-            if (const int n = topology.neighbours.size(v); n > 0) next.row(v) = 0.5 * X.row(v) + 0.5 * sum / n;
-        }
-        X = std::move(next);
-    }
+    const SparseMatrix U = uniform_laplacian(topology);
+    for (int step = 0; step < 2; ++step) X += 0.5 * (U * X);
     return X;
 }
 
@@ -73,6 +67,25 @@ double variance_at_lower_quartile(const std::vector<Residual>& residuals) {
     return *quarter;
 }
 
+struct Explained {
+    double variance;   // of the noise in them [length²]
+    int patches;
+};
+
+/// The patches whose residual noise of that variance explains; χ² cut off at its 99th percentile has a smaller mean.
+Explained explained_by(double variance, const std::vector<Residual>& residuals) {
+    double squares = 0, freedom = 0;
+    int kept = 0;
+    for (const Residual& r : residuals) {
+        const double limit = chi_square_quantile(percentile_99, r.freedom);
+        if (!(r.squares <= variance * limit)) continue;
+        squares += r.squares;
+        freedom += r.freedom * chi_square_share(limit, r.freedom + 2) / chi_square_share(limit, r.freedom);
+        ++kept;
+    }
+    return {squares / freedom, kept};
+}
+
 }   // namespace
 
 double chi_square_quantile(double z, double k) { return k * std::pow(1 - 2 / (9 * k) + z * std::sqrt(2 / (9 * k)), 3); }
@@ -98,20 +111,11 @@ NoiseLevel noise_level(const TriangleMesh& mesh, const MeshTopology& topology) {
     if (residuals.empty()) return level;
     double variance = variance_at_lower_quartile(residuals);
     for (int round = 0; round < 20; ++round) {
-        double squares = 0, freedom = 0;   // of the patches kept, χ² cut off at its 99th percentile having a smaller mean
-        int kept = 0;
-        for (const Residual& r : residuals) {
-            const double limit = chi_square_quantile(percentile_99, r.freedom);
-            if (!(r.squares <= variance * limit)) continue;
-            squares += r.squares;
-            freedom += r.freedom * chi_square_share(limit, r.freedom + 2) / chi_square_share(limit, r.freedom);
-            ++kept;
-        }
-        if (kept == 0) break;
-        level.kept = kept;
-        const double next = squares / freedom;
-        const bool settled = std::abs(next - variance) <= 1e-6 * variance;
-        variance = next;
+        const Explained next = explained_by(variance, residuals);
+        if (next.patches == 0) break;
+        level.kept = next.patches;
+        const bool settled = std::abs(next.variance - variance) <= 1e-6 * variance;
+        variance = next.variance;
         if (settled) break;
     }
     level.sigma = std::sqrt(variance);

@@ -32,16 +32,21 @@ constexpr std::array operators{
                   "Intrinsic Delaunay on the two-sided cover with mollified lengths, for non-manifold meshes too."},
 };
 
-LaplaceBeltrami intrinsic_delaunay_laplacian(const TriangleMesh& mesh, AreaForm area) {
-    const IntrinsicTriangles delaunay = intrinsic_delaunay(intrinsic_triangles(mesh)).triangles;
-    return laplace_beltrami(delaunay.F, delaunay.vertex_count, delaunay.lengths, area);
-}
-
 /// A mass of one at each vertex of a triangle.
 Vector ones_in_use(const TriangleMesh& mesh) {
     Vector ones = Vector::Zero(mesh.X.rows());
     for (const int v : mesh.F.reshaped()) ones[v] = 1;
     return ones;
+}
+
+/// Of a mesh without coincident vertices.
+LaplaceBeltrami assembled(const TriangleMesh& mesh, OperatorKind kind, AreaForm area) {
+    if (kind == OperatorKind::edge_normalised) return {edge_normalised_laplacian(mesh), ones_in_use(mesh)};
+    if (kind == OperatorKind::tufted) return tufted_laplacian(mesh, area);
+    const IntrinsicTriangles delaunay = intrinsic_delaunay(intrinsic_triangles(mesh)).triangles;
+    LaplaceBeltrami laplacian = laplace_beltrami(delaunay.F, delaunay.vertex_count, delaunay.lengths, area);
+    if (kind == OperatorKind::idt_original_mass) laplacian.M = vertex_areas(mesh, area);
+    return laplacian;
 }
 
 }   // namespace
@@ -93,21 +98,12 @@ LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, Ar
         case OperatorKind::opposite_mean:
             return laplace_beltrami(mesh, area, {.opposite = CotangentOptions::OppositeVertices::mean});
         case OperatorKind::edge_normalised:
-            return assembled_joined(mesh, [](const TriangleMesh& joined) -> LaplaceBeltrami {
-                return {edge_normalised_laplacian(joined), ones_in_use(joined)};
-            });
+        case OperatorKind::tufted:
+            return assembled_joined(mesh, [&](const TriangleMesh& joined) { return assembled(joined, kind, area); });
         case OperatorKind::idt:
-            return assembled_joined(
-                mesh, [&](const TriangleMesh& joined) { return intrinsic_delaunay_laplacian(joined, area); }, no_length_to_flips);
         case OperatorKind::idt_original_mass:
             return assembled_joined(
-                mesh,
-                [&](const TriangleMesh& joined) -> LaplaceBeltrami {
-                    return {intrinsic_delaunay_laplacian(joined, area).C, vertex_areas(joined, area)};
-                },
-                no_length_to_flips);
-        case OperatorKind::tufted:
-            return assembled_joined(mesh, [&](const TriangleMesh& joined) { return tufted_laplacian(joined, area); });
+                mesh, [&](const TriangleMesh& joined) { return assembled(joined, kind, area); }, no_length_to_flips);
     }
     throw UsageError("laplace_operator: unknown operator");
 }

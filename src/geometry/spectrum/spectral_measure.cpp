@@ -32,32 +32,43 @@ void append(Vector& all, const Vector& more) {
     all.tail(more.size()) = more;
 }
 
-/// Lanczos from y: Gauss quadrature for the measure of y.
-Quadrature gauss_quadrature(const SparseMatrix& B, const Vector& y, int steps) {
-    const double norm = y.norm();
-    if (!(norm > 0)) return {};
+/// What Lanczos makes of B from y: T = VᵀBV, tridiagonal, the columns of V orthonormal.
+struct Tridiagonal {
+    Vector diagonal, beside;
+    bool exact = false;   // an invariant subspace: y has no other mode in it
+};
+
+Tridiagonal lanczos(const SparseMatrix& B, const Vector& y, int steps) {
     DenseMatrix V(y.size(), steps);
-    Vector diagonal(steps), beside(steps);
-    V.col(0) = y / norm;
-    double largest = 0;   // entry of the tridiagonal matrix
+    Tridiagonal T{Vector(steps), Vector(steps)};
+    V.col(0) = y.normalized();
+    double largest = 0;   // entry of T
     int done = 0;
-    bool exact = false;
-    while (done < steps && !exact) {
+    while (done < steps && !T.exact) {
         Vector w = B * V.col(done);
-        diagonal[done] = V.col(done).dot(w);
+        T.diagonal[done] = V.col(done).dot(w);
         const auto found = V.leftCols(done + 1);
         for (int pass = 0; pass < 2; ++pass) w -= found * (found.transpose() * w);
-        beside[done] = w.norm();
-        largest = std::max({largest, std::abs(diagonal[done]), beside[done]});
-        exact = !(beside[done] > 1e-13 * largest);   // an invariant subspace: y has no other mode in it
+        T.beside[done] = w.norm();
+        largest = std::max({largest, std::abs(T.diagonal[done]), T.beside[done]});
+        T.exact = !(T.beside[done] > 1e-13 * largest);
         ++done;
-        if (!exact && done < steps) V.col(done) = w / beside[done - 1];
+        if (!T.exact && done < steps) V.col(done) = w / T.beside[done - 1];
     }
+    T.diagonal.conservativeResize(done);
+    return T;
+}
+
+/// Gauss quadrature for the measure of y.
+Quadrature gauss_quadrature(const SparseMatrix& B, const Vector& y, int steps) {
+    const double square = y.squaredNorm();
+    if (!(square > 0)) return {};
+    const Tridiagonal T = lanczos(B, y, steps);
+    const auto size = static_cast<int>(T.diagonal.size());
     Quadrature quadrature;
-    quadrature.exact = exact;
-    diagonal.conservativeResize(done);
-    nodes_and_weights(diagonal, beside, done, norm * norm, quadrature.nodes, quadrature.weights);
-    nodes_and_weights(diagonal, beside, std::max(4 * done / 5, 1), norm * norm, quadrature.fewer_nodes, quadrature.fewer_weights);
+    quadrature.exact = T.exact;
+    nodes_and_weights(T.diagonal, T.beside, size, square, quadrature.nodes, quadrature.weights);
+    nodes_and_weights(T.diagonal, T.beside, std::max(4 * size / 5, 1), square, quadrature.fewer_nodes, quadrature.fewer_weights);
     return quadrature;
 }
 
