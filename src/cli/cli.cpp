@@ -14,6 +14,7 @@
 #include "build_info.h"
 #include "cli/commands.h"
 #include "cli/help_formats.h"
+#include "geometry/distributed/backend.h"
 #include "geometry/distributed/ranks.h"
 #include "run/arguments.h"
 #include "run/console.h"
@@ -176,10 +177,10 @@ const std::vector<std::string>& backend_choices() {
     return choices;
 }
 
-ExitCode with_backend(const std::string& backend, const std::function<ExitCode(Ranks*)>& work) {
-    if (backend != "slepc") return work(nullptr);
+ExitCode with_backend(const std::string& backend, const std::function<ExitCode(const Backend&)>& work) {
+    if (backend != "slepc") return work({});
     const std::unique_ptr<Ranks> ranks = ranks_of_mpi();
-    if (ranks->is_first()) return work(ranks.get());
+    if (ranks->is_first()) return work(backend_of(*ranks));
     ranks->serve();
     return ExitCode::ok;
 }

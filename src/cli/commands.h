@@ -14,7 +14,7 @@ class App;
 }
 
 namespace meshfolio {
-class Ranks;
+struct Backend;
 namespace run {}
 }   // namespace meshfolio
 
@@ -51,9 +51,9 @@ struct Command {
     std::function<ExitCode()> run;   // throws an Error, or returns ok or failed
 };
 
-/// Calls work with the ranks of MPI for the backend `slepc`: the first rank does the work, the others serve it. For `builtin` the work gets
-/// nullptr. @throws EngineError for what this program was built without
-ExitCode with_backend(const std::string& backend, const std::function<ExitCode(Ranks*)>& work);
+/// Calls work with the backend of that name. `slepc` is the ranks of MPI: the first does the work, the others serve it.
+/// @throws EngineError for what this program was built without
+ExitCode with_backend(const std::string& backend, const std::function<ExitCode(const Backend&)>& work);
 const std::vector<std::string>& backend_choices();
 
 Command report_command(CLI::App& parent);

@@ -2,6 +2,7 @@
 
 #include "base/number_text.h"
 #include "cli/commands.h"
+#include "geometry/distributed/backend.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/definiteness.h"
 #include "geometry/spectrum/stability.h"
@@ -111,9 +112,9 @@ void warn_of_limit(const SmoothingOptions& smoothing, const Smoothed& result) {
         warn("steps were cut below 2/mu_max: diffusion time " + plain_text(result.time) + " of " + plain_text(asked) + " reached");
 }
 
-ExitCode run_smooth(const SmoothFlags& options, Ranks* ranks) {
+ExitCode run_smooth(const SmoothFlags& options, const Backend& backend) {
     SmoothingOptions smoothing = smoothing_options(options);
-    smoothing.ranks = ranks;
+    smoothing.factor_remotely = backend.factor;
     check_output("-o", options.output, mesh_or_standard_output());
     const PreparedMesh prepared = load_mesh(options.mesh, Checks::all, Keep::attributes);
     bool indefinite = false;
@@ -162,7 +163,8 @@ Command smooth_command(CLI::App& parent) {
     app.flag("--adaptive", options->adaptive, "cut explicit steps below 2 over a proved bound of mu_max");
     app.footer(std::string(attributes_are_kept) +
                "Example: meshfolio smooth fandisk.obj -o fair.ply --scheme implicit --lambda 5 --unit tau --iterations 10");
-    return {app, [options] { return with_backend(options->backend, [&](Ranks* ranks) { return run_smooth(*options, ranks); }); }};
+    return {app,
+            [options] { return with_backend(options->backend, [&](const Backend& backend) { return run_smooth(*options, backend); }); }};
 }
 
 }   // namespace meshfolio::cli

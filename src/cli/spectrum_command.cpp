@@ -7,6 +7,7 @@
 #include "base/lower_case.h"
 #include "base/number_text.h"
 #include "cli/commands.h"
+#include "geometry/distributed/backend.h"
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "geometry/spectrum/spectrum_certificate.h"
@@ -59,12 +60,13 @@ struct SpectrumFlags {
 
 constexpr int largest_k = 100000;
 
-std::string in_words(Proof proof) {
-    return proof == Proof::proved ? "proved" : proof == Proof::refuted ? "REFUTED" : "cannot be proved here";
+std::string in_words(Proof proof, OperatorKind kind) {
+    const char* const proved = has_intrinsic_lengths(kind) ? "proved of the operator as stored" : "proved";
+    return proof == Proof::proved ? proved : proof == Proof::refuted ? "REFUTED" : "cannot be proved here";
 }
 
 /// One line for people.
-std::string in_words(const SpectrumCertificate& c) {
+std::string in_words(const SpectrumCertificate& c, OperatorKind kind) {
     const auto within = [](const std::string& what, double measured, double limit) {
         return what + " " + plain_text(measured, 2) + (measured <= limit ? " (at most " : " (ABOVE ") + plain_text(limit, 2) + "), ";
     };
@@ -76,7 +78,7 @@ std::string in_words(const SpectrumCertificate& c) {
     return "certificate: " + std::string(failed ? "FAILED: " : "") + residual +
            within("orthonormality", c.orthonormality_error, SpectrumCertificate::orthonormality_limit) +
            within("Parseval", c.parseval_gap, SpectrumCertificate::parseval_limit) + "none missing below " + plain_text(c.shift, 6) + ": " +
-           (c.says_nothing() ? std::string("empty") : in_words(c.complete)) +
+           (c.says_nothing() ? std::string("empty") : in_words(c.complete, kind)) +
            (c.delta_is_measured ? " but for measured rounding (" : " (") +
            (c.counted_below >= 0 ? std::to_string(c.counted_below) : std::string("not")) + " counted by inertia, " +
            std::to_string(c.found_below) + " found" +
@@ -100,7 +102,7 @@ void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options,
     }
 }
 
-ExitCode run_spectrum(const SpectrumFlags& options, Ranks* ranks) {
+ExitCode run_spectrum(const SpectrumFlags& options, const Backend& backend) {
     const AreaForm form = area_form_named(options.area);
     const OperatorKind kind = operator_named(options.laplacian);
     const int k = static_cast<int>(integer_between("-k", options.k, 1, largest_k));
@@ -114,14 +116,15 @@ ExitCode run_spectrum(const SpectrumFlags& options, Ranks* ranks) {
     check_output("--ply", options.ply, column_endings(), options.out);
     const PreparedMesh prepared = load_mesh(options.mesh, Checks::for_pictures, options.ply.empty() ? Keep::mesh : Keep::attributes);
     const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
-    const Spectrum spectrum = about_mesh(options.mesh, [&] { return smallest_eigenpairs(laplacian, k, {.ranks = ranks}); });
+    const Spectrum spectrum = about_mesh(
+        options.mesh, [&] { return smallest_eigenpairs(laplacian, k, {.engine = backend.engine, .inertia_at = backend.inertia_at}); });
     const auto found = static_cast<int>(spectrum.eigenvalues.size());
     if (found < k) {
         warn(shown(options.mesh) + ": the mesh has " + std::to_string(found) + " modes, fewer than the " + std::to_string(k) +
              " asked for");
     }
-    const SpectrumCertificate certificate = certify_spectrum(prepared.mesh, laplacian, spectrum, ranks);
-    complain(in_words(certificate));
+    const SpectrumCertificate certificate = certify_spectrum(prepared.mesh, laplacian, spectrum, backend.inertia_at);
+    complain(in_words(certificate, kind));
     output::FileGroup files;
     files.keep(options.mesh);
     if (!counts.empty()) add_reconstructions(files, options, counts, prepared.mesh, spectrum, laplacian.M);
@@ -156,7 +159,8 @@ Command spectrum_command(CLI::App& parent) {
         "Prints a certificate of the eigenpairs on stderr: that none is missing is proved, refuted, or cannot be proved here because\n"
         "rounding of the count exceeds the gap. Exit code 1 when something is refuted or beyond its limit.\n"
         "Example: meshfolio spectrum armadillo.obj -k 30 --csv - --reconstruct 5,15,30 --out modes");
-    return {app, [options] { return with_backend(options->backend, [&](Ranks* ranks) { return run_spectrum(*options, ranks); }); }};
+    return {app,
+            [options] { return with_backend(options->backend, [&](const Backend& backend) { return run_spectrum(*options, backend); }); }};
 }
 
 }   // namespace meshfolio::cli

@@ -89,7 +89,7 @@ DenoisingPrediction by_probes(const LaplaceBeltrami& laplacian, const OperatorWi
     const Vector ones = Vector::Ones(X.rows());
     DenoisingPrediction prediction{empty_error(options.iterations, M.sum()), empty_error(options.iterations, ones.sum()), 0,
                                    3 * options.probe_triples};
-    solver.prepare(whole, options.lambda, X);
+    solver.prepare(whole, options.lambda);
     const Positions start = centred(X, M);
     Positions run = start;
     for (int t = 0; t <= options.iterations; ++t) {

@@ -1,7 +1,7 @@
 /// @file
 /// Factorisations by several processes together, for matrices whose factor is beyond the memory of one. `--backend slepc`.
 ///
-/// They pay by memory, never by time. At 43 k vertices 30 pairs and their certificate took 1.0 s of processor by the built-in engine, 12 s
+/// They pay by memory, never by time. At 43 k vertices 30 pairs and their certificate take 1.2 s of processor by the built-in engine, 12 s
 /// by one rank; one implicit step at 692 k took 8 s, 17 s, and 24 s on two ranks. Peaks at 43 k, 173 k and 692 k vertices (armadillo at
 /// edge midpoints): built-in 86, 326, 1372 MB; two ranks 95 + 62, 245 + 116, 893 + 349 MB. A factor had 23.5, 31.8 and 42.1 entries a
 /// vertex, 5 more a doubling, each some 20 bytes beside a rank's 50 MB; the first rank's mesh and matrices, 0.8 kB a vertex, stay in one

@@ -1,44 +1,152 @@
 #include "geometry/linear/sparse_factor.h"
 
-#include <algorithm>
+#include <Eigen/OrderingMethods>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "base/errors.h"
-#include "geometry/linear/ldlt_analysis.h"
-#include "geometry/linear/ldlt_panels.h"
-#include "geometry/linear/panel_kernels.h"
+#include "base/number_text.h"
+#include "geometry/linear/special_values.h"
 
 namespace meshfolio {
 
-SparseFactor::SparseFactor(const SparseMatrix& A, bool definite) {
-    if (A.rows() != A.cols()) throw SolverError("LDLᵀ factorisation: the matrix is not square");
-    const SparseMatrix whole = A.selfadjointView<Eigen::Lower>();
-    const LdltAnalysis analysis(whole);
-    panels_ = definite ? analysis.factor_definite(whole, true) : analysis.factor(whole, 0, true);
-    nonzeros_ = analysis.nonzeros();
+namespace {
+
+/// A pivot is what is left of a diagonal entry after the elimination. Below a few roundings of that entry its sign means nothing.
+void check_pivot(double pivot, double diagonal, int row, Eigen::Index rows, OrderedFactor::Kind kind) {
+    const bool definite = kind == OrderedFactor::Kind::definite;
+    if (std::isfinite(pivot) && (definite ? pivot : std::abs(pivot)) > 16 * epsilon * std::abs(diagonal)) return;
+    throw SolverError("LDLᵀ factorisation of a " + std::to_string(rows) + "-row matrix" +
+                      (definite ? ", which is not positive definite" : "") + ": pivot " + plain_text(pivot, 3) + " at step " +
+                      std::to_string(row) + ", where the diagonal is " + plain_text(diagonal, 3));
 }
 
-SparseFactor SparseFactor::ldlt(const SparseMatrix& A) { return {A, false}; }
+/// visit(i, j, l_ij) for the entries of L below its diagonal, column by column.
+template <class Visit>
+void for_each_entry(const SparseMatrix& L, const Visit& visit) {
+    for (int j = 0; j < L.cols(); ++j)
+        for (SparseMatrix::InnerIterator entry(L, j); entry; ++entry) visit(entry.row(), Eigen::Index{j}, entry.value());
+}
 
-SparseFactor SparseFactor::cholesky(const SparseMatrix& A) { return {A, true}; }
+}   // namespace
+
+/// Row k of L has an entry in every column on the way up the elimination tree from its own entries to k (Davis, Direct Methods for Sparse
+/// Linear Systems, §4.1).
+FactorOperations factor_operations(const SparseMatrix& S) {
+    const auto n = static_cast<std::size_t>(S.rows());
+    std::vector<int> parent(n, -1), seen(n, -1), below(n, 0);   // the tree, the last row that came by, entries below the diagonal
+    for (int k = 0; k < S.rows(); ++k) {
+        seen[static_cast<std::size_t>(k)] = k;
+        for (SparseMatrix::InnerIterator entry(S, k); entry && entry.row() < k; ++entry) {
+            for (auto i = static_cast<std::size_t>(entry.row()); seen[i] != k; i = static_cast<std::size_t>(parent[i])) {
+                if (parent[i] < 0) parent[i] = k;
+                seen[i] = k;
+                ++below[i];
+            }
+        }
+    }
+    FactorOperations operations;
+    for (const double c : below) {
+        operations.nonzeros += static_cast<long long>(c) + 1;
+        operations.factorisation += 0.5 * c * (c + 1) + c;   // the update of what is left, symmetric, and the division by the pivot
+        operations.solve += 2 * c + 1;
+    }
+    return operations;
+}
+
+EliminationOrder::EliminationOrder(const SparseMatrix& A) {
+    if (A.rows() != A.cols() || A.rows() == 0) throw SolverError("LDLᵀ factorisation: the matrix is empty or not square");
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+    Eigen::AMDOrdering<int>()(A, order);
+    row.assign(order.indices().begin(), order.indices().end());
+    operations = factor_operations(apply(A));
+    constexpr double bytes_per_entry = 12, bytes_per_row = 400;   // its row and value; the matrix, its copy and what elimination needs
+    memory = bytes_per_entry * static_cast<double>(operations.nonzeros) + bytes_per_row * static_cast<double>(A.rows());
+}
+
+SparseMatrix EliminationOrder::apply(const SparseMatrix& A) const {
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> to_row(A.rows());
+    std::copy(row.begin(), row.end(), to_row.indices().data());
+    SparseMatrix ordered;
+    ordered = A.twistedBy(to_row.transpose());
+    return ordered;
+}
+
+OrderedFactor::OrderedFactor(const SparseMatrix& S, double sigma, Kind kind) {
+    if (!Eigen::Map<const Vector>(S.valuePtr(), S.nonZeros()).allFinite() || !std::isfinite(sigma))
+        throw SolverError("LDLᵀ factorisation: the matrix has an entry that is not finite");
+    const auto ldlt = std::make_shared<Ldlt>();
+    ldlt->setShift(-sigma);
+    ldlt->compute(S);
+    if (ldlt->info() != Eigen::Success)
+        throw SolverError("LDLᵀ factorisation of a " + std::to_string(S.rows()) + "-row matrix: a pivot is 0");
+    D_ = ldlt->vectorD();
+    growth_ = 0;
+    for (int i = 0; i < size(); ++i) {
+        const double diagonal = S.coeff(i, i) - sigma;
+        check_pivot(D_[i], diagonal, i, S.rows(), kind);
+        growth_ = std::max(growth_, std::abs(D_[i] / diagonal));
+    }
+    ldlt_ = ldlt;
+}
+
+void OrderedFactor::solve_in_place(Eigen::Ref<DenseMatrix> X) const {
+    const auto L = ldlt_->matrixL();
+    const auto U = ldlt_->matrixU();
+    for (Eigen::Index j = 0; j < X.cols(); ++j) {
+        auto x = X.col(j);
+        L.solveInPlace(x);
+        x.array() /= D_.array();
+        U.solveInPlace(x);
+    }
+}
+
+/// Each entry of L read once for all columns: an implicit step of three takes half the time.
+void OrderedFactor::solve_in_place(FourColumns& X) const {
+    const auto lower = ldlt_->matrixL();
+    const SparseMatrix& L = lower.nestedExpression();
+    for (int j = 0; j < L.cols(); ++j) {
+        const Four x = row_of(X, j);
+        for (SparseMatrix::InnerIterator entry(L, j); entry; ++entry) row_of(X, entry.row()) -= entry.value() * x;
+    }
+    for (int j = static_cast<int>(L.cols()) - 1; j >= 0; --j) {
+        Four x = row_of(X, j) / D_[j];
+        for (SparseMatrix::InnerIterator entry(L, j); entry; ++entry) x -= entry.value() * row_of(X, entry.row());
+        row_of(X, j) = x;
+    }
+}
+
+double OrderedFactor::backward_error(const Vector& W, int passes) const {
+    constexpr double u = epsilon / 2, underflow = std::numeric_limits<double>::min();
+    const auto lower = ldlt_->matrixL();
+    const SparseMatrix& L = lower.nestedExpression();
+    Vector roundings = Vector::Constant(size(), 3.0);   // t_i + 3
+    for_each_entry(L, [&](Eigen::Index i, Eigen::Index, double) { roundings[i] += 1; });
+    Vector x = Vector::Ones(size());
+    double least = infinity;
+    for (int pass = 0; pass < passes; ++pass) {
+        Vector outer = x;   // |D||Lᵀ|x
+        for_each_entry(L, [&](Eigen::Index i, Eigen::Index j, double l) { outer[j] += std::abs(l) * x[i]; });
+        outer.array() *= D_.array().abs();
+        Vector sizes = outer;   // |L||D||Lᵀ|x
+        for_each_entry(L, [&](Eigen::Index i, Eigen::Index j, double l) { sizes[i] += std::abs(l) * outer[j]; });
+        const Vector ratio = (roundings.array() * (u * sizes.array() + underflow) / (W.array() * x.array())).matrix();
+        if (!ratio.allFinite() || !(ratio.minCoeff() > 0)) break;   // a maximum may pass over a NaN
+        const double largest = ratio.maxCoeff();
+        least = std::min(least, largest);
+        x.array() *= (ratio.array() / largest).sqrt();
+    }
+    return least;
+}
 
 DenseMatrix SparseFactor::solve(const DenseMatrix& B) const {
-    constexpr Eigen::Index width = FourColumns::width;
-    if (B.rows() != panels_.size)
-        throw SolverError("solve: " + std::to_string(B.rows()) + " rows for a " + std::to_string(panels_.size) + "-row matrix");
-    DenseMatrix X(B.rows(), B.cols());
-    for (Eigen::Index first = 0; first < B.cols(); first += width) {
-        const Eigen::Index columns = std::min(width, B.cols() - first);
-        FourColumns four(B.rows());
-        for (Eigen::Index i = 0; i < B.rows(); ++i)
-            for (Eigen::Index c = 0; c < width; ++c) four.row(i)[c] = c < columns ? B(panels_.order[std::size_t(i)], first + c) : 0;
-        solve_in_place(panels_, four);
-        for (Eigen::Index i = 0; i < B.rows(); ++i)
-            for (Eigen::Index c = 0; c < columns; ++c) X(panels_.order[std::size_t(i)], first + c) = four.row(i)[c];
-    }
+    if (B.rows() != factor_.size())
+        throw SolverError("solve: " + std::to_string(B.rows()) + " rows for a " + std::to_string(factor_.size()) + "-row matrix");
+    DenseMatrix ordered = B(order_.row, Eigen::all), X(B.rows(), B.cols());
+    factor_.solve_in_place(ordered);
+    X(order_.row, Eigen::all) = ordered;
     return X;
 }
-
-double SparseFactor::backward_error(const Vector& W) const { return meshfolio::backward_error(panels_, W); }
 
 }   // namespace meshfolio

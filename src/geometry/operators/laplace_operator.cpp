@@ -78,6 +78,10 @@ std::string operator_names() {
 
 bool is_dimensionless(OperatorKind kind) { return kind == OperatorKind::uniform; }
 
+bool has_intrinsic_lengths(OperatorKind kind) {
+    return kind == OperatorKind::idt || kind == OperatorKind::idt_original_mass || kind == OperatorKind::tufted;
+}
+
 Assembly assembly_of(OperatorKind kind) {
     return kind == OperatorKind::cotan || kind == OperatorKind::cotan_no_half ? Assembly::triangles : Assembly::unknown;
 }

@@ -36,6 +36,10 @@ bool is_dimensionless(OperatorKind kind);
 /// (definiteness.h)? That is not said of intrinsic triangulations, whose edges may join a vertex to itself.
 Assembly assembly_of(OperatorKind kind);
 
+/// Are lengths of C those of edges that flips or a cover have made, rounded once more? On strongly stretched meshes C then is that of a
+/// slightly different surface: what is proved of it is proved of the operator as stored.
+bool has_intrinsic_lengths(OperatorKind kind);
+
 /// C and M of the operator, M = 0 at unreferenced vertices.
 /// @param area  how the masses are measured. The uniform operator has the valences as masses, the one normalised per edge has
 ///              ones (its C is L itself, made with barycentric areas); both leave `area` aside. For idt and tufted they are those

@@ -16,7 +16,7 @@ DenoisingRun conformalised(const DenoisingInput& input, const DenoisingOptions& 
             run.ended = true;
             break;
         }
-        solver.prepare(operator_with_mass(laplacian), options.parameter, current.X);
+        solver.prepare(operator_with_mass(laplacian), options.parameter);
         current.X = solver.step(current.X);
         current.X = with_areas(current, input.topology, wanted);
         if (!current.X.allFinite()) {

@@ -1,5 +1,7 @@
 #include "geometry/smoothing/implicit_solver.h"
 
+#include <Eigen/IterativeLinearSolvers>
+#include <algorithm>
 #include <new>
 #include <optional>
 #include <string>
@@ -7,17 +9,14 @@
 #include "base/available_memory.h"
 #include "base/errors.h"
 #include "base/parallel.h"
-#include "geometry/distributed/ranks.h"
-#include "geometry/linear/ldlt_analysis.h"
-#include "geometry/linear/ldlt_panels.h"
-#include "geometry/linear/panel_kernels.h"
-#include "geometry/measures/spatial_order.h"
-#include "geometry/smoothing/conjugate_gradients.h"
+#include "geometry/linear/sparse_factor.h"
 #include "geometry/smoothing/diffusion_step.h"
 
 namespace meshfolio {
 
 namespace {
+
+using Columns = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, FourColumns::width, Eigen::RowMajor>>;
 
 bool same_pattern(const SparseMatrix& A, const SparseMatrix& B) {
     return A.rows() == B.rows() && A.nonZeros() == B.nonZeros() &&
@@ -37,25 +36,59 @@ SparseMatrix system_of(const OperatorWithMass& whole, double lambda) {
 }
 
 /// M − λC ≥ M, so that a factor whose rounding δ reaches the masses (xᵀEx ≤ δ xᵀMx) says nothing of them any more. Only asked where λμ_max
-/// is large: it takes a tenth of the time of the factor.
+/// is large.
 /// @throws SolverError there
-void require_masses_above_rounding(const LdltPanels& factor, const SparseMatrix& system, const Vector& M) {
+void require_masses_above_rounding(const OrderedFactor& factor, const SparseMatrix& system, const Vector& M) {
     constexpr double harmless = 1e9;
     if (system.diagonal().cwiseQuotient(M).maxCoeff() < harmless) return;
-    if (!(backward_error(factor, M) < 1)) throw SolverError("its rounding may be as large as the masses");
+    if (!(factor.backward_error(M) < 1)) throw SolverError("its rounding may be as large as the masses");
 }
+
+/// (I − λM^−½CM^−½) y = M^½ x by Eigen's conjugate gradients, preconditioned by the incomplete Cholesky factor, where a factorisation would
+/// not fit into memory: the norm of its residual is that of M⁻¹.
+class ConjugateGradients {
+public:
+    ConjugateGradients(const SparseMatrix& system, const Vector& M) : system_(symmetric_form(system, M)), root_(M.cwiseSqrt()) {
+        solver_.setTolerance(ImplicitSolver::tolerance);
+        solver_.setMaxIterations(most_iterations);
+        solver_.compute(system_);
+        if (solver_.info() != Eigen::Success) throw SolverError("conjugate gradients: the matrix is not positive definite");
+    }
+
+    /// X := X', starting from X. Returns the iterations. @throws SolverError if they do not end
+    long long solve(FourColumns& X) const {
+        Columns columns(X.data(), X.rows(), FourColumns::width);
+        long long iterations = 0;
+        for (Eigen::Index c = 0; c < 3; ++c) {
+            const Vector y = root_.cwiseProduct(columns.col(c));
+            columns.col(c) = solver_.solveWithGuess(y, y).cwiseQuotient(root_);
+            iterations += solver_.iterations();
+            if (solver_.info() == Eigen::Success) continue;
+            throw SolverError("implicit step: conjugate gradients did not end within " + std::to_string(most_iterations) + " iterations",
+                              "take a smaller lambda");
+        }
+        return iterations;
+    }
+    long long nonzeros() const { return solver_.preconditioner().matrixL().nonZeros(); }
+
+private:
+    static constexpr int most_iterations = 5000;
+
+    SparseMatrix system_;
+    Vector root_;
+    Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper, Eigen::IncompleteCholesky<double>> solver_;
+};
 
 }   // namespace
 
 struct ImplicitSolver::State {
     OperatorWithMass whole;   // as it came last
-    std::vector<int> curve;   // its rows along Morton's curve
-    std::optional<LdltAnalysis> analysis;
+    std::optional<EliminationOrder> order;
     double lambda = 0;
     LinearSolver ready = LinearSolver::none;
-    LdltPanels factor;
+    std::optional<OrderedFactor> factor;
     std::optional<ConjugateGradients> gradients;
-    Ranks* ranks = nullptr;
+    RemoteFactor remote;
     std::vector<int> vertex;   // of each row of the steps
     Vector M;                  // in that order
     int analyses = 0, factorisations = 0;
@@ -64,24 +97,27 @@ struct ImplicitSolver::State {
     /// What would fit is known only after the symbolic analysis; one that cannot even be made does not fit either.
     bool fits(double limit) const {
         constexpr double always_there = 16e6;   // asking the system takes as long as a small factor, and rebuilding asks at every step
-        if (!analysis) return false;
-        if (limit <= 0 && analysis->memory() > always_there) limit = available_memory().bytes;
-        return limit <= 0 || analysis->memory() <= limit;
+        if (!order) return false;
+        if (limit <= 0 && order->memory > always_there) limit = available_memory().bytes;
+        return limit <= 0 || order->memory <= limit;
     }
 
     void analyse(const SparseMatrix& system) {
-        analysis.reset();
+        order.reset();
         ++analyses;
         try {
-            analysis.emplace(system);
+            order.emplace(system);
         } catch (const std::bad_alloc&) {
         }
     }
 
-    void take_rows(const OperatorWithMass& sorted, const std::vector<int>& order) {
-        vertex.resize(order.size());
-        for (std::size_t i = 0; i < order.size(); ++i) vertex[i] = sorted.vertex[static_cast<std::size_t>(order[i])];
-        M = sorted.M(order);
+    void factor_directly(const SparseMatrix& system) {
+        const SparseMatrix ordered = order->apply(system);
+        M = whole.M(order->row);
+        factor.emplace(ordered, 0, OrderedFactor::Kind::definite);
+        require_masses_above_rounding(*factor, ordered, M);
+        vertex.clear();
+        for (const int row : order->row) vertex.push_back(whole.vertex[static_cast<std::size_t>(row)]);
     }
 };
 
@@ -90,43 +126,36 @@ ImplicitSolver::~ImplicitSolver() = default;
 ImplicitSolver::ImplicitSolver(ImplicitSolver&&) noexcept = default;
 ImplicitSolver& ImplicitSolver::operator=(ImplicitSolver&&) noexcept = default;
 
-void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, const Positions& X, double memory_limit, Ranks* ranks) {
+void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, double memory_limit, const FactorRemotely& remotely) {
     State& s = *state_;
     const bool known =
         s.analyses > 0 && whole.vertex == s.whole.vertex && whole.copies == s.whole.copies && same_pattern(whole.A, s.whole.A);
-    if (known && lambda == s.lambda && ranks == nullptr && s.ready != LinearSolver::none && same_numbers(whole, s.whole) &&
+    if (known && lambda == s.lambda && !remotely && s.ready != LinearSolver::none && same_numbers(whole, s.whole) &&
         s.fits(memory_limit) == (s.ready == LinearSolver::direct))
         return;
     s.ready = LinearSolver::none;
-    s.factor = {};
+    s.factor.reset();
     s.gradients.reset();
-    if (!known) s.curve = morton_order(X(whole.vertex, Eigen::all));
     s.whole = whole;
     s.lambda = lambda;
-    const OperatorWithMass sorted = reordered(whole, s.curve);
-    const SparseMatrix system = system_of(sorted, lambda);
-    if (!known && ranks == nullptr) s.analyse(system);
-    const bool direct = ranks == nullptr && s.fits(memory_limit);
+    const SparseMatrix system = system_of(whole, lambda);
+    if (!known && !remotely) s.analyse(system);
+    const bool direct = !remotely && s.fits(memory_limit);
+    s.vertex = whole.vertex;
+    s.M = whole.M;
     try {
-        if (ranks != nullptr) {
-            ranks->factor(system, true);
-            s.vertex = sorted.vertex;
-            s.M = sorted.M;
-        } else if (direct) {
-            s.factor = s.analysis->factor_definite(system, true);
-            require_masses_above_rounding(s.factor, system, sorted.M);
-            s.take_rows(sorted, s.factor.order);
-        } else {
-            s.gradients.emplace(sorted, system, lambda);
-            s.vertex = sorted.vertex;
-        }
+        if (remotely)
+            s.remote = remotely(system);
+        else if (direct)
+            s.factor_directly(system);
+        else
+            s.gradients.emplace(system, whole.M);
     } catch (const SolverError& error) {
         throw SolverError("M − λC cannot be factored at this lambda: " + std::string(error.what()),
                           "take a smaller lambda, or repair triangles of zero area");
     }
     ++s.factorisations;
-    s.ranks = ranks;
-    s.ready = ranks != nullptr ? LinearSolver::distributed : direct ? LinearSolver::direct : LinearSolver::conjugate_gradients;
+    s.ready = remotely ? LinearSolver::distributed : direct ? LinearSolver::direct : LinearSolver::conjugate_gradients;
 }
 
 const std::vector<int>& ImplicitSolver::vertex() const { return state_->vertex; }
@@ -138,13 +167,12 @@ void ImplicitSolver::step(FourColumns& X) {
         return;
     }
     for_each_index(static_cast<int>(X.rows()), [&](int i) { row_of(X, i) *= s.M[i]; });
-    if (s.ready == LinearSolver::distributed) {
-        auto columns =
-            Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, FourColumns::width, Eigen::RowMajor>>(X.data(), X.rows(), FourColumns::width);
-        columns.leftCols(3) = s.ranks->solve(columns.leftCols(3));
+    if (s.ready == LinearSolver::direct) {
+        s.factor->solve_in_place(X);
         return;
     }
-    solve_in_place(s.factor, X);
+    Columns columns(X.data(), X.rows(), FourColumns::width);
+    columns.leftCols(3) = s.remote.solve(columns.leftCols(3));
 }
 
 Positions ImplicitSolver::step(const Positions& X) {
@@ -160,8 +188,8 @@ LinearSolver ImplicitSolver::solver() const { return state_->ready; }
 
 long long ImplicitSolver::factor_nonzeros() const {
     if (state_->ready == LinearSolver::conjugate_gradients) return state_->gradients->nonzeros();
-    if (state_->ready == LinearSolver::distributed) return state_->ranks->nonzeros();
-    return state_->analysis ? state_->analysis->nonzeros() : 0;
+    if (state_->ready == LinearSolver::distributed) return state_->remote.nonzeros;
+    return state_->order ? state_->order->operations.nonzeros : 0;
 }
 
 int ImplicitSolver::analyses() const { return state_->analyses; }

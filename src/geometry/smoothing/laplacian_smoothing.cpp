@@ -164,7 +164,7 @@ private:
         copies_ = whole.copies;
         if (options_.scheme == SmoothingScheme::taubin && taubin_mu_ == 0) taubin_mu_ = taubin_mu_of(laplacian, options_);
         if (options_.scheme == SmoothingScheme::implicit_euler) {
-            implicit_.prepare(whole, options_.lambda, current_.X, options_.memory_limit, options_.ranks);
+            implicit_.prepare(whole, options_.lambda, options_.memory_limit, options_.factor_remotely);
         } else {
             if (order_.size() != whole.vertex.size()) order_ = morton_order(current_.X(whole.vertex, Eigen::all));
             explicit_.emplace(reordered(whole, order_));
@@ -292,7 +292,7 @@ Positions implicit_step(const LaplaceBeltrami& laplacian, double lambda, const P
     check_rows(whole, X);
     const Eigen::RowVector3d near = X.row(whole.vertex.front());
     ImplicitSolver solver;
-    solver.prepare(whole, lambda, X);
+    solver.prepare(whole, lambda);
     return solver.step(X.rowwise() - near).rowwise() + near;
 }
 

@@ -31,8 +31,8 @@ struct SmoothingOptions {
     double adaptive = 0;
     /// What a factor may take; 0: what the machine has left. Beyond it, implicit steps are made by conjugate gradients. [bytes]
     double memory_limit = 0;
-    Ranks* ranks = nullptr;    // of several processes, that factor implicit steps together; nullptr: this one does, within that limit
-    double blow_up_at = 1e3;   // stop when a vertex is farther than this many box diagonals from the centre
+    FactorRemotely factor_remotely = {};   // of implicit steps, without that limit; empty: here
+    double blow_up_at = 1e3;               // stop when a vertex is farther than this many box diagonals from the centre
     /// Called after every iteration with its number (from 1) and the positions; return false to stop.
     std::function<bool(int, const Positions&)> after_step = {};
 };

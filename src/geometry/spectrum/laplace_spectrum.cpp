@@ -49,7 +49,6 @@ Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const Spec
     spectrum.gap_middle = modes.gap_middle / total;
     spectrum.slices = modes.slices;
     spectrum.repairs = modes.repairs;
-    spectrum.times = modes.times;
     if (options.progress) options.progress(1);
     return spectrum;
 }

@@ -4,28 +4,27 @@
 
 #include <functional>
 
+#include "geometry/linear/inertia.h"
 #include "geometry/operators/cotangent_laplacian.h"
 
 namespace meshfolio {
 
-class Ranks;
-
-/// Seconds of one thread spent on each part.
-struct SpectrumTimes {
-    double factor = 0, solve = 0, orthogonalise = 0, rayleigh_ritz = 0;
-    SpectrumTimes& operator+=(const SpectrumTimes& other);
-};
+struct Modes;
+/// Another way to the k smallest pairs of a connected operator −C with masses that sum to 1: that of several processes
+/// (geometry/distributed). Called by one thread.
+using SpectrumEngine = std::function<Modes(const SparseMatrix& A, const Vector& M, int k)>;
 
 struct SpectrumOptions {
     /// Relative residual asked of each pair. Where needles raise the largest row, rounding leaves some ε max(A_ii/M_ii) / μ at the least.
     double tolerance = 1e-9;
-    bool polish = false;        // residuals down to 1e-11 where rounding lets them: more steps, refined solves
-    int dense_below = 700;      // vertices in use at or below which all pairs are found at once by a dense solver
-    int one_slice_up_to = 60;   // pairs besides the zero modes; more are found slice by slice
-    int pairs_per_slice = 30;   // shorter bases pay for more factors
-    int threads = 0;            // slices at a time at most; 0: one a processor. The result is the same
-    double memory_limit = 0;    // bytes that may be taken; 0: as much as the machine has left
-    Ranks* ranks = nullptr;     // of several processes, that hold the factors; nullptr: this one does. Limits do not apply then
+    bool polish = false;          // residuals down to 1e-11 where rounding lets them: more solves
+    int dense_below = 700;        // vertices in use at or below which all pairs are found at once by a dense solver
+    int one_slice_up_to = 60;     // pairs besides the zero modes; more are found slice by slice
+    int pairs_per_slice = 40;     // shorter bases pay for more factors
+    int threads = 0;              // slices at a time at most; 0: one a processor. The result is the same
+    double memory_limit = 0;      // bytes that may be taken; 0: as much as the machine has left
+    SpectrumEngine engine = {};   // instead of the built-in one; limits do not apply then
+    InertiaAt inertia_at = meshfolio::inertia_at;
     std::function<void(double)> progress = {};   // fraction done, in [0, 1]; called from any thread, one at a time; may throw to stop
 };
 
@@ -42,11 +41,10 @@ struct Spectrum {
     double gap_middle = 0;
 
     int slices = 0, repairs = 0;   // of the spectrum; how often something missed was looked for again
-    SpectrumTimes times;
 };
 
-/// k is cut to the number of vertices with mass. Dense for small meshes. Otherwise shift-invert block Lanczos: one slice with σ slightly
-/// below 0 for few pairs, several side by side for many, their limits found by inertia counts, against which what was found is held.
+/// k is cut to the number of vertices with mass. Dense for small meshes. Otherwise shift-invert Lanczos: one slice with σ slightly below 0
+/// for few pairs, several side by side for many, their limits found by inertia counts, against which what was found is held.
 /// Components are solved each alone, and every vector lives on one of them. Memory is estimated first.
 /// @throws MeshError if k < 1; SolverError if the memory would not suffice or pairs are not found that a count of inertia, beyond its
 /// rounding, says are there

@@ -50,7 +50,7 @@ struct UnitProblem {
     double unit = 0;    // of eigenvalues, a power of two [1/length²]
     double mu0 = 0;     // median A_ii / ΣM
     Vector row_mu0;     // of the component of each row
-    Ranks* ranks = nullptr;
+    InertiaAt inertia_at;
 };
 
 double median(Vector values) {
@@ -85,7 +85,7 @@ Vector units_of_components(const SparseMatrix& A, const Vector& M) {
 UnitProblem unit_problem(const LaplaceBeltrami& laplacian, const Spectrum& spectrum) {
     OperatorWithMass whole = operator_with_mass(laplacian);
     const double total = power_of_four_near(whole.M.sum()), row = power_of_four_near(median(whole.A.diagonal()));
-    UnitProblem problem{whole.A / row, whole.M / total, spectrum.eigenvalues / (row / total), {}, {}, row / total, 0, {}, nullptr};
+    UnitProblem problem{whole.A / row, whole.M / total, spectrum.eigenvalues / (row / total), {}, {}, row / total, 0, {}, {}};
     problem.Phi = std::sqrt(total) * spectrum.eigenvectors(whole.vertex, Eigen::all);
     problem.gram = problem.Phi.transpose() * (problem.M.asDiagonal() * problem.Phi);
     const double middle = median(problem.A.diagonal());
@@ -118,6 +118,9 @@ Residuals residuals_of(const UnitProblem& problem) {
     return residuals;
 }
 
+/// Eigenvalues below this times their unit count as 0.
+constexpr double zero_below = 1e-9;
+
 /// μ₀ of the components that pair j lives on, weighted by its share on each.
 double own_unit(const UnitProblem& problem, Eigen::Index j) {
     const Vector weight = problem.M.cwiseProduct(problem.Phi.col(j).cwiseAbs2());
@@ -129,11 +132,11 @@ void measure_residuals(const UnitProblem& problem, const Residuals& residuals, S
     const double largest_row = problem.A.diagonal().cwiseQuotient(problem.M).maxCoeff();
     double worst = -1;
     for (Eigen::Index j = 0; j < problem.mu.size(); ++j) {
-        const double size = std::max({problem.mu[j], problem.mu0, own_unit(problem, j)});
+        const double unit = own_unit(problem, j), size = problem.mu[j] > zero_below * unit ? problem.mu[j] : std::max(problem.mu0, unit);
         const double ratio = residuals.computed[j] / (size * std::sqrt(problem.M.dot(problem.Phi.col(j).cwiseAbs2())));
         const double residual = std::isfinite(ratio) ? ratio : infinity;
         const double rounding = 100 * std::numeric_limits<double>::epsilon() * largest_row / size;
-        const double limit = std::clamp(rounding, 1e-8, 1e-3);
+        const double limit = std::clamp(rounding, 1e-8, 1e-6);
         if (residual / limit <= worst) continue;
         worst = residual / limit;
         certificate.residual = residual;
@@ -214,7 +217,7 @@ private:
 };
 
 std::optional<Inertia> inertia_beside(const UnitProblem& problem, double sigma, double gap) {
-    return inertia_between(problem.A, problem.M, sigma - gap, sigma + gap, problem.ranks);
+    return inertia_between(problem.A, problem.M, sigma - gap, sigma + gap, problem.inertia_at);
 }
 
 /// Behind the last value: where the solver knows a gap, else ever nearer until no more than those found are counted.
@@ -236,7 +239,7 @@ std::optional<Inertia> counted_before_last(const UnitProblem& problem, const Fou
     const double first = found.theta()[f], size = found.size(first), u = found.upper_bound(f);
     const double width = std::min(std::clamp(100 * (delta + found.residual(f)), 2e-6 * size, 1e-3 * size), first - u);
     if (!(width > 0)) return {};
-    return inertia_between(problem.A, problem.M, first - width, first, problem.ranks);
+    return inertia_between(problem.A, problem.M, first - width, first, problem.inertia_at);
 }
 
 void count_inertia(const UnitProblem& problem, const Residuals& residuals, double hint, SpectrumCertificate& certificate) {
@@ -251,6 +254,7 @@ void count_inertia(const UnitProblem& problem, const Residuals& residuals, doubl
     const double gap = std::max(0.0, found.gap_at(inertia->sigma));   // 0 where it is not a number
     certificate.shift = inertia->sigma * problem.unit;
     certificate.delta = inertia->delta * problem.unit;
+    certificate.delta_is_measured = inertia->measured;
     certificate.gap = gap * problem.unit;
     certificate.counted_below = inertia->below;
     certificate.found_below = found.below(inertia->sigma);
@@ -297,13 +301,13 @@ double smallest_step_up(const Vector& mu) {
 
 }   // namespace
 
-SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum, Ranks* ranks) {
+SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum,
+                                     const InertiaAt& inertia_at) {
     check_sizes(mesh, laplacian, spectrum);
     UnitProblem problem = unit_problem(laplacian, spectrum);
-    problem.ranks = ranks;
+    problem.inertia_at = inertia_at;
     const Residuals residuals = residuals_of(problem);
     SpectrumCertificate certificate;
-    certificate.delta_is_measured = ranks != nullptr;
     measure_residuals(problem, residuals, certificate);
     const bool finite = problem.gram.allFinite();   // a maximum may pass over a NaN
     const DenseMatrix identity = DenseMatrix::Identity(problem.gram.rows(), problem.gram.cols());
@@ -311,7 +315,7 @@ SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBelt
     certificate.parseval_gap = parseval_gap(laplacian, spectrum, mesh.X);
     count_inertia(problem, residuals, spectrum.gap_middle, certificate);
     Vector zero(problem.mu.size());
-    for (Eigen::Index j = 0; j < zero.size(); ++j) zero[j] = 1e-9 * own_unit(problem, j);
+    for (Eigen::Index j = 0; j < zero.size(); ++j) zero[j] = zero_below * own_unit(problem, j);
     const auto zeros_below = [&](const Vector& limit) { return static_cast<int>((problem.mu.array().abs() <= limit.array()).count()); };
     certificate.zero_eigenvalues = zeros_below(zero);
     // Triangles without area join nothing under cotangents, but they do under weights that ignore lengths, and flips may give them area.

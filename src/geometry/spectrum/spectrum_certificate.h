@@ -25,11 +25,11 @@
 namespace meshfolio {
 
 struct SpectrumCertificate {
-    /// ‖−Cφ − μMφ‖_{M⁻¹}/(max(μ, μ₀)‖φ‖_M) of the pair that is nearest to its limit, or farthest beyond it; infinite where a number is not
-    /// finite. An eigenvalue lies within it, relatively, in this norm and no other. The limit is 1e-8, or what rounding of the operator's
-    /// largest rows leaves, 100 ε max(A_ii/M_ii)/μ; never above 1e-3. μ₀ = median A_ii / ΣM is the operator's own unit: some 4 over the
-    /// area for cotangents, whatever the unit of length. Where a pair lives on smaller components, their own units, weighted by its share
-    /// on each.
+    /// ‖−Cφ − μMφ‖_{M⁻¹}/(μ‖φ‖_M) of the pair that is nearest to its limit, or farthest beyond it; infinite where a number is not finite.
+    /// An eigenvalue lies within it, relatively, in this norm and no other. The limit is 1e-8, or what rounding of the operator's largest
+    /// rows leaves, 100 ε max(A_ii/M_ii)/μ, but never above 1e-6: beyond that a pair may be another one. For what counts as zero, μ₀ stands
+    /// for μ: μ₀ = median A_ii / ΣM is the operator's own unit: some 4 over the area for cotangents, whatever the unit of length. Where a
+    /// pair lives on smaller components, their own units, weighted by its share on each.
     double residual = 0, residual_limit = 1e-8;
     double residual_rounding = 0;      // what rounding may leave of it: beyond the limit, but not beyond this, nothing is decided
     double orthonormality_error = 0;   // largest entry of |ΦᵀMΦ − I|
@@ -43,7 +43,7 @@ struct SpectrumCertificate {
     int counted_below = -1, found_below = 0;
     double delta = 0,
            gap = 0;   // rounding of the count; distance of σ from u and from the next value found: proved needs δ < gap [1/length²]
-    bool delta_is_measured = false;   // by probing (inertia.h), because other processes hold the factor: `complete` rests on it
+    bool delta_is_measured = false;   // by probing, because other processes hold the factor: `complete` rests on it
     int zero_eigenvalues = 0;         // μ ≤ 1e-9 of their own μ₀, and where these are too many, not out of rounding
     int components = 0;               // of the mesh, by its triangles; those without area may or may not join two
     bool zeros_undecided = false;     // these differ, but rounding hides which of the pairs in question have eigenvalue 0
@@ -60,12 +60,12 @@ struct SpectrumCertificate {
     bool holds() const { return verdict() == Proof::proved; }
 };
 
-/// Costs one sparse factorisation, seldom more, and products with Φ; no eigenvalue is computed. Where `ranks` factor, δ is measured and not
-/// proved (inertia.h).
-/// @param spectrum  any pairs, also wrong ones
+/// Costs one sparse factorisation, seldom more, and products with Φ; no eigenvalue is computed.
+/// @param spectrum    any pairs, also wrong ones
+/// @param inertia_at  another way to count
 /// @throws MeshError if the sizes do not fit together, or nothing is in the spectrum
 SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum,
-                                     Ranks* ranks = nullptr);
+                                     const InertiaAt& inertia_at = meshfolio::inertia_at);
 
 /// Eigenvalues of −Cφ = μMφ below σ, with the rounding of the count. [1/length²]
 /// @throws SolverError if σ is so near an eigenvalue of a leading part that a pivot is lost in rounding

@@ -117,13 +117,7 @@ std::shared_ptr<const Spectrum> all_modes(const OnMesh& subject) {
 }
 
 FactorOperations implicit_operations_of(const SmoothingSubject& subject) {
-    const OperatorWithMass whole = operator_with_mass(subject.laplacian);
-    ImplicitSolver solver;
-    solver.prepare(whole, subject.critical, subject.mesh().X);
-    std::vector<int> row(whole.all_vertices, -1), order;
-    for (std::size_t i = 0; i < whole.vertex.size(); ++i) row[whole.vertex[i]] = static_cast<int>(i);
-    for (const int v : solver.vertex()) order.push_back(row[v]);
-    return factor_operations(whole.A, order);
+    return EliminationOrder(operator_with_mass(subject.laplacian).A).operations;
 }
 
 std::vector<double> steps_of(const QuestionSettings& settings, double critical, const std::vector<double>& multiples) {

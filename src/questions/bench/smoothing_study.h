@@ -2,7 +2,7 @@
 /// One smoothing run and what is measured along the way; shared by the questions on smoothing.
 #pragma once
 
-#include "geometry/linear/factor_operations.h"
+#include "geometry/linear/sparse_factor.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/definiteness.h"

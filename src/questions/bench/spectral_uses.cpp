@@ -77,15 +77,9 @@ ModeCost mode_cost(int k, double n, double factor_entries) {
     return {k, 4 * factor_entries * k, 2 * n * k * k, 12 * n * k, 8 * n * k / 1048576};
 }
 
-/// How full a factor is depends on the pattern alone: that of −C with entries for which no needle can spoil the factorisation.
+/// How full a factor is depends on the pattern alone.
 double factor_entries(const SpectralStudy& study) {
-    SparseMatrix A = operator_with_mass(study.laplacian).A;
-    A.makeCompressed();
-    for (int j = 0; j < A.cols(); ++j) {
-        const auto entries = static_cast<double>(A.outerIndexPtr()[j + 1] - A.outerIndexPtr()[j]);
-        for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) entry.valueRef() = entry.row() == j ? entries : -1;
-    }
-    return static_cast<double>(SparseFactor::cholesky(A).nonzeros());
+    return static_cast<double>(EliminationOrder(operator_with_mass(study.laplacian).A).operations.nonzeros);
 }
 
 LimbStudy limb_study(const SpectralStudy& study) {

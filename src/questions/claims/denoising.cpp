@@ -138,7 +138,7 @@ std::string level_text(double relative) { return words.line("case.noise", "share
 /// than half of its roughness. Both are smoothed by the operator of the clean mesh, which is linear: their difference is the noise.
 double noise_over_detail(const SmoothingSubject& clean, const TriangleMesh& noisy, double lambda) {
     ImplicitSolver solver;
-    solver.prepare(operator_with_mass(clean.laplacian), lambda, noisy.X);
+    solver.prepare(operator_with_mass(clean.laplacian), lambda);
     const double half = roughness(clean, clean.mesh().X) / 2;
     Positions shape = clean.mesh().X, both = noisy.X;
     for (int step = 0; step < 400; ++step) {

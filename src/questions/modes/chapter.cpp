@@ -179,7 +179,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 extern const Chapter chapter{
     .id = "modes",
     .code = {{"spectral_measure", "src/geometry/spectrum/spectral_measure.cpp"},
-             {"factor_operations", "src/geometry/linear/factor_operations.cpp"},
+             {"factor_operations", "src/geometry/linear/sparse_factor.cpp"},
              {"mode_study", "src/questions/modes/study.cpp"},
              {"CostModel", "src/questions/modes/costs.cpp"},
              {"answer", "src/questions/modes/chapter.cpp"}},

@@ -5,7 +5,7 @@
 
 #include <iterator>
 
-#include "geometry/linear/factor_operations.h"
+#include "geometry/linear/sparse_factor.h"
 #include "geometry/spectrum/spectral_measure.h"
 #include "questions/bench/smoothing_study.h"
 

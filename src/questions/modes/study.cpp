@@ -58,7 +58,7 @@ ModeDamping damping_of(const SmoothingSubject& subject, const Modes& modes, Smoo
         for (int t = 0; t < steps; ++t) X = diffusion.step(damping.lambda, X);
     } else {
         ImplicitSolver solver;
-        solver.prepare(whole, damping.lambda, subject.mesh().X);
+        solver.prepare(whole, damping.lambda);
         for (int t = 0; t < steps; ++t) X = solver.step(X);
     }
     const Positions coefficients = modes.vectors.transpose() * (subject.laplacian.M.asDiagonal() * X);

@@ -38,7 +38,7 @@ Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Pos
     run.reserve(iterations + 1);
     try {
         if (kind == FlowOperator::clean) {
-            solvers.clean.prepare(flow.whole, flow.lambda, flow.clean.X);
+            solvers.clean.prepare(flow.whole, flow.lambda);
             for (int t = 0; t < iterations; ++t) run.push_back(solvers.clean.step(run.back()));
             return run;
         }

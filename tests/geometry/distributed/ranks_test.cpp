@@ -2,9 +2,12 @@
 // and, where the build has them, the ranks of MPI. tests/end_to_end/slow_ranks.py runs several.
 #include <Eigen/Eigenvalues>
 
+#include "geometry/distributed/backend.h"
 #include "geometry/distributed/ranks.h"
 
 #include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
 
 #include "base/errors.h"
 #include "geometry/dense_pairs.h"
@@ -84,6 +87,10 @@ std::vector<Named> meshes() {
             {"two components", side_by_side(lopsided_ellipsoid(2), cube_mesh(6))}};
 }
 
+SpectrumOptions options_of(const Backend& backend) {
+    return {.dense_below = 0, .engine = backend.engine, .inertia_at = backend.inertia_at};
+}
+
 class WithRanks : public ::testing::TestWithParam<std::string> {
 protected:
     void SetUp() override {
@@ -94,7 +101,8 @@ protected:
             GTEST_SKIP() << error.what();
         }
     }
-    SpectrumOptions options() const { return {.dense_below = 0, .ranks = ranks_}; }
+    Backend backend() const { return backend_of(*ranks_); }
+    SpectrumOptions options() const { return options_of(backend()); }
     Ranks* ranks_ = nullptr;
 };
 
@@ -108,7 +116,8 @@ TEST_P(WithRanks, SpectrumAndCertificateAreThoseOfThisProcess) {
             const double unit = std::max(own.eigenvalues[k - 1], 1e-300);
             EXPECT_LT((own.eigenvalues - theirs.eigenvalues).cwiseAbs().maxCoeff() / unit, 1e-10) << name << ", k = " << k;
             EXPECT_LT(theirs.residuals.maxCoeff(), 1e-9) << name;
-            const SpectrumCertificate a = certify_spectrum(mesh, laplacian, own), b = certify_spectrum(mesh, laplacian, theirs, ranks_);
+            const SpectrumCertificate a = certify_spectrum(mesh, laplacian, own),
+                                      b = certify_spectrum(mesh, laplacian, theirs, backend().inertia_at);
             EXPECT_TRUE(b.holds()) << name << ", k = " << k;
             EXPECT_EQ(a.counted_below, b.counted_below) << name << ", k = " << k;
             EXPECT_EQ(theirs.inertia_count, theirs.found_below) << name;
@@ -127,7 +136,7 @@ TEST_P(WithRanks, APairThatIsMissingIsCounted) {
                 if (j != missing) kept.push_back(j);
             spectrum.eigenvalues = spectrum.eigenvalues(kept).eval();
             spectrum.eigenvectors = spectrum.eigenvectors(Eigen::all, kept).eval();
-            const SpectrumCertificate certificate = certify_spectrum(mesh, laplacian, spectrum, ranks_);
+            const SpectrumCertificate certificate = certify_spectrum(mesh, laplacian, spectrum, backend().inertia_at);
             EXPECT_EQ(certificate.complete, Proof::refuted) << name << " without " << missing;
             EXPECT_EQ(certificate.counted_below, certificate.found_below + 1) << name << " without " << missing;
         }
@@ -140,7 +149,7 @@ TEST_P(WithRanks, ImplicitStepsAreThoseOfThisProcess) {
             SmoothingOptions smoothing{
                 .scheme = SmoothingScheme::implicit_euler, .lambda = 20 * critical_step(mesh), .iterations = 3, .rebuild = rebuild};
             const Smoothed own = smooth(mesh, smoothing);
-            smoothing.ranks = ranks_;
+            smoothing.factor_remotely = backend().factor;
             const Smoothed theirs = smooth(mesh, smoothing);
             EXPECT_EQ(theirs.solver, LinearSolver::distributed);
             EXPECT_EQ(theirs.factorisations, rebuild ? 3 : 1);
@@ -167,11 +176,11 @@ TEST(Ranks, PairsLostAreLookedForAgain) {
     const Spectrum own = smallest_eigenpairs(laplacian, 10);
     DenseRanks ranks;
     ranks.lost = 1;
-    const Spectrum theirs = smallest_eigenpairs(laplacian, 10, {.dense_below = 0, .ranks = &ranks});
+    const Spectrum theirs = smallest_eigenpairs(laplacian, 10, options_of(backend_of(ranks)));
     EXPECT_EQ(theirs.repairs, 1);
     EXPECT_LT((own.eigenvalues - theirs.eigenvalues).cwiseAbs().maxCoeff(), 1e-10 * own.eigenvalues[9]);
     ranks.lost = 1000;
-    EXPECT_THROW(smallest_eigenpairs(laplacian, 10, {.dense_below = 0, .ranks = &ranks}), SolverError);
+    EXPECT_THROW(smallest_eigenpairs(laplacian, 10, options_of(backend_of(ranks))), SolverError);
 }
 
 // δ is measured: it must reach ‖M^−½EM^−½‖ of a factor with a known error E, and a count may be wrong within it only.
@@ -190,7 +199,7 @@ TEST(Ranks, TheMeasuredRoundingBoundsTheErrorOfTheFactor) {
             ranks.error *= size / norm();
             for (int j = 1; j < 20; ++j) {
                 const double sigma = 0.5 * (all.eigenvalues[j] + all.eigenvalues[j - 1]);
-                const Inertia inertia = inertia_at(whole.A, whole.M, sigma, &ranks);
+                const Inertia inertia = backend_of(ranks).inertia_at(whole.A, whole.M, sigma);
                 EXPECT_LT(inertia.delta, 1000 * size * std::sqrt(rank)) << "or it proves nothing";
                 const double distance = (all.eigenvalues.array() - sigma).abs().minCoeff();
                 EXPECT_TRUE(inertia.delta >= size || 2 * size >= distance) << j;

@@ -152,3 +152,58 @@ TEST(SparseFactor, SolvesFromSeveralThreads) {
     tbb::parallel_for(Eigen::Index{0}, B.cols(), [&](Eigen::Index j) { X.col(j) = factor.solve(Vector(B.col(j))); });
     for (Eigen::Index j = 0; j < B.cols(); ++j) EXPECT_EQ(X.col(j), factor.solve(Vector(B.col(j))));
 }
+
+TEST(EliminationOrder, CountsTheEntriesOfTheFactor) {
+    for (const TriangleMesh& mesh : {irregular_sphere(3), grid_mesh(3, 2, 1, 1), irregular_plane(20)}) {
+        const SparseMatrix A = -laplace_beltrami(mesh).C;
+        Eigen::SimplicialLDLT<SparseMatrix> eigen(A + diagonal_matrix(Vector::Ones(A.rows())));
+        const long long entries = SparseMatrix(eigen.matrixL()).nonZeros();
+        EXPECT_EQ(EliminationOrder(A).operations.nonzeros, entries);
+    }
+    const EliminationOrder full(SparseMatrix(DenseMatrix::Ones(7, 7).sparseView()));
+    EXPECT_EQ(full.operations.nonzeros, 7 * 8 / 2);
+    EXPECT_EQ(EliminationOrder(path_matrix(50, 0)).operations.nonzeros, 50 + 49);
+}
+
+// A column with c entries below its pivot: c divisions and c(c + 1)/2 products; a solve takes 2c + 1.
+TEST(FactorOperations, OfABandAndOfAFullMatrix) {
+    const FactorOperations path = factor_operations(path_matrix(100, 0));
+    EXPECT_EQ(path.factorisation, 99 * 2);
+    EXPECT_EQ(path.solve, 99 * 3 + 1);
+    constexpr int n = 30;
+    const FactorOperations full = factor_operations(SparseMatrix(DenseMatrix::Ones(n, n).sparseView()));
+    EXPECT_EQ(full.solve, n * n);
+    EXPECT_EQ(full.factorisation, (n - 1) * n * (n + 1) / 6 + n * (n - 1) / 2);
+}
+
+TEST(OrderedFactor, SolvesWithEveryShiftInOneOrder) {
+    for (const TriangleMesh& mesh : {irregular_sphere(3), grid_mesh(3, 2, 1, 1), irregular_plane(20)}) {
+        const SparseMatrix A = -laplace_beltrami(mesh).C;
+        const EliminationOrder order(A);
+        const SparseMatrix S = order.apply(A);
+        for (const double sigma : {-1.0, 0.3, 2.7}) {
+            const OrderedFactor factor(S, sigma, OrderedFactor::Kind::indefinite);
+            const DenseMatrix B = some_columns(S.rows(), 3);
+            DenseMatrix X = B;
+            factor.solve_in_place(X);
+            EXPECT_LT((S * X - sigma * X - B).norm(), 1e-10 * X.norm()) << sigma;
+            FourColumns rows(S.rows());
+            for (Eigen::Index i = 0; i < S.rows(); ++i)
+                for (Eigen::Index c = 0; c < 4; ++c) rows.row(i)[c] = c < 3 ? B(i, c) : 0;
+            factor.solve_in_place(rows);
+            for (Eigen::Index i = 0; i < S.rows(); ++i)
+                for (Eigen::Index c = 0; c < 3; ++c) EXPECT_NEAR(rows.row(i)[c], X(i, c), 1e-10 * X.norm());
+            EXPECT_EQ(factor.negative_pivots(),
+                      SparseFactor::ldlt(A - diagonal_matrix(Vector::Constant(A.rows(), sigma))).negative_pivots());
+            EXPECT_LT(factor.backward_error(Vector::Ones(S.rows()), 1), 1e-8);
+            EXPECT_LE(factor.backward_error(Vector::Ones(S.rows()), 2), factor.backward_error(Vector::Ones(S.rows()), 1));
+        }
+    }
+}
+
+TEST(OrderedFactor, AShiftOnAnEigenvalueIsRefused) {
+    const SparseMatrix D = diagonal_matrix(Vector::LinSpaced(4, 1, 4));
+    EXPECT_EQ(OrderedFactor(D, 2.5, OrderedFactor::Kind::indefinite).negative_pivots(), 2);
+    EXPECT_THROW(OrderedFactor(D, 2, OrderedFactor::Kind::indefinite), SolverError);
+    EXPECT_THROW(OrderedFactor(D, 2.5, OrderedFactor::Kind::definite), SolverError);
+}

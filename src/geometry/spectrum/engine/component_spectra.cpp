@@ -16,7 +16,7 @@ namespace meshfolio {
 
 namespace {
 
-/// Vertices at or below which a component is always solved densely: block Lanczos has no room there.
+/// Vertices at or below which a component is always solved densely: Lanczos has no room there.
 constexpr int no_room = 100;
 
 /// One component, in units where its own area is 1.
@@ -99,10 +99,8 @@ void solve_densely(Part& part) {
 
 /// The solver of one component with what it did before added up.
 void solve_by_slices(Part& part, const SpectrumOptions& options) {
-    const SpectrumTimes times = part.modes.times;
     const int repairs = part.modes.repairs;
     part.modes = modes_of(part.A, part.M, part.wanted, options);
-    part.modes.times += times;
     part.modes.repairs += repairs;
 }
 
@@ -214,22 +212,24 @@ Merged solve_and_merge(std::vector<Part>& parts, int k, PartSolver& solver) {
 
 /// Eigenvalues of a part below a σ of the whole, counted where in the same gap of that part rounding matters least: on a speck, σ itself
 /// may not be told from 0. No value found lies between. Returns nothing where rounding may have changed the count.
-std::optional<int> inertia_of(const Part& part, double sigma, Ranks* ranks) {
+std::optional<int> inertia_of(const Part& part, double sigma, const InertiaAt& inertia_at) {
     const Vector& mu = part.modes.pairs.mu;
     const int below = part.found_below(sigma);
     const double low = std::max(sigma * part.area, below > 0 ? mu[below - 1] : 0.0);
     const double high = below < mu.size() ? mu[below] : gap_behind(mu, below).high;
     if (!(high > low)) return below == part.size() ? std::optional(below) : std::nullopt;   // above all there are
-    const auto inertia = trusted_between(part.A, part.M, {low, high}, part.modes.dense ? nullptr : ranks);
+    const auto inertia = trusted_between(part.A, part.M, {low, high}, inertia_at);
     return inertia ? std::optional(inertia->below) : std::nullopt;
 }
 
-InertiaCount count_inertia(const std::vector<Part>& parts, const Gap& gap, Ranks* ranks) {
+InertiaCount count_inertia(const std::vector<Part>& parts, const Gap& gap, const SpectrumOptions& options) {
     const double sigma = gap.middle();
     std::vector<std::optional<int>> counts(parts.size());
-    const auto count = [&](std::size_t p) { counts[p] = inertia_of(parts[p], sigma, ranks); };
-    if (ranks == nullptr) for_each_task(parts.size(), count);
-    for (std::size_t p = 0; ranks != nullptr && p < parts.size(); ++p) count(p);   // they are called by one thread
+    const auto count = [&](std::size_t p) {
+        counts[p] = inertia_of(parts[p], sigma, parts[p].modes.dense ? inertia_at : options.inertia_at);
+    };
+    if (!options.engine) for_each_task(parts.size(), count);
+    for (std::size_t p = 0; options.engine && p < parts.size(); ++p) count(p);   // it is called by one thread
     InertiaCount sum{sigma, 0, 0};
     for (std::size_t p = 0; p < parts.size(); ++p) {
         if (!counts[p]) return {};
@@ -261,11 +261,10 @@ Modes modes_of_components(const SparseMatrix& A, const Vector& M, const Componen
 
     Modes modes;
     modes.pairs = first_of(spectrum.entries, parts, A.rows(), k);
-    modes.inertia = count_inertia(parts, spectrum.gap, options.ranks);
+    modes.inertia = count_inertia(parts, spectrum.gap, options);
     modes.gap_middle = spectrum.gap.middle();
     modes.dense = A.rows() <= options.dense_below;
     for (const Part& part : parts) {
-        modes.times += part.modes.times;
         modes.slices += part.modes.slices;
         modes.repairs += part.modes.repairs;
     }

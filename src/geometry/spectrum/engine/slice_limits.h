@@ -1,36 +1,29 @@
 /// @file
-/// Where to slice a spectrum, from inertia counts that begin with Weyl's law, and how many slices fit into memory. Private to the layer.
+/// Where to slice a spectrum, by counts of inertia that begin with Weyl's law. Private to the layer.
 #pragma once
 
 #include <vector>
 
-#include "geometry/spectrum/engine/spectrum_slices.h"
+#include "geometry/spectrum/engine/shifted_pairs.h"
 
 namespace meshfolio {
 
-/// Counts at growing σ. The last has at least `wanted` eigenvalues below, and few more where the spectrum has a gap there.
-std::vector<Inertia> bracket_from_above(const SpectrumProblem& problem, int wanted);
+/// Relative distance of two eigenvalues from which they are not one cluster: rounding may turn the members of a cluster about.
+constexpr double clear_gap = 1e-5;
+/// And from which counts still tell them apart.
+constexpr double least_gap = 1e-9;
 
-/// Equal numbers of eigenvalues, as far as the counts tell; a shift in the middle of each slice.
-std::vector<SliceGoal> slice_goals(const SpectrumProblem& problem, const std::vector<Inertia>& counts, const SliceOptions& options);
-
-/// One slice for the k smallest besides the zero modes, with σ slightly below 0.
-SliceGoal one_goal(const SpectrumProblem& problem, int k, const SliceOptions& options);
-
-/// Larger than every eigenvalue (Gershgorin).
-double above_all(const SparseMatrix& B);
-
-/// What the eigenpairs of a large mesh will take, before anything is begun.
-struct SpectrumMemory {
-    double per_slice = 0;   // a factor while it is made, and a basis, for each slice worked on at a time [bytes]
-    double vectors = 0;     // of all pairs, twice while they are sorted [bytes]
-    double of_one_slice() const { return per_slice + vectors; }
+/// How many eigenvalues besides 0 lie below σ; rounding may have moved σ by δ.
+struct Count {
+    double sigma = 0;
+    int others = 0;
+    double delta = 0;
 };
+/// At σ or, where a pivot is lost in rounding, no farther beside it than `reach`. @throws SolverError as `shift_near`
+Count count_near(const SpectrumProblem& problem, double sigma, double reach);
 
-SpectrumMemory memory_of(const SpectrumProblem& problem, int k, const SliceOptions& options);
-
-/// Slices at a time that fit into `limit`; 0 for what the machine has left.
-/// @throws SolverError if not even one does, saying what would fit
-int slices_that_fit(const SpectrumProblem& problem, int k, const SliceOptions& options, double limit);
+/// Counts at growing σ: 0 first, then limits of slices of some `pairs_per_slice` each; the last has at least `wanted` below, and few more
+/// where the spectrum has a gap there. A cluster too large for a slice has limits as close to it as they can be counted.
+std::vector<Count> slice_limits(const SpectrumProblem& problem, int wanted, int pairs_per_slice);
 
 }   // namespace meshfolio

@@ -5,16 +5,10 @@
 #include <optional>
 
 #include "geometry/linear/inertia.h"
+#include "geometry/spectrum/engine/shifted_pairs.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 
 namespace meshfolio {
-
-/// y = M^½ φ: orthonormal columns, eigenvalues ascending.
-struct SymmetricPairs {
-    Vector mu;
-    DenseMatrix Y;
-    int count() const { return static_cast<int>(mu.size()); }
-};
 
 /// The eigenvalues below `sigma`, counted by inertia and among those found; −1 where rounding may have changed the count.
 struct InertiaCount {
@@ -28,7 +22,6 @@ struct Modes {
     InertiaCount inertia;
     double gap_middle = 0;   // of the first clear gap behind the pairs; 0: not known
     bool dense = false;
-    SpectrumTimes times = {};
     int slices = 0, repairs = 0;
 };
 
@@ -41,15 +34,17 @@ struct Gap {
 Gap gap_behind(const Vector& mu, int k);
 
 /// The inertia within a gap; nothing where its rounding is larger than the distance from either end.
-std::optional<Inertia> trusted_between(const SparseMatrix& A, const Vector& M, const Gap& gap, Ranks* ranks = nullptr);
+std::optional<Inertia> trusted_between(const SparseMatrix& A, const Vector& M, const Gap& gap, const InertiaAt& inertia_at);
 
 /// ‖By − μy‖ / μ for each pair, in the norm of the equations −Cφ = μMφ: ‖M^½(By − μy)‖ / (μ‖M^½y‖).
 Vector relative_residuals(const SparseMatrix& B, const Vector& root_mass, const SymmetricPairs& pairs);
 
-/// All pairs at once, zero modes first.
+/// All pairs at once, the constant first.
 SymmetricPairs dense_pairs(const SparseMatrix& A, const Vector& M);
 
+/// Of a connected operator.
 /// @param A  −C, @param M  its masses, ΣM = 1
+/// @throws SolverError if pairs are counted and not found
 Modes modes_of(const SparseMatrix& A, const Vector& M, int k, const SpectrumOptions& options);
 
 }   // namespace meshfolio

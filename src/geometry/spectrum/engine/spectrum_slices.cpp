@@ -4,16 +4,19 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <numeric>
-#include <set>
+#include <optional>
+#include <string>
 
+#include "base/available_memory.h"
 #include "base/errors.h"
 #include "base/first_failure.h"
+#include "base/number_text.h"
 #include "geometry/linear/special_values.h"
-#include "geometry/spectrum/engine/slice_limits.h"
-#include "geometry/spectrum/engine/slice_overlaps.h"
+#include "geometry/spectrum/engine/spectrum_modes.h"
 
 namespace meshfolio {
 
@@ -22,20 +25,14 @@ namespace {
 /// Adds up the progress of all slices. Called from several threads; reports one value at a time, never a smaller one.
 class SharedProgress {
 public:
-    explicit SharedProgress(const std::function<void(double)>& tell) : tell_(tell) {}
+    SharedProgress(const std::function<void(double)>& tell, std::size_t slices) : tell_(tell), shares_(slices, 0.0) {}
 
-    void begin_round(std::size_t slices) {
-        from_ = told_;
-        shares_.assign(slices, 0.0);
-    }
-    StepReport of_slice(std::size_t i) {
+    std::function<void(double)> of_slice(std::size_t i) {
         return [this, i](double share) {
             if (!tell_) return;
             const std::lock_guard lock(mutex_);
             shares_[i] = std::max(shares_[i], share);
-            const double round = std::accumulate(shares_.begin(), shares_.end(), 0.0) / static_cast<double>(shares_.size());
-            told_ = std::max(told_, from_ + (0.95 - from_) * round);
-            tell_(told_);
+            tell_(0.95 * std::accumulate(shares_.begin(), shares_.end(), 0.0) / static_cast<double>(shares_.size()));
         };
     }
 
@@ -43,260 +40,271 @@ private:
     const std::function<void(double)>& tell_;
     std::mutex mutex_;
     std::vector<double> shares_;
-    double from_ = 0, told_ = 0;
 };
 
-/// Everything found so far, each eigenvalue in one slice only.
-class SliceSet {
+/// Eigenvalues between two counts.
+struct Slice {
+    Count low, high;
+    int wanted = high.others - low.others;   // all, or some of a cluster
+
+    /// Those that rounding puts on the other side of a limit are its own, too.
+    double begin() const { return low.sigma * (1 - clear_gap); }
+    double end() const { return high.sigma * (1 + clear_gap); }
+    int held(const SymmetricPairs& pairs) const { return pairs.count_below(end()) - pairs.count_below(begin()); }
+    SymmetricPairs own(const SymmetricPairs& pairs) const { return part_of(pairs, pairs.count_below(begin()), pairs.count_below(end())); }
+    double width() const { return high.sigma - low.sigma; }
+    bool can_be_halved() const { return wanted == high.others - low.others && width() > least_gap * high.sigma; }
+    double middle() const { return 0.5 * (low.sigma + high.sigma); }
+};
+
+/// −10⁻⁶ of an ordinary eigenvalue: small against those sought, large enough for pivots that are surely positive. The median of the
+/// diagonal, because needles raise its mean.
+double sigma_below_zero(const SparseMatrix& B) {
+    Vector diagonal = B.diagonal();
+    double* const middle = diagonal.data() + diagonal.size() / 2;
+    std::nth_element(diagonal.data(), middle, diagonal.data() + diagonal.size());
+    return *middle > 0 ? -1e-6 * *middle : -1e-6;
+}
+
+/// The first clear gap behind the k-th of pairs besides the constant.
+Gap gap_after(const SymmetricPairs& pairs, int k) {
+    Vector mu(pairs.count() + 1);
+    mu << 0, pairs.mu;
+    return gap_behind(mu, k + 1);
+}
+
+/// The last clear gap before it.
+Gap gap_before(const SymmetricPairs& pairs, int k) {
+    Eigen::Index i = std::max(0, k - 1);
+    while (i > 0 && pairs.mu[i] - pairs.mu[i - 1] <= clear_gap * pairs.mu[i]) --i;
+    return {i > 0 ? pairs.mu[i - 1] : 0, pairs.mu[i]};
+}
+
+/// Takes from `right` what `left`, the slice below, has already, and what is left of its vectors.
+SymmetricPairs beside(const SymmetricPairs& left, SymmetricPairs right) {
+    constexpr double rounding = 1e-14, shared = 1e-3, new_direction = 0.1;
+    if (left.count() == 0 || right.count() == 0) return right;
+    const DenseMatrix overlap = left.Y.transpose() * right.Y;
+    if (overlap.cwiseAbs().maxCoeff() <= rounding) return right;
+    right.Y -= left.Y * overlap;
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index j = 0; j < right.count(); ++j) {
+        auto y = right.Y.col(j);
+        const bool in_both = overlap.col(j).cwiseAbs().maxCoeff() > shared;
+        if (in_both) {   // a cluster on the limit, in another basis
+            y -= left.Y * (left.Y.transpose() * y).eval();
+            for (const Eigen::Index i : kept) y -= right.Y.col(i) * right.Y.col(i).dot(y);
+        }
+        if (in_both && y.norm() < new_direction) continue;
+        y.normalize();
+        kept.push_back(j);
+    }
+    return {right.mu(kept), right.Y(Eigen::all, kept)};
+}
+
+class Slicer {
 public:
-    SliceSet(const SpectrumProblem& problem, const SliceOptions& options)
-        : problem_(problem), options_(options), progress_(options.progress) {}
+    Slicer(const SpectrumProblem& problem, const SliceOptions& options) : problem_(problem), options_(options) {}
 
-    /// Solves all goals, halving those that are too wide for their basis.
-    void solve(std::vector<SliceGoal> goals) {
-        constexpr int most_rounds = 12;
-        for (int round = 0; !goals.empty(); ++round) {
-            if (round == most_rounds)
-                throw SolverError("the eigenvalues lie too close to each other to be sliced", "ask for fewer eigenpairs");
-            std::vector<Slice> solved = solve_round(goals, {});
-            goals.clear();
-            for (Slice& slice : solved) {
-                if (!slice.complete) append_halves(slice, goals);
-                take(std::move(slice));
-            }
-        }
-        std::sort(slices_.begin(), slices_.end(), [](const Slice& a, const Slice& b) { return a.goal.low < b.goal.low; });
-        for (std::size_t i = 1; i < slices_.size(); ++i) slices_[i].begin = slices_[i - 1].cut;
+    SlicedPairs find(int k) {
+        if (!(k <= options_.one_slice_up_to && find_in_one_slice(k)))
+            find_in_slices(slice_limits(problem_, k, options_.pairs_per_slice), k);
+        return united(k);
     }
-
-    /// Looks again, beside what is known, wherever inertia counts more than was found.
-    void repair() {
-        constexpr int most_repairs = 6;
-        for (; !missing().empty(); ++repairs_) {
-            if (repairs_ == most_repairs)
-                throw SolverError(what_is_missing(),
-                                  "ask for fewer eigenpairs; needles and crowded eigenvalues, as of many triangles around one edge, are "
-                                  "the usual causes");
-            std::vector<SliceGoal> goals;
-            std::vector<std::vector<const EightColumns*>> locked;
-            const std::set<std::size_t> wanting = missing();
-            for (const std::size_t i : wanting) {
-                SliceGoal goal = slices_[i].goal;
-                goal.high = std::isfinite(slices_[i].cut) ? slices_[i].cut : goal.high;
-                goal.at_least = 0;
-                goal.expected = 0;
-                goal.below_sigma = -1;
-                goal.to_the_end = false;
-                goal.seed += 7919 * static_cast<std::uint64_t>(repairs_ + 1);
-                goals.push_back(goal);
-                locked.push_back(groups_near(i));
-            }
-            std::vector<Slice> solved = solve_round(goals, locked);
-            auto which = wanting.begin();
-            for (Slice& more : solved) {
-                times_ += more.times;
-                if (!more.complete) throw SolverError(what_is_missing(), "ask for fewer eigenpairs");
-                more.begin = slices_[*which].begin;
-                more.cut = slices_[*which++].cut;
-                if (!more.X.empty()) extra_.push_back(std::move(more));
-            }
-        }
-    }
-
-    /// One slice alone; false if its basis did not suffice.
-    bool solve_alone(const SliceGoal& goal) {
-        take(std::move(solve_round({goal}, {}).front()));
-        return !slices_.empty();
-    }
-
-    void note_proof(const Inertia& inertia) { proofs_.push_back({inertia}); }
-    double highest_cut() const { return slices_.back().cut; }
-
-    SlicedPairs pairs(int k);
 
 private:
-    void take(Slice slice) {
-        times_ += slice.times;
-        note_proof({slice.goal.sigma, slice.counted, slice.delta});
-        if (slice.complete) slices_.push_back(std::move(slice));
+    /// Among the k smallest by Weyl's law, N(μ) ≈ μ / 4π at area 1, where that holds: two steps of Lanczos a pair and not three. Else
+    /// below 0.
+    Shift shift_among_lowest(int k) const {
+        const double sigma = 2 * pi * k;
+        if (k > 4 && sigma < 0.5 * problem_.highest) {
+            Shift shift = shift_near(problem_, sigma, 0.02 * sigma);
+            if (4 * shift.others_below() >= k && 4 * shift.others_below() <= 3 * k) return shift;
+        }
+        return shift_below_zero(problem_, sigma_below_zero(problem_.B));
     }
 
-    std::vector<Slice> solve_round(const std::vector<SliceGoal>& goals, const std::vector<std::vector<const EightColumns*>>& locked) {
-        std::vector<Slice> solved(goals.size());
-        progress_.begin_round(goals.size());
+    /// False where Spectra does not find k.
+    bool find_in_one_slice(int k) {
+        SharedProgress progress(options_.progress, 1);
+        const Shift shift = shift_among_lowest(k);
+        const int below = shift.sigma > 0 ? shift.others_below() : 0, more = 4 + k / 20;
+        const int nearest = below > 0 ? 2 * std::max(below, k - below) : k;
+        const PairSearch search{std::min(nearest + more, problem_.others()), options_.tolerance, progress.of_slice(0)};
+        SymmetricPairs found = pairs_near(problem_, shift, {}, search);
+        if (found.count() < std::max(k, 1)) return false;
+        last_ = count_in(gap_after(found, k));
+        if (is_cluster(last_, found, k)) last_ = count_in(gap_before(found, k));
+        if (is_cluster(last_, found, k)) return false;
+        const SymmetricPairs beyond = part_of(found, found.count_below(last_.sigma), found.count());
+        found = found_in({{}, last_}, shift, std::move(found), search.report);
+        blocks_ = {merged(found, beside(found, beyond))};
+        return true;
+    }
+
+    Count count_in(const Gap& gap) const { return count_near(problem_, gap.middle(), 0.2 * (gap.high - gap.low)); }
+
+    /// Many more than were found lie below: then k cuts a cluster, or the run has passed over one. Of a cluster any members will do.
+    static bool is_cluster(const Count& count, const SymmetricPairs& found, int k) {
+        return count.others - found.count_below(count.sigma) > 40 + k;
+    }
+
+    /// Side by side, which changes nothing.
+    void find_in_slices(const std::vector<Count>& limits, int k) {
+        std::vector<Slice> slices;
+        for (std::size_t i = 1; i < limits.size(); ++i) slices.push_back({limits[i - 1], limits[i]});
+        Slice& top = slices.back();
+        const int needed = k - top.low.others;
+        const bool cuts_cluster = top.wanted > 2 * needed + 100;   // any of its members will do
+        if (cuts_cluster) top.wanted = needed;
+        last_ = cuts_cluster ? top.low : top.high;
+        blocks_.resize(slices.size());
+        SharedProgress progress(options_.progress, blocks_.size());
         FirstFailure failure;
         const auto one = [&](std::size_t i) {
-            const StepReport tell = progress_.of_slice(i);
-            const auto report = [&](double share) {
+            const auto report = [&, tell = progress.of_slice(i)](double share) {
                 failure.check();
                 tell(share);
             };
-            const std::vector<const EightColumns*> fixed = locked.empty() ? std::vector<const EightColumns*>() : locked[i];
-            failure.guard([&] { solved[i] = solve_slice(problem_, goals[i], fixed, report); });
+            failure.guard([&] { blocks_[i] = found_in(slices[i], report, 0); });
         };
-        if (goals.size() == 1) {
-            one(0);
-        } else {
-            tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
-            arena.execute([&] { tbb::parallel_for(std::size_t{0}, goals.size(), one, tbb::simple_partitioner()); });
-        }
+        tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
+        arena.execute([&] { tbb::parallel_for(std::size_t{0}, blocks_.size(), one, tbb::simple_partitioner()); });
         failure.rethrow();
-        return solved;
+        for (std::size_t i = 1; i < blocks_.size(); ++i) blocks_[i] = beside(blocks_[i - 1], std::move(blocks_[i]));
     }
 
-    static void append_halves(const Slice& slice, std::vector<SliceGoal>& goals) {
-        SliceGoal lower = slice.goal, upper = slice.goal;
-        lower.high = upper.low = slice.goal.sigma > 0 ? slice.goal.sigma : 0.4 * slice.goal.high;
-        if (slice.goal.low > 0) lower.sigma = 0.5 * (lower.low + lower.high);
-        upper.sigma = 0.5 * (upper.low + upper.high);
-        lower.to_the_end = false;
-        lower.below_sigma = upper.below_sigma = -1;
-        lower.parallel = upper.parallel = false;
-        goals.insert(goals.end(), {lower, upper});
+    /// Halves a slice of which Spectra tells too little, down to where its eigenvalues are.
+    SymmetricPairs found_in(Slice slice, const std::function<void(double)>& report, int halvings) {
+        constexpr int most_halvings = 6;
+        if (slice.wanted == 0) return no_pairs();
+        // Distances from σ are what is accurate, so the smallest eigenvalues need a σ near zero.
+        const Shift shift = slice.low.sigma > 0 ? shift_near(problem_, slice.middle(), 0.05 * slice.width())
+                                                : shift_below_zero(problem_, sigma_below_zero(problem_.B));
+        SymmetricPairs found = found_in(slice, shift, no_pairs(), report);
+        if (slice.held(found) >= slice.wanted || halvings == most_halvings || !slice.can_be_halved()) return found;
+        Count middle = count_near(problem_, slice.middle(), 0.1 * slice.width());
+        while (slice.can_be_halved() && (middle.others == slice.low.others || middle.others == slice.high.others)) {
+            (middle.others == slice.low.others ? slice.low : slice.high) = middle;
+            middle = count_near(problem_, slice.middle(), 0.1 * slice.width());
+        }
+        const SymmetricPairs lower = found_in({slice.low, middle}, report, halvings + 1);
+        return merged(lower, beside(lower, found_in({middle, slice.high}, report, halvings + 1)));
     }
 
-    /// Calls visit(mu, group, lane) for every pair.
-    template <class Visit>
-    void for_each_pair(const Visit& visit) const {
-        for (const std::vector<Slice>* slices : {&slices_, &extra_}) {
-            for (const Slice& slice : *slices) {
-                for (Eigen::Index j = 0; j < slice.mu.size(); ++j) {
-                    const bool own = slice.mu[j] > slice.begin && slice.mu[j] <= slice.cut;
-                    if (own) visit(slice.mu[j], slice.X[static_cast<std::size_t>(j / lanes)], static_cast<int>(j % lanes));
-                }
+    /// Runs beside what is found until as many are as are counted, or no more is seen.
+    SymmetricPairs found_in(const Slice& slice, const Shift& shift, SymmetricPairs found, const std::function<void(double)>& report) {
+        constexpr int most_runs = 40;
+        for (int run = found.count() > 0 ? 1 : 0; run < most_runs && slice.held(found) < slice.wanted; ++run) {
+            repairs_ += run > 0 ? 1 : 0;
+            const int missing = slice.wanted - slice.held(found);
+            const PairSearch search{std::min(missing + 2, problem_.others() - found.count()), options_.tolerance, report};
+            SymmetricPairs more = pairs_near(problem_, shift, found.Y, search);
+            if (slice.held(more) == 0 && more.count() < search.wanted) {   // a cluster that no Krylov space tells apart
+                found = merged(found, more);
+                more = pairs_by_iteration(problem_, shift, found.Y, search);
             }
+            found = merged(found, more);
+            if (slice.held(more) == 0) break;
         }
+        return slice.own(found);
     }
 
-    double nearest_to(double sigma) const {
-        double distance = problem_.zeros.count() > 0 ? std::abs(sigma) : infinity;
-        for_each_pair([&](double mu, const EightColumns&, int) { distance = std::min(distance, std::abs(mu - sigma)); });
-        return distance;
-    }
+    SymmetricPairs no_pairs() const { return {Vector(0), DenseMatrix(problem_.size(), 0)}; }
 
-    int found_below(double sigma) const {
-        int found = sigma > 0 ? problem_.zeros.count() : 0;
-        for_each_pair([&](double mu, const EightColumns&, int) { found += mu < sigma; });
-        return found;
-    }
-
-    /// Slices that reach between two proofs which do not agree with what was found. Counts that rounding may have changed are passed over.
-    std::set<std::size_t> missing() {
-        std::sort(proofs_.begin(), proofs_.end(), [](const InertiaProof& a, const InertiaProof& b) { return a.sigma < b.sigma; });
-        std::set<std::size_t> wanting;
-        double low = 0;
-        int missed_below = 0;
-        for (InertiaProof& proof : proofs_) {
-            proof.found = found_below(proof.sigma);
-            proof.trusted = proof.delta < nearest_to(proof.sigma);
-            if (!proof.trusted) continue;
-            const int missed = proof.below - proof.found;
-            if (missed != missed_below) {
-                for (std::size_t i = 0; i < slices_.size(); ++i)
-                    if (slices_[i].goal.low < proof.sigma && slices_[i].cut > low) wanting.insert(i);
-            }
-            missed_below = missed;
-            low = proof.sigma;
+    /// Whether the last count tells as many as were found, where rounding lets it tell.
+    /// @throws SolverError if it does not
+    void hold_against_count(SlicedPairs& result, const std::vector<double>& mu) const {
+        result.count = last_;
+        double nearest = result.count.sigma;
+        for (const double value : mu) {
+            result.found += value < result.count.sigma ? 1 : 0;
+            nearest = std::min(nearest, std::abs(value - result.count.sigma));
         }
-        return wanting;
+        result.trusted = result.count.delta < nearest;
+        if (!result.trusted || result.found == result.count.others) return;
+        throw CrowdedSpectrum(
+            "the smallest eigenpairs did not converge: inertia counts " + std::to_string(result.count.others + 1) +
+                " eigenvalues below a shift, " + std::to_string(result.found + 1) + " were found",
+            "ask for fewer eigenpairs; eigenvalues too close to each other, as of many triangles around one edge, are the "
+            "usual cause");
     }
 
-    std::string what_is_missing() const {
-        for (const InertiaProof& proof : proofs_) {
-            if (!proof.trusted || proof.below == proof.found) continue;
-            return "the smallest eigenpairs did not converge: inertia counts " + std::to_string(proof.below) +
-                   " eigenvalues below a shift, " + std::to_string(proof.found) + " were found";
-        }
-        return "the smallest eigenpairs did not converge";
-    }
-
-    /// Vectors of the slice, of those beside it, and of those found by repairs.
-    std::vector<const EightColumns*> groups_near(std::size_t i) const {
-        std::vector<const EightColumns*> groups;
-        const auto add = [&](const Slice& slice) {
-            for (const EightColumns& group : slice.X) groups.push_back(&group);
+    /// The first k pairs of all slices.
+    SlicedPairs united(int k) {
+        struct Place {
+            std::size_t block;
+            Eigen::Index column;
         };
-        for (std::size_t j = i > 0 ? i - 1 : 0; j < std::min(slices_.size(), i + 2); ++j) add(slices_[j]);
-        for (const Slice& slice : extra_) add(slice);
-        return groups;
+        std::vector<Place> all;
+        for (std::size_t b = 0; b < blocks_.size(); ++b)
+            for (Eigen::Index j = 0; j < blocks_[b].count(); ++j) all.push_back({b, j});
+        const auto value = [&](const Place& p) { return blocks_[p.block].mu[p.column]; };
+        std::stable_sort(all.begin(), all.end(), [&](const Place& a, const Place& b) { return value(a) < value(b); });
+        std::vector<double> mu;
+        for (const Place& place : all) mu.push_back(value(place));
+
+        SlicedPairs result;
+        hold_against_count(result, mu);
+        if (static_cast<int>(mu.size()) < k) throw CrowdedSpectrum("the smallest eigenpairs did not converge", "ask for fewer eigenpairs");
+        const SymmetricPairs values{Eigen::Map<const Vector>(mu.data(), static_cast<Eigen::Index>(mu.size())), {}};
+        const Gap gap = gap_after(values, k);
+        const bool seen = gap.high <= values.mu[values.count() - 1];
+        result.gap_middle = seen ? gap.middle() : std::max(0.0, last_.sigma > gap.low * (1 + clear_gap) ? last_.sigma : 0.0);
+        result.slices = static_cast<int>(blocks_.size());
+        result.repairs = repairs_;
+        result.pairs = {Eigen::Map<const Vector>(mu.data(), k), DenseMatrix(problem_.size(), k)};
+        tbb::parallel_for(0, k, [&](int j) {
+            const Place& place = all[static_cast<std::size_t>(j)];
+            result.pairs.Y(problem_.order.row, j) = blocks_[place.block].Y.col(place.column);
+        });
+        return result;
     }
 
     const SpectrumProblem& problem_;
     const SliceOptions& options_;
-    SharedProgress progress_;
-    std::vector<Slice> slices_, extra_;   // ascending; found by repairs
-    std::vector<InertiaProof> proofs_;
-    SpectrumTimes times_;
-    int repairs_ = 0;
+    std::vector<SymmetricPairs> blocks_;   // of the slices, ascending
+    Count last_;                           // above all of them, or below a cluster that k cuts
+    std::atomic<int> repairs_ = 0;
 };
 
-SlicedPairs SliceSet::pairs(int k) {
-    struct Pair {
-        double mu;
-        const EightColumns* group;
-        int lane;
-    };
-    std::vector<Pair> all;
-    for_each_pair([&](double mu, const EightColumns& group, int lane) { all.push_back({mu, &group, lane}); });
-    std::stable_sort(all.begin(), all.end(), [](const Pair& a, const Pair& b) { return a.mu < b.mu; });
-    if (static_cast<int>(all.size()) < k) throw SolverError(what_is_missing());
+std::string gigabytes(double bytes) { return plain_text(bytes / 1e9, 3) + " GB"; }
 
-    SlicedPairs result;
-    result.gap_middle = std::isfinite(highest_cut()) ? highest_cut() : 0;
-    const auto mu = [&](std::size_t i) { return i > 0 ? all[i - 1].mu : 0; };   // of the first i pairs the last
-    auto behind = static_cast<std::size_t>(k);
-    while (behind < all.size() && mu(behind + 1) - mu(behind) <= clear_gap * mu(behind + 1)) ++behind;
-    if (behind < all.size()) result.gap_middle = 0.5 * (mu(behind) + mu(behind + 1));
-    result.slices = static_cast<int>(slices_.size());
-    result.mu.resize(k);
-    const int groups = (k + lanes - 1) / lanes;
-    for (int j = 0; j < k; ++j) result.mu[j] = all[static_cast<std::size_t>(j)].mu;
-    std::vector<EightColumns> packed(static_cast<std::size_t>(groups));
-    tbb::parallel_for(0, groups, [&](int g) {
-        const int first = lanes * g, columns = std::min(lanes, k - first);
-        const double* from[lanes];
-        for (int c = 0; c < columns; ++c) {
-            const Pair& pair = all[static_cast<std::size_t>(first + c)];
-            from[c] = pair.group->data() + pair.lane;
-        }
-        EightColumns X(problem_.size());
-        for (Eigen::Index i = 0; i < X.rows(); ++i)
-            for (int c = 0; c < lanes; ++c) X.row(i)[c] = c < columns ? from[c][lanes * i] : 0;
-        problem_.zeros_in_order.project_out(X);   // the share of the zero modes that rounding added
-        packed[static_cast<std::size_t>(g)] = std::move(X);
-    });
-    slices_.clear();
-    extra_.clear();
-    make_orthonormal(packed, k);
-    damp_noise(problem_, packed, result.mu);
-    result.Y.resize(problem_.size(), k);
-    const std::vector<int>& order = problem_.analysis.order();
-    tbb::parallel_for(0, groups, [&](int g) {
-        const EightColumns X = std::move(packed[static_cast<std::size_t>(g)]);
-        for (int c = 0; c < std::min(lanes, k - lanes * g); ++c)
-            for (Eigen::Index i = 0; i < X.rows(); ++i) result.Y(order[static_cast<std::size_t>(i)], lanes * g + c) = X.row(i)[c];
-    });
-    result.proofs = proofs_;
-    result.times = times_;
-    result.repairs = repairs_;
-    return result;
+/// A factor and a basis of each slice, and all vectors, twice while they are sorted. [bytes]
+struct SpectrumMemory {
+    double of_slice, of_vectors;
+};
+
+SpectrumMemory memory_of(const SpectrumProblem& problem, int k, const SliceOptions& options) {
+    const double n = problem.size(), pairs = k > options.one_slice_up_to ? 1.5 * options.pairs_per_slice : k;
+    return {problem.order.memory + 8 * n * (5 * pairs + 40), 2 * 8 * n * k};
 }
 
 }   // namespace
 
-SlicedPairs find_by_slices(const SpectrumProblem& problem, int k, const SliceOptions& options) {
-    SliceSet set(problem, options);
-    const int zeros = problem.zeros.count();
-    if (k <= options.one_slice_up_to && set.solve_alone(one_goal(problem, k, options))) {
-        const double above = std::isfinite(set.highest_cut()) ? set.highest_cut() : above_all(problem.B);
-        set.note_proof(count_near(problem, above));
-    } else {
-        const std::vector<Inertia> counts = bracket_from_above(problem, zeros + k);
-        set.note_proof(counts.back());
-        set.solve(slice_goals(problem, counts, options));
+SlicedPairs find_by_slices(const SpectrumProblem& problem, int k, const SliceOptions& options) { return Slicer(problem, options).find(k); }
+
+double memory_of_one_slice(const SpectrumProblem& problem, int k, const SliceOptions& options) {
+    const SpectrumMemory needed = memory_of(problem, k, options);
+    return needed.of_slice + needed.of_vectors;
+}
+
+int slices_that_fit(const SpectrumProblem& problem, int k, const SliceOptions& options, double limit) {
+    const int processors = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+    if (limit <= 0) limit = available_memory().bytes;
+    if (limit <= 0) return processors;
+    const SpectrumMemory needed = memory_of(problem, k, options);
+    const double slices = (limit - needed.of_vectors) / needed.of_slice;
+    if (slices >= 1) return static_cast<int>(std::min<double>(processors, slices));
+    int fitting = 0, too_many = k;   // memory grows with the pairs
+    while (too_many - fitting > 1) {
+        const int middle = (fitting + too_many) / 2;
+        (memory_of_one_slice(problem, middle, options) <= limit ? fitting : too_many) = middle;
     }
-    set.repair();
-    return set.pairs(k);
+    throw SolverError(std::to_string(k) + " eigenpairs of " + std::to_string(problem.size()) + " vertices need " +
+                          gigabytes(memory_of_one_slice(problem, k, options)) + " of memory, " + gigabytes(limit) + " are there",
+                      fitting >= 1 ? std::to_string(fitting) + (fitting == 1 ? " eigenpair" : " eigenpairs") + " would fit"
+                                   : "not even one eigenpair would fit: simplify the mesh");
 }
 
 }   // namespace meshfolio

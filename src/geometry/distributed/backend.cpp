@@ -1,0 +1,98 @@
+#include "geometry/distributed/backend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/errors.h"
+#include "geometry/distributed/ranks.h"
+#include "geometry/linear/random_numbers.h"
+#include "geometry/linear/special_values.h"
+#include "geometry/operators/vertices_with_mass.h"
+#include "geometry/spectrum/engine/spectrum_modes.h"
+
+namespace meshfolio {
+
+namespace {
+
+/// δ of the factor of S that the ranks hold. With ET, T = (S + E)⁻¹S, in place of E, and ‖E‖ ≤ 2‖ET‖ unless an eigenvalue lies within δ.
+/// That one of ten random vectors shows a tenth of a norm, at least: Halko, Martinsson & Tropp 2011, lemma 4.1.
+double measured_backward_error(Ranks& ranks, const SparseMatrix& S, const Vector& M) {
+    constexpr int probes = 10;
+    constexpr double roundings = 10 * epsilon / 2;   // of a row's product, seven entries long or so
+    const SparseMatrix sizes = S.cwiseAbs();
+    const Vector root = M.cwiseSqrt();
+    std::uint64_t seed = 1;
+    double largest = 0;
+    for (int probe = 0; probe < probes; ++probe) {
+        Vector x(M.size());
+        for (double& number : x) number = std::sqrt(12.0) * uniform_number(seed);
+        const Vector b = S * x.cwiseQuotient(root);
+        x = ranks.solve(b);
+        const Vector size = sizes * x.cwiseAbs() + b.cwiseAbs();
+        largest = std::max(largest, ((b - S * x).cwiseAbs() + roundings * size).cwiseQuotient(root).norm());
+    }
+    return 20 * largest;
+}
+
+Inertia measured_inertia(Ranks& ranks, const SparseMatrix& A, const Vector& M, double sigma) {
+    SparseMatrix diagonal(A.rows(), A.cols());
+    diagonal = (-sigma * M).asDiagonal();
+    const SparseMatrix S = A + diagonal;
+    ranks.factor(S, false);
+    // Forming a − σm rounds to u|a − σm| and to u|σ|m.
+    const double forming = epsilon * (std::abs(sigma) + S.diagonal().cwiseAbs().cwiseQuotient(M).maxCoeff());
+    return {sigma, ranks.negative_pivots(), measured_backward_error(ranks, S, M) + forming, true};
+}
+
+/// B + 0.1 I is definite, and so far from singular that a solve keeps its digits; the other eigenvalues of a compact surface are above 10.
+constexpr double least_shift = 0.1;
+
+SymmetricPairs smallest_of(const InversePairs& pairs) { return {pairs.theta.cwiseInverse().array() - least_shift, pairs.Y}; }
+
+/// @param A  −C, @param M  its masses, ΣM = 1
+/// @throws SolverError if pairs do not converge, or are counted and not found
+Modes distributed_modes(const SparseMatrix& A, const Vector& M, int k, Ranks& ranks, const InertiaAt& inertia_at) {
+    constexpr int most_repairs = 6;
+    SparseMatrix S(A.rows(), A.cols());
+    S.setIdentity();
+    S = symmetric_form(A, M) + least_shift * S;
+    Modes modes;
+    modes.pairs = {Vector::Zero(1), M.cwiseSqrt().normalized()};
+    int wanted = k + 3 + k / 20;   // so that the gap behind the k-th is seen
+    for (;; ++modes.repairs) {
+        ranks.factor(S, true);
+        wanted = std::clamp(wanted, 1, static_cast<int>(A.rows()) - modes.pairs.count());
+        modes.pairs = merged(modes.pairs, smallest_of(ranks.largest_of_inverse(wanted, modes.pairs.Y)));
+        const Gap gap = gap_behind(modes.pairs.mu, k);
+        modes.gap_middle = gap.middle();
+        const auto inertia = trusted_between(A, M, gap, inertia_at);
+        if (!inertia) break;
+        const int below = modes.pairs.count_below(inertia->sigma);
+        modes.inertia = {inertia->sigma, inertia->below, below};
+        if (inertia->below <= below) break;
+        wanted = inertia->below - below;
+        if (modes.repairs == most_repairs)
+            throw SolverError(std::to_string(wanted) + " eigenpairs are counted by inertia and not found",
+                              "ask for other eigenpairs; needles and crowded eigenvalues are the usual causes");
+    }
+    modes.pairs = part_of(modes.pairs, 0, k);
+    return modes;
+}
+
+}   // namespace
+
+Backend backend_of(Ranks& ranks) {
+    Backend backend;
+    backend.inertia_at = [&ranks](const SparseMatrix& A, const Vector& M, double sigma) { return measured_inertia(ranks, A, M, sigma); };
+    backend.engine = [&ranks, count = backend.inertia_at](const SparseMatrix& A, const Vector& M, int k) {
+        return distributed_modes(A, M, k, ranks, count);
+    };
+    backend.factor = [&ranks](const SparseMatrix& system) {
+        ranks.factor(system, true);
+        return RemoteFactor{[&ranks](const DenseMatrix& B) { return ranks.solve(B); }, ranks.nonzeros()};
+    };
+    return backend;
+}
+
+}   // namespace meshfolio
