@@ -44,7 +44,8 @@ std::string consequences(const MeshFacts& facts) {
 
 std::string line(const std::string& name, const std::string& value) { return name + std::string(26 - name.size(), ' ') + value + "\n"; }
 
-std::string in_words(const StabilityCertificate& proved) {
+std::string in_words(const StabilityCertificate& proved, OperatorKind kind) {
+    const std::string as_stored = has_intrinsic_lengths(kind) ? "of the operator as stored: " : "";
     const Definiteness& d = proved.bottom;
     const double limit = largest_stable_step(proved.top);
     const std::string interval =
@@ -53,16 +54,17 @@ std::string in_words(const StabilityCertificate& proved) {
     if (d.indefinite()) {
         return line("largest stable lambda",
                     "none: the operator is indefinite, " + interval + ", at vertex " + std::to_string(d.bottom.vertex)) +
-               line("proved", "a step multiplies that mode by 1 + " + plain_text(rounded_down(-d.mu_high, 4), 4) + " lambda or more: by " +
-                                  plain_text(rounded_down(d.growth(limit), 6), 6) + " at " + plain_text(limit, 4) + " (2/mu_max)");
+               line("proved", as_stored + "a step multiplies that mode by 1 + " + plain_text(rounded_down(-d.mu_high, 4), 4) +
+                                  " lambda or more: by " + plain_text(rounded_down(d.growth(limit), 6), 6) + " at " + plain_text(limit, 4) +
+                                  " (2/mu_max)");
     }
     if (!d.semidefinite()) {
         return line("largest stable lambda", "at most " + plain_text(limit, 8) + ", set at vertex " + std::to_string(proved.top.vertex)) +
-               line("proved", edge + "; no step is proved stable: " + interval + ", which cannot be told from 0 here");
+               line("proved", as_stored + edge + "; no step is proved stable: " + interval + ", which cannot be told from 0 here");
     }
     return line("largest stable lambda", plain_text(limit, 8) + " (always safe: " + plain_text(rounded_down(proved.lambda_safe(), 4), 4) +
                                              "), set at vertex " + std::to_string(proved.top.vertex)) +
-           line("proved", "stable up to " + plain_text(rounded_down(proved.lambda_low(), 10), 10) + ", " + edge);
+           line("proved", as_stored + "stable up to " + plain_text(rounded_down(proved.lambda_low(), 10), 10) + ", " + edge);
 }
 
 std::string in_words(const Inspection& inspection) {
@@ -89,7 +91,7 @@ std::string in_words(const Inspection& inspection) {
     text +=
         line("Gauss-Bonnet", "sum of deficits / 2 pi = " + plain_text(inspection.deficits_over_2pi(), 12) +
                                  (p.manifold() ? ", off by " + plain_text(inspection.facts.gauss_bonnet_residual, 2) : ", not manifold"));
-    if (inspection.stability) text += in_words(*inspection.stability);
+    if (inspection.stability) text += in_words(*inspection.stability, inspection.kind);
     if (inspection.joined_vertices > 0)
         text += line("joined vertices",
                      std::to_string(inspection.joined_vertices) + " at the end of an edge without length: one with its other end");

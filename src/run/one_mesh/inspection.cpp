@@ -26,6 +26,7 @@ bool has_zero_area(const TriangleMesh& mesh, const std::vector<VertexCopy>& copi
 Inspection inspect_mesh(PreparedMesh prepared, OperatorKind kind, const std::function<void(std::string_view)>& progress) {
     Inspection inspection;
     inspection.prepared = std::move(prepared);
+    inspection.kind = kind;
     const TriangleMesh& mesh = inspection.prepared.mesh;
     progress("counts and defects");
     inspection.facts = mesh_facts(inspection.prepared);
@@ -60,10 +61,11 @@ ordered_json consequences_json(const MeshFacts& facts) {
 }
 
 /// Where −C is indefinite no step is stable: the limits are null. Where that is undecided, none is proved.
-void add_stability(ordered_json& json, const std::optional<StabilityCertificate>& proved) {
-    for (const char* name : {"lambda_crit", "lambda_safe", "lambda_crit_vertex", "lambda_crit_proved", "definiteness"})
+void add_stability(ordered_json& json, const std::optional<StabilityCertificate>& proved, OperatorKind kind) {
+    for (const char* name : {"lambda_crit", "lambda_safe", "lambda_crit_vertex", "lambda_crit_proved", "proved_of", "definiteness"})
         json[name] = nullptr;
     if (!proved) return;
+    json["proved_of"] = has_intrinsic_lengths(kind) ? "the operator as stored" : "the mesh";
     const Definiteness& d = proved->bottom;
     const double limit = largest_stable_step(proved->top);
     json["definiteness"] = {{"verdict", d.semidefinite() ? "semidefinite"
@@ -128,7 +130,7 @@ std::string inspection_json(const Inspection& inspection) {
         {"offset_in_diagonals", inspection.facts.offset},
         {"coordinate_rounding", inspection.facts.coordinate_rounding},
         {"defects", consequences_json(inspection.facts)}};
-    add_stability(json, inspection.stability);
+    add_stability(json, inspection.stability, inspection.kind);
     json["lambda_crit_with_zero_area_faces"] = inspection.floored ? ordered_json(*inspection.floored) : ordered_json();
     json["warnings"] = ordered_json::array();
     for (const MeshWarning& warning : inspection.prepared.warnings)

@@ -16,6 +16,7 @@ namespace meshfolio::run {
 
 struct Inspection {
     PreparedMesh prepared;
+    OperatorKind kind = OperatorKind::cotan;   // of the proof
     MeshFacts facts;
     std::optional<StabilityCertificate> stability;   // nothing when it could not be computed
     std::string no_stability;                        // why

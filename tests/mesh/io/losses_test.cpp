@@ -5,6 +5,7 @@
 
 #include "base/joined.h"
 #include "mesh/io/mesh_files.h"
+#include "mesh/samples/sample_shapes.h"
 #include "mesh/small_meshes.h"
 
 using namespace meshfolio;
