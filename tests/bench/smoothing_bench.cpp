@@ -119,7 +119,7 @@ void implicit_ours(benchmark::State& state, double memory_limit) {
     long long iterations_of_cg = 0;
     for (auto _ : state) {
         ImplicitSolver solver;
-        solver.prepare(whole, lambda, subject.mesh.X, memory_limit);
+        solver.prepare(whole, lambda, memory_limit);
         FourColumns X = gathered(subject.mesh.X, solver.vertex());
         for (int t = 0; t < iterations(state); ++t) solver.step(X);
         Positions result = subject.mesh.X;
