@@ -106,13 +106,15 @@ void OrderedFactor::solve_in_place(Eigen::Ref<DenseMatrix> X) const {
 void OrderedFactor::solve_in_place(FourColumns& X) const {
     const auto lower = ldlt_->matrixL();
     const SparseMatrix& L = lower.nestedExpression();
-    for (int j = 0; j < L.cols(); ++j) {
+    const int *const start = L.outerIndexPtr(), *const row = L.innerIndexPtr();
+    const double* const value = L.valuePtr();
+    for (int j = 0; j < size(); ++j) {
         const Four x = row_of(X, j);
-        for (SparseMatrix::InnerIterator entry(L, j); entry; ++entry) row_of(X, entry.row()) -= entry.value() * x;
+        for (int p = start[j], end = start[j + 1]; p < end; ++p) row_of(X, row[p]) -= value[p] * x;
     }
-    for (int j = static_cast<int>(L.cols()) - 1; j >= 0; --j) {
+    for (int j = size() - 1; j >= 0; --j) {
         Four x = row_of(X, j) / D_[j];
-        for (SparseMatrix::InnerIterator entry(L, j); entry; ++entry) x -= entry.value() * row_of(X, entry.row());
+        for (int p = start[j], end = start[j + 1]; p < end; ++p) x -= value[p] * row_of(X, row[p]);
         row_of(X, j) = x;
     }
 }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/errors.h"
-#include "geometry/measures/closest_point.h"
+#include "geometry/measures/shape_kernels.h"
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/orientation.h"
 #include "mesh/triangle_kind.h"
@@ -86,10 +86,7 @@ Vector shape_distances(const TriangleMesh& clean, const Positions& X) {
     if (clean.X.rows() != X.rows())
         throw MeshError("shape_distances: " + std::to_string(clean.X.rows()) + " vertices against " + std::to_string(X.rows()));
     Vector nearest = (X - clean.X).rowwise().squaredNorm();
-    for (const auto& f : clean.F.rowwise())
-        for (const int v : f)
-            nearest[v] = std::min(
-                nearest[v], squared_distance_to_triangle(X.row(v), clean.X.row(f[0]), clean.X.row(f[1]), clean.X.row(f[2]), nearest[v]));
+    lower_to_shape(clean, X, nearest);
     return nearest.cwiseSqrt();
 }
 

@@ -33,14 +33,14 @@ void append(Vector& all, const Vector& more) {
 }
 
 /// What Lanczos makes of B from y: T = VᵀBV, tridiagonal, the columns of V orthonormal.
-struct Tridiagonal {
+struct LanczosCoefficients {
     Vector diagonal, beside;
     bool exact = false;   // an invariant subspace: y has no other mode in it
 };
 
-Tridiagonal lanczos(const SparseMatrix& B, const Vector& y, int steps) {
+LanczosCoefficients lanczos(const SparseMatrix& B, const Vector& y, int steps) {
     DenseMatrix V(y.size(), steps);
-    Tridiagonal T{Vector(steps), Vector(steps)};
+    LanczosCoefficients T{Vector(steps), Vector(steps)};
     V.col(0) = y.normalized();
     double largest = 0;   // entry of T
     int done = 0;
@@ -63,7 +63,7 @@ Tridiagonal lanczos(const SparseMatrix& B, const Vector& y, int steps) {
 Quadrature gauss_quadrature(const SparseMatrix& B, const Vector& y, int steps) {
     const double square = y.squaredNorm();
     if (!(square > 0)) return {};
-    const Tridiagonal T = lanczos(B, y, steps);
+    const LanczosCoefficients T = lanczos(B, y, steps);
     const auto size = static_cast<int>(T.diagonal.size());
     Quadrature quadrature;
     quadrature.exact = T.exact;
