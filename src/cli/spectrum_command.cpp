@@ -78,7 +78,7 @@ std::string in_words(const SpectrumCertificate& c, OperatorKind kind) {
     return "certificate: " + std::string(failed ? "FAILED: " : "") + residual +
            within("orthonormality", c.orthonormality_error, SpectrumCertificate::orthonormality_limit) +
            within("Parseval", c.parseval_gap, SpectrumCertificate::parseval_limit) + "none missing below " + plain_text(c.shift, 6) + ": " +
-           (c.says_nothing() ? std::string("empty") : in_words(c.complete, kind)) +
+           (c.says_nothing() ? std::string("empty") : in_words(c.residual_undecided() ? Proof::undecided : c.complete, kind)) +
            (c.delta_is_measured ? " but for measured rounding (" : " (") +
            (c.counted_below >= 0 ? std::to_string(c.counted_below) : std::string("not")) + " counted by inertia, " +
            std::to_string(c.found_below) + " found" +
