@@ -179,7 +179,7 @@ SpectrumProblem::SpectrumProblem(const SparseMatrix& A, const Vector& M)
 double Shift::delta() const { return factor.backward_error(Vector::Ones(factor.size()), 1) + epsilon * std::abs(sigma); }
 
 Shift shift_near(const SpectrumProblem& problem, double sigma, double reach) {
-    constexpr double harmless_growth = 1e3;
+    constexpr double harmless_growth = 1e4;
     std::optional<Shift> best;
     std::string reason;
     for (const double move : {0.0, 0.4, -0.4, 1.0, -1.0}) {
