@@ -79,7 +79,7 @@ TEST(SpectrumCertificate, UsesNoClaimOfTheSolver) {
 // Beside a stiff edge rounding of the operator would allow any residual. Two modes turned into each other by 10⁻³ are still not those of
 // the operator.
 TEST(SpectrumCertificate, ALargeResidualIsNeverProvedWhateverTheNorm) {
-    for (const double stiffness : {1e8, 1e12, 1e16}) {
+    for (const double stiffness : {1e8, 1e10, 1e11, 1e12}) {
         Solved s = solved(irregular_plane(12), 10);
         s.laplacian.C.coeffRef(0, 1) += stiffness;
         s.laplacian.C.coeffRef(1, 0) += stiffness;
