@@ -1,5 +1,5 @@
 /// @file
-/// n × 4 or n × 8 numbers, those of a row side by side in one half of a cache line or a whole one. Private to the layer.
+/// n × 4 numbers, those of a row side by side in one half of a cache line. Private to the layer.
 #pragma once
 
 #include <cstdlib>
@@ -52,9 +52,5 @@ using FourRow = Eigen::Map<Four, Eigen::Aligned32>;
 using ConstFourRow = Eigen::Map<const Four, Eigen::Aligned32>;
 inline FourRow row_of(FourColumns& X, Eigen::Index i) { return FourRow(X.row(i)); }
 inline ConstFourRow row_of(const FourColumns& X, Eigen::Index i) { return ConstFourRow(X.row(i)); }
-using EightColumns = AlignedColumns<8>;   // what one step of a block method works on
-using Eight = Eigen::Array<double, EightColumns::width, 1>;
-using EightRow = Eigen::Map<Eight>;
-using ConstEightRow = Eigen::Map<const Eight>;
 
 }   // namespace meshfolio

@@ -102,7 +102,7 @@ void OrderedFactor::solve_in_place(Eigen::Ref<DenseMatrix> X) const {
     }
 }
 
-/// Each entry of L read once for all columns: an implicit step of three takes half the time.
+/// Each entry of L is read once for all columns.
 void OrderedFactor::solve_in_place(FourColumns& X) const {
     const auto lower = ldlt_->matrixL();
     const SparseMatrix& L = lower.nestedExpression();

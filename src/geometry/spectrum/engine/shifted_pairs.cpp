@@ -54,8 +54,8 @@ private:
 
 }   // namespace meshfolio
 
-/// Spectra's products with the basis V of Lanczos. It takes Vᵀf out of f until nothing above ε‖f‖ is left, some three times a step: half of
-/// the time at 97,000 vertices. What is below 10⁻¹² is called 0: vectors found are orthonormal to 10⁻¹¹ still.
+/// Spectra's products with the basis V of Lanczos. It takes Vᵀf out of f until nothing above ε‖f‖ is left, several times a step: a third of
+/// the time at 97,000 vertices, k = 150. What is below 10⁻¹² is called 0: vectors found are orthonormal to 10⁻¹¹ still.
 template <>
 class Spectra::ArnoldiOp<double, meshfolio::DeflatedInverse, Spectra::IdentityBOp> {
 public:
