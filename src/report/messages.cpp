@@ -36,20 +36,34 @@ Text filled(std::string_view placeholder, const Facts& facts, std::string_view m
     }
     if (count != nullptr) return text(readable_count(*count));
     if (const auto* words = std::get_if<std::string>(&fact.value)) return text(*words);
-    return std::get<Text>(fact.value);
+    if (const auto* running = std::get_if<Text>(&fact.value)) return *running;
+    throw std::logic_error("'" + std::string(placeholder) + "' is a list: it needs a section");
+}
+
+/// Returns the facts of each time that a section about `fact` is told: none where it does not hold.
+FactList tellings(const Fact& fact) {
+    const auto if_so = [](bool holds) { return FactList(holds ? 1 : 0); };
+    if (const auto* count = std::get_if<long long>(&fact.value)) return if_so(*count > 0);
+    if (const auto* words = std::get_if<std::string>(&fact.value)) return if_so(!words->empty());
+    if (const auto* running = std::get_if<Text>(&fact.value)) return if_so(!running->empty());
+    return std::get<FactList>(fact.value);
 }
 
 /// Goes through one paragraph and makes runs of it.
 class Reader {
 public:
-    Reader(std::string_view paragraph, const Facts& facts, bool markup)
-        : all_(paragraph), left_(paragraph), facts_(facts), markup_(markup) {}
+    Reader(std::string_view paragraph, const Facts& facts, bool markup, bool whole = true)
+        : all_(paragraph), left_(paragraph), facts_(facts), markup_(markup), whole_(whole) {}
 
     Text text() {
         while (!left_.empty()) {
             if (take("\\") && !left_.empty()) {
                 add(left_.substr(0, 1));
                 left_.remove_prefix(1);
+            } else if (take("{{#")) {
+                tell_section(true);
+            } else if (take("{{^")) {
+                tell_section(false);
             } else if (take("{{")) {
                 for (Run& run : filled(until("}}"), facts_, all_)) add(std::move(run));
             } else if (after_number() && take(" %")) {
@@ -59,6 +73,7 @@ public:
                 left_.remove_prefix(1);
             }
         }
+        if (whole_) trim_end();
         return std::move(text_);
     }
 
@@ -66,7 +81,19 @@ private:
     std::string_view all_, left_;
     const Facts& facts_;
     bool markup_;
+    bool whole_;   // a paragraph, and no part of one: no blank stands at its ends
     Text text_;
+
+    /// Tells what stands up to the end of the section, once for each time that its fact holds (or once where it does not).
+    void tell_section(bool wanted) {
+        const std::string_view name = until("}}"), inside = until("{{/" + std::string(name) + "}}");
+        FactList told = tellings(fact_named(name, facts_, all_));
+        if (!wanted) told.resize(told.empty() ? 1 : 0);
+        for (Facts& facts : told) {
+            facts.insert(facts.end(), facts_.begin(), facts_.end());
+            for (Run& run : Reader(inside, facts, markup_, false).text()) add(std::move(run));
+        }
+    }
 
     bool take(std::string_view mark) {
         if (!left_.starts_with(mark)) return false;
@@ -105,10 +132,30 @@ private:
 
     void add(std::string_view words) { add(Run{Run::Kind::plain, std::string(words)}); }
 
+    bool after_blank() const { return text_.empty() ? whole_ : text_.back().content.ends_with(' '); }
+
+    void trim_end() {
+        while (!text_.empty() && text_.back().content.ends_with(' ')) {
+            text_.back().content.pop_back();
+            if (text_.back().content.empty()) text_.pop_back();
+        }
+    }
+
     void add(Run run) {
+        if (run.kind == Run::Kind::plain && run.content.starts_with(' ') && after_blank())
+            run.content.erase(0, 1);   // a section was left out
         if (run.kind != Run::Kind::plain || !run.content.empty()) extend(text_, std::move(run));
     }
 };
+
+/// What stands between {{ and }} or |, in its order: "mesh", "#spot", "/spot".
+std::vector<std::string> placeholders_in(const Message& message) {
+    std::vector<std::string> names;
+    for (const std::string& paragraph : message.paragraphs)
+        for (std::size_t at = paragraph.find("{{"); at != std::string::npos; at = paragraph.find("{{", at + 2))
+            names.push_back(paragraph.substr(at + 2, paragraph.find_first_of("|}", at) - at - 2));
+    return names;
+}
 
 /// "$$ name id $$" and "$$ name $$".
 Formula formula_in(std::string_view paragraph) {
@@ -154,10 +201,14 @@ std::string running_line(std::string_view paragraph, const Facts& facts) { retur
 
 std::vector<std::string> facts_in(const Message& message) {
     std::set<std::string> names;
-    for (const std::string& paragraph : message.paragraphs) {
-        for (std::size_t at = paragraph.find("{{"); at != std::string::npos; at = paragraph.find("{{", at + 2))
-            names.insert(paragraph.substr(at + 2, paragraph.find_first_of("|}", at) - at - 2));
-    }
+    for (const std::string& name : placeholders_in(message)) names.insert(name.substr(name.find_first_not_of("#^/")));
+    return {names.begin(), names.end()};
+}
+
+std::vector<std::string> sections_in(const Message& message) {
+    std::set<std::string> names;
+    for (const std::string& name : placeholders_in(message))
+        if (name.starts_with('#') || name.starts_with('^')) names.insert(name.substr(1));
     return {names.begin(), names.end()};
 }
 
@@ -173,7 +224,7 @@ std::vector<Block> blocks_of(const Message& message, const Facts& facts) {
             if (blocks.empty() || !std::holds_alternative<BulletList>(blocks.back())) blocks.push_back(BulletList{});
             std::get<BulletList>(blocks.back()).items.push_back(std::move(item));
         } else {
-            blocks.push_back(Paragraph{running_text(paragraph, facts)});
+            if (Text words = running_text(paragraph, facts); !words.empty()) blocks.push_back(Paragraph{std::move(words)});
         }
     }
     return blocks;

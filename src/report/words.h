@@ -6,9 +6,11 @@
 ///     ## limit.spot
 ///     The limit is set at {{vertices}} {{vertices|vertex|vertices}} of {{mesh}}, where $λ_crit$ is smallest ([[q5_limits]]).
 ///
-/// {{name}} is a fact, {{name|one|many}} the word that goes with a count. In running text $…$ is mathematics, **…** strong, *…* emphasised,
-/// `…` code, [[…]] a reference; a backslash takes the meaning from the character behind it. In messages taken as blocks, "### Title" is a
-/// heading, "$$ name id $$" a displayed formula of formulas.json, and lines that begin with "- " are a list.
+/// {{name}} is a fact, {{name|one|many}} the word that goes with a count. {{#name}}…{{/name}} is told if the fact holds: a count or a truth
+/// above 0, words that are not empty; {{^name}}…{{/name}} if it does not. A list of facts is told once an entry, with the facts of that
+/// entry. In running text $…$ is mathematics, **…** strong, *…* emphasised, `…` code, [[…]] a reference; a backslash takes the meaning from
+/// the character behind it. In messages taken as blocks, "### Title" is a heading, "$$ name id $$" a displayed formula of formulas.json,
+/// lines that begin with "- " are a list, and a paragraph of which nothing is told is left out.
 #pragma once
 
 #include <concepts>
@@ -25,18 +27,23 @@ namespace meshfolio::report {
 
 class Templates;
 
-/// A fact that a sentence states: words, running text, or a count, which also chooses between singular and plural.
+struct Fact;
+using Facts = std::vector<Fact>;
+using FactList = std::vector<Facts>;
+
+/// A fact that a sentence states: words; running text; a count, which also chooses between singular and plural; whether something holds;
+/// or a list, whose section is told once an entry.
 struct Fact {
     std::string_view name;
-    std::variant<std::string, Text, long long> value;
+    std::variant<std::string, Text, long long, FactList> value;
 
     Fact(std::string_view fact, std::string words) : name(fact), value(std::move(words)) {}
     Fact(std::string_view fact, const char* words) : name(fact), value(std::string(words)) {}
     Fact(std::string_view fact, std::string_view words) : name(fact), value(std::string(words)) {}
     Fact(std::string_view fact, Text words) : name(fact), value(std::move(words)) {}
     Fact(std::string_view fact, std::integral auto count) : name(fact), value(static_cast<long long>(count)) {}
+    Fact(std::string_view fact, FactList entries) : name(fact), value(std::move(entries)) {}
 };
-using Facts = std::vector<Fact>;
 
 /// "mesh"_a = name: a fact by its name, in the manner of fmt.
 struct FactName {
@@ -98,5 +105,7 @@ std::string running_line(std::string_view paragraph, const Facts& facts);
 std::vector<Block> blocks_of(const Message& message, const Facts& facts);
 /// The names between {{ and }} or |, each once, sorted.
 std::vector<std::string> facts_in(const Message& message);
+/// The names of its sections, each once, sorted.
+std::vector<std::string> sections_in(const Message& message);
 
 }   // namespace meshfolio::report

@@ -15,6 +15,20 @@ using namespace literals;
 
 std::vector<std::string> paragraphs_of(const std::string& text) { return messages_of("## key\n" + text, "file").front().paragraphs; }
 
+/// Tells the message with every section but `left_out`: with its marks closed, and no gap where a section is not told.
+void expect_readable(const Message& message, const std::string& left_out, const std::string& file) {
+    const std::vector<std::string> names = facts_in(message);
+    Facts facts;
+    for (const std::string& name : names) facts.emplace_back(name, name == left_out ? 0 : 1);
+    for (const std::string& paragraph : message.paragraphs) {
+        if (paragraph.starts_with("$$")) continue;
+        std::string told;
+        ASSERT_NO_THROW(told = plain(running_text(paragraph, facts))) << file << ": " << message.key;
+        for (const char* gap : {"  ", " .", " ,", "..", "()", ", ."})
+            EXPECT_EQ(told.find(gap), told.npos) << file << ": " << message.key << " without " << left_out << ": " << told;
+    }
+}
+
 }   // namespace
 
 TEST(Words, EmptyLinesSeparateParagraphs) {
@@ -52,6 +66,40 @@ TEST(Words, CountsChooseTheWord) {
     EXPECT_THROW(running_text("{{n|mesh|meshes}}", {"n"_a = "1"}), std::logic_error) << "no count";
 }
 
+TEST(Words, SectionsAreToldIfTheirFactHolds) {
+    const auto told = [](const Facts& facts) {
+        return plain(running_text(
+            "{{#spots}}On {{spots}} it is a spot.{{/spots}} {{^spots}}Nowhere.{{/spots}} {{#flips}}It flips.{{/flips}}", facts));
+    };
+    EXPECT_EQ(told({"spots"_a = "cube", "flips"_a = true}), "On cube it is a spot. It flips.");
+    EXPECT_EQ(told({"spots"_a = text(math("x")), "flips"_a = 0}), "On x it is a spot.");
+    EXPECT_EQ(told({"spots"_a = "", "flips"_a = 3}), "Nowhere. It flips.");
+    EXPECT_EQ(told({"spots"_a = Text(), "flips"_a = false}), "Nowhere.");
+    EXPECT_THROW(told({"spots"_a = ""}), std::logic_error) << "whether it flips is not known";
+    EXPECT_THROW(running_text("{{#open}}for ever", {"open"_a = true}), std::logic_error);
+    EXPECT_EQ(running_line("a{{#b}}, **b** {{n}}{{/b}}", {"b"_a = true, "n"_a = 2}), "a, **b** 2");
+}
+
+TEST(Words, AListIsToldOnceAnEntry) {
+    const auto told = [](const FactList& meshes) {
+        return running_text("{{#meshes}}**{{mesh}}** has {{limit}}{{#flat}} and is flat{{/flat}}. {{/meshes}}{{^meshes}}None.{{/meshes}}",
+                            {"meshes"_a = meshes, "limit"_a = "the limit"});
+    };
+    EXPECT_EQ(told({}), text("None."));
+    EXPECT_EQ(told({{"mesh"_a = "a", "flat"_a = true}, {"mesh"_a = "b", "flat"_a = false, "limit"_a = "another"}}),
+              text(strong("a"), " has the limit and is flat. ", strong("b"), " has another."));
+    EXPECT_THROW(running_text("{{meshes}}", {"meshes"_a = FactList{}}), std::logic_error) << "a list is no word";
+}
+
+TEST(Words, ParagraphsOfWhichNothingIsToldAreLeftOut) {
+    const Message message = messages_of("## key\n{{#a}}One.{{/a}}\n\n{{^a}}Other.{{/a}}\n", "file").front();
+    EXPECT_EQ(sections_in(message), std::vector<std::string>{"a"});
+    EXPECT_EQ(facts_in(message), std::vector<std::string>{"a"});
+    const std::vector<Block> blocks = blocks_of(message, {"a"_a = false});
+    ASSERT_EQ(blocks.size(), 1u);
+    EXPECT_EQ(plain(std::get<Paragraph>(blocks[0]).text), "Other.");
+}
+
 TEST(Words, NoLineBreaksBetweenANumberAndItsPercentSign) {
     EXPECT_EQ(plain(running_text("{{error}} % of 95 %, in % of the edge", {"error"_a = "1.5"})),
               "1.5\u202f% of 95\u202f%, in % of the edge");
@@ -73,14 +121,9 @@ TEST(Words, EveryMessageOfTheProgramCanBeRead) {
     for (const std::string& name : templates.names()) {
         if (!name.starts_with("words/")) continue;
         for (const Message& message : messages_of(templates[name], name)) {
-            const auto names = facts_in(message);
-            Facts facts;
-            for (const std::string& fact : names) facts.emplace_back(fact, 1);
             EXPECT_FALSE(message.paragraphs.empty()) << name << ": " << message.key;
-            for (const std::string& paragraph : message.paragraphs) {
-                if (paragraph.starts_with("$$")) continue;
-                EXPECT_NO_THROW(running_text(paragraph, facts)) << name << ": " << message.key;
-            }
+            expect_readable(message, "", name);
+            for (const std::string& section : sections_in(message)) expect_readable(message, section, name);
         }
     }
 }
