@@ -40,9 +40,11 @@ double seconds_since(Clock::time_point began) { return std::chrono::duration<dou
 
 /// The settings of a run that was asked for the kept sections as well: the renewed report equals the report of that run.
 ReportSettings with_kept(ReportSettings settings, const KeptSections& kept) {
-    if (settings.only.empty()) return settings;
+    if (kept.answers.empty()) return settings;
+    if (settings.only.empty())
+        for (const Chapter* chapter : chapters_of(settings)) settings.only.emplace_back(chapter->id);
     for (const auto& [id, answer] : kept.answers) settings.only.push_back(id);
-    settings.only = sections_in_order(settings.only);
+    settings.only = sections_in_order(settings.only, wants_earlier(settings));
     return settings;
 }
 

@@ -52,8 +52,6 @@ std::string words_difference(const report::Document& one, const report::Document
 
 void require_alike(const EarlierReport& first, const EarlierReport& part) {
     std::string what = difference(part.document.provenance, first.document.provenance);
-    const bool has_same = std::ranges::equal(part.document.sections, first.document.sections, {}, &Section::id, &Section::id);
-    if (what.empty() && !has_same) what = "other sections";
     if (what.empty()) what = mesh_difference(part.document, first.document);
     if (what.empty()) what = words_difference(part.document, first.document);
     if (!what.empty()) throw InputError({part.file}, "was made with " + what + " as " + first.file, "make the parts alike");
@@ -69,14 +67,20 @@ std::string written(const Section& section) {
 }
 
 void take_sections(report::Document& whole, const EarlierReport& first, const EarlierReport& part) {
-    for (std::size_t i = 0; i < whole.sections.size(); ++i) {
-        Section& section = whole.sections[i];
-        const Section& other = part.document.sections.at(i);
-        if (is_there(section) && is_there(other) && written(section) != written(other))
-            throw InputError({part.file}, "has another " + section.id + " than a part before it, the first of which is " + first.file,
+    for (const Section& other : part.document.sections) {
+        const auto section = std::ranges::find(whole.sections, other.id, &Section::id);
+        if (section == whole.sections.end()) {   // on request, and the parts before did not ask
+            whole.sections.push_back(other);
+            continue;
+        }
+        if (is_there(*section) && is_there(other) && written(*section) != written(other))
+            throw InputError({part.file}, "has another " + section->id + " than a part before it, the first of which is " + first.file,
                              "leave one of them out");
-        if (!is_there(section)) section = other;
+        if (!is_there(*section)) *section = other;
     }
+    std::ranges::sort(whole.sections, {}, [](const Section& section) {
+        return std::ranges::find(chapter_list(), section.id, &Chapter::id) - chapter_list().begin();
+    });
 }
 
 void take_cover(JoinedReport& whole, const EarlierReport& part, std::size_t number) {
@@ -92,21 +96,24 @@ void take_cover(JoinedReport& whole, const EarlierReport& part, std::size_t numb
     if (is_better) best = cover, whole.cover = number;
 }
 
-/// The sections that were asked for together.
-void take_only(report::Document& whole, const EarlierReport& part) {
-    auto& settings = whole.provenance.settings;
-    const auto own = settings.find("only");
-    const auto others = part.document.provenance.settings.find("only");
-    if (own == settings.end()) return;
-    std::vector<std::string> ids;   // of a part without the setting: all
-    if (others != part.document.provenance.settings.end()) {
-        for (std::string list : {own->second, others->second}) {
-            std::erase(list, ' ');
-            for (std::string& id : split(list, ',')) ids.push_back(std::move(id));
-        }
+/// Returns the sections that were asked for; without the setting, those of the report.
+std::vector<std::string> asked_for(const report::Document& document) {
+    std::vector<std::string> ids;
+    if (const auto only = document.provenance.settings.find("only"); only != document.provenance.settings.end()) {
+        std::string list = only->second;
+        std::erase(list, ' ');
+        return split(list, ',');
     }
-    own->second = meshfolio::joined(sections_in_order(ids), ", ");
-    if (own->second.empty()) settings.erase(own);
+    for (const Section& section : document.sections) ids.push_back(section.id);
+    return ids;
+}
+
+/// The setting of a run that was asked for all of them together.
+void set_only(report::Document& whole, const std::vector<std::string>& ids) {
+    auto& settings = whole.provenance.settings;
+    const bool with_earlier = settings.contains("experiments") || settings["earlier"] == "yes";
+    settings["only"] = meshfolio::joined(sections_in_order(ids, with_earlier), ", ");
+    if (settings["only"].empty()) settings.erase("only");
 }
 
 /// Joins laboratories of the same data: "q5 q7".
@@ -127,12 +134,14 @@ std::vector<report::Lab> joined_labs(const std::vector<EarlierReport>& parts) {
 JoinedReport joined(std::vector<EarlierReport>& parts) {
     const EarlierReport& first = parts.front();
     JoinedReport whole{first.document, {}, joined_labs(parts), 0};
+    std::vector<std::string> ids = asked_for(first.document);
     for (std::size_t i = 1; i < parts.size(); ++i) {
         require_alike(first, parts[i]);
         take_sections(whole.document, first, parts[i]);
-        take_only(whole.document, parts[i]);
+        std::ranges::copy(asked_for(parts[i].document), std::back_inserter(ids));
         take_cover(whole, parts[i], i);
     }
+    set_only(whole.document, ids);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         for (auto& [id, figure] : parts[i].figures)
             if (id != "cover" || i == whole.cover) whole.figures.try_emplace(id, std::move(figure));

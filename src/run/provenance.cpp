@@ -17,17 +17,18 @@
 #include "output/cache/result_cache.h"
 #include "questions/core/chapter.h"
 #include "run/arguments.h"
+#include "run/settings/report_settings.h"
 #include "submission/source_listing.h"
 
 namespace meshfolio::run {
 
 namespace {
 
-/// Questions by their numbers, supporting sections by their letters, as in the report.
+/// Returns the chapters of every report: questions by their numbers, supporting sections by their letters.
 std::vector<submission::CitingSection> index_of_sections() {
     std::vector<submission::CitingSection> index;
     char letter = 'A';
-    for (const Chapter* chapter : chapter_list()) {
+    for (const Chapter* chapter : chapters_of({})) {
         std::string label = chapter->is_question() ? "Q" + std::string(chapter->id.substr(1)) : std::string(1, letter++);
         index.push_back({std::move(label), chapter->title(), chapter->cited_code()});
     }

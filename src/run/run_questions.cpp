@@ -61,7 +61,7 @@ public:
     }
 
     QuestionResult result(const Chapter& question) {
-        if (!settings_.only.empty() && !contains(settings_.only, std::string(question.id))) return not_asked(question);
+        if (!is_asked_for(settings_, question.id)) return not_asked(question);
         if (effort_of(settings_, std::string(question.id)).left_out) return {skipped(question.id, left_out_to_fit()), {}, {}};
         const auto began = std::chrono::steady_clock::now();
         QuestionResult result;
@@ -160,14 +160,16 @@ private:
 
 std::vector<QuestionResult> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache,
                                           const std::map<std::string, StoredAnswer>& kept, ProgressDisplay& display) {
-    const std::vector<std::string> ids = section_ids();
-    std::vector<QuestionResult> results(ids.size());
+    ReportSettings with_kept = settings;
+    for (const auto& [id, answer] : kept) with_kept.only.push_back(id);
+    const std::vector<const Chapter*> chapters = chapters_of(with_kept);
+    std::vector<QuestionResult> results(chapters.size());
     Runner runner(meshes, settings, cache, kept, display);
     // Handed out one by one and from the last: the later questions take longest.
-    std::atomic<std::size_t> left = ids.size();
-    for_each_task(ids.size(), [&](std::size_t) {
+    std::atomic<std::size_t> left = chapters.size();
+    for_each_task(chapters.size(), [&](std::size_t) {
         const std::size_t i = --left;
-        results[i] = runner.result(*chapter_list()[i]);
+        results[i] = runner.result(*chapters[i]);
     });
     return results;
 }

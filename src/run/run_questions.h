@@ -21,9 +21,9 @@ struct QuestionResult {
     const report::Section& section() const { return answer.section; }
 };
 
-/// One result a question, then one a supporting section, in their order. A question that throws has a failed section with its message, one
-/// that was not asked for (or stopped by --fail-fast) a skipped one. Output meshes are placed where the settings say. MESHFOLIO_FAIL=q4,q6
-/// in the environment makes these questions fail.
+/// One result for each chapter of the report and for each that is kept, in their order. A question that throws has a failed section with
+/// its message, one that was not asked for (or stopped by --fail-fast) a skipped one. Output meshes are placed where the settings say.
+/// MESHFOLIO_FAIL=q4,q6 in the environment makes these questions fail.
 /// @param cache  where answers of earlier runs are looked for; null: nowhere
 /// @param kept  in place of sections that are not asked for
 std::vector<QuestionResult> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache,

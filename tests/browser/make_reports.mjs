@@ -13,7 +13,7 @@ function run(...words) {
 
 mkdirSync(folder, { recursive: true });
 const report = ["report", "--quick", "--size", "160", "--pdf", "off"];
-run(...report, "--views-files", "--out", path.join(folder, "quick"));
+run(...report, "--config", "earlier", "--views-files", "--out", path.join(folder, "quick"));
 
 const mesh = path.join(folder, `<img src=x onerror=alert(3)>&"'.obj`), settings = path.join(folder, "hostile.toml");
 run("sample", "torus", "-o", mesh);

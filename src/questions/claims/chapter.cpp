@@ -120,6 +120,7 @@ extern const Chapter chapter{
              {"report_mesh", "src/questions/core/stand_ins.cpp"},
              {"answer", "src/questions/claims/chapter.cpp"}},
     .answer = answer,
+    .on_request = true,
 };
 
 }   // namespace meshfolio::claims

@@ -35,6 +35,7 @@ struct Chapter {
     std::string_view id;      // "q1"; one that is not q and a number supports the answers, and has a letter in the report
     std::vector<Code> code;   // what answers it: three definitions or more, of a question one of its own folder
     Answer (*answer)(const MeshLibrary& meshes, const QuestionSettings& settings, const Progress& progress);
+    bool on_request = false;   // about earlier reports: in none that does not ask for it
 
     bool is_question() const { return report::is_question(id); }
     report::Words words() const { return report::Words(id); }   // templates/words/<id>.md
@@ -45,7 +46,7 @@ struct Chapter {
     std::vector<report::CodeReference> cited_code() const;
 };
 
-/// All, in their order. A new one is a folder and a line of chapter_list.cpp.
+/// All, in their order, those on request last. A new one is a folder and a line of chapter_list.cpp.
 std::span<const Chapter* const> chapter_list();
 /// @throws std::logic_error if none has this id
 const Chapter& chapter_of_id(std::string_view id);

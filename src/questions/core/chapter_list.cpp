@@ -19,10 +19,10 @@
     chapter(prediction) \
     chapter(methods) \
     chapter(operators) \
-    chapter(reproductions) \
-    chapter(claims) \
     chapter(certificates) \
-    chapter(preflight)
+    chapter(preflight) \
+    chapter(reproductions) \
+    chapter(claims)
 // clang-format on
 
 namespace meshfolio {

@@ -146,6 +146,7 @@ extern const Chapter chapter{
              {"reconstruction_experiment", "src/questions/reproductions/field_study.cpp"},
              {"answer", "src/questions/reproductions/chapter.cpp"}},
     .answer = answer,
+    .on_request = true,
 };
 
 }   // namespace meshfolio::reproductions

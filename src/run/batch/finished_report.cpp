@@ -57,8 +57,8 @@ bool has_the_words_of(const report::Document& document, const ReportSettings& se
 /// What is asked for is there, as far as the plan does it, and went well.
 bool is_complete(const report::Document& document, const ReportSettings& settings) {
     return std::ranges::all_of(document.sections, [&](const report::Section& section) {
-        const bool is_wanted = settings.only.empty() || contains(settings.only, section.id);
-        if (section.status == report::Status::skipped) return !is_wanted || effort_of(settings, section.id).left_out;
+        if (section.status == report::Status::skipped)
+            return !is_asked_for(settings, section.id) || effort_of(settings, section.id).left_out;
         return section.status == report::Status::ok;
     });
 }

@@ -81,16 +81,12 @@ std::vector<PlannedMesh> meshes_of(const SectionModel& model, const QuestionSett
     return meshes;
 }
 
-bool is_asked_for(const ReportSettings& settings, std::string_view id) {
-    return settings.only.empty() || contains(settings.only, std::string(id));
-}
-
 /// Every section, at the top of what the settings allow.
 template <class MeshesOf>
 Plan started(const ReportSettings& settings, bool alone, const MeshesOf& meshes_of_section) {
     Plan plan;
     plan.printed = settings.pdf != "off";
-    for (const Chapter* chapter : chapter_list()) {
+    for (const Chapter* chapter : chapters_of(settings)) {
         const std::string id(chapter->id);
         if (alone && !is_asked_for(settings, id)) continue;
         const auto table = settings.questions.find(id);

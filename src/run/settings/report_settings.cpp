@@ -197,7 +197,20 @@ void take_experiments(QuestionSettings& question, const ReportSettings& settings
 
 }   // namespace
 
-bool has_experiments(const std::string& question) { return question == "reproductions" || question == "claims"; }
+bool wants_earlier(const ReportSettings& settings) { return settings.earlier || !settings.experiments.empty(); }
+
+std::vector<const Chapter*> chapters_of(const ReportSettings& settings) {
+    std::vector<const Chapter*> chapters;
+    std::ranges::copy_if(chapter_list(), std::back_inserter(chapters), [&](const Chapter* chapter) {
+        return !chapter->on_request || wants_earlier(settings) || contains(settings.only, std::string(chapter->id));
+    });
+    return chapters;
+}
+
+bool is_asked_for(const ReportSettings& settings, std::string_view id) {
+    if (!settings.only.empty()) return contains(settings.only, std::string(id));
+    return !chapter_of_id(id).on_request || wants_earlier(settings);
+}
 
 ReportSettings report_settings(const ReportFlags& flags) {
     Problems problems("");
@@ -212,7 +225,7 @@ ReportSettings report_settings(const ReportFlags& flags) {
     problems.collect([&] { report::Templates(settings.templates); });   // those of the folder, reported with the other problems
     require_inputs_outside(settings, flags.config, problems);
     problems.raise();
-    settings.only = sections_in_order(settings.only);
+    settings.only = sections_in_order(settings.only, wants_earlier(settings));
     return settings;
 }
 
@@ -234,7 +247,7 @@ QuestionSettings question_settings(const ReportSettings& settings, const std::st
     quick = effort_of(settings, id).small;
     laboratory = settings.laboratory;
     colormap = settings.colormap;
-    if (has_experiments(id)) take_experiments(question, settings);
+    if (chapter_of_id(id).on_request) take_experiments(question, settings);
     const auto it = settings.questions.find(id);
     if (it == settings.questions.end()) return question;
     const QuestionTable& table = it->second;
@@ -254,9 +267,13 @@ std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings)
     return meshes;
 }
 
-std::vector<std::string> sections_in_order(const std::vector<std::string>& ids) {
-    std::vector<std::string> all = section_ids(), some;
-    std::ranges::copy_if(all, std::back_inserter(some), [&](const std::string& id) { return contains(ids, id); });
+std::vector<std::string> sections_in_order(const std::vector<std::string>& ids, bool with_earlier) {
+    std::vector<std::string> all, some;
+    for (const Chapter* chapter : chapter_list()) {
+        const std::string id(chapter->id);
+        if (!chapter->on_request || with_earlier) all.push_back(id);
+        if (contains(ids, id)) some.push_back(id);
+    }
     return some == all ? std::vector<std::string>() : some;
 }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "questions/core/chapter.h"
 #include "questions/core/settings.h"
 
 namespace meshfolio::run {
@@ -88,9 +89,10 @@ struct ReportSettings {
     bool view_files = false;    // every view of every figure is a file of its own as well
     bool sheets_only = false;   // unless so, not even those that the assignment asks for
     bool quick = false, laboratory = false, fail_fast = false, timings = true;
+    bool earlier = false;                             // also the chapters on request
     std::optional<double> time;                       // seconds on two cores that the report is to fit into; none: as promised
     std::map<std::string, Effort> efforts;            // by id; none: everything as `quick` says
-    std::vector<std::string> only;                    // ids; empty: all
+    std::vector<std::string> only;                    // ids; empty: all, those on request only as chapters_of() says
     std::map<std::string, QuestionTable> questions;   // by id
     std::vector<Experiment> experiments;              // of earlier reports; empty: the brief ones of the bundled files
     std::string experiments_digest;                   // SHA-256 of the file they come from
@@ -124,14 +126,22 @@ QuestionSettings question_settings(const ReportSettings& settings, const std::st
 /// The meshes of all questions, in order: their names must not depend on which question reads first.
 std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings);
 
-/// Does this section work on the experiments of earlier reports?
-bool has_experiments(const std::string& id);
+/// Returns true if the settings ask for the chapters on request, by `earlier` or by experiments of their own.
+bool wants_earlier(const ReportSettings& settings);
+
+/// Returns the chapters of the report, in their order. Those on request are among them if the settings name experiments, or `only` names
+/// the chapter. All other functions that choose sections use this one.
+std::vector<const Chapter*> chapters_of(const ReportSettings& settings);
+
+/// Returns true if the report has the chapter and `only` does not leave it out.
+bool is_asked_for(const ReportSettings& settings, std::string_view id);
 
 /// For the provenance: everything that shapes the results, without threads and paths.
 std::map<std::string, std::string> described(const ReportSettings& settings);
 
-/// These sections in the order of the report; empty, which means all, where they are all.
-std::vector<std::string> sections_in_order(const std::vector<std::string>& ids);
+/// Returns these sections in the order of the report; nothing, which means all, where they are all.
+/// @param with_earlier  whether all includes the chapters on request
+std::vector<std::string> sections_in_order(const std::vector<std::string>& ids, bool with_earlier);
 
 /// For the cache: everything that the answer to a question depends on. @param with_meshes  also on which meshes the user named
 std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question, bool with_meshes = true);

@@ -45,8 +45,8 @@ template <class Settings, class Visit>
 requires std::same_as<std::remove_const_t<Settings>, ReportSettings>
 void for_each_setting(Settings& settings, Visit visit) {
     auto& [meshes, data, out, templates, page, pdf, pdf_browser, title, author, course, colormap, size, threads, seed, view_files,
-           sheets_only, quick, laboratory, fail_fast, timings, time, efforts, only, questions, experiments, experiments_digest, base] =
-        settings;
+           sheets_only, quick, laboratory, fail_fast, timings, earlier, time, efforts, only, questions, experiments, experiments_digest,
+           base] = settings;
     visit(Setting{.table = "[render]",
                   .key = "size",
                   .flag = "--size",
@@ -73,6 +73,7 @@ void for_each_setting(Settings& settings, Visit visit) {
     visit(Setting{.flag = "--no-timings"}, timings);
     visit(Setting{.key = "seed", .shapes_answers = true, .most = largest_seed}, seed);
     visit(Setting{.key = "laboratory", .name = "laboratory", .shapes_answers = true}, laboratory);
+    visit(Setting{.key = "earlier", .name = "earlier"}, earlier);
     visit(Setting{.table = "[report]", .key = "title"}, title);
     visit(Setting{.table = "[report]", .key = "author", .flag = "--author"}, author);
     visit(Setting{.table = "[report]", .key = "course"}, course);

@@ -83,7 +83,7 @@ std::vector<std::string> identity_of(const ReportSettings& settings, const std::
     const auto table = settings.questions.find(question);
     for_each_setting(table != settings.questions.end() ? table->second : QuestionTable(), add);
     // Those of the bundled files are part of the program.
-    if (has_experiments(question) && !settings.experiments.empty()) identity.push_back(settings.experiments_digest);
+    if (chapter_of_id(question).on_request && !settings.experiments.empty()) identity.push_back(settings.experiments_digest);
     return identity;
 }
 

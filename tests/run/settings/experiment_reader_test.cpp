@@ -186,6 +186,46 @@ TEST(BundledReports, HaveTheReportsOwnParameters) {
 
 TEST(BundledReports, TheLaboratoryFileTurnsItOn) { EXPECT_EQ(read_settings(bundled_path("laboratory")).laboratory, true); }
 
+std::vector<std::string> ids_of(const std::vector<const Chapter*>& chapters) {
+    std::vector<std::string> ids;
+    for (const Chapter* chapter : chapters) ids.emplace_back(chapter->id);
+    return ids;
+}
+
+// A report is about earlier ones only if it is asked to be: by their settings, by experiments, or by naming the chapters.
+TEST(BundledReports, EarlierReportsAreInNoneThatDoesNotAsk) {
+    const auto with = [](const std::string& config, const std::string& only) {
+        ReportFlags flags;
+        flags.config = config;
+        flags.only = only;
+        return report_settings(flags);
+    };
+    const auto has = [](const ReportSettings& settings, const char* id) { return std::ranges::count(ids_of(chapters_of(settings)), id); };
+    for (const auto& settings : {with("", ""), with("laboratory", ""), with("", "q1,truth")}) {
+        EXPECT_EQ(has(settings, "reproductions") + has(settings, "claims"), 0);
+        EXPECT_EQ(has(settings, "truth"), 1);
+        EXPECT_FALSE(is_asked_for(settings, "claims"));
+    }
+    for (const char* config : {"s0", "s3", "earlier"}) {
+        EXPECT_EQ(ids_of(chapters_of(with(config, ""))), section_ids()) << config;
+        EXPECT_TRUE(is_asked_for(with(config, ""), "reproductions")) << config;
+        EXPECT_FALSE(is_asked_for(with(config, "q1"), "reproductions")) << config;
+        EXPECT_EQ(has(with(config, "q1"), "claims"), 1) << config << ": parts of one report have the same sections";
+    }
+    const ReportSettings named = with("", "claims,q2");
+    EXPECT_EQ(has(named, "claims"), 1);
+    EXPECT_EQ(has(named, "reproductions"), 0);
+    EXPECT_TRUE(is_asked_for(named, "claims") && is_asked_for(named, "q2") && !is_asked_for(named, "q1"));
+}
+
+TEST(BundledReports, AllSectionsNamedAreAll) {
+    std::vector<std::string> all = section_ids(), default_ones = ids_of(chapters_of({}));
+    EXPECT_TRUE(sections_in_order(all, true).empty());
+    EXPECT_TRUE(sections_in_order(default_ones, false).empty());
+    EXPECT_EQ(sections_in_order(all, false), all);
+    EXPECT_EQ(sections_in_order(default_ones, true), default_ones);
+}
+
 TEST(BundledReports, AreFoundByName) {
     ReportFlags flags;
     flags.config = "s2";
