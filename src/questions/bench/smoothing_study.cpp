@@ -127,6 +127,24 @@ std::vector<double> steps_of(const QuestionSettings& settings, double critical, 
     return each_once(steps);
 }
 
+Smoothed smooth_until_collapse(const TriangleMesh& mesh, SmoothingOptions options, ImplicitSolver& solver) {
+    Smoothed reached;
+    reached.X = mesh.X;
+    options.after_step = [&reached, lambda = options.lambda, look = std::move(options.after_step)](int iteration, const Positions& X) {
+        reached.X = X;
+        reached.iterations = iteration;
+        reached.time = iteration * lambda;
+        return !look || look(iteration, X);
+    };
+    try {
+        return smooth(mesh, options, solver);
+    } catch (const SolverError&) {   // triangles so thin that rounding makes −C indefinite
+        if (!options.rebuild || reached.iterations == 0) throw;
+    }
+    reached.collapse_iteration = reached.iterations + 1;
+    return reached;
+}
+
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
                            const std::vector<int>& keep) {
     ImplicitSolver solver;
@@ -162,7 +180,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
         if (std::ranges::find(keep, iteration) != keep.end()) run.snapshots.push_back(X);
         return true;
     };
-    run.result = smooth(subject.mesh(), options, solver);
+    run.result = smooth_until_collapse(subject.mesh(), options, solver);
     for (const double energy : watch.energy()) run.energy.push_back(energy / watch.energy().front());
     for (const double rounding : watch.rounding()) run.energy_rounding.push_back(rounding / watch.energy().front());
 

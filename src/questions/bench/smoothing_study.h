@@ -63,7 +63,12 @@ struct SmoothingRun {
     std::vector<Positions> snapshots;   // at the iterations asked for
 };
 
-/// One run; `keep` lists iterations (ascending, ≤ iterations) whose positions are kept in `snapshots`.
+/// Smooths as smooth() does. A rebuilt run that reaches a surface of which M − λC cannot be factored keeps what it reached:
+/// collapse_iteration is the step that could not be done.
+/// @throws SolverError if the first step cannot be done
+Smoothed smooth_until_collapse(const TriangleMesh& mesh, SmoothingOptions options, ImplicitSolver& solver);
+
+/// One run, until it collapses if it is rebuilt; `keep` lists iterations (ascending, ≤ iterations) whose positions are kept in `snapshots`.
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
                            const std::vector<int>& keep = {});
 /// The same with a solver that implicit runs share; `rebuild`: the operator is that of the current positions at every step.

@@ -169,7 +169,7 @@ const std::vector<double>& ClaimBench::denoised(std::string_view name, const Noi
             errors.push_back(vertex_rms(clean.X, X));
             return true;
         };
-        smooth(noisy, options, solvers_[&source]);
+        smooth_until_collapse(noisy, options, solvers_[&source]);
         return errors;
     });
 }

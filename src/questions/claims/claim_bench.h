@@ -73,7 +73,7 @@ public:
     const Smoothed& run(std::string_view name, const RunKey& key);
     /// rms distance of the result of a run from the mesh [length].
     double motion(std::string_view name, const RunKey& key);
-    /// rms error against the mesh itself after t = 0, 1, … iterations. [length]
+    /// rms error against the mesh itself after t = 0, 1, … iterations, up to the collapse of a rebuilt run. [length]
     const std::vector<double>& denoised(std::string_view name, const NoisyKey& key);
 
     /// Computes 150 modes, fewer on smaller meshes.

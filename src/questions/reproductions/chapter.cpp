@@ -67,19 +67,21 @@ void reproduce(const Reproduction& r, const MeshLibrary& library) {
     }
 }
 
-/// What a mesh does not allow is told, and the other experiments go on.
-void reproduce_or_tell(const Reproduction& r, const MeshLibrary& library) {
-    const auto tell = [&](const Error& error) {
+/// Does the experiment; what its mesh does not allow stands in its place, and the other experiments go on.
+/// @return whether it was done
+bool is_reproduced(const Reproduction& r, const MeshLibrary& library) {
+    const auto failed = [&](const Error& error) {
         add_opening(r, {});
         add_words(r.section(), words, "could_not_be_done", "why"_a = printable(error.what()));
-        r.section().warnings.push_back(r.where() + ": " + printable(error.what()));
+        return false;
     };
     try {
         reproduce(r, library);
+        return true;
     } catch (const MeshError& error) {
-        tell(error);
+        return failed(error);
     } catch (const SolverError& error) {
-        tell(error);
+        return failed(error);
     }
 }
 
@@ -87,7 +89,8 @@ std::string number_of(std::size_t index) { return (index < 9 ? "0" : "") + std::
 
 }   // namespace
 
-report::Table coverage_table(const std::vector<Experiment>& bundled, const std::vector<Experiment>& here) {
+report::Table coverage_table(const std::vector<Experiment>& bundled, const std::vector<Experiment>& done,
+                             const std::vector<Experiment>& failed) {
     const auto reports_of = [](const std::vector<Experiment>& experiments) {
         return [&experiments](const RequiredRow& row) { return cell_if_said(reports_on(experiments, row.row)); };
     };
@@ -95,8 +98,9 @@ report::Table coverage_table(const std::vector<Experiment>& bundled, const std::
         .column("row", &RequiredRow::row)
         .column("what", [](const RequiredRow& row) { return words.line(row.key()); })
         .column("experiments of", reports_of(bundled))
-        .column("here", reports_of(here))
-        .column("section", [](const RequiredRow& row) { return cell_if_said(section_name(row.section)); })
+        .column("done here", reports_of(done))
+        .column("could not be done", reports_of(failed))
+        .column("answered in", [](const RequiredRow& row) { return cell_if_said(section_name(row.section)); })
         .column("remark", [](auto& row) { return row.remarked ? report::Cell(words.line(row.key() + ".remark")) : report::Cell(); });
 }
 
@@ -109,30 +113,36 @@ std::vector<int> uncovered_rows(const std::vector<Experiment>& experiments) {
     return rows;
 }
 
+std::set<int> rows_of(const std::vector<Experiment>& experiments) {
+    std::set<int> rows;
+    for (const Experiment& experiment : experiments) rows.insert(experiment.rows.begin(), experiment.rows.end());
+    return rows;
+}
+
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("reproductions")};
     report::Section& section = answer.section;
-    add_words(section, words, settings.own_experiments ? "method.own" : "method.bundled");
-    add_words(section, words, {"method.carried", "coverage.heading"});
-    add(section, coverage_table(settings.bundled_experiments, settings.experiments));
-    if (!settings.bundled_experiments.empty())
-        add(section, check_at_most(words.line("check.rows"), 0, double(uncovered_rows(settings.bundled_experiments).size())));
-    std::set<int> rows;
+    add_words(section, words, "method", "own"_a = settings.own_experiments);
+    const std::size_t place_of_coverage = section.blocks.size();
+    std::vector<Experiment> done, failed;
     std::set<std::string> reports;
     for (std::size_t i = 0; i < settings.experiments.size(); ++i) {
         const Reproduction r{answer, settings.experiments[i], settings, "reproductions_" + number_of(i)};
         progress(r.where());
-        reproduce_or_tell(r, library);
-        rows.insert(r.experiment.rows.begin(), r.experiment.rows.end());
+        (is_reproduced(r, library) ? done : failed).push_back(r.experiment);
         reports.insert(r.experiment.from);
     }
+    section.blocks.insert(section.blocks.begin() + static_cast<std::ptrdiff_t>(place_of_coverage),
+                          coverage_table(settings.bundled_experiments, done, failed));
+    add(section, check_at_most(words.line("check.done"), 0, double(failed.size())));
+    if (!settings.bundled_experiments.empty())
+        add(section, check_at_most(words.line("check.rows"), 0, double(uncovered_rows(settings.bundled_experiments).size())));
+    const std::size_t rows = rows_of(done).size();
     section.parameters = {{"experiments", settings.experiments.size()},
                           {"taken from", words.line(settings.own_experiments ? "parameter.own" : "parameter.bundled")}};
-    section.extent = words.line(settings.experiments.empty() ? "extent.none" : "extent", "experiments"_a = settings.experiments.size(),
-                                "reports"_a = listed({reports.begin(), reports.end()}), "rows"_a = rows.size());
-    constexpr int all = limits::last_row - limits::first_row + 1;
-    const int here = all - static_cast<int>(uncovered_rows(settings.experiments).size());
-    section.answer = words.say(here == all ? "answer.all" : "answer", "all"_a = all, "here"_a = here);
+    section.extent = words.line(settings.experiments.empty() ? "extent.none" : "extent", "experiments"_a = done.size(),
+                                "reports"_a = listed({reports.begin(), reports.end()}), "rows"_a = rows);
+    section.answer = words.say("answer", "all"_a = required_rows.size(), "here"_a = rows, "failed"_a = failed.size());
     return answer;
 }
 

@@ -96,14 +96,19 @@ report::Plot error_plot(const Reproduction& r, const NoisyExperiment& done, cons
         for (std::size_t t = 0; t < run.rms.size(); ++t) add_point(series, double(t), percent_of(done, run) * run.rms[t]);
         plot.series.push_back(std::move(series));
         plot.markers.push_back({double(run.best), percent_of(done, run) * run.rms[run.best], "smallest, t = " + std::to_string(run.best)});
+        if (run.collapse_iteration > 0) {
+            plot.markers.push_back({double(last_iteration(run)), percent_of(done, run) * run.rms.back(),
+                                    words.line("outcome.collapsed", "iteration"_a = run.collapse_iteration)});
+        }
     }
     return plot;
 }
 
 std::string outcome_of(const NoisyRun& run) {
     if (run.blew_up) return words.line("outcome.blew_up", "iteration"_a = run.blow_up_iteration);
-    if (run.best == 0) return "harms";
-    return run.gain() >= works ? "works" : run.gain() >= helps ? "helps" : "fails";
+    const std::string outcome = run.best == 0 ? "harms" : run.gain() >= works ? "works" : run.gain() >= helps ? "helps" : "fails";
+    return run.collapse_iteration > 0 ? words.line("outcome.collapsed_too", "outcome"_a = outcome, "iteration"_a = run.collapse_iteration)
+                                      : outcome;
 }
 
 /// A row of the table: a run after an iteration.
@@ -159,7 +164,7 @@ report::Text about_run(const Reproduction& r, const NoisyExperiment& done, const
     const std::string_view key = run.blew_up ? "run.blew_up" : run.best == 0 ? "run.harmed" : run.best == end ? "run.falling" : "run.least";
     return words.say(key, "run"_a = sentence_case(run_label(r.experiment, run)), "noise"_a = noise_text(r.experiment, run.noise),
                      "blow_up"_a = run.blow_up_iteration, "before"_a = percent(0), "after"_a = percent(end), "iterations"_a = end,
-                     "best"_a = run.best, "least"_a = percent(run.best));
+                     "best"_a = run.best, "least"_a = percent(run.best), "collapse"_a = run.collapse_iteration);
 }
 
 report::BulletList told_runs(const Reproduction& r, const NoisyExperiment& done, std::size_t m) {
@@ -182,8 +187,8 @@ void tell_minima(report::Text& text, const Reproduction& r, const NoisyExperimen
         int previous = -1;
         for (const NoisyRun& run : done.runs) {
             if (!same_curve(run, first)) continue;
-            minima.push_back(run.best == last_iteration(run) ? words.line("minima.last", "iteration"_a = run.best)
-                                                             : std::to_string(run.best));
+            const std::string_view key = run.collapse_iteration > 0 ? "minima.collapsed" : "minima.last";
+            minima.push_back(run.best == last_iteration(run) ? words.line(key, "iteration"_a = run.best) : std::to_string(run.best));
             later = later && run.best > previous;
             previous = run.best;
         }

@@ -132,6 +132,7 @@ struct NoisyRun {
     double noisy_angle = 0, last_angle = 0;   // mean angle of face normals to the clean ones, before and after [rad]
     bool blew_up = false;
     int blow_up_iteration = 0;
+    int collapse_iteration = 0;   // of a rebuilt run: the step that could not be done; 0: none
 
     double gain() const { return rms.front() / rms[best]; }
 };
@@ -163,8 +164,10 @@ void add_reconstruction_reproduction(const Reproduction& r, const Reconstruction
 void add_smoothing_reproduction(const Reproduction& r, const SmoothingExperiment& done);
 void add_noisy_reproduction(const Reproduction& r, const NoisyExperiment& done);
 
-/// Rows 7 to 34: which experiments answer each, of the bundled files and here, and which other section does.
-report::Table coverage_table(const std::vector<Experiment>& bundled, const std::vector<Experiment>& here);
+/// Returns a row for each of the requirements 7 to 34: the experiments on it of the bundled files, those that were done in this run, those
+/// that could not be done, and the section of a whole report that answers it.
+report::Table coverage_table(const std::vector<Experiment>& bundled, const std::vector<Experiment>& done,
+                             const std::vector<Experiment>& failed);
 /// The rows that neither an experiment nor another section answers.
 std::vector<int> uncovered_rows(const std::vector<Experiment>& experiments);
 

@@ -21,11 +21,25 @@ bool has_shrunk_away(const ExperimentMesh& mesh, const Positions& X) {
     return bounding_box(moved_to(mesh.mesh(), X)).diagonal() < 0.01 * mesh.diagonal;
 }
 
+/// Positions that have left the picture, made small enough for it and moved back, and how many times larger they are.
+struct Scaled {
+    Positions X;
+    double times;
+};
+Scaled scaled_into(const ExperimentMesh& mesh, const Positions& X) {
+    const Box there = bounding_box(moved_to(mesh.mesh(), X));
+    const double times = std::max(1.0, there.diagonal() / mesh.diagonal);
+    const Eigen::RowVector3d from = there.centre().transpose(), to = bounding_box(mesh.mesh()).centre().transpose();
+    return {((X.rowwise() - from) / times).rowwise() + to, times};
+}
+
 std::string run_label(const Experiment& e, const ExperimentRun& run, const Shown& shown) {
     std::string label = variant_text(e, run.kind, run.area, run.method) + ", λ = " + given_text(e, run.given);
     if (e.lambda_unit != StepUnit::tau) label += " = " + chosen_text(run.share()) + " λ_crit";
     label += ", t = " + std::to_string(shown.iteration);
-    return shown.reached ? label : words.line("run.last_in_view", "run"_a = label);
+    if (shown.reached) return label;
+    const bool collapsed = run.run.result.collapse_iteration == shown.iteration + 1;
+    return words.line(collapsed ? "run.before_collapse" : "run.last_in_view", "run"_a = label);
 }
 
 void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::size_t m) {
@@ -33,14 +47,15 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
     const ExperimentMesh& mesh = done.meshes[m];
     const ExperimentColour colour = e.colours.front();
     output::FigureRequest figure = figure_on(r, mesh, "before");
-    Names gone, shrunk;   // out of the picture with their first step; too small to be seen in it
+    Names shrunk;   // too small to be seen
+    const auto add_panel = [&](const Positions& X, std::string label) {
+        figure.panels.push_back(panel_of(moved_to(mesh.mesh(), X), figure.id + "_" + std::to_string(figure.panels.size()), std::move(label),
+                                         colours_of(mesh, colour, X)));
+    };
     for (const ExperimentRun& run : done.runs) {
         if (run.mesh != m) continue;
-        if (run.run.in_view_iteration == 0 && run.run.result.blew_up) {
-            gone.push_back("λ = " + given_text(e, run.given) + " (" + variant_text(e, run.kind, run.area, run.method) + ")");
-            continue;
-        }
-        bool ended = false;   // a run that has left the picture is shown once
+        // A run that has left the picture is shown once, if a step of it is in the picture, and then as it ended.
+        bool ended = run.run.in_view_iteration == 0 && run.run.result.blew_up;
         for (std::size_t i = 0; i < e.iterations.size() && !ended; ++i) {
             const Shown shown = shown_at(run, i, e.iterations[i]);
             const std::string label = run_label(e, run, shown);
@@ -49,14 +64,16 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
                 shrunk.push_back(label);
                 continue;
             }
-            figure.panels.push_back(panel_of(moved_to(mesh.mesh(), *shown.X), figure.id + "_" + std::to_string(figure.panels.size()), label,
-                                             colours_of(mesh, colour, *shown.X)));
+            add_panel(*shown.X, label);
         }
+        if (!run.run.result.blew_up) continue;
+        const Scaled end = scaled_into(mesh, run.run.result.X);
+        const std::string label = run_label(e, run, {&end.X, run.run.result.iterations, true});
+        add_panel(end.X, words.line("run.scaled", "run"_a = label, "times"_a = chosen_text(end.times)));
     }
     figure.range = range_of(r, colour, {figure.panels.front()});
     std::string caption = words.line("smoothed.caption", "file"_a = figure.subtitle);
     if (figure.range) caption += " " + words.line("smoothed.caption.colours", "quantity"_a = figure.range->quantity);
-    if (!gone.empty()) caption += " " + words.line("smoothed.caption.gone", "runs"_a = listed(gone));
     if (!shrunk.empty()) caption += " " + words.line("smoothed.caption.shrunk", "runs"_a = listed(shrunk));
     add_figure(r.answer, std::move(figure), std::move(caption));
 }
@@ -88,7 +105,7 @@ std::vector<Snapshot> snapshots_of(const SmoothingExperiment& done, const Experi
 std::string outcome_of(const Snapshot& row) {
     const Smoothed& result = row.run.run.result;
     if (!row.moved && result.blew_up) return words.line("outcome.blown_up", "iteration"_a = result.blow_up_iteration);
-    if (!row.moved && result.collapse_iteration > 0) return words.line("outcome.nothing_left", "iteration"_a = result.collapse_iteration);
+    if (!row.moved && result.collapse_iteration > 0) return words.line("outcome.collapsed", "iteration"_a = result.collapse_iteration);
     if (has_shrunk_away(row.mesh, row.run.run.snapshots[row.index])) return words.line("outcome.shrunk");
     return words.line(row.energy > 1 ? "outcome.rougher" : "outcome.smoother");
 }

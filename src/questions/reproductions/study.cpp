@@ -73,8 +73,9 @@ NoisyRun noisy_run(const ExperimentMesh& mesh, const Experiment& experiment, Noi
         if (std::binary_search(experiment.iterations.begin(), experiment.iterations.end(), iteration)) run.snapshots.push_back(X);
         return true;
     };
-    const Smoothed result = smooth(*run.noisy, options, solver);
+    const Smoothed result = smooth_until_collapse(*run.noisy, options, solver);
     run.blew_up = result.blew_up;
+    run.collapse_iteration = result.collapse_iteration;
     run.blow_up_iteration = result.blow_up_iteration;
     const Positions normals = face_normals(clean);
     run.noisy_angle = mean_normal_angle(normals, face_normals(*run.noisy));

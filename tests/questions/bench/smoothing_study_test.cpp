@@ -7,6 +7,7 @@
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
+#include "mesh/vertex_noise.h"
 #include "questions/core/study_laws.h"
 
 using namespace meshfolio;
@@ -34,6 +35,28 @@ TEST(EnergyCheck, PassesFailsOrDecidesNothing) {
     EXPECT_TRUE(energy_check("", run).passed());
     run.result.blew_up = true;
     EXPECT_TRUE(energy_check("", run).failed());
+}
+
+// Noise makes triangles of which rounding leaves no factor after some steps, each with the operator of the positions before it.
+TEST(SmoothUntilCollapse, ARebuiltRunKeepsWhatItReached) {
+    const TriangleMesh clean = make_sample("creature");
+    const double edge = mean_edge_length(clean);
+    const TriangleMesh noisy = moved_to(clean, with_gaussian_noise(clean.X, 0.01 * bounding_box(clean).extent(), 1));
+    SmoothingOptions options{.scheme = SmoothingScheme::implicit_euler, .lambda = edge * edge, .iterations = 60, .rebuild = true};
+    EXPECT_THROW(smooth(noisy, options), SolverError);
+    int seen = 0;
+    options.after_step = [&](int iteration, const Positions&) { return seen = iteration, true; };
+    ImplicitSolver solver;
+    const Smoothed run = smooth_until_collapse(noisy, options, solver);
+    ASSERT_GT(run.collapse_iteration, 1);
+    EXPECT_EQ(run.iterations, run.collapse_iteration - 1);
+    EXPECT_EQ(seen, run.iterations);
+    EXPECT_FALSE(run.blew_up);
+    options.iterations = run.iterations;
+    const Smoothed prefix = smooth(noisy, options);
+    EXPECT_EQ(prefix.X, run.X) << "the same steps";
+    EXPECT_DOUBLE_EQ(prefix.time, run.time);
+    EXPECT_EQ(smooth_until_collapse(noisy, options, solver).collapse_iteration, 0) << "the solver is as good as new";
 }
 
 TEST(SmoothingStudy, NoStepLeavesTheMesh) {

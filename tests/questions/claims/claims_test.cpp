@@ -103,8 +103,8 @@ TEST(ClaimRule, IsASentence) {
     JudgedClaim judged;
     Claim claim;
     judged.claim = &claim;
-    claim.rule = {"left_by_step", "mean edges", at_least, 1};
-    EXPECT_EQ(report::plain(rule_text(judged)), "Required: rms error left by the best step tried ≥ 1\u202fmean edge.");
+    claim.rule = {"best_steps", "mean edges", at_least, 1};
+    EXPECT_EQ(report::plain(rule_text(judged)), "Required: best step for much noise over that for little ≥ 1\u202fmean edge.");
     EXPECT_EQ(with_unit(2, claim.rule), "2\u202fmean edges");
     claim.rule = {"energy", "%", at_most, 2};
     EXPECT_EQ(report::plain(rule_text(judged)), "Required: Dirichlet energy left, over that of the input, ≤ 2\u202f%.");
@@ -374,6 +374,20 @@ TEST(ClaimRules, ALineIsWhatLooksLikeOne) {
     const Rule& rule = claim_named("claims_s1_line").rule;
     EXPECT_TRUE(rule.satisfied_by(1.53));
     EXPECT_FALSE(rule.satisfied_by(20)) << "a slab";
+}
+
+// At noise level 20 smoothing takes two thirds of the noise, and what is left is still more than a mean edge.
+TEST(ClaimRules, NothingIsRecoveredOnlyWhereNoStepHelps) {
+    const JudgedClaim little = [] {
+        const MeshLibrary library = library_of(icosphere(4), "rule_ball");
+        const QuestionSettings settings;
+        ClaimBench bench(library, settings);
+        return judged(claim_named("claims_s1_hopeless"), bench);
+    }();
+    EXPECT_EQ(little.decision.verdict, Verdict::refuted);
+    EXPECT_GT(little.deciding_value(), 2);
+    const Rule &none = claim_named("claims_s1_hopeless").rule, &some = claim_named("claims_s1_low_noise").rule;
+    for (const double gain : {0.5, 1.1, 1.3, 3.0}) EXPECT_NE(none.satisfied_by(gain), some.satisfied_by(gain)) << "never both of a gain";
 }
 
 // The order of loss, not the error: on fine triangles a large error in mean edges is a small one.

@@ -57,6 +57,12 @@ std::string covered(const report::Table& table, int row, const std::string& colu
     return "no such row";
 }
 
+const report::Check& check_named(const report::Section& section, std::string_view name) {
+    const auto check = std::ranges::find(section.checks, name, &report::Check::name);
+    if (check == section.checks.end()) throw std::logic_error("no check " + std::string(name));
+    return *check;
+}
+
 }   // namespace
 
 TEST(Reproductions, EachKindIsWellFormedOnItsStandIn) {
@@ -91,22 +97,50 @@ TEST(Reproductions, AnImpossibleExperimentIsReportedAndTheOthersRun) {
     settings.bundled_experiments.clear();
     const Answer answer = chapter_of_id("reproductions").answer(MeshLibrary({}, {}), settings, no_progress);
     expect_well_formed(answer);
-    ASSERT_EQ(answer.section.warnings.size(), 1u);
-    EXPECT_NE(answer.section.warnings[0].find("row 21"), std::string::npos);
+    EXPECT_TRUE(answer.section.warnings.empty()) << "it is a failure, no warning";
+    EXPECT_EQ(check_named(answer.section, "experiments that could not be done").measured, 1);
+    EXPECT_FALSE(check_named(answer.section, "experiments that could not be done").passed());
     EXPECT_NE(prose_of(answer.section).find("Could not be done"), std::string::npos);
+    EXPECT_NE(report::plain(answer.section.answer).find("1 experiment could not be done"), std::string::npos);
+    const report::Table& coverage = table_named(answer.section, "reproductions_coverage");
+    EXPECT_EQ(covered(coverage, 9, "done here"), "S0 (1)");
+    EXPECT_EQ(covered(coverage, 21, "done here"), "");
+    EXPECT_EQ(covered(coverage, 21, "could not be done"), "S0 (1)");
     EXPECT_EQ(answer.figures.size(), 1u);
+}
+
+TEST(Reproductions, ARunThatCollapsesKeepsWhatItReached) {
+    Experiment e = experiment_of(ExperimentKind::error_curve, 29);
+    e.meshes = {{"creature", "no_such_creature.off", "creature.obj", 0, 0, 0}};
+    e.methods = {{SmoothingScheme::implicit_euler, true}};
+    e.lambda = {1};
+    e.lambda_unit = StepUnit::h2;
+    e.iterations = {2, 60};
+    e.noise = {0.01};
+    e.noise_unit = NoiseUnit::box;
+    e.minimum = {2};
+    const NoisyRun run = noisy_experiment(MeshLibrary({}, {}), e, quick_settings()).runs.front();
+    ASSERT_GT(run.collapse_iteration, 2);
+    EXPECT_EQ(int(run.rms.size()), run.collapse_iteration) << "before any step, and after each that was made";
+    EXPECT_LT(run.best, run.collapse_iteration);
+    const Answer answer = chapter_of_id("reproductions").answer(MeshLibrary({}, {}), settings_with({e}), no_progress);
+    expect_well_formed(answer);
+    EXPECT_TRUE(check_named(answer.section, "experiments that could not be done").passed());
+    const std::string outcome = std::get<std::string>(cells(table_named(answer.section, "reproductions_01_errors"), "outcome").front());
+    EXPECT_NE(outcome.find("collapsed at step " + std::to_string(run.collapse_iteration)), std::string::npos) << outcome;
+    EXPECT_NE(prose_of(answer.section).find("the surface had collapsed"), std::string::npos);
 }
 
 TEST(Coverage, SaysWhoAnswersEachRow) {
     const std::vector<Experiment> bundled{experiment_of(ExperimentKind::smoothing, 20), experiment_of(ExperimentKind::smoothing, 20),
                                           experiment_of(ExperimentKind::curvature, 22)};
-    const report::Table table = coverage_table(bundled, {bundled[2]});
+    const report::Table table = coverage_table(bundled, {bundled[2]}, {});
     ASSERT_EQ(table.rows.size(), 28u) << "rows 7 to 34";
     EXPECT_EQ(covered(table, 20, "experiments of"), "S0 (2)");
-    EXPECT_EQ(covered(table, 20, "here"), "");
+    EXPECT_EQ(covered(table, 20, "done here"), "");
     EXPECT_EQ(covered(table, 22, "experiments of"), "S0 (1)");
-    EXPECT_EQ(covered(table, 22, "here"), "S0 (1)");
-    EXPECT_EQ(covered(table, 12, "section"), "Q2");
+    EXPECT_EQ(covered(table, 22, "done here"), "S0 (1)");
+    EXPECT_EQ(covered(table, 12, "answered in"), "Q2");
     EXPECT_EQ(covered(table, 10, "remark").find("the dragon"), 0u);
 }
 
@@ -117,7 +151,7 @@ TEST(Coverage, ARowWithoutAnswerIsFoundAndFailsItsCheck) {
     EXPECT_EQ(std::count(missing.begin(), missing.end(), 33), 1);
     EXPECT_EQ(std::count(missing.begin(), missing.end(), 12), 0) << "question 2 answers it";
     const Answer answer = chapter_of_id("reproductions").answer(MeshLibrary({}, {}), settings_with(some), no_progress);
-    EXPECT_FALSE(answer.section.checks.front().passed());
+    EXPECT_FALSE(check_named(answer.section, "rows 7 to 34 that neither a bundled experiment nor a section answers").passed());
 }
 
 TEST(ReproductionWords, AreThoseOfTheReport) {
