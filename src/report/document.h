@@ -72,6 +72,7 @@ struct Table {
     std::vector<Column> columns = {};
     std::vector<std::vector<Cell>> rows = {};   // each as long as `columns`
     bool sortable = false;                      // readers of the page may sort it by any column
+    bool file_only = false;                     // in tables/ and results.json; neither numbered nor printed
     bool operator==(const Table&) const = default;
 };
 

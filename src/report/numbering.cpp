@@ -41,7 +41,7 @@ Numbering::Numbering(const Document& document, const std::vector<CitedWork>& wor
             if (const auto* plot = std::get_if<Plot>(&block)) add(plot->id, "Figure ", next(figures));
             if (const auto* map = std::get_if<Map>(&block)) add(map->id, "Figure ", next(figures));
             if (const auto* diagram = std::get_if<Diagram>(&block)) add(diagram->id, "Figure ", next(figures));
-            if (const auto* table = std::get_if<Table>(&block)) add(table->id, "Table ", next(tables));
+            if (const auto* table = std::get_if<Table>(&block); table && !table->file_only) add(table->id, "Table ", next(tables));
             const auto* formula = std::get_if<Formula>(&block);
             if (formula && !formula->id.empty()) add(formula->id, "Equation ", "(" + next(equations) + ")");
             if (const auto* list = std::get_if<EntryList>(&block))

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "report/json/read_json.h"
 #include "report/sample_document.h"
 
 namespace meshfolio::report {
@@ -63,6 +65,23 @@ TEST(Numbering, PartsOfAFailedSupportingSectionAreCalledByTheSection) {
     EXPECT_EQ(numbering.resolve("truth_overview").label, "Section A");
     EXPECT_EQ(numbering.resolve("t:truth_overview").anchor, "truth");
     EXPECT_NE(complaint([&] { (void)numbering.resolve("preflight_table"); }).find("preflight_table"), std::string::npos);
+}
+
+// A table for programs alone takes no number, and no page shows it; files keep it.
+TEST(Numbering, ATableForProgramsIsNotOfThePages) {
+    Document document = sample_document();
+    auto& blocks = document.sections[0].blocks;
+    const auto first = std::ranges::find_if(blocks, [](const Block& block) { return std::holds_alternative<Table>(block); });
+    std::get<Table>(*first).file_only = true;
+    const Table kept = std::get<Table>(*first);
+    document.sections[0].answer.clear();
+    std::erase_if(blocks, [](const Block& b) { return std::holds_alternative<Paragraph>(b) || std::holds_alternative<EntryList>(b); });
+    const Numbering numbering(document, {});
+    EXPECT_THROW((void)numbering.resolve(kept.id), std::logic_error);
+    EXPECT_EQ(numbering.resolve("q1_long").label, "Table 1.1");
+    EXPECT_EQ(write_html(document, {}, Templates()).find(kept.caption), std::string::npos);
+    const Document read = read_json(write_json(document, {}), "results.json").document;
+    EXPECT_TRUE(std::ranges::find(read.sections[0].blocks, Block(kept)) != read.sections[0].blocks.end());
 }
 
 TEST(Numbering, UnknownIdIsNamed) {

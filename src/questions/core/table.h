@@ -63,6 +63,12 @@ public:
         return *this;
     }
 
+    /// For programs alone: no page shows it, so no text may refer to it.
+    TableBuilder& file_only() {
+        table_.file_only = true;
+        return *this;
+    }
+
     operator report::Table() const { return table_; }
 
 private:

@@ -47,6 +47,7 @@ void describe(Fields& fields, part_of<Table> auto& table) {
     fields("caption", table.caption);
     fields.derived("file", [&] { return table_file(table.id); });
     fields.optional("sortable", table.sortable, false, "readers of the page may sort it");
+    fields.optional("file_only", table.file_only, false, "for programs: no page shows it");
     std::vector<ColumnEntry> columns = column_entries(table);
     fields("columns", columns);
     if constexpr (!std::is_const_v<std::remove_reference_t<decltype(table)>>) {   // it is read

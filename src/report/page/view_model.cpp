@@ -130,6 +130,11 @@ json headings_view(const json& blocks) {
     return list;
 }
 
+bool is_file_only(const Block& block) {
+    const auto* table = std::get_if<Table>(&block);
+    return table && table->file_only;
+}
+
 json section_view(const Section& section, const std::string& number, const ViewContext& context) {
     const auto warning = [](const std::string& words) { return view_of({{"text", "one line", safe_text(words)}}); };
     const auto output = [](const std::string& file) {
@@ -139,7 +144,9 @@ json section_view(const Section& section, const std::string& number, const ViewC
     const std::span<const Block> shown = blocks_in(section, context.options.volume);
     const auto is_heading = [](const Block& block) { return std::holds_alternative<Heading>(block); };
     int headings = static_cast<int>(std::count_if(section.blocks.data(), shown.data(), is_heading));   // those of the report come first
-    json blocks = list_of(shown, [&](const Block& block) { return block_view(block, number, headings, context); });
+    json blocks = json::array();
+    for (const Block& block : shown)
+        if (!is_file_only(block)) blocks.push_back(block_view(block, number, headings, context));
     json view = section_head(section, number, context);
     if (is_further) view["id"] = further_id(section);
     enter(view, {{"asked", "the question in one sentence", prose_view(section.asked)},
