@@ -6,7 +6,7 @@
 #include "geometry/operators/laplace_operator.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/orientation.h"
-#include "questions/preflight/defects.h"
+#include "questions/certificates/defects.h"
 #include "run/console.h"
 #include "run/one_mesh/fields.h"
 #include "run/one_mesh/inspection.h"
@@ -35,9 +35,9 @@ double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 /// Each defect that was found, the questions it affects, and the repair.
 std::string consequences(const MeshFacts& facts) {
     std::string text;
-    for (const auto& [defect, count] : preflight::defects_of(facts)) {
-        text += "  " + std::to_string(count) + " x " + defect->name() + "\n    affects " + preflight::affected_for_people(*defect) + ": " +
-                defect->breaks() + "\n    done: " + defect->done() + "\n";
+    for (const auto& [defect, count] : certificates::defects_of(facts)) {
+        text += "  " + std::to_string(count) + " x " + defect->name() + "\n    affects " + certificates::affected_for_people(*defect) +
+                ": " + defect->breaks() + "\n    done: " + defect->done() + "\n";
     }
     return text.empty() ? "nothing found that affects a question\n" : "found\n" + text;
 }

@@ -96,7 +96,7 @@ def main():
     sections = [s for s in options.only.split(",") if s] or [entry["name"] for entry in listed["questions"] + listed["supporting"] + listed["on_request"]]
     if options.check:
         return check(options, sections)
-    exploring = {entry["name"] for entry in listed["supporting"] + listed["on_request"]} - {"preflight"}
+    exploring = {entry["name"] for entry in listed["supporting"] + listed["on_request"]} - {"certificates"}
     kept = json.loads(options.keep.read_text()) if options.keep.exists() else {}
 
     def sample(mesh, section, small, fails=False):

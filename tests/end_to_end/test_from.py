@@ -58,7 +58,7 @@ class From(unittest.TestCase):
         (templates / "report.md").write_text("{{{title}}}\n{{#sections}}{{id}} {{/sections}}\n")
         target, _ = self.again("--templates", templates)
         self.assertEqual((target / "report.md").read_text().splitlines()[-1].split(), QUESTIONS)
-        self.assertEqual((target / "appendix.md").read_text().splitlines()[-1].split()[-1], "preflight")   # of both volumes
+        self.assertEqual((target / "appendix.md").read_text().splitlines()[-1].split()[-1], "certificates")   # of both volumes
 
     def test_a_missing_picture_is_reported_and_boxed(self):
         copy = self.copy()

@@ -30,7 +30,7 @@ class Plans(unittest.TestCase):
         self.assertEqual([s["id"] for s in plan["sections"]], ["q4", "maps"])
 
     def test_a_report_does_what_is_planned_and_again(self):
-        words = [self.mesh, "--time", 4, "--only", "q5,maps,preflight", "--alone", "--no-timings", "--size", 64]
+        words = [self.mesh, "--time", 4, "--only", "q5,maps,certificates", "--alone", "--no-timings", "--size", 64]
         planned = {s["id"]: s for s in self.plan(*words)["sections"]}
         trees = []
         for name in ("a", "b"):
@@ -61,7 +61,7 @@ class Plans(unittest.TestCase):
 
     def test_the_meshes_planned_for_are_those_that_sections_take(self):
         planned = {s["id"]: {m["file"] for m in s["meshes"]} for s in self.plan()["sections"]}
-        only = "q3,q5,preflight"
+        only = "q3,q5,certificates"
         process = run("report", "--only", only, "--quick", "--size", 64, "--out", self.folder / "out")
         self.assertEqual(process.returncode, 0, process.stderr)
         results = json.loads((self.folder / "out" / "results.json").read_text())

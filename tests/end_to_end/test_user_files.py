@@ -13,7 +13,7 @@ from program import run, sample, temporary_folder
 from quick_report import quick_report
 
 MARK = "This folder was made by meshfolio, which replaces it as a whole.\n"
-REPORT = ["--quick", "--only", "preflight", "--alone", "--size", 64, "--no-timings"]
+REPORT = ["--quick", "--only", "certificates", "--alone", "--size", 64, "--no-timings"]
 ODD = "two\nlines\udcff.txt"   # a name that is no UTF-8
 GIT = shutil.which("git")
 
@@ -56,7 +56,7 @@ class Commands(unittest.TestCase):
         (cls.folder / "ada" / "answers.toml").write_text("kappa = 2.0\n")
         (cls.folder / "rubric.toml").write_text('[[item]]\nid = "kappa"\nwhat = "number"\nvalue = 2.0\npoints = 3\n')
         cls.part = cls.folder / "part"
-        assert run("report", cls.mesh, "--quick", "--only", "preflight", "--size", 64, "--part", cls.part).returncode == 0
+        assert run("report", cls.mesh, "--quick", "--only", "certificates", "--size", 64, "--part", cls.part).returncode == 0
         cls.marking = ["mark", cls.folder / "ada", "--rubric", cls.folder / "rubric.toml", "--out"]
 
     def commands(self):
@@ -64,12 +64,12 @@ class Commands(unittest.TestCase):
         out = own / "out"
         return {
             "report": (["report", self.mesh, *REPORT, "--out", out], out, "report.md"),
-            "report --only": (["report", self.mesh, "--quick", "--only", "preflight", "--size", 64, "--no-timings", "--out", own / "renewed"], own / "renewed", "summary.md"),
-            "report --part": (["report", self.mesh, "--quick", "--only", "preflight", "--size", 64, "--part", own / "part"], own / "part", "report.md"),
+            "report --only": (["report", self.mesh, "--quick", "--only", "certificates", "--size", 64, "--no-timings", "--out", own / "renewed"], own / "renewed", "summary.md"),
+            "report --part": (["report", self.mesh, "--quick", "--only", "certificates", "--size", 64, "--part", own / "part"], own / "part", "report.md"),
             "report --from": (["report", "--from", self.part / "results.json", "--out", own / "from"], own / "from", "index.html"),
             "merge": (["merge", self.part, "--out", own / "merged"], own / "merged", "report.md"),
-            "batch": (["batch", self.mesh, "--only", "preflight", "--size", 64, "--no-timings", "--out", own / "batch"], own / "batch" / "cube8", "report.md"),
-            "batch, its index": (["batch", self.mesh, "--only", "preflight", "--size", 64, "--no-timings", "--out", own / "index"], own / "index", "batch.csv"),
+            "batch": (["batch", self.mesh, "--only", "certificates", "--size", 64, "--no-timings", "--out", own / "batch"], own / "batch" / "cube8", "report.md"),
+            "batch, its index": (["batch", self.mesh, "--only", "certificates", "--size", 64, "--no-timings", "--out", own / "index"], own / "index", "batch.csv"),
             "verify": (["verify", "--quick", "--out", own / "verified"], own / "verified", "report.md"),
             "mark": ([*self.marking, own / "marks"], own / "marks", "class.csv"),
             "render": (["render", self.mesh, "--size", 32, "--views", "+x", "--out", own / "views"], own / "views", "sheet.png"),
@@ -182,9 +182,9 @@ class Commands(unittest.TestCase):
         words, out, _ = self.commands()["report"]
         failed = Path(str(out) + ".failed")
         self.assertEqual(run(*words).returncode, 0)
-        self.assertEqual(run(*words, MESHFOLIO_FAIL="preflight").returncode, 1)
+        self.assertEqual(run(*words, MESHFOLIO_FAIL="certificates").returncode, 1)
         put_user_files(failed, "report.md")
-        process = run(*words, MESHFOLIO_FAIL="preflight")
+        process = run(*words, MESHFOLIO_FAIL="certificates")
         self.assertEqual(process.returncode, 1)
         self.require_kept(failed, "report.md", process)
         process = run(*words)
@@ -216,7 +216,7 @@ class Commands(unittest.TestCase):
         (out / "mine.txt").write_text("mine")
         self.assertIn("1 done before", run(*words).stderr, "files of the user's change nothing")
         (out / "index.html").unlink()
-        (out / "tables" / "preflight_counts.csv").write_text("overwritten") if (out / "tables" / "preflight_counts.csv").exists() else None
+        (out / "tables" / "certificates_geometry.csv").write_text("overwritten") if (out / "tables" / "certificates_geometry.csv").exists() else None
         process = run(*words)
         self.assertNotIn("done before", process.stderr)
         self.assertEqual(process.returncode, first.returncode)

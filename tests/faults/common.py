@@ -175,7 +175,7 @@ class Faults(unittest.TestCase):
         self.old_folder = self.report_of(64)
         old = self.report_tree(64)
         self.restore_old()
-        words = ["preflight" if word == "q2" else word for word in self.report_words()]
+        words = ["certificates" if word == "q2" else word for word in self.report_words()]
         self.assertEqual(self.run_program(*words).code, 0)
         new = tree(self.out)
         self.restore_old()
@@ -184,7 +184,7 @@ class Faults(unittest.TestCase):
     def with_parts(self):
         """The trees of an old report, which is put in place, and of what two parts give; the words that merge them."""
         self.old_folder = self.report_of(72)
-        old, parts = self.report_tree(72), [self.folder / "preflight", self.folder / "q2"]
+        old, parts = self.report_tree(72), [self.folder / "certificates", self.folder / "q2"]
         for part in parts:
             self.assertEqual(self.run_program("report", "--quick", "--size", 64, "--part", part, "--only", part.name).code, 0)
         words = ["merge", *parts, "--pdf", "off", "--out", self.out]
@@ -215,7 +215,7 @@ class Faults(unittest.TestCase):
     def with_batch(self):
         """The trees of an old batch, which is put in place, and of one with pictures of another size; the words that make it, and their exit code."""
         self.old_folder = self.folder / "made-batch" / "out"
-        words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "preflight", "--pdf", "off", "--no-timings", "--no-cache", "--jobs", 1, "--size"]
+        words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "certificates", "--pdf", "off", "--no-timings", "--no-cache", "--jobs", 1, "--size"]
         trees = []
         for size, out in ((72, self.old_folder), (64, self.out)):
             end = self.run_program(*words, size, "--out", out)

@@ -71,7 +71,7 @@ class FilesTouched(Faults):
         mesh.rename(misleading)
         cache = self.folder / "cache" / "meshfolio"
         words = [*self.report_words(cached=True), misleading]
-        words[words.index("q2")] = "preflight"
+        words[words.index("q2")] = "certificates"
         for _ in range(2):   # the second takes its answer from the cache
             end, calls = self.touched(*words)
             self.assertIn(end.code, (0, 1), end.err)

@@ -178,7 +178,7 @@ class Kill(Faults):
 
     def test_a_batch_at_random_moments(self):
         """Every report that is there is whole, no process goes on alone, and in the end all is as by one run."""
-        words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "preflight", "--size", 64, "--no-timings", "--jobs", 2]
+        words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "certificates", "--size", 64, "--no-timings", "--jobs", 2]
         straight = self.run_program(*words, "--out", self.folder / "straight")
         for _ in range(40 if WHOLE else 3):
             process = self.start(*words, "--out", self.out)

@@ -59,12 +59,12 @@ TEST(Numbering, PartsOfAFailedSupportingSectionAreCalledByTheSection) {
     Document document;
     document.sections.resize(2);
     document.sections[0].id = "truth";
-    document.sections[1].id = "preflight";
+    document.sections[1].id = "certificates";
     document.sections[0].status = Status::skipped;
     const Numbering numbering(document, {});
     EXPECT_EQ(numbering.resolve("truth_overview").label, "Section A");
     EXPECT_EQ(numbering.resolve("t:truth_overview").anchor, "truth");
-    EXPECT_NE(complaint([&] { (void)numbering.resolve("preflight_table"); }).find("preflight_table"), std::string::npos);
+    EXPECT_NE(complaint([&] { (void)numbering.resolve("certificates_table"); }).find("certificates_table"), std::string::npos);
 }
 
 // A table for programs alone takes no number, and no page shows it; files keep it.

@@ -1,8 +1,10 @@
 #include "geometry/measures/mesh_facts.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "geometry/curvature/curvature.h"
 #include "geometry/measures/mesh_error.h"
@@ -22,6 +24,44 @@ Operators operators_of(const TriangleMesh& mesh, const MeshTopology& topology) {
     Vector H = cotangent_mean_curvature(mesh, topology, laplacian), K = gaussian_curvature(mesh, topology, laplacian.M);
     return {std::move(laplacian), std::move(H), std::move(K)};
 }
+
+/// The shortest decimal that is this double.
+struct Decimal {
+    int digits = 0, exponent = 0;   // significant ones, and of the first
+
+    int decimals() const { return std::max(0, digits - 1 - exponent); }
+};
+Decimal decimal_of(double x) {
+    if (x == 0) return {};
+    char text[32];
+    const char* const end = std::to_chars(text, text + sizeof text, std::abs(x), std::chars_format::scientific).ptr;   // 1.25e-03
+    const char* const e = std::find(static_cast<const char*>(text), end, 'e');
+    Decimal decimal{static_cast<int>(e - text) - (e - text > 1 ? 1 : 0)};
+    std::from_chars(e + (e[1] == '+' ? 2 : 1), end, decimal.exponent);
+    return decimal;
+}
+
+/// Distance to the next larger number of this type.
+template <class Number>
+double spacing_at(double x) {
+    const auto number = static_cast<Number>(x);
+    return static_cast<double>(std::nextafter(number, std::numeric_limits<Number>::infinity()) - number);
+}
+
+/// Returns the shortest of the three axes' largest common steps, in units of 1/per_unit; 1 where nothing differs.
+/// @param per_unit  coordinates are whole multiples of its inverse
+double grid_step(const Positions& X, double per_unit) {
+    long long least = 0;
+    for (const auto& axis : X.colwise()) {
+        long long step = 0;
+        for (Eigen::Index i = 1; i < axis.size() && step != 1; ++i)
+            step = std::gcd(step, std::llround(axis[i] * per_unit) - std::llround(axis[0] * per_unit));
+        if (step > 0) least = least > 0 ? std::min(least, step) : step;
+    }
+    return least > 0 ? static_cast<double>(least) : 1;
+}
+
+double farthest_coordinate(const Positions& X) { return X.size() > 0 ? X.cwiseAbs().maxCoeff() : 0; }
 
 /// A power of two not below x > 0.
 double power_of_two_above(double x) { return std::ldexp(1.0, std::ilogb(x) + 1); }
@@ -54,14 +94,34 @@ MeshFacts mesh_facts(const PreparedMesh& prepared) {
     const Vector deficits = angle_deficit(mesh, prepared.topology);
     facts.total_deficit = total_deficit(deficits);
     facts.gauss_bonnet_residual = gauss_bonnet_error(deficits, facts.counts.euler_characteristic);
-    if (facts.shortest_edge > 0) facts.coordinate_rounding = coordinate_spacing(mesh) / facts.shortest_edge;
+    if (facts.shortest_edge > 0) {
+        facts.coordinate_rounding = coordinate_spacing(mesh) / facts.shortest_edge;
+        facts.written_steps = written_spacing(mesh.X) / facts.shortest_edge;
+    }
     return facts;
+}
+
+double written_spacing(const Positions& X) {
+    constexpr int longest = 15;   // digits that every double keeps
+    const double farthest = farthest_coordinate(X), finest = spacing_at<double>(farthest);
+    int digits = 0, decimals = 0;
+    bool single = farthest <= std::numeric_limits<float>::max();
+    for (const double x : X.reshaped()) {
+        const Decimal decimal = decimal_of(x);
+        digits = std::max(digits, decimal.digits);
+        decimals = std::max(decimals, decimal.decimals());
+        single = single && static_cast<double>(static_cast<float>(x)) == x;
+    }
+    const double of_decimals = std::pow(10.0, -decimals);
+    if (of_decimals > 8 * finest) return grid_step(X, std::pow(10.0, decimals)) * of_decimals;
+    if (single) return spacing_at<float>(farthest);
+    return digits <= longest ? std::pow(10.0, decimal_of(farthest).exponent + 1 - digits) : finest;
 }
 
 double coordinate_spacing(const TriangleMesh& mesh) {
     const Box box = bounding_box(mesh);
     const double farthest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-    return std::nextafter(farthest, std::numeric_limits<double>::infinity()) - farthest;
+    return spacing_at<double>(farthest);
 }
 
 double change_when_moved(const PreparedMesh& prepared, double scale) {

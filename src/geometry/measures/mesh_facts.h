@@ -1,10 +1,16 @@
 /// @file
-/// What preflight measures beyond counting: extremes of edges and angles, place and size, and Gauss–Bonnet.
+/// What preflight measures beyond counting: extremes of edges and angles, place and size, how finely a file writes its coordinates, and
+/// Gauss–Bonnet.
 #pragma once
 
 #include "mesh/mesh_checks.h"
 
 namespace meshfolio {
+
+/// Returns the spacing of coordinates as a file writes them, found from the numbers themselves: along each axis all differences are
+/// multiples of it. It is 10⁻ᵈ for d decimals, or longer on a grid of equal steps; the spacing of single precision, of so many significant
+/// digits or of doubles at the farthest coordinate, where they have more decimals. [length]
+double written_spacing(const Positions& X);
 
 struct MeshFacts {
     Preflight counts;
@@ -18,6 +24,12 @@ struct MeshFacts {
 
     /// Spacing of doubles at the farthest coordinate, over the shortest edge: how coarsely positions are stored. 0 with no length at all.
     double coordinate_rounding = 0;
+    /// written_spacing() over the shortest edge: how coarsely the file has rounded. 1 or more on a grid, which needs no rounding; 0 with no
+    /// length at all.
+    double written_steps = 0;
+
+    /// Has the file rounded so that it can be seen: by more than 10⁻⁹ of the shortest edge, and on no grid?
+    bool is_rounded() const { return written_steps > 1e-9 && written_steps < 0.99; }
 };
 MeshFacts mesh_facts(const PreparedMesh& prepared);
 

@@ -1,4 +1,4 @@
-// Certificates: spectra proved complete, operators checked by identities, and planted faults that these checks must find.
+// Certificates: spectra proved complete, operators checked by identities, planted faults that these checks must find; and preflight.
 #include "geometry/curvature/curvature.h"
 #include "geometry/measures/mesh_laws.h"
 #include "questions/certificates/parts.h"
@@ -95,31 +95,47 @@ void add_checks(report::Section& section, const std::vector<Certified>& meshes, 
     for (const FaultTrial& trial : trials) add(section, check_of(trial));
 }
 
-report::Text about_spectra(const std::vector<Certified>& meshes) {
-    Names proved, refuted, open;
-    for (const Certified& mesh : meshes) {
-        const Proof verdict = mesh.certificate.verdict();
-        (verdict == Proof::proved ? proved : verdict == Proof::refuted ? refuted : open).push_back(mesh.name());
-    }
-    report::Text t;
-    if (!proved.empty()) report::extend(t, words.say("proved", "meshes"_a = listed(proved)), " ");
-    if (!refuted.empty()) report::extend(t, words.say("refuted", "meshes"_a = listed(refuted)), " ");
-    if (!open.empty()) report::extend(t, words.say("open", "meshes"_a = listed(open)));
-    return t;
+Names names_with(const std::vector<Certified>& meshes, Proof verdict) {
+    return names_where(meshes, [&](const Certified& mesh) { return mesh.certificate.verdict() == verdict; });
 }
 
-report::Text about_faults(const std::vector<FaultTrial>& trials, const Specimen& specimen) {
+report::Facts facts_of(const std::vector<Certified>& meshes, const std::vector<FaultTrial>& trials, const Specimen& specimen) {
     Names missed;
     int alone = 0;
     for (const FaultTrial& trial : trials) {
         if (!trial.caught()) missed.push_back("“" + trial.fault + "”");
         alone += trial.caught() && trial.also_seen_by.empty() ? 1 : 0;
     }
-    const report::Text caught =
-        missed.empty() ? words.say("planted.caught") : words.say("planted.missed", "missed"_a = listed(missed), "number"_a = missed.size());
-    return paragraph_of({words.say("planted", "faults"_a = trials.size(), "modes"_a = specimen.spectrum.eigenvalues.size(),
-                                   "vertices"_a = specimen.mesh.vertex_count(), "caught"_a = caught),
-                         alone > 0 ? words.say("planted.alone", "alone"_a = alone) : report::Text()});
+    return {"proved"_a = listed(names_with(meshes, Proof::proved)),
+            "refuted"_a = listed(names_with(meshes, Proof::refuted)),
+            "open"_a = listed(names_with(meshes, Proof::undecided)),
+            "faults"_a = trials.size(),
+            "modes"_a = specimen.spectrum.eigenvalues.size(),
+            "vertices"_a = specimen.mesh.vertex_count(),
+            "missed"_a = listed(missed),
+            "alone"_a = alone};
+}
+
+/// Finds the meshes of the settings, else the user's own, else those of five roles that can be used: the preflight tells of the others.
+LibraryMeshes meshes_of(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
+    if (!settings.meshes.empty() || library.has_own_meshes()) return meshes_for(library, settings, {}, section);
+    LibraryMeshes meshes;
+    for (const char* role : {"armadillo", "cube", "bumpy_cube", "fandisk", "lilium"}) {
+        try {
+            meshes.push_back(library.role(role));
+            enter_input(*meshes.back(), section);
+        } catch (const InputError&) {
+        }
+    }
+    return meshes;
+}
+
+/// Certifies one mesh after the other. Where none has an operator, the failed checks say why, and the preflight still stands.
+std::vector<Certified> certified_meshes(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress,
+                                        report::Section& section) try {
+    return studies_of(meshes_of(library, settings, section), "certificates", settings, progress, section, certified);
+} catch (const SolverError&) {
+    return {};
 }
 
 }   // namespace
@@ -127,25 +143,28 @@ report::Text about_faults(const std::vector<FaultTrial>& trials, const Specimen&
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("certificates")};
     report::Section& section = answer.section;
-    const auto sources = meshes_for(library, settings, {"armadillo", "cube", "bumpy_cube", "fandisk", "lilium"}, section);
-    const auto meshes = studies_of(sources, "certificates", settings, progress, section, certified);
+    const std::vector<Inspected> inspected = inspected_meshes(library, settings, progress, section);
+    const std::vector<Certified> meshes = certified_meshes(library, settings, progress, section);
     progress("planted faults");
     const Specimen specimen = ellipsoid_specimen();
     const std::vector<FaultTrial> trials = trials_of(specimen);
 
-    add_words(section, words, {"method", "results"});
-    add(section, spectrum_table(meshes), operator_table(meshes), fault_table(trials));
+    add_words(section, words, "certificates");
+    if (!meshes.empty()) add(section, spectrum_table(meshes), operator_table(meshes));
+    add(section, fault_table(trials));
     add_checks(section, meshes, trials);
-    add_words(section, words, "discussion");
-    add_paragraphs(section, {about_spectra(meshes), about_faults(trials, specimen)});
+    add_words(section, words, "certificates.found", facts_of(meshes, trials, specimen));
+    add_preflight(section, inspected);
 
-    section.parameters["modes"] = meshes.front().modes;
-    section.extent = words.line("extent", "meshes"_a = listed(names_of(meshes)), "faults"_a = trials.size());
+    if (!meshes.empty()) section.parameters["modes"] = meshes.front().modes;
+    section.extent = words.line("extent", "meshes"_a = inspected.size(), "spectra"_a = meshes.size(), "faults"_a = trials.size());
     const auto complete = std::ranges::count_if(meshes, [](const Certified& c) { return c.certificate.holds(); });
     const auto caught = std::ranges::count_if(trials, &FaultTrial::caught);
-    const bool all = complete == std::ranges::ssize(meshes) && caught == std::ranges::ssize(trials);
-    section.answer = words.say(all ? "answer.all" : "answer", "complete"_a = complete, "meshes"_a = meshes.size(), "caught"_a = caught,
-                               "faults"_a = trials.size());
+    const auto flawed = std::ranges::ssize(inspected) - std::ranges::count_if(inspected, &Inspected::is_sound);
+    section.answer =
+        words.say("answer", "spectra"_a = meshes.size(), "complete"_a = complete, "all_complete"_a = complete == std::ranges::ssize(meshes),
+                  "faults"_a = trials.size(), "missed"_a = std::ranges::ssize(trials) - caught, "flawed"_a = flawed,
+                  "meshes"_a = inspected.size(), "several"_a = inspected.size() > 1);
     return answer;
 }
 
@@ -154,6 +173,10 @@ extern const Chapter chapter{
     .code = {{"certify_spectrum", "src/geometry/spectrum/spectrum_certificate.cpp"},
              {"first_variation_error", "src/geometry/measures/mesh_laws.cpp"},
              {"planted_faults", "src/questions/certificates/planted_faults.cpp"},
+             {"prepare_mesh", "src/mesh/mesh_checks.cpp"},
+             {"consistent_orientation", "src/mesh/orientation.cpp"},
+             {"defect_list", "src/questions/certificates/defects.cpp"},
+             {"change_when_moved", "src/geometry/measures/mesh_facts.cpp"},
              {"answer", "src/questions/certificates/chapter.cpp"}},
     .answer = answer,
 };

@@ -1,9 +1,10 @@
 /// @file
-/// The certificates, and faults planted on purpose in sound data. Each must be seen by a named check that passes without it: a check that
-/// cannot fail proves nothing.
+/// The parts of the section: certificates, faults planted in sound data, and the preflight of every mesh. Each fault must be seen by a
+/// named check that passes without it: a check that cannot fail proves nothing.
 #pragma once
 
 #include "questions/bench/law_checks.h"
+#include "questions/certificates/defects.h"
 #include "questions/core/section_tools.h"
 
 namespace meshfolio::certificates {
@@ -65,5 +66,21 @@ struct Certified : OnMesh {
         return {p.manifold(), p.orientable, p.encloses_volume(), p.euler_characteristic};
     }
 };
+
+/// A mesh as its file has it, never a copy with fewer vertices.
+struct Inspected : OnMesh {
+    MeshFacts facts;
+
+    const Preflight& counts() const { return facts.counts; }
+    bool is_sound() const { return defects_of(facts).empty(); }
+};
+
+/// Inspects the meshes of the settings, else the user's own, else one a role, each once, and enters them. An unreadable one becomes a
+/// failed check.
+/// @throws InputError if none can be used
+std::vector<Inspected> inspected_meshes(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress,
+                                        report::Section& section);
+/// Adds the part on these meshes: what they are, what is wrong with them, what that affects and what was done.
+void add_preflight(report::Section& section, const std::vector<Inspected>& meshes);
 
 }   // namespace meshfolio::certificates

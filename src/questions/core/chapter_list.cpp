@@ -20,7 +20,6 @@
     chapter(methods) \
     chapter(operators) \
     chapter(certificates) \
-    chapter(preflight) \
     chapter(reproductions) \
     chapter(claims)
 // clang-format on

@@ -29,7 +29,51 @@ report::Table score_table(const LaboratoryMesh& lab) {
         .column("λ_crit", {.unit = "length²", .digits = 4}, [](auto& t) { return cell_of(t.scores.critical); })
         .column("λ_crit, × default", [](auto& t) { return cell_of(t.critical_ratio); })
         .column("spectrum changes by", {.unit = "%"}, [](auto& t) { return cell_of(100 * t.spectrum_shift); })
-        .column("H changes by", {.unit = "%"}, [](auto& t) { return cell_of(100 * t.H_change); });
+        .column("H changes by", {.unit = "%"}, [](auto& t) { return cell_of(100 * t.H_change); })
+        .file_only();
+}
+
+/// One operator on all meshes.
+struct Summary {
+    const Labs& labs;
+    std::size_t index;   // in laboratory_operators()
+
+    /// The values that are defined, in the order of the meshes.
+    std::vector<double> each(auto value) const {
+        std::vector<double> values;
+        for (const LaboratoryMesh& lab : labs) {
+            const double x = std::invoke(value, lab.trials[index]);
+            if (std::isfinite(x)) values.push_back(x);
+        }
+        return values;
+    }
+    report::Cell largest(auto value) const {
+        const std::vector<double> values = each(value);
+        return values.empty() ? report::Cell() : report::Cell(std::ranges::max(values));
+    }
+    report::Cell smallest(auto value) const {
+        const std::vector<double> values = each(value);
+        return values.empty() ? report::Cell() : report::Cell(std::ranges::min(values));
+    }
+};
+
+double negative_weights(const OperatorTrial& t) {
+    return 100.0 * (t.scores.negative_inside + t.scores.negative_boundary) / std::max(1, t.scores.weights);
+}
+
+/// The worst of each operator over the meshes.
+report::Table summary_table(const Labs& labs) {
+    std::vector<Summary> rows;
+    for (std::size_t i = 0; i < laboratory_operators().size(); ++i) rows.push_back({labs, i});
+    return table("operators_scores", words.line("summary", "meshes"_a = listed(names_of(labs))), rows)
+        .column("operator", [](auto& row) { return laboratory_operators()[row.index].title(); })
+        .column("eigenvalues of −C below 0", {.digits = 6},
+                [](auto& row) { return row.largest([](auto& t) { return t.scores.negative.below; }); })
+        .column("weights < 0", {.unit = "%", .digits = 2}, [](auto& row) { return row.largest(negative_weights); })
+        .column("λ_crit, least", {.unit = "× default"}, [](auto& row) { return row.smallest(&OperatorTrial::critical_ratio); })
+        .column("λ_crit, most", {.unit = "× default"}, [](auto& row) { return row.largest(&OperatorTrial::critical_ratio); })
+        .column("spectrum changes by", {.unit = "%"}, [](auto& row) { return row.largest([](auto& t) { return 100 * t.spectrum_shift; }); })
+        .column("H changes by", {.unit = "%"}, [](auto& row) { return row.largest([](auto& t) { return 100 * t.H_change; }); });
 }
 
 report::Table known_table(const KnownTrials& trials) {
@@ -141,12 +185,14 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add(section, known_table(known));
     add_known_checks(section, known);
     const Labs labs = studies_of(meshes, "operators", settings, progress, section, laboratory_mesh);
+    add(section, summary_table(labs));
     for (const LaboratoryMesh& lab : labs) {
         add(section, score_table(lab));
         add_mesh_checks(section, lab);
     }
-    add_figure_of(answer, *std::ranges::max_element(labs, fewer_flips));
-    add_discussion(section, labs, known);
+    const LaboratoryMesh& shown = *std::ranges::max_element(labs, fewer_flips);
+    add_figure_of(answer, shown);
+    add_discussion(section, labs, known, shown);
 
     const std::size_t operators = laboratory_operators().size();
     section.parameters["operators"] = operators;

@@ -1,112 +1,106 @@
-#include "geometry/measures/mesh_laws.h"
 #include "questions/operators/parts.h"
 
 namespace meshfolio::operators {
 
 namespace {
 
-constexpr double precise_below = 1e-8;   // |H| × mean edge of the flat square
+/// |H| × mean edge of the flat square: below it is rounding.
+bool is_precise(const KnownTrial& t) { return t.plane < 1e-8; }
 
-report::Text about_precision(const KnownTrials& known) {
-    Names lost;
-    for (const KnownTrial& t : known)
-        if (t.plane >= precise_below)
-            lost.push_back(words.line("precision.lost", "operator"_a = t.made_by.title(), "H"_a = readable(t.plane)));
-    return words.say("precision", "kept"_a = known.size() - lost.size(), "all"_a = known.size(), "lost"_a = listed(lost));
+int negative_weights(const OperatorScores& scores) { return scores.negative_inside + scores.negative_boundary; }
+
+double negative_share(const LaboratoryMesh& lab) {
+    const OperatorScores& cotan = lab.trial(OperatorKind::cotan).scores;
+    return double(negative_weights(cotan)) / std::max(1, cotan.weights);
 }
 
-/// Reports the mesh with the most negative weights.
-report::Text about_negative_weights(const Labs& labs, const Names& clean) {
-    const auto share_of = [](const LaboratoryMesh& lab) {
-        const OperatorScores& cotan = lab.trial(OperatorKind::cotan).scores;
-        return double(cotan.negative_inside + cotan.negative_boundary) / std::max(1, cotan.weights);
-    };
-    const LaboratoryMesh& lab = *std::ranges::max_element(labs, {}, share_of);
-    const OperatorScores& idt = lab.trial(OperatorKind::idt).scores;
-    const double share = share_of(lab);
-    if (share == 0) return words.say("weights.no_cotangent");
-    return words.say("weights", "share"_a = readable_percent(share, 2), "mesh"_a = lab.name(), "flips"_a = lab.flips,
-                     "left"_a = idt.negative_inside + idt.negative_boundary, "clean"_a = listed(clean));
+/// Is −C neither proved semidefinite nor refuted on this mesh, or only its count?
+bool is_open(const OperatorScores& scores) {
+    const Proof proof = semidefinite(scores.negative);
+    const bool untold = scores.without_mass == 0 && scores.verdict == Definiteness::Verdict::undecided;
+    return proof == Proof::undecided || (proof == Proof::proved && untold);
 }
 
-/// Which operators have no negative weight on any mesh, what the default has, and which are indefinite.
-report::Text about_weights(const Labs& labs) {
-    Names clean, indefinite, open;
-    bool any_negative = false;
+/// “title”, with the meshes where `holds` is true in brackets; nothing where it is on none.
+Names operators_where(const Labs& labs, auto holds) {
+    Names names;
     for (std::size_t i = 0; i < laboratory_operators().size(); ++i) {
-        const std::string title = quoted(laboratory_operators()[i].title());
-        bool none_negative = true;
-        for (const LaboratoryMesh& lab : labs) {
-            const OperatorScores& scores = lab.trials[i].scores;
-            none_negative = none_negative && scores.negative_inside + scores.negative_boundary == 0;
-            const Proof proof = semidefinite(scores.negative);
-            if (proof == Proof::refuted)
-                indefinite.push_back(title + " (" + std::to_string(scores.negative.below) + " on " + lab.name() + ")");
-            const bool untold = scores.without_mass == 0 && scores.verdict == Definiteness::Verdict::undecided;
-            if (proof == Proof::undecided || (proof == Proof::proved && untold)) open.push_back(title + " (" + lab.name() + ")");
-        }
-        if (none_negative) clean.push_back(title);
-        any_negative = any_negative || !none_negative;
+        const Names on = names_where(labs, [&](const LaboratoryMesh& lab) { return holds(lab.trials[i].scores); });
+        if (!on.empty()) names.push_back(quoted(laboratory_operators()[i].title()) + " (" + listed(on) + ")");
     }
-    return report::text(about_negative_weights(labs, clean), " ",
-                        !indefinite.empty() ? words.say("weights.indefinite", "operators"_a = listed(indefinite))
-                        : !open.empty()     ? words.say("weights.open", "operators"_a = listed(open))
-                                            : words.say(any_negative ? "weights.harmless" : "weights.none_negative"));
+    return names;
 }
 
-report::Text about_steps(const Labs& labs) {
-    Names idt, own;
-    bool helps = true, harms = true;
+Names never_negative(const Labs& labs) {
+    Names names;
+    for (std::size_t i = 0; i < laboratory_operators().size(); ++i)
+        if (std::ranges::all_of(labs, [&](const LaboratoryMesh& lab) { return negative_weights(lab.trials[i].scores) == 0; }))
+            names.push_back(quoted(laboratory_operators()[i].title()));
+    return names;
+}
+
+/// λ_crit over that of the default, least and largest over the meshes.
+std::string ratios(const Labs& labs, OperatorKind kind) {
+    std::vector<double> each;
+    for (const LaboratoryMesh& lab : labs)
+        if (const double ratio = lab.trial(kind).critical_ratio; std::isfinite(ratio)) each.push_back(ratio);
+    if (each.empty()) return "";
+    return span_of(readable(std::ranges::min(each)), readable(std::ranges::max(each)));
+}
+
+bool on_all(const Labs& labs, auto holds) {
+    return std::ranges::all_of(labs, [&](const LaboratoryMesh& lab) { return holds(lab.trial(OperatorKind::idt).critical_ratio); });
+}
+
+std::string best(const KnownTrials& known, auto error) { return quoted(std::ranges::min_element(known, {}, error)->made_by.title()); }
+
+report::Facts facts_of(const Labs& labs, const KnownTrials& known, const LaboratoryMesh& shown) {
     constexpr double rounding = 1e-9;
-    for (const LaboratoryMesh& lab : labs) {
-        const double ratio = lab.trial(OperatorKind::idt).critical_ratio;
-        helps = helps && ratio >= 1 - rounding;
-        harms = harms && ratio <= 1 + rounding;
-        idt.push_back("×" + readable(ratio) + " on " + lab.name());
-        own.push_back("×" + readable(lab.trial(OperatorKind::idt_original_mass).critical_ratio));
-    }
-    const char* key = helps && harms ? "steps.unchanged" : helps ? "steps.never_shorter" : harms ? "steps.never_longer" : "steps.either";
-    return report::text(words.say(key, "changes"_a = listed(idt)), " ", words.say("steps.own_areas", "changes"_a = listed(own)));
-}
-
-report::Text about_curvature(const KnownTrials& known) {
-    const auto sphere = [](const KnownTrial& t) { return t.H_error[0]; };
-    const auto ellipsoid = [](const KnownTrial& t) { return t.H_error[1]; };
-    const auto best = [&](auto error) {
-        const KnownTrial& t = *std::ranges::min_element(known, {}, error);
-        return quoted(t.made_by.title()) + " (" + readable_percent(std::invoke(error, t)) + ")";
-    };
-    const KnownTrial& standard = known.front();
-    return words.say("curvature", "best_sphere"_a = best(sphere), "best_ellipsoid"_a = best(ellipsoid),
-                     "sphere"_a = readable_percent(sphere(standard)), "ellipsoid"_a = readable_percent(ellipsoid(standard)),
-                     "best_eigenvalues"_a = best(&KnownTrial::eigenvalue_error),
-                     "eigenvalues"_a = readable_percent(standard.eigenvalue_error));
-}
-
-/// Areas that are not positive leave no operator.
-report::Text about_areas(const Labs& labs) {
-    Names without;
+    Names lost, without_mass;
+    for (const KnownTrial& t : known)
+        if (!is_precise(t)) lost.push_back(quoted(t.made_by.title()));
     for (const LaboratoryMesh& lab : labs)
         for (const OperatorTrial& t : lab.trials)
             if (t.scores.without_mass > 0)
-                without.push_back(words.line("areas.where", "vertices"_a = t.scores.without_mass, "mesh"_a = lab.name(),
-                                             "operator"_a = t.made_by.title()));
-    return without.empty() ? report::Text() : words.say("areas", "where"_a = listed(without));
+                without_mass.push_back(words.line("areas.where", "vertices"_a = t.scores.without_mass, "mesh"_a = lab.name(),
+                                                  "operator"_a = t.made_by.title()));
+    const LaboratoryMesh& most = *std::ranges::max_element(labs, {}, negative_share);
+    const Names clean = never_negative(labs);
+    const bool helps = on_all(labs, [](double ratio) { return ratio >= 1 - rounding; });
+    const bool harms = on_all(labs, [](double ratio) { return ratio <= 1 + rounding; });
+    return {"lost"_a = listed(lost),
+            "negative"_a = negative_share(most) > 0,
+            "share"_a = readable_percent(negative_share(most), 2),
+            "mesh"_a = most.name(),
+            "left"_a = negative_weights(most.trial(OperatorKind::idt).scores),
+            "clean"_a = listed(clean),
+            "any_negative"_a = clean.size() < laboratory_operators().size(),
+            "indefinite"_a = listed(operators_where(labs, [](auto& s) { return semidefinite(s.negative) == Proof::refuted; })),
+            "open"_a = listed(operators_where(labs, is_open)),
+            "changes"_a = ratios(labs, OperatorKind::idt),
+            "unchanged"_a = helps && harms,
+            "longer"_a = helps && !harms,
+            "shorter"_a = harms && !helps,
+            "either"_a = !helps && !harms,
+            "own_areas"_a = ratios(labs, OperatorKind::idt_original_mass),
+            "best_sphere"_a = best(known, [](const KnownTrial& t) { return t.H_error[0]; }),
+            "best_ellipsoid"_a = best(known, [](const KnownTrial& t) { return t.H_error[1]; }),
+            "best_eigenvalues"_a = best(known, &KnownTrial::eigenvalue_error),
+            "figure"_a = id_of("operators", shown.name(), "h"),
+            "shown"_a = shown.name(),
+            "without_mass"_a = listed(without_mass)};
 }
 
 report::Text answer_of(const Labs& labs) {
     const auto own_areas = [](const LaboratoryMesh& lab) { return lab.trial(OperatorKind::idt_original_mass).critical_ratio; };
     const LaboratoryMesh& lab = *std::ranges::max_element(labs, {}, own_areas);
-    const double ratio = own_areas(lab);
-    return ratio >= 1.01 ? words.say("answer.longer", "mesh"_a = lab.name(), "times"_a = readable(ratio, 2))
-                         : words.say("answer.no_longer", "meshes"_a = listed(names_of(labs)));
+    return words.say("answer", "mesh"_a = lab.name(), "longer"_a = own_areas(lab) >= 1.01, "times"_a = readable(own_areas(lab), 2));
 }
 
 }   // namespace
 
-void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known) {
-    add_words(section, words, "discussion");
-    add_paragraphs(section, {about_precision(known), about_weights(labs), about_steps(labs), about_curvature(known), about_areas(labs)});
+void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known, const LaboratoryMesh& shown) {
+    add_words(section, words, "discussion", facts_of(labs, known, shown));
     section.answer = answer_of(labs);
 }
 

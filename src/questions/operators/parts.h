@@ -11,8 +11,8 @@ inline constexpr report::Words words("operators");
 using Labs = std::vector<LaboratoryMesh>;
 using KnownTrials = std::vector<KnownTrial>;
 
-/// What the numbers say, in words that follow them, and the answer.
-void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known);
+/// Adds what the numbers say, and the answer. @param shown  the mesh of the figure
+void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known, const LaboratoryMesh& shown);
 
 /// “cotangent”
 inline std::string quoted(const std::string& title) { return "“" + title + "”"; }

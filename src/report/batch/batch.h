@@ -58,14 +58,14 @@ struct BatchFact {
 };
 inline constexpr BatchFact batch_facts[] = {
     {&BatchRow::vertices, "vertices", "vertices", ""},
-    {&BatchRow::edges, "edges", "edges", "preflight_connectivity-edges"},
+    {&BatchRow::edges, "edges", "edges", "certificates_connectivity-edges"},
     {&BatchRow::triangles, "triangles", "triangles", ""},
-    {&BatchRow::components, "components", "components", "preflight_connectivity-components"},
-    {&BatchRow::boundary_loops, "boundary_loops", "boundary loops", "preflight_connectivity-boundary-loops"},
-    {&BatchRow::euler_characteristic, "euler_characteristic", "Euler characteristic", "preflight_connectivity-chi"},
-    {&BatchRow::genus, "genus", "genus", "preflight_connectivity-genus"},
-    {&BatchRow::manifold, "manifold", "manifold", "preflight_connectivity-manifold"},
-    {&BatchRow::orientation, "orientation", "orientation", "preflight_connectivity-orientation"}};
+    {&BatchRow::components, "components", "components", "certificates_connectivity-components"},
+    {&BatchRow::boundary_loops, "boundary_loops", "boundary loops", "certificates_connectivity-boundary-loops"},
+    {&BatchRow::euler_characteristic, "euler_characteristic", "Euler characteristic", "certificates_connectivity-chi"},
+    {&BatchRow::genus, "genus", "genus", "certificates_connectivity-genus"},
+    {&BatchRow::manifold, "manifold", "manifold", "certificates_connectivity-manifold"},
+    {&BatchRow::orientation, "orientation", "orientation", "certificates_connectivity-orientation"}};
 
 /// The row of a mesh, from its report. @param timings  include the time it took
 BatchRow batch_row(std::string name, std::string file, const Document& document, bool timings);

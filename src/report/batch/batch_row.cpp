@@ -58,9 +58,9 @@ void take_counts(BatchRow& row, const Document& document) {
     for (const BatchFact& fact : batch_facts)
         if (*fact.source != '\0') row.*fact.cell = first_cell(document, fact.source);
     row.lambda_critical = first_cell(document, "q5_limits-lambda-crit");
-    const auto preflight = std::ranges::find(document.sections, "preflight", &Section::id);
+    const auto preflight = std::ranges::find(document.sections, "certificates", &Section::id);
     if (preflight == document.sections.end() || preflight->status != Status::ok) return;
-    const Table* defects = table_of(document, "preflight_defects");   // no table if no defect was found
+    const Table* defects = table_of(document, "certificates_defects");   // no table if no defect was found
     row.defects = defects != nullptr ? defects_in(*defects) : std::vector<std::pair<std::string, double>>();
 }
 

@@ -5,7 +5,7 @@
 #include "base/errors.h"
 #include "mesh/orientation.h"
 #include "mesh/triangle_kind.h"
-#include "questions/preflight/defects.h"
+#include "questions/certificates/defects.h"
 
 namespace meshfolio::run {
 
@@ -49,11 +49,11 @@ namespace {
 
 ordered_json consequences_json(const MeshFacts& facts) {
     ordered_json list = ordered_json::array();
-    for (const auto& [defect, count] : preflight::defects_of(facts)) {
+    for (const auto& [defect, count] : certificates::defects_of(facts)) {
         list.push_back({{"defect", defect->key},
                         {"name", defect->name()},
                         {"count", count},
-                        {"affects", preflight::affected_questions(*defect)},
+                        {"affects", certificates::affected_questions(*defect)},
                         {"breaks", defect->breaks()},
                         {"done", defect->done()}});
     }
@@ -129,6 +129,7 @@ std::string inspection_json(const Inspection& inspection) {
         {"box_diagonal", inspection.facts.diagonal},
         {"offset_in_diagonals", inspection.facts.offset},
         {"coordinate_rounding", inspection.facts.coordinate_rounding},
+        {"written_steps", inspection.facts.written_steps},
         {"defects", consequences_json(inspection.facts)}};
     add_stability(json, inspection.stability, inspection.kind);
     json["lambda_crit_with_zero_area_faces"] = inspection.floored ? ordered_json(*inspection.floored) : ordered_json();

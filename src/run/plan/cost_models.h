@@ -21,6 +21,7 @@ struct SectionModel {
     std::string_view roles;                // of the meshes it takes where the user names none; empty: it needs no mesh
     CostModel full_cpu, small_cpu;         // [s], figures included
     CostModel full_memory, small_memory;   // [MB], beyond the meshes
+    CostModel whole_cpu = {0, 0};          // [s], what it does on the meshes as they are in both, also where it works on copies
 };
 
 std::span<const SectionModel> section_models();

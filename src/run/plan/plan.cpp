@@ -14,13 +14,14 @@ namespace meshfolio::run {
 
 namespace {
 
-/// The rungs of a question: its own mesh matters most. Of a section that explores: its settings do. The preflight is about the mesh itself.
+/// The rungs of a question: its own mesh matters most. Of a section that explores: its settings do. The preflight is about the mesh itself,
+/// so that the certificates beside it are never left out.
 constexpr Effort of_question[] = {{}, {true}, {true, 100000}, {true, 30000}, {true, 10000}, {true, 3000}};
 constexpr Effort exploring[] = {{}, {false, 30000}, {false, 10000}, {true, 10000}, {true, 3000}, {true, 0, true}};
-constexpr Effort of_preflight[] = {{}, {true}};
+constexpr Effort of_certificates[] = {{}, {false, 30000}, {false, 10000}, {true, 10000}, {true, 3000}};
 
 std::span<const Effort> ladder_of(std::string_view id) {
-    if (id == "preflight") return of_preflight;
+    if (id == "certificates") return of_certificates;
     return chapter_of_id(id).is_question() ? std::span<const Effort>(of_question) : exploring;
 }
 
@@ -130,7 +131,8 @@ Effort PlannedSection::effort() const {
     Effort effort = ladder_of(model->id)[rung];
     if (effort.left_out) return effort;
     effort.cpu_seconds =
-        effort.small ? cost_of(model->small_cpu, *this, effort, work_small) : cost_of(model->full_cpu, *this, effort, work_full);
+        (effort.small ? cost_of(model->small_cpu, *this, effort, work_small) : cost_of(model->full_cpu, *this, effort, work_full)) +
+        cost_of(model->whole_cpu, *this, {}, 1);
     if (effort.most_vertices >= largest_mesh()) effort.most_vertices = 0;
     return effort;
 }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <cstdlib>
+
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
@@ -56,6 +59,35 @@ TEST(MeshFacts, SpacingIsThatOfTheFarthestCoordinate) {
     EXPECT_EQ(coordinate_spacing(triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0})), 0x1p-52);
     EXPECT_EQ(coordinate_spacing(triangle({-1e9, 0, 0}, {1, 0, 0}, {0, 1, 0})), 0x1p-23);
     EXPECT_EQ(coordinate_spacing(triangle({0, 0, 3e-300}, {0, 1e-300, 0}, {0, 0, 0})), std::nextafter(3e-300, 1) - 3e-300);
+}
+
+// What is written with d decimals, in single precision or in full is found out from the numbers.
+TEST(MeshFacts, WrittenSpacingIsThatOfTheFile) {
+    const TriangleMesh mesh = lopsided_ellipsoid(3);
+    const auto rounded_to = [&](double spacing) { return Positions((mesh.X / spacing).array().round() * spacing); };
+    for (const int decimals : {2, 4, 6, 9}) {
+        Positions X = mesh.X;
+        char text[64];
+        for (double& x : X.reshaped()) {
+            std::snprintf(text, sizeof text, "%.*f", decimals, x);
+            x = std::strtod(text, nullptr);
+        }
+        EXPECT_DOUBLE_EQ(written_spacing(X), std::pow(10.0, -decimals)) << decimals;
+    }
+    const double farthest = mesh.X.cwiseAbs().maxCoeff();
+    EXPECT_DOUBLE_EQ(written_spacing(mesh.X.cast<float>().cast<double>()), std::ldexp(1.0, std::ilogb(farthest) - 23));
+    EXPECT_DOUBLE_EQ(written_spacing(mesh.X), std::ldexp(1.0, std::ilogb(farthest) - 52));
+    EXPECT_LE(written_spacing(rounded_to(0x1p-10)), 0x1p-10) << "a grid of binary fractions";
+}
+
+TEST(MeshFacts, AGridIsNotRounded) {
+    EXPECT_DOUBLE_EQ(mesh_facts(prepared(cube_mesh(1))).written_steps, 1);
+    for (const double step : {0.3, 0.05, 0.125, 7.0}) {
+        TriangleMesh grid = grid_mesh(5, 5, 4, 4);
+        grid.X = (grid.X * step).eval();
+        for (double& x : grid.X.reshaped()) x = std::round(x * 1000) / 1000;
+        EXPECT_NEAR(mesh_facts(prepared(grid)).written_steps, 1, 1e-9) << step;
+    }
 }
 
 TEST(MeshFacts, ExtremesOfAKnownTriangle) {

@@ -96,7 +96,7 @@ TEST(OperatorLaboratory, AreasThatAreNotPositiveAreSaid) {
 
 TEST(OperatorLaboratory, WordsFollowTheFlips) {
     const Answer ball = chapter_of_id("operators").answer(library_of(icosphere(2), "lab_ball"), quick_settings(), no_progress);
-    EXPECT_NE(prose_of(ball.section).find("by no more than rounding"), std::string::npos) << "no edge is flipped";
+    EXPECT_NE(prose_of(ball.section).find("no change beyond rounding"), std::string::npos) << "no edge is flipped";
     EXPECT_NE(report::plain(ball.section.answer).find("by less than 1\u202f%"), std::string::npos);
 }
 

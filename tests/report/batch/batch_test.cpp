@@ -21,13 +21,13 @@ Document report_on_a_mesh(std::vector<Check> checks, bool with_defects) {
     q5.checks = std::move(checks);
     q5.inputs = {input};
     q5.blocks = {Table{.id = "q5_limits", .columns = {{"mesh"}, {"λ_crit"}}, .rows = {{"a", 0.25}}}};
-    preflight.id = "preflight";
-    preflight.blocks = {Table{.id = "preflight_connectivity",
+    preflight.id = "certificates";
+    preflight.blocks = {Table{.id = "certificates_connectivity",
                               .columns = {{"mesh"}, {"edges"}, {"χ"}, {"genus"}, {"manifold"}},
                               .rows = {{"a", 18.0, 2.0, Cell(), "no"}}}};
     if (with_defects)
         preflight.blocks.push_back(
-            Table{.id = "preflight_defects", .columns = {{"found"}, {"count"}, {"where"}}, .rows = {{"needles", 3.0, "a 3"}}});
+            Table{.id = "certificates_defects", .columns = {{"found"}, {"count"}, {"where"}}, .rows = {{"needles", 3.0, "a 3"}}});
     Document document;
     document.sections = {q5, preflight};
     document.timings = {{"all questions", 2}, {"up to writing", 3.5}};

@@ -1,4 +1,4 @@
-#include "questions/preflight/defects.h"
+#include "questions/certificates/defects.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/chapter.h"
 
-namespace meshfolio::preflight {
+namespace meshfolio::certificates {
 namespace {
 
 MeshFacts facts_of(const TriangleMesh& mesh) { return mesh_facts(prepare_mesh({mesh, "m.obj", {}, {}})); }
@@ -62,7 +62,10 @@ TEST(MeshDefects, EachPlantedDefectIsFoundAndNoOther) {
     EXPECT_EQ(found({1e-9 * ball.X, ball.F}), Set{"unusual_scale 1"});
     EXPECT_EQ(found({1e9 * ball.X, ball.F}), Set{"unusual_scale 1"});
     EXPECT_EQ(found({ball.X.rowwise() + Eigen::RowVector3d(1e4, 0, 0), ball.F}), Set{"far_from_origin 1"});
-    EXPECT_EQ(found({ball.X.rowwise() + Eigen::RowVector3d(1e10, 0, 0), ball.F}), (Set{"far_from_origin 1", "coarse_coordinates 1"}));
+    EXPECT_EQ(found({ball.X.rowwise() + Eigen::RowVector3d(1e10, 0, 0), ball.F}), Set{"far_from_origin 1"});
+    EXPECT_EQ(found({ball.X.rowwise() + Eigen::RowVector3d(1e13, 0, 0), ball.F}), (Set{"far_from_origin 1", "coarse_coordinates 1"}));
+    EXPECT_EQ(found({(ball.X * 1000).array().round() / 1000, ball.F}), Set{"coarse_coordinates 1"}) << "three decimals";
+    EXPECT_EQ(found({(ball.X * 1e6).array().round() / 1e6, ball.F}), Set{}) << "six decimals";
 }
 
 TEST(MeshDefects, SharedEdgesAndPoints) {
@@ -108,4 +111,4 @@ TEST(MeshDefects, EachNamesQuestionsThatExistAndSaysWhatItBreaksAndWhatWasDone) 
     EXPECT_EQ(affected_for_people(defect_list()[2]), "Q1, Q3, Q7");
 }
 
-}   // namespace meshfolio::preflight
+}   // namespace meshfolio::certificates

@@ -1,6 +1,6 @@
 /// @file
 /// What can be wrong with a mesh, which questions that affects, and what is done about it: the one place where this is written down.
-/// `inspect` and the report's preflight both read it.
+/// `inspect` and the preflight of the report both read it.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 #include "geometry/measures/mesh_facts.h"
 
-namespace meshfolio::preflight {
+namespace meshfolio::certificates {
 
 struct Defect {
     std::string_view key;         // "needle_faces", for programs
@@ -36,4 +36,4 @@ std::vector<FoundDefect> defects_of(const MeshFacts& facts);
 std::vector<std::string> affected_questions(const Defect& defect);
 std::string affected_for_people(const Defect& defect);
 
-}   // namespace meshfolio::preflight
+}   // namespace meshfolio::certificates

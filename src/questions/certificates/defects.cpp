@@ -1,11 +1,13 @@
-#include "questions/preflight/parts.h"
+#include "questions/certificates/parts.h"
 
-namespace meshfolio::preflight {
+namespace meshfolio::certificates {
 
 namespace {
 
 /// Beyond this many box diagonals from the origin, more than three of the sixteen digits of a coordinate say only where the mesh is.
 constexpr double far_away = 1000;
+/// Of the shortest edge: rounding of that size is a thousandth of 1/h in H.
+constexpr double coarse = 1e-3;
 /// Sizes of a box whose areas and their inverses stay within what other programs assume.
 constexpr double smallest_usual = 1e-6, largest_usual = 1e6;   // [length]
 
@@ -24,7 +26,7 @@ constexpr std::array<Defect, 16> defects{{
     {"zero_area_faces", "q3,q4,q5,q6,q7", [](const MeshFacts& f) { return f.counts.zero_area_faces; }},
     {"needle_faces", "q3,q4,q5,q7", [](const MeshFacts& f) { return f.counts.needle_faces; }},
     {"far_from_origin", "q1,q3,q4,q5,q6,q7", [](const MeshFacts& f) { return f.offset > far_away ? 1 : 0; }},
-    {"coarse_coordinates", "q1,q3,q4,q5,q6,q7", [](const MeshFacts& f) { return f.coordinate_rounding > 1e-8 ? 1 : 0; }},
+    {"coarse_coordinates", "q1,q3,q4,q5,q6,q7", [](const MeshFacts& f) { return f.is_rounded() && f.written_steps > coarse ? 1 : 0; }},
     {"unusual_scale", "q3,q4,q5,q6,q7",
      [](const MeshFacts& f) { return f.diagonal < smallest_usual || f.diagonal > largest_usual ? 1 : 0; }},
 }};
@@ -58,4 +60,4 @@ std::string affected_for_people(const Defect& defect) {
     return list;
 }
 
-}   // namespace meshfolio::preflight
+}   // namespace meshfolio::certificates

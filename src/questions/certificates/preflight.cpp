@@ -2,18 +2,11 @@
 #include <set>
 
 #include "geometry/measures/mesh_laws.h"
-#include "questions/bench/law_checks.h"
-#include "questions/preflight/parts.h"
+#include "questions/certificates/parts.h"
 
-namespace meshfolio::preflight {
+namespace meshfolio::certificates {
 
 namespace {
-
-struct Inspected : OnMesh {
-    MeshFacts facts;
-
-    const Preflight& counts() const { return facts.counts; }
-};
 
 /// Where a defect was found, in the order of the meshes.
 struct Occurrence {
@@ -52,7 +45,7 @@ auto of(auto value) {
 
 report::Table connectivity_table(const std::vector<Inspected>& meshes) {
     const report::Column count{.digits = 8};
-    return table("preflight_connectivity", words.line("connectivity"), meshes)
+    return table("certificates_connectivity", words.line("connectivity"), meshes)
         .column("mesh", &Inspected::name)
         .column("V", count, of(&Preflight::vertices_in_use))
         .column("edges", count, of(&Preflight::edges))
@@ -66,13 +59,14 @@ report::Table connectivity_table(const std::vector<Inspected>& meshes) {
 }
 
 report::Table geometry_table(const std::vector<Inspected>& meshes) {
-    return table("preflight_geometry", words.line("geometry"), meshes)
+    return table("certificates_geometry", words.line("geometry"), meshes)
         .column("mesh", &Inspected::name)
         .column("box diagonal", {.unit = "length", .digits = 4}, [](auto& m) { return m.facts.diagonal; })
         .column("offset", {.unit = "diagonals", .digits = 2}, [](auto& m) { return m.facts.offset; })
         .column("shortest edge", {.unit = "length"}, [](auto& m) { return m.facts.shortest_edge; })
         .column("mean edge", {.unit = "length"}, of(&Preflight::mean_edge))
         .column("longest edge", {.unit = "length"}, [](auto& m) { return m.facts.longest_edge; })
+        .column("steps of coordinates", {.unit = "shortest edges", .digits = 2}, [](auto& m) { return m.facts.written_steps; })
         .column("smallest angle", {.unit = "°"}, [](auto& m) { return m.facts.smallest_angle * 180 / pi; })
         .column("area", {.unit = "length²", .digits = 4}, of(&Preflight::area))
         .column("volume", {.unit = "length³", .digits = 4}, of([](auto& p) { return cell_of(p.volume, p.encloses_volume()); }))
@@ -80,7 +74,7 @@ report::Table geometry_table(const std::vector<Inspected>& meshes) {
 }
 
 report::Table defect_table(const std::vector<Occurrence>& found) {
-    return table("preflight_defects", words.line("defects"), found)
+    return table("certificates_defects", words.line("defects"), found)
         .column("found", [](auto& o) { return o.defect->name(); })
         .column("count", {.digits = 8}, &Occurrence::count)
         .column("where", &Occurrence::where)
@@ -90,14 +84,14 @@ report::Table defect_table(const std::vector<Occurrence>& found) {
 }
 
 report::Table search_table(const std::vector<Inspected>& meshes, const std::vector<Occurrence>& occurrences) {
-    return table("preflight_looked_for", words.line("looked_for", "meshes"_a = meshes.size()), occurrences)
+    return table("certificates_looked_for", words.line("looked_for", "meshes"_a = meshes.size()), occurrences)
         .column("looked for", [](auto& o) { return o.defect->name(); })
         .column("affects", [](auto& o) { return affected_for_people(*o.defect); })
         .column("meshes with it", {.digits = 8}, &Occurrence::meshes)
-        .column("count in all", {.digits = 10}, &Occurrence::count);
+        .column("count in all", {.digits = 10}, &Occurrence::count)
+        .file_only();
 }
 
-/// Finds the meshes of the settings, else the user's own, else one a role, each once. An unreadable one becomes a failed check.
 LibraryMeshes meshes_of_report(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
     if (!settings.meshes.empty() || library.has_own_meshes()) return meshes_for(library, settings, {}, section);
     LibraryMeshes meshes;
@@ -120,47 +114,25 @@ void add_checks(report::Section& section, const Inspected& mesh) {
     const std::string on = " on " + mesh.name();
     const PreparedMesh& prepared = *mesh.source->prepared;
     const Preflight& p = mesh.counts();
+    const auto add_once = [&](report::Check check) {   // a mesh with a certificate has it
+        if (std::ranges::find(section.checks, check.name, &report::Check::name) == section.checks.end()) add(section, std::move(check));
+    };
     if (p.manifold())
-        add(section, check_at_most(law("gauss_bonnet", on), gauss_bonnet_tolerance(p.triangles), mesh.facts.gauss_bonnet_residual));
-    if (p.manifold() && p.orientable) add(section, check_near(law("half_edges", on), 0, repeated_half_edges(prepared.mesh.F), 0));
+        add_once(check_at_most(law("gauss_bonnet", on), gauss_bonnet_tolerance(p.triangles), mesh.facts.gauss_bonnet_residual));
+    if (p.manifold() && p.orientable) add_once(check_near(law("half_edges", on), 0, repeated_half_edges(prepared.mesh.F), 0));
     constexpr double larger = 0x1p20, smaller = 0x1p-20;
-    add(section, check_at_most(words.line("check.moved", "mesh"_a = mesh.name()), 1e-12,
-                               std::max(change_when_moved(prepared, larger), change_when_moved(prepared, smaller)), 0,
-                               words.line("check.moved.note")));
+    add_once(check_at_most(words.line("check.moved", "mesh"_a = mesh.name()), 1e-12,
+                           std::max(change_when_moved(prepared, larger), change_when_moved(prepared, smaller)), 0,
+                           words.line("check.moved.note")));
 }
 
-report::Text answer_of(const std::vector<Inspected>& meshes) {
-    const auto sound = std::ranges::count_if(meshes, [](const Inspected& mesh) { return defects_of(mesh.facts).empty(); });
-    if (sound == std::ranges::ssize(meshes)) return words.say("answer.sound", "meshes"_a = meshes.size());
-    if (sound == 0) return words.say("answer.found_on_all", "all"_a = meshes.size());
-    return words.say("answer.found", "meshes"_a = std::ranges::ssize(meshes) - sound, "all"_a = meshes.size());
-}
+bool has_dropped(const Inspected& mesh) { return mesh.counts().dropped_degenerate_faces + mesh.counts().dropped_duplicate_faces > 0; }
+bool has_turned(const Inspected& mesh) { return mesh.counts().flipped_faces + mesh.counts().inside_out_components > 0; }
+bool is_repaired(const Inspected& mesh) { return has_dropped(mesh) || has_turned(mesh); }
+bool is_open(const Inspected& mesh) { return !mesh.counts().closed(); }
+bool is_rounded(const Inspected& mesh) { return mesh.facts.is_rounded(); }
 
-constexpr double thin_below = 10;   // [°]
-
-report::Text about_meshes(const std::vector<Inspected>& meshes) {
-    Names clean, repaired, open;
-    bool dropped = false, turned = false;
-    for (const Inspected& mesh : meshes) {
-        const Preflight& p = mesh.counts();
-        if (defects_of(mesh.facts).empty()) clean.push_back(mesh.name());
-        const bool dropped_here = p.dropped_degenerate_faces + p.dropped_duplicate_faces > 0;
-        const bool turned_here = p.flipped_faces + p.inside_out_components > 0;
-        if (dropped_here || turned_here) repaired.push_back(mesh.name());
-        dropped = dropped || dropped_here;
-        turned = turned || turned_here;
-        if (!p.closed()) open.push_back(mesh.name());
-    }
-    const char* repairs = repaired.empty() ? "not_repaired" : repaired.size() < meshes.size() ? "repaired" : "repaired.all";
-    const char* how = !turned ? "repaired.dropped" : dropped ? "repaired.either" : "repaired.turned";
-    report::Text t;
-    if (!clean.empty()) report::extend(t, words.say("clean", "meshes"_a = listed(clean)), " ");
-    report::extend(t, words.say(repairs, "meshes"_a = listed(repaired), "how"_a = words.line(how)), " ");
-    if (!open.empty()) report::extend(t, words.say("open", "meshes"_a = listed(open)));
-    return t;
-}
-
-/// What was found and is still there, open boundaries and further components apart: "needle faces (lily 2)".
+/// Defects that are still there, open boundaries and further components apart: "needle faces (lily 2)".
 Names kept_of(const std::vector<Occurrence>& found) {
     static const std::set<std::string_view> told_elsewhere = {"dropped_degenerate_faces", "dropped_duplicate_faces", "flipped_faces",
                                                               "inside_out_components",    "boundary_loops",          "further_components"};
@@ -170,55 +142,55 @@ Names kept_of(const std::vector<Occurrence>& found) {
     return kept;
 }
 
-report::Text about_smallest_angle(const std::vector<Inspected>& meshes) {
+report::Facts facts_of(const std::vector<Inspected>& meshes, const std::vector<Occurrence>& found) {
+    constexpr double thin_below = 10;   // [°]
+    const Names repaired = names_where(meshes, is_repaired), rounded = names_where(meshes, is_rounded);
     const Inspected& worst = *std::ranges::min_element(meshes, {}, [](const Inspected& m) { return m.facts.smallest_angle; });
     const double degrees = worst.facts.smallest_angle * 180 / pi;
-    return words.say(!(degrees > 0)         ? "angle.none"
-                     : degrees < thin_below ? "angle.thin"
-                                            : "angle.even",
-                     "angle"_a = readable(degrees, 2), "mesh"_a = worst.name());
-}
-
-void add_discussion(report::Section& section, const std::vector<Inspected>& meshes, const std::vector<Occurrence>& found) {
-    add_words(section, words, "discussion");
-    const Names kept = kept_of(found);
-    add_paragraphs(section, {about_meshes(meshes), kept.empty() ? report::Text() : words.say("kept", "defects"_a = listed(kept)),
-                             about_smallest_angle(meshes)});
+    std::vector<double> steps;
+    for (const Inspected& mesh : meshes)
+        if (is_rounded(mesh)) steps.push_back(mesh.facts.written_steps);
+    const auto [finest, coarsest] = steps.empty() ? std::pair(0.0, 0.0) : std::pair(std::ranges::min(steps), std::ranges::max(steps));
+    return {"clean"_a = listed(names_where(meshes, &Inspected::is_sound)),
+            "repaired"_a = listed(repaired),
+            "others"_a = repaired.size() < meshes.size(),
+            "dropped"_a = std::ranges::any_of(meshes, has_dropped),
+            "turned"_a = std::ranges::any_of(meshes, has_turned),
+            "open"_a = listed(names_where(meshes, is_open)),
+            "kept"_a = listed(kept_of(found)),
+            "found"_a = !found.empty(),
+            "without_angle"_a = !(degrees > 0),
+            "thin"_a = degrees > 0 && degrees < thin_below,
+            "even"_a = degrees >= thin_below,
+            "angle"_a = readable(degrees, 2),
+            "worst"_a = worst.name(),
+            "rounded"_a = rounded.size(),
+            "steps"_a = span_of(readable(finest, 2), readable(coarsest, 2))};
 }
 
 }   // namespace
 
-Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
-    Answer answer{section_of("preflight")};
-    report::Section& section = answer.section;
+std::vector<Inspected> inspected_meshes(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress,
+                                        report::Section& section) {
     std::vector<Inspected> meshes;
-    for (const auto& source : meshes_of_report(library, settings, section)) {
+    for (const auto& source : meshes_of_report(library.limited_to(0), settings, section)) {
         progress("preflight of " + source->name);
         meshes.push_back({{source}, mesh_facts(*source->prepared)});
     }
     if (meshes.empty()) throw InputError({}, "no mesh can be used", "see the warnings");
+    return meshes;
+}
+
+void add_preflight(report::Section& section, const std::vector<Inspected>& meshes) {
     const std::vector<Occurrence> occurrences = occurrences_in(meshes);
     std::vector<Occurrence> found = occurrences;
     std::erase_if(found, [](const Occurrence& o) { return o.meshes == 0; });
-    add_words(section, words, {"method", "results"});
+    add_words(section, words, "preflight", "kinds"_a = occurrences.size());
     add(section, connectivity_table(meshes), geometry_table(meshes));
     if (!found.empty()) add(section, defect_table(found));
     add(section, search_table(meshes, occurrences));
     for (const Inspected& mesh : meshes) add_checks(section, mesh);
-    add_discussion(section, meshes, found);
-    section.answer = answer_of(meshes);
-    section.extent = words.line("extent", "meshes"_a = meshes.size(), "kinds"_a = occurrences.size());
-    return answer;
+    add_words(section, words, "preflight.found", facts_of(meshes, found));
 }
 
-extern const Chapter chapter{
-    .id = "preflight",
-    .code = {{"prepare_mesh", "src/mesh/mesh_checks.cpp"},
-             {"consistent_orientation", "src/mesh/orientation.cpp"},
-             {"defect_list", "src/questions/preflight/defects.cpp"},
-             {"change_when_moved", "src/geometry/measures/mesh_facts.cpp"},
-             {"answer", "src/questions/preflight/chapter.cpp"}},
-    .answer = answer,
-};
-
-}   // namespace meshfolio::preflight
+}   // namespace meshfolio::certificates

@@ -2,17 +2,17 @@
 
 #include "base/file_bytes.h"
 #include "mesh/samples/sample_shapes.h"
+#include "questions/certificates/defects.h"
 #include "questions/core/study_laws.h"
-#include "questions/preflight/defects.h"
 #include "temporary_folder.h"
 
-namespace meshfolio::preflight {
+namespace meshfolio::certificates {
 using namespace testing_tools;
 
 namespace {
 
 Answer answer_on(const TriangleMesh& mesh, const std::string& name) {
-    return chapter_of_id("preflight").answer(library_of(mesh, name), quick_settings(), no_progress);
+    return chapter_of_id("certificates").answer(library_of(mesh, name), quick_settings(), no_progress);
 }
 
 bool has_table(const report::Section& section, const std::string& id) {
@@ -35,10 +35,10 @@ TriangleMesh ball_with_defects() {
 }   // namespace
 
 TEST(PreflightSection, BundledMeshesEachOnceAndSound) {
-    const Answer answer = chapter_of_id("preflight").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
+    const Answer answer = chapter_of_id("certificates").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
     expect_well_formed(answer);
     expect_checks_pass(answer.section);
-    EXPECT_EQ(table_named(answer.section, "preflight_connectivity").rows.size(), answer.section.inputs.size());
+    EXPECT_EQ(table_named(answer.section, "certificates_connectivity").rows.size(), answer.section.inputs.size());
     EXPECT_EQ(answer.section.inputs.size(), mesh_role_list().size());
 }
 
@@ -46,7 +46,7 @@ TEST(PreflightSection, EveryDefectHasItsRowWithWhatItBreaksAndWhatWasDone) {
     const Answer answer = answer_on(ball_with_defects(), "pre_ball");
     expect_well_formed(answer);
     expect_checks_pass(answer.section);
-    const report::Table& table = table_named(answer.section, "preflight_defects");
+    const report::Table& table = table_named(answer.section, "certificates_defects");
     EXPECT_EQ(numbers(table, "count"), (std::vector<double>{1, 1, 1, 1}));
     const auto found = cells(table, "found"), affects = cells(table, "affects"), done = cells(table, "what was done");
     std::size_t row = 0;
@@ -57,16 +57,28 @@ TEST(PreflightSection, EveryDefectHasItsRowWithWhatItBreaksAndWhatWasDone) {
         ++row;
     }
     EXPECT_EQ(row, 4u);
-    EXPECT_EQ(table_named(answer.section, "preflight_looked_for").rows.size(), defect_list().size());
+    EXPECT_EQ(table_named(answer.section, "certificates_looked_for").rows.size(), defect_list().size());
     EXPECT_NE(prose_of(answer.section).find("dropped or turned on pre_ball"), std::string::npos);
+}
+
+// Six decimals are what most files have, which is no defect and not nothing either.
+TEST(PreflightSection, SaysHowFarTheFileRounds) {
+    TriangleMesh mesh = icosphere(2);
+    mesh.X = ((mesh.X * 1e6).array().round() / 1e6).matrix().eval();
+    const Answer answer = answer_on(mesh, "pre_six");
+    const double steps = numbers(table_named(answer.section, "certificates_geometry"), "steps of coordinates").front();
+    EXPECT_NEAR(steps, 1e-6 / numbers(table_named(answer.section, "certificates_geometry"), "shortest edge").front(), 1e-12);
+    EXPECT_NE(prose_of(answer.section).find("A file rounds its coordinates"), std::string::npos);
+    EXPECT_EQ(prose_of(answer_on(icosphere(2), "pre_full").section).find("A file rounds"), std::string::npos);
+    EXPECT_EQ(prose_of(answer_on(cube_mesh(1), "pre_grid").section).find("A file rounds"), std::string::npos);
 }
 
 TEST(PreflightSection, SoundMeshesHaveNoTableOfDefects) {
     const Answer answer = answer_on(icosphere(2), "pre_sound");
     expect_well_formed(answer);
     expect_checks_pass(answer.section);
-    EXPECT_FALSE(has_table(answer.section, "preflight_defects"));
-    const std::vector<double> totals = numbers(table_named(answer.section, "preflight_looked_for"), "count in all");
+    EXPECT_FALSE(has_table(answer.section, "certificates_defects"));
+    const std::vector<double> totals = numbers(table_named(answer.section, "certificates_looked_for"), "count in all");
     EXPECT_EQ(totals, std::vector<double>(defect_list().size(), 0));
     EXPECT_NE(prose_of(answer.section).find("Nothing is wrong with pre_sound"), std::string::npos);
 }
@@ -76,7 +88,7 @@ TEST(PreflightSection, AnUnreadableMeshIsReportedAndTheRestIsAnswered) {
     const std::filesystem::path folder = data.path() / "decompose";
     std::filesystem::create_directories(folder);
     write_file(folder / "armadillo.obj", "v 0 0 0\nf 1 2 3\n");
-    const Answer answer = chapter_of_id("preflight").answer(MeshLibrary({data.path()}, {}), quick_settings(), no_progress);
+    const Answer answer = chapter_of_id("certificates").answer(MeshLibrary({data.path()}, {}), quick_settings(), no_progress);
     EXPECT_EQ(answer.section.inputs.size(), mesh_role_list().size() - 1);
     const auto failed =
         std::count_if(answer.section.checks.begin(), answer.section.checks.end(), [](const auto& c) { return !c.passed(); });
@@ -95,7 +107,7 @@ TEST(PreflightSection, WordsFollowTheShapeAndTheFindings) {
     seam.X.row(0) = seam.X.row(1);
     EXPECT_NE(prose_of(answer_on(seam, "pre_seam").section).find("vertices exactly on an earlier one (pre_seam 1)"), std::string::npos);
     const Answer one = answer_on(grid_mesh(4, 4, 1, 1), "pre_sheet");
-    EXPECT_NE(report::plain(one.section.answer).find("The mesh departs from"), std::string::npos);
+    EXPECT_NE(report::plain(one.section.answer).find("the mesh departs from"), std::string::npos);
 }
 
-}   // namespace meshfolio::preflight
+}   // namespace meshfolio::certificates
