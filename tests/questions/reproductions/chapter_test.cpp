@@ -128,7 +128,11 @@ TEST(Reproductions, ARunThatCollapsesKeepsWhatItReached) {
     EXPECT_TRUE(check_named(answer.section, "experiments that could not be done").passed());
     const std::string outcome = std::get<std::string>(cells(table_named(answer.section, "reproductions_01_errors"), "outcome").front());
     EXPECT_NE(outcome.find("collapsed at step " + std::to_string(run.collapse_iteration)), std::string::npos) << outcome;
-    EXPECT_NE(prose_of(answer.section).find("the surface had collapsed"), std::string::npos);
+    const auto plot = std::ranges::find_if(answer.section.blocks, [](auto& block) { return std::holds_alternative<report::Plot>(block); });
+    ASSERT_NE(plot, answer.section.blocks.end());
+    const report::Marker& end = std::get<report::Plot>(*plot).markers.back();
+    EXPECT_EQ(end.x, run.collapse_iteration - 1);
+    EXPECT_EQ(end.label, "collapsed at step " + std::to_string(run.collapse_iteration));
 }
 
 TEST(Coverage, SaysWhoAnswersEachRow) {
