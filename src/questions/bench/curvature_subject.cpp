@@ -144,15 +144,15 @@ std::string beyond_words(const Vector& values, double range) {
     return share > 0 ? curvature_words.line("beyond", "share"_a = readable_percent(share, 2)) : "";
 }
 
-SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector& values, double pale) {
+SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector& values) {
     std::vector<int> order = where_finite(values, values);
     std::ranges::stable_sort(order, {}, [&](int i) { return subject.centred.row(i).squaredNorm(); });
     const auto share = [&](std::size_t first, std::size_t last, auto chosen) {
         const auto begin = order.begin() + first, end = order.begin() + last;
         return first < last ? double(std::count_if(begin, end, [&](int i) { return chosen(values[i]); })) / double(last - first) : 0;
     };
-    const auto positive = [&](double v) { return v > pale; };
-    const auto negative = [&](double v) { return v < -pale; };
+    const auto positive = [&](double v) { return v > 0; };
+    const auto negative = [&](double v) { return v < 0; };
     const std::size_t n = order.size();
     return {share(0, n, positive), share(0, n, negative), share(n - n / 5, n, positive), share(0, n / 2, negative)};
 }

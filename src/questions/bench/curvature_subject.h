@@ -50,7 +50,7 @@ output::ColorRange relative_range(std::string quantity);
 double share_beyond(const Vector& values, double range);
 std::string beyond_words(const Vector& values, double range);
 
-/// Shares of the finite values that are above `pale` or below −`pale`, by the distance of the vertices from the box centre.
+/// Shares of the finite values above and below 0, by the distance of the vertices from the box centre.
 struct SignsByDistance {
     double positive = 0, negative = 0;   // of all
     double outer_positive = 0;           // of the fifth that is farthest from the centre
@@ -58,7 +58,7 @@ struct SignsByDistance {
 
     bool caps_outside() const { return outer_positive > std::max(0.5, positive + 0.1) && inner_negative > 1.1 * negative; }
 };
-SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector& values, double pale);
+SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector& values);
 
 /// `shared` with the clipped shares of these panels.
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels);

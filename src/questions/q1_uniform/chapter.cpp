@@ -47,7 +47,7 @@ report::Table error_table(const BenchRuns& runs) {
         .column("normal part", {.unit = "%", .digits = 2}, error(normal_H))
         .column("K barycentric", {.unit = "%", .digits = 2}, error(deficit_K))
         .column("order of K", {.rounding = Rounding::tenths}, order(deficit_K))
-        .column("worst vertex", {.unit = "%", .digits = 2}, error(deficit_K, &EstimateError::linf))
+        .column("worst vertex", {.unit = "% of largest K", .digits = 2}, error(deficit_K, &EstimateError::linf))
         .column("K Voronoi", {.unit = "%", .digits = 2}, error("K.voronoi"))
         .column("K mixed", {.unit = "%", .digits = 2}, error("K.mixed"));
 }
@@ -73,7 +73,8 @@ report::Table gauss_bonnet_table(const AngleSums& sums) {
         .column("χ", &AngleSum::euler)
         .column("Σ deficit / 2π", {.digits = 6}, &AngleSum::measured)
         .column("difference", {.digits = 2}, [](auto& s) { return s.measured - s.euler; })
-        .column("applies", [](auto& s) { return s.applies ? "yes" : words.line("gauss_bonnet.does_not_apply"); });
+        .column("applies", [](auto& s) { return s.applies ? "yes" : words.line("gauss_bonnet.does_not_apply"); })
+        .file_only();
 }
 
 void add_checks(report::Section& section, const AngleSums& sums, const std::vector<FlatMesh>& flat, const BenchRuns& runs) {
@@ -124,7 +125,9 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         if (c.subject.plane_normal) flat.push_back(flat_mesh(c));
 
     section.answer = answer_of(runs);
-    add_paragraphs(section, {lead_of(runs, drifting)});
+    add_paragraphs(section, {lead_of(runs)});
+    add_words(section, words, "method");
+    add(section, sign_diagram());
     add_words(section, words, "method.laplacian");
     add(section, ring_diagram());
     add_words(section, words, {"method.deficit", "results"});

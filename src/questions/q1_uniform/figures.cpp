@@ -12,13 +12,13 @@ namespace {
 
 using namespace diagram_names;
 
-constexpr double elevation = 0.8;      // of the eye over the tangent plane [rad]
 constexpr double drawn_normal = 0.9;   // length of n, on the unit sphere
 
 /// A view from aside in which the drift of Δx along the surface shows its whole length.
 class SideView {
 public:
-    SideView(const Vector3& origin, const Vector3& right, const Vector3& normal)
+    /// @param elevation  of the eye over the tangent plane [rad]
+    SideView(const Vector3& origin, const Vector3& right, const Vector3& normal, double elevation = 0.8)
         : origin_(origin), right_(right), up_(normal * std::cos(elevation) + right.cross(normal).normalized() * std::sin(elevation)) {}
 
     DiagramPoint operator()(const Vector3& p) const { return {(p - origin_).dot(right_), (p - origin_).dot(up_)}; }
@@ -103,41 +103,92 @@ Diagram::Panel area_panel(const FlatRing& ring, AreaForm form) {
     return panel;
 }
 
-/// A quantity that every mesh shows on a range of its own, for values of meshes are not compared.
+/// A quantity on a range of its own, for values of meshes are not compared.
 struct Shown {
-    std::string key;   // the end of its figure's name, and the beginning of its messages
-    double floor;      // of the range
-    double least;      // below it all is 0 but for rounding
-    Vector (*values)(const MeshCurvature&);
+    std::string key;   // the end of its panel's name, and the beginning of its label
+    Vector values;
+    double floor;   // of the range
+    double least;   // below it all is 0 but for rounding
 };
 
-const Shown shown[]{
-    {"h", 0.1, 100 * visible, [](const MeshCurvature& c) -> Vector { return 100 / c.subject.mean_edge * c.length; }},
-    {"k", 0.1, 0.01, [](const MeshCurvature& c) -> Vector { return c.subject.diagonal * c.subject.diagonal * c.K; }},
-};
-
-/// Colours the mesh in percent of its own range, which its label states.
-output::Panel panel_of(const Shown& quantity, const MeshCurvature& c) {
-    const std::string& name = c.name();
-    const Vector values = quantity.values(c);
-    const double range = diverging_range(values, quantity.floor), most = largest_magnitude(values);
-    const std::string label =
-        words.line(quantity.key + (most > quantity.least ? ".label" : ".label.zero"), "mesh"_a = name, "most"_a = readable(most, 2),
-                   "range"_a = readable(range, 2), "beyond"_a = beyond_words(values, range));
-    return relative_panel(c.subject, "q1_" + name + "_" + quantity.key, label, values, range);
+std::array<Shown, 2> H_and_K_of(const MeshCurvature& c) {
+    const double area = c.subject.diagonal * c.subject.diagonal;
+    return {{{"h", 100 / c.subject.mean_edge * c.length, 0.1, 100 * visible}, {"k", c.K, 0.1 / area, 0.01 / area}}};
 }
 
-/// Rings the irregular vertices that the text speaks of. @return a space and a sentence that names these meshes, or nothing
-std::string mark_irregular_vertices(std::vector<output::Panel>& panels, const Meshes& meshes) {
+/// Colours the mesh in percent of its own range, which its label states.
+output::Panel panel_of(const Shown& shown, const MeshCurvature& c) {
+    const double range = diverging_range(shown.values, shown.floor), most = largest_magnitude(shown.values);
+    const std::string label =
+        words.line(shown.key + (most > shown.least ? ".label" : ".label.zero"), "mesh"_a = c.name(), "most"_a = readable(most, 2),
+                   "range"_a = readable(range, 2), "beyond"_a = beyond_words(shown.values, range));
+    return relative_panel(c.subject, "q1_" + c.name() + "_" + shown.key, label, shown.values, range);
+}
+
+/// H and K of these meshes side by side. Irregular vertices that the text speaks of are ringed.
+void add_H_and_K(Answer& answer, const std::vector<const MeshCurvature*>& meshes, const std::string& id, const std::string& key,
+                 output::Layout layout) {
+    output::FigureRequest figure{.id = id,
+                                 .title = words.line(key + ".title"),
+                                 .range = relative_range(words.line("quantity")),
+                                 .frame_panel = -1,
+                                 .layout = layout,
+                                 .turnable = true,
+                                 .view_files = layout == output::Layout::six_views};
+    UndefinedVertices masked;
     Names ringed;
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-        const IrregularVertices odd = irregular_vertices(meshes[i]);
-        if (!odd.ringed()) continue;
-        panels[i].marked_vertices = odd.vertices;
-        ringed.push_back(meshes[i].name());
+    for (const MeshCurvature* c : meshes) {
+        for (const Shown& shown : H_and_K_of(*c)) figure.panels.push_back(panel_of(shown, *c));
+        masked += undefined_vertices(c->subject);
+        if (const IrregularVertices odd = irregular_vertices(*c); odd.ringed()) {
+            figure.panels.back().marked_vertices = odd.vertices;
+            ringed.push_back(c->name());
+        }
     }
-    if (ringed.empty()) return {};
-    return " " + words.line(ringed.size() == meshes.size() ? "k.marked.all" : "k.marked", "meshes"_a = listed(ringed));
+    const std::string marked = ringed.empty() ? "" : " " + words.line("marked", "meshes"_a = listed(ringed));
+    add_figure(answer, std::move(figure), words.line(key + ".caption", "marked"_a = marked, "undefined"_a = undefined_words(masked)));
+}
+
+/// A square patch of z = −½(κ₁x² + κ₂y²), seen from aside and above, with the curves of κ₁ and κ₂.
+Diagram::Panel patch_panel(double kappa_1, double kappa_2, const std::string& title) {
+    constexpr double turn = 0.6, reach = 1, line_spacing = 0.25;
+    constexpr int steps = 24;
+    const SideView seen({0, 0, 0}, {std::cos(turn), std::sin(turn), 0}, {0, 0, 1}, 0.5);
+    const auto curve = [&](const Vector3& start, const Vector3& direction) {
+        std::vector<DiagramPoint> points;
+        for (int i = -steps; i <= steps; ++i) {
+            Vector3 p = start + reach * i / steps * direction;
+            p.z() = -(kappa_1 * p.x() * p.x() + kappa_2 * p.y() * p.y()) / 2;
+            points.push_back(seen(p));
+        }
+        return points;
+    };
+    const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY();
+    Diagram::Panel panel{.title = title};
+    std::vector<DiagramPoint> outline;
+    for (const auto& [start, direction] : {std::pair<Vector3, Vector3>{-y, x}, {x, y}, {y, -x}, {-x, -y}}) {
+        const auto side = curve(start, direction);
+        outline.insert(outline.end(), side.begin(), side.end());
+    }
+    panel.paths.push_back(path_through(outline, Style::area, true));
+    panel.paths.push_back(path_through(outline, Style::line, true));
+    for (double at = line_spacing - reach; at < reach; at += line_spacing) {
+        panel.paths.push_back(path_through(curve(at * y, x), Style::thin));
+        panel.paths.push_back(path_through(curve(at * x, y), Style::thin));
+    }
+    const auto label = [&](const std::vector<DiagramPoint>& points, const char* name, double kappa, Side side) {
+        panel.paths.push_back(path_through(points, Style::accent));
+        const std::string value = std::string(name) + " = " + readable(kappa, 1);
+        const DiagramPoint& end = side == Side::left ? points.front() : points.back();
+        panel.labels.push_back({.x = end[0], .y = end[1], .words = text(math(value)), .side = side, .accent = true});
+    };
+    label(curve({0, 0, 0}, x), "κ_1", kappa_1, Side::left);
+    label(curve({0, 0, 0}, y), "κ_2", kappa_2, Side::below_right);
+    const DiagramPoint tip = seen({0, 0, 0.8});
+    panel.paths.push_back(path_through({seen({0, 0, 0}), tip}, Style::line));
+    panel.paths.back().arrow = true;
+    panel.labels.push_back({.x = tip[0], .y = tip[1], .words = text(math("n")), .side = Side::right});
+    return panel;
 }
 
 }   // namespace
@@ -155,20 +206,30 @@ Diagram ring_diagram() {
     return diagram;
 }
 
-void add_figures(Answer& answer, const Meshes& meshes) {
-    UndefinedVertices masked;
-    for (const MeshCurvature& c : meshes) masked += undefined_vertices(c.subject);
-    for (const Shown& quantity : shown) {
-        output::FigureRequest figure{.id = "q1_" + quantity.key,
-                                     .title = words.line(quantity.key + ".title"),
-                                     .range = relative_range(words.line(quantity.key + ".quantity")),
-                                     .frame_panel = -1,
-                                     .turnable = quantity.key == "h",
-                                     .view_files = true};
-        for (const MeshCurvature& c : meshes) figure.panels.push_back(panel_of(quantity, c));
-        const std::string marked = quantity.key == "k" ? mark_irregular_vertices(figure.panels, meshes) : "";
-        add_figure(answer, std::move(figure), words.line(quantity.key + ".caption") + marked + undefined_words(masked));
+Diagram sign_diagram() {
+    struct Patch {
+        const char* key;
+        double kappa_1, kappa_2;
+    };
+    Diagram diagram{.id = "q1_signs", .caption = words.line("signs.caption")};
+    Names titles;
+    for (const Patch& patch : {Patch{"signs.cap", 1, 1}, {"signs.saddle", 1, -1}, {"signs.cylinder", 1, 0}}) {
+        titles.push_back(words.line(patch.key, "H"_a = readable((patch.kappa_1 + patch.kappa_2) / 2, 1),
+                                    "K"_a = readable(patch.kappa_1 * patch.kappa_2, 1)));
+        diagram.panels.push_back(patch_panel(patch.kappa_1, patch.kappa_2, titles.back()));
     }
+    diagram.alt = words.line("signs.alt", "patches"_a = joined(titles));
+    return diagram;
+}
+
+void add_figures(Answer& answer, const Meshes& meshes) {
+    std::vector<const MeshCurvature*> all = each_of(meshes, [](const MeshCurvature& c) { return &c; });
+    const auto alike = std::ranges::stable_partition(all, [](auto* c) { return !looks_alike_from_all_sides(*c); });
+    std::vector<const MeshCurvature*> even(alike.begin(), alike.end());
+    if (even.size() == all.size()) even.clear();   // the assignment asks for six views
+    all.resize(all.size() - even.size());
+    add_H_and_K(answer, all, "q1_h", "h", output::Layout::six_views);
+    if (!even.empty()) add_H_and_K(answer, even, "q1_even", "even", output::Layout::multiples);
 }
 
 void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::string& colormap) {

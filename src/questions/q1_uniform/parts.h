@@ -64,13 +64,23 @@ struct Picture {
     double correlation = 0;                    // rank_correlation() of the two
     double spread = 0, cotangent_spread = 0;   // 98th over 2nd percentile where there is one sign; 0 where there are two
 
-    bool varies_where_truth_does_not() const { return cotangent_spread > 0 && cotangent_spread < 1.2 && spread > 1.5 * cotangent_spread; }
-    bool misleads() const { return varies_where_truth_does_not() || correlation < 0.5; }
+    bool is_even() const { return cotangent_spread > 0 && cotangent_spread < 1.2; }   // so is the surface
+    bool varies_where_truth_does_not() const { return is_even() && spread > 1.5 * cotangent_spread; }
 };
 Picture picture_of(const MeshCurvature& c);
+/// Flat or evenly curved: does one view show all of it?
+bool looks_alike_from_all_sides(const MeshCurvature& c);
 
-/// K at the few vertices of valence other than six: its largest relative distance from the median, there, elsewhere, and with Voronoi
-/// areas.
+/// Where K is positive or negative, however little. Rounding is neither.
+struct SignsOfK {
+    SignsByDistance all;
+    double white = 0;   // share where |K| is below white_within of its colour range
+};
+inline constexpr double white_within = 0.05;
+SignsOfK signs_of_K(const MeshCurvature& c);
+
+/// K at the few vertices of valence other than six: its largest relative distance from the median, there, elsewhere, and there with Voronoi
+/// areas, from the median of K with those.
 struct IrregularVertices {
     std::vector<int> vertices;
     double off = 0, off_elsewhere = 0, off_with_voronoi = 0;
@@ -125,7 +135,10 @@ int without_K(const BenchRuns& runs, AreaForm form);
 /// Δx and its parts, the angle deficit, and the three areas, each of a real ring.
 report::Diagram ring_diagram();
 
-/// H and K, one figure each of all meshes.
+/// κ₁, κ₂, H and K of a cap, a saddle and a cylinder.
+report::Diagram sign_diagram();
+
+/// H and K of each mesh side by side: in six views, and those that look alike from every side in one.
 void add_figures(Answer& answer, const Meshes& meshes);
 /// Shows where Δx lies along the surface, on the curved meshes.
 void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::string& colormap);
@@ -138,7 +151,7 @@ struct Drifting {
 std::optional<Drifting> most_drifting(const Meshes& meshes);
 
 report::Text answer_of(const BenchRuns& runs);
-report::Text lead_of(const BenchRuns& runs, const std::optional<Drifting>& drifting);
+report::Text lead_of(const BenchRuns& runs);
 /// @param panel  runs on all surfaces
 void add_discussion(report::Section& section, const Meshes& meshes, const std::vector<FlatMesh>& flat, const BenchRuns& runs,
                     const BenchRuns& panel, const AngleSums& sums, const std::optional<Drifting>& drifting);

@@ -11,6 +11,8 @@ namespace meshfolio::q1_uniform {
 
 namespace {
 
+constexpr double deficit_rounding = 1e-12;   // [rad]
+
 /// 98th over 2nd percentile of the magnitudes; 0 where there is more than one sign, or none.
 double spread_of(const Vector& values) {
     const std::vector<double> sorted = sorted_finite(values);
@@ -102,21 +104,29 @@ Picture picture_of(const MeshCurvature& c) {
     return {rank_correlation(c.length, c.cotangent), spread_of(c.length), spread_of(c.cotangent)};
 }
 
+bool looks_alike_from_all_sides(const MeshCurvature& c) { return c.subject.plane_normal || picture_of(c).is_even(); }
+
+SignsOfK signs_of_K(const MeshCurvature& c) {
+    const Vector K = (c.deficit.array().abs() > deficit_rounding).select(c.K, 0 * c.K);   // NaN stays NaN
+    return {signs_by_distance(c.subject, K), 1 - share_beyond(c.K, white_within * diverging_range(c.K))};
+}
+
 IrregularVertices irregular_vertices(const MeshCurvature& c) {
     const ValueSummary K = summary_of(c.K);
     if (K.count == 0 || !(K.minimum * K.maximum > 0)) return {};
     const CurvatureSubject& s = c.subject;
     const Vector with_voronoi = gaussian_curvature(s.mesh(), s.topology(), vertex_areas(s.mesh(), AreaForm::voronoi));
     IrregularVertices found;
-    const auto off = [&](double k) { return std::abs(k / K.median - 1); };
+    const auto off = [](double k, double median) { return std::isfinite(k) ? std::abs(k / median - 1) : INFINITY; };
+    const double voronoi_median = summary_of(with_voronoi).median;
     for (int i = 0; i < c.K.size(); ++i) {
         if (!std::isfinite(c.K[i])) continue;
         const bool irregular = s.topology().neighbours.size(i) != 6;
         double& most = irregular ? found.off : found.off_elsewhere;
-        most = std::max(most, off(c.K[i]));
+        most = std::max(most, off(c.K[i], K.median));
         if (!irregular) continue;
         found.vertices.push_back(i);
-        found.off_with_voronoi = std::max(found.off_with_voronoi, std::isfinite(with_voronoi[i]) ? off(with_voronoi[i]) : INFINITY);
+        found.off_with_voronoi = std::max(found.off_with_voronoi, off(with_voronoi[i], voronoi_median));
     }
     return 20 * found.vertices.size() <= static_cast<std::size_t>(K.count) ? found : IrregularVertices{};
 }

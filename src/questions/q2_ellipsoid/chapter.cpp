@@ -142,7 +142,7 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     add_words(section, words, "method");
     add(section, angle_diagram(tip));
     add_words(section, words, {"method.tip", "results"});
-    add(section, tip_table(tips), tip_plot(tips[0], "q2_tip_b_above_c"));
+    add(section, tip_table(tips), tip_plot(tip, "q2_tip_b_above_c"));
     add_paragraphs(section, {about_tip(tip), about_readings(tip), about_sign(tip),
                              paragraph_of({about_oracles(oracles), about_poles(tip.ellipsoid, pole), about_meshes(discrete)})});
     add_checks(section, tips, oracles, pole, discrete);
@@ -151,7 +151,6 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     add_words(section, words, "appendix");
     add(section, forms_table(flat_ellipsoid));
     add_ellipsoid_figure(answer, flat_ellipsoid, settings.quick, settings.colormap);
-    add(section, tip_plot(tips[1], "q2_tip_b_below_c"));
     add_paragraphs(section, {about_tip(tips[1]), about_mistakes(tip)});
     add(section, oracle_table(oracles), pole_table(flat_ellipsoid, pole), discrete_table(tip, discrete));
 

@@ -36,16 +36,18 @@ report::Series curve_of(const Ellipsoid& ellipsoid, double (*curvature)(const El
     return series;
 }
 
-/// The places of the extrema are those of the sampled curve, not of the formula.
+/// The places of the extrema are those of the sampled curve, not of the formula. The first maximum and the first minimum have a label.
 std::vector<report::Marker> extrema_of(const report::Series& curve) {
     std::vector<report::Marker> extrema;
     const std::size_t n = curve.y.size() - 1;   // the last point repeats the first
+    bool maximum_told = false, minimum_told = false;
     for (std::size_t i = 0; i <= n; ++i) {
         const double before = curve.y[(i + n - 1) % n], here = curve.y[i], after = curve.y[(i + 1) % n];
         const bool maximum = here > before && here > after, minimum = here < before && here < after;
         if (!maximum && !minimum) continue;
-        extrema.push_back(
-            {curve.x[i], here, words.line(maximum ? "tip_curves.maximum" : "tip_curves.minimum", "value"_a = readable(here, 4))});
+        bool& told = maximum ? maximum_told : minimum_told;
+        const char* key = maximum ? "tip_curves.maximum" : "tip_curves.minimum";
+        extrema.push_back({curve.x[i], here, std::exchange(told, true) ? "" : words.line(key, "value"_a = readable(here, 4))});
     }
     return extrema;
 }
@@ -110,14 +112,16 @@ report::Table oracle_table(const Oracles& oracles) {
     return deviations.column("I", {.digits = 2}, &OracleErrors::I)
         .column("II", {.digits = 2}, &OracleErrors::II)
         .column("K", {.digits = 2}, &OracleErrors::K)
-        .column("H", {.digits = 2}, &OracleErrors::H);
+        .column("H", {.digits = 2}, &OracleErrors::H)
+        .file_only();
 }
 
 report::Table pole_table(const Ellipsoid& ellipsoid, const PoleSteps& steps) {
     return table("q2_pole", words.line("pole", "axes"_a = axes_text(ellipsoid)), steps)
         .column("π − v", {.unit = "rad"}, &PoleStep::distance)
         .column("EG − F²", {.unit = "length⁴", .digits = 4}, &PoleStep::area_element_squared)
-        .column("K", {.unit = "1/length²", .digits = 8}, &PoleStep::K);
+        .column("K", {.unit = "1/length²", .digits = 8}, &PoleStep::K)
+        .file_only();
 }
 
 report::Table discrete_table(const Tip& exact, const DiscreteTips& tips) {

@@ -29,7 +29,8 @@ report::Table difference_table(const Comparisons& meshes) {
         .column("difference, rms", {.unit = "1/length"}, &CotangentComparison::rms_difference)
         .column("difference, largest", {.unit = "1/length"}, [](auto& c) { return largest_magnitude(c.difference); })
         .column("difference, rms", {.unit = "% of uniform rms"}, in_percent_of_uniform)
-        .column("other sign", {.unit = "% of vertices"}, [](auto& c) { return 100 * c.sign_change; });
+        .column("other sign", {.unit = "% of vertices"}, [](auto& c) { return 100 * c.sign_change; })
+        .file_only();
 }
 
 report::Table variant_table(const Comparisons& meshes) {
@@ -41,7 +42,8 @@ report::Table variant_table(const Comparisons& meshes) {
         .column("smallest weight", [](auto& row) { return row.part.smallest_weight; })
         .column("largest inside", [](auto& row) { return row.part.inside; })
         .column("change inside, rms", {.unit = "%"}, [](auto& row) { return cell_of(100 * row.part.change); })
-        .column("largest on boundary", [](auto& row) { return row.part.boundary; });
+        .column("largest on boundary", [](auto& row) { return row.part.boundary; })
+        .file_only();
 }
 
 /// Errors on the finest meshes in one norm, one row an estimator.
@@ -52,7 +54,7 @@ report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& k
         return undefined;
     };
     const bool some_undefined = std::ranges::any_of(runs, undefined_of);
-    std::string caption = words.line("errors", "norm"_a = name);
+    std::string caption = words.line("errors", "norm"_a = name, "largest"_a = norm == &EstimateError::linf);
     if (some_undefined) caption += " " + words.line("errors.undefined");
     auto errors = table("q3_errors_" + key, caption, runs);
     errors.column("surface", &BenchRun::surface).column("triangulation", [](auto& run) { return name_of(run.kind); });
@@ -81,7 +83,8 @@ report::Table order_table(const BenchRuns& runs) {
         .column("barycentric", order("H.barycentric"))
         .column("barycentric, L∞", order("H.barycentric", &EstimateError::linf))
         .column("Voronoi", order("H.voronoi"))
-        .column("mixed", order("H.mixed"));
+        .column("mixed", order("H.mixed"))
+        .file_only();
 }
 
 report::Table indicator_table(const std::vector<IndicatorTrial>& trials) {
@@ -109,7 +112,8 @@ void add_checks(report::Section& section, const BenchRuns& runs, const PlaneTest
     }
 }
 
-report::Text about_trials(const std::vector<IndicatorTrial>& trials) {
+/// @param trials  the last is that of random points
+void add_trust(report::Section& section, const std::vector<IndicatorTrial>& trials) {
     double off = 0, found = 1;
     int large = 0;
     for (const auto& [mesh, on] : trials) {
@@ -119,40 +123,22 @@ report::Text about_trials(const std::vector<IndicatorTrial>& trials) {
         found = std::min(found, on.found);
     }
     const IndicatorTrial& best = *std::ranges::min_element(trials, {}, [](const IndicatorTrial& t) { return t.indicator.actual; });
-    report::Text t = words.say("trust.second_estimate");
-    if (large > 0)
-        go_on(t, words.say("trust.large", "meshes"_a = large, "off"_a = readable_percent(rounded_up(off, 2), 2),
-                           "found"_a = readable_percent(rounded_down(found, 2), 2)));
-    go_on(t, words.say("trust.small", "mesh"_a = best.mesh, "indicated"_a = readable_percent(best.indicator.indicated, 2),
-                       "actual"_a = readable_percent(best.indicator.actual, 2)));
-    return t;
+    add_words(section, words, "trust", "large"_a = large, "off"_a = readable_percent(rounded_up(off, 2), 2),
+              "found"_a = readable_percent(rounded_down(found, 2), 2), "best"_a = best.mesh,
+              "indicated"_a = readable_percent(best.indicator.indicated, 2), "actual"_a = readable_percent(best.indicator.actual, 2));
+    add(section, indicator_table(trials));
+    const ErrorIndicator& random = trials.back().indicator;
+    add(section, check_near(words.line("check.indicator", "mesh"_a = trials.back().mesh), 1, random.indicated / random.actual, 0.05));
 }
 
-report::Text about_disagreement(const CotangentComparison& c, const Disagreement& d) {
-    report::Text t = words.say("trust.mesh", "mesh"_a = c.name(), "rms"_a = readable_percent(d.rms),
-                               "median"_a = readable_percent(d.median), "concentration"_a = readable_percent(d.concentration, 2));
-    if (d.without_jet > 0) go_on(t, words.say("trust.without_jet", "vertices"_a = d.without_jet));
-    return t;
+void add_disagreement(Answer& answer, const CotangentComparison& c, const Disagreement& d, const std::string& colormap) {
+    add_disagreement_figure(answer, c, d, colormap);
+    add_words(answer.section, words, "trust.mesh", "mesh"_a = c.name(), "rms"_a = readable_percent(d.rms, 2),
+              "median"_a = readable_percent(rounded_up(d.median, 2), 2), "concentration"_a = readable_percent(d.concentration, 2),
+              "without_jet"_a = d.without_jet);
 }
 
 }   // namespace
-
-void add_error_indicator(Answer& answer, const Comparisons& meshes, const BenchRuns& runs, const QuestionSettings& settings) {
-    report::Section& section = answer.section;
-    add_words(section, words, "trust");
-    const std::vector<IndicatorTrial> trials = indicator_trials(runs, settings);
-    add_paragraphs(section, {about_trials(trials)});
-    add(section, indicator_table(trials));
-    for (const CotangentComparison& c : meshes) {
-        const Disagreement d = disagreement_with_jet(c);
-        if (!std::isfinite(d.rms) || d.rms == 0) continue;   // flat, or nothing inside: no H to doubt
-        add_disagreement_figure(answer, c, d, settings.colormap);
-        add_paragraphs(section, {about_disagreement(c, d)});
-    }
-    const IndicatorTrial& random = trials.back();
-    add(section,
-        check_near(words.line("check.indicator", "mesh"_a = random.mesh), 1, random.indicator.indicated / random.indicator.actual, 0.05));
-}
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("q3")};
@@ -163,6 +149,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         progress("cotangent curvature of " + source->name);
         meshes.push_back(compare_operators(source));
     }
+    const Disagreements with_jets = each_of(meshes, disagreement_with_jet);
     const BenchRuns runs = question_runs(settings, progress);
     const PlaneTest plane = irregular_plane(settings.seed);
     const BenchRuns panel = panel_runs(settings.seed, settings.quick, progress);
@@ -172,19 +159,20 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "method");
     add(section, weight_diagram());
     add_words(section, words, "results");
-    add_comparison_figure(answer, meshes);
-    add_plane_figure(answer, plane, settings.colormap);
+    add_comparison_figure(answer, meshes, with_jets);
+    add_plane_figure(answer, meshes, plane, settings.colormap);
     add(section, error_table(runs, &EstimateError::l2, "l2", "L2"));
-    add_discussion(section, meshes, runs, plane, panel);
+    add_discussion(section, meshes, with_jets, runs, plane, panel);
     add_checks(section, runs, plane, meshes);
 
     begin_appendix(section);
-    add_words(section, words, "appendix");
+    add_limits(section, meshes, runs);
     add(section, error_table(runs, &EstimateError::linf, "linf", "L∞"), order_table(runs), difference_table(meshes), variant_table(meshes),
         convergence_plot("q3_convergence", words, runs,
                          {{"H.uniform", "convergence.uniform"}, {H_with(areas_used), "convergence.cotangent"}}));
-    add_limits(section, meshes, runs);
-    add_error_indicator(answer, meshes, runs, settings);
+    add_trust(section, indicator_trials(runs, settings));
+    for (std::size_t m = 0; m < meshes.size(); ++m)   // where it is flat, or has nothing inside, there is no H to doubt
+        if (with_jets[m].rms > 0) add_disagreement(answer, meshes[m], with_jets[m], settings.colormap);
 
     const std::size_t levels = runs.front().levels.size();
     int most_vertices = 0;

@@ -104,43 +104,63 @@ Diagram weight_diagram() {
 
 double cotangent_range(const CotangentComparison& c) { return diverging_range(c.subject.mean_edge * c.cotangent, 0.01); }
 
-void add_comparison_figure(Answer& answer, const Comparisons& meshes) {
+void add_comparison_figure(Answer& answer, const Comparisons& meshes, const Disagreements& with_jets) {
     output::FigureRequest figure{.id = "q3_h",
                                  .title = words.line("comparison.title"),
                                  .range = relative_range(words.line("comparison.quantity")),
                                  .frame_panel = -1,
                                  .turnable = true,
                                  .view_files = true};
+    const bool is_short = std::ranges::count_if(meshes, is_curved) <= 2;   // so that it fits on a page
+    bool has_own = false;
     UndefinedVertices masked;
-    for (const CotangentComparison& c : meshes) {
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        const CotangentComparison& c = meshes[m];
+        if (!is_curved(c)) continue;
         const CurvatureSubject& s = c.subject;
-        const double range = cotangent_range(c);
-        const auto add = [&](const char* key, const char* zero, const std::string& name, const Vector& values) {
-            const double most = s.mean_edge * largest_magnitude(values);
-            const std::string label = words.line(most > 0.01 * range ? key : zero, "mesh"_a = s.name(), "range"_a = readable(range, 2),
-                                                 "most"_a = readable(most, 2), "beyond"_a = beyond_words(s.mean_edge * values, range));
-            figure.panels.push_back(relative_panel(s, "q3_" + s.name() + "_h_" + name, label, s.mean_edge * values, range));
+        const auto add = [&](const std::string& name, const Vector& H, double range) {
+            const Vector values = s.mean_edge * H;
+            const std::string label = words.line("comparison." + name, "mesh"_a = s.name(), "range"_a = readable(range, 2),
+                                                 "beyond"_a = beyond_words(values, range));
+            figure.panels.push_back(relative_panel(s, "q3_" + s.name() + "_h_" + name, label, values, range));
         };
-        add("comparison.uniform", "comparison.uniform.zero", "uniform", c.uniform);
-        add("comparison.cotangent", "comparison.cotangent.zero", "cotangent", c.cotangent);
+        const double range = cotangent_range(c);
+        add("uniform", c.uniform, range);
+        add("cotangent", c.cotangent, range);
+        if (is_short && summary_of(with_jets[m].jet).count > 0 && share_beyond(s.mean_edge * c.uniform, range) > 0.2) {
+            add("own", c.uniform, diverging_range(s.mean_edge * c.uniform, 0.01));
+            add("jet", with_jets[m].jet, range);
+            has_own = true;
+        }
         masked += undefined_vertices(s);
     }
-    add_figure(answer, std::move(figure), words.line("comparison.caption", "undefined"_a = undefined_words(masked)));
+    if (figure.panels.empty()) return;
+    add_figure(answer, std::move(figure), words.line("comparison.caption", "own"_a = has_own, "undefined"_a = undefined_words(masked)));
 }
 
 /// Curvature is a magnitude here: the sign of a flat surface's H is that of rounding.
-void add_plane_figure(Answer& answer, const PlaneTest& plane, const std::string& colormap) {
+void add_plane_figure(Answer& answer, const Comparisons& meshes, const PlaneTest& plane, const std::string& colormap) {
     output::FigureRequest figure{
         .id = "q3_h_irregular_plane", .title = words.line("plane.title"), .edges = true, .layout = output::Layout::multiples};
-    const auto show = [&](const std::string& name, const Vector& H, double most) {
-        figure.panels.push_back(panel_of(plane.mesh, "q3_" + name + "_irregular_plane",
-                                         words.line("plane." + name, "most"_a = readable(most, 2)), H.cwiseAbs()));
+    const auto show = [&](const TriangleMesh& mesh, const std::string& file, const std::string& name, const std::string& key, Vector H) {
+        const std::string label = words.line("plane." + key, "mesh"_a = name, "most"_a = readable(largest_magnitude(H), 2));
+        figure.panels.push_back(panel_of(in_unit_box(mesh, mesh.X), "q3_" + key + "_" + file, label, std::move(H)));
     };
-    show("uniform", plane.uniform_H, plane.uniform);
-    show("cotangent", plane.cotangent_H, plane.cotangent);
-    show("clamped", plane.clamped_H, plane.clamped);
+    UndefinedVertices masked;
+    for (const CotangentComparison& c : meshes) {
+        if (is_curved(c)) continue;
+        const CurvatureSubject& s = c.subject;
+        show(s.mesh(), s.name(), s.name(), "uniform", s.mean_edge * c.uniform.cwiseAbs());
+        show(s.mesh(), s.name(), s.name(), "cotangent", s.mean_edge * c.cotangent.cwiseAbs());
+        masked += undefined_vertices(s);
+    }
+    const std::string square = words.line("plane.square");
+    show(plane.mesh, "irregular_plane", square, "uniform", plane.uniform_H.cwiseAbs());
+    show(plane.mesh, "irregular_plane", square, "cotangent", plane.cotangent_H.cwiseAbs());
+    for (const double h : plane.uniform_H) masked.boundary += std::isfinite(h) ? 0 : 1;
     figure.range = range_from_zero(figure.panels, colormap, "|H| × mean edge", 0.01);
-    add_figure(answer, std::move(figure), words.line("plane.caption", "vertices"_a = plane.mesh.vertex_count()));
+    add_figure(answer, std::move(figure),
+               words.line("plane.caption", "vertices"_a = plane.mesh.vertex_count(), "undefined"_a = undefined_words(masked)));
 }
 
 void add_disagreement_figure(Answer& answer, const CotangentComparison& c, const Disagreement& d, const std::string& colormap) {

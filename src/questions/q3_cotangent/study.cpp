@@ -19,19 +19,22 @@ double sum_of_squares(const std::vector<double>& values, std::size_t first) {
 
 Disagreement disagreement_with_jet(const CotangentComparison& c) {
     const CurvatureSubject& s = c.subject;
-    const Vector jet = jet_curvature(s.mesh(), s.topology()).H;
     Disagreement d;
-    d.size = (c.cotangent - jet).cwiseAbs();
-    double scale = 0;
+    d.jet = jet_curvature(s.mesh(), s.topology()).H;
+    d.size = (c.cotangent - d.jet).cwiseAbs();
+    double scale = 0, uniform = 0;
     for (int i = 0; i < d.size.size(); ++i) {
-        d.without_jet += s.inside(i) && std::isfinite(c.cotangent[i]) && !std::isfinite(jet[i]) ? 1 : 0;
-        if (std::isfinite(d.size[i])) scale += c.cotangent[i] * c.cotangent[i];
+        d.without_jet += s.inside(i) && std::isfinite(c.cotangent[i]) && !std::isfinite(d.jet[i]) ? 1 : 0;
+        if (!std::isfinite(d.size[i])) continue;
+        scale += c.cotangent[i] * c.cotangent[i];
+        uniform += std::pow(c.uniform[i] - d.jet[i], 2);
     }
     std::vector<double> sizes = sorted_finite(d.size);
     std::ranges::reverse(sizes);
     if (sizes.empty()) return d;
     const double rms_H = std::sqrt(scale / double(sizes.size()));
     const double total = sum_of_squares(sizes, sizes.size());
+    d.rms_uniform = std::sqrt(uniform / scale);
     d.rms = rms_H * s.mean_edge > flat ? std::sqrt(total / double(sizes.size())) / rms_H : std::nan("");
     d.median = rms_H * s.mean_edge > flat ? sizes[sizes.size() / 2] / rms_H : std::nan("");
     d.concentration = total > 0 ? sum_of_squares(sizes, std::max<std::size_t>(1, sizes.size() / 100)) / total : 0;

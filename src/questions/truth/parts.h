@@ -28,9 +28,10 @@ report::Section ground_truth_section(const GroundTruth& truth);
 // Tables and plots: one row an estimator.
 report::Table overview(const GroundTruth& truth);
 report::Table error_table(const GroundTruth& truth, MeshKind kind);
-report::Table order_table(const GroundTruth& truth, MeshKind kind);
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity);
 
+/// Errors on the finest meshes and orders of every estimator on every surface, for files.
+report::Table finest_table(const GroundTruth& truth);
 /// Lists every estimate on every mesh with all measured values, for files.
 report::Table ground_truth_table(const GroundTruth& truth);
 

@@ -61,14 +61,6 @@ report::Table error_table(const GroundTruth& truth, MeshKind kind) {
     return errors;
 }
 
-report::Table order_table(const GroundTruth& truth, MeshKind kind) {
-    const std::string name(name_of(kind));
-    auto orders = table_of_estimators("truth_orders_" + name + "_l2", words.line("orders", "kind"_a = name));
-    for (const BenchRun& run : of_kind(truth.runs, kind))
-        orders.column(run.surface, [&](auto* e) { return words_of(run.errors(e->key).order()); });
-    return orders;
-}
-
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity) {
     static const Names shown{"uniform", "barycentric", "voronoi", "mixed", "jet", "corrected_max", "corrected_exact"};
     const BenchRun& run = truth.run("ellipsoid", kind);
@@ -86,6 +78,26 @@ report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity 
                                      "order"_a = words_of(errors.order()));
     }
     return plot;
+}
+
+report::Table finest_table(const GroundTruth& truth) {
+    struct Row {
+        const BenchRun& run;
+        const Estimator& estimator;
+        Order order;
+    };
+    std::vector<Row> all;
+    for (const BenchRun& run : truth.runs)
+        for (const Estimator* e : rows()) all.push_back({run, *e, run.errors(e->key).order()});
+    return table("truth_finest", "", all)
+        .column("of", [](auto& row) { return symbol(row.estimator.quantity); })
+        .column("estimator", [](auto& row) { return row.estimator.name(); })
+        .column("surface", [](auto& row) { return row.run.surface; })
+        .column("mesh", [](auto& row) { return name_of(row.run.kind); })
+        .column("L2 error", [](auto& row) { return row.run.finest().error(row.estimator.key).l2; })
+        .column("order", [](auto& row) { return cell_of(row.order.exponent); })
+        .column("margin", [](auto& row) { return cell_of(row.order.margin); })
+        .file_only();
 }
 
 report::Table ground_truth_table(const GroundTruth& truth) {

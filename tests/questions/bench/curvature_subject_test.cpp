@@ -81,12 +81,12 @@ TEST(CurvatureSubject, OnATorusKIsPositiveOutsideAndNegativeInside) {
     const CurvatureSubject subject = curvature_subject(library_mesh(torus, "signs_torus"));
     Vector K(torus.vertex_count());
     for (int i = 0; i < K.size(); ++i) K[i] = torus.X.row(i).head<2>().norm() - 1;
-    const SignsByDistance seen = signs_by_distance(subject, K, 1e-9);
+    const SignsByDistance seen = signs_by_distance(subject, K);
     EXPECT_EQ(seen.outer_positive, 1);
     EXPECT_GT(seen.inner_negative, 0.9);
     EXPECT_TRUE(seen.caps_outside());
-    EXPECT_FALSE(signs_by_distance(subject, -K, 1e-9).caps_outside());
-    EXPECT_FALSE(signs_by_distance(subject, Vector::Ones(K.size()), 0).caps_outside());   // positive everywhere
+    EXPECT_FALSE(signs_by_distance(subject, -K).caps_outside());
+    EXPECT_FALSE(signs_by_distance(subject, Vector::Ones(K.size())).caps_outside());   // positive everywhere
 }
 
 TEST(CurvatureSubject, WhatIsUndefinedIsCalledWhatItIs) {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
+#include "geometry/curvature/curvature.h"
+#include "geometry/operators/vertex_areas.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/bench/bench_mesh.h"
 #include "questions/core/study_laws.h"
@@ -43,18 +47,45 @@ TEST(UniformStudy, OnAnIcosphereTheTwelveIrregularVerticesStandOutByTheirAreas) 
     EXPECT_TRUE(none.vertices.empty());   // K has both signs
 }
 
-TEST(UniformStudy, APictureMisleadsWhereTheTruthIsConstantOrUnlikeIt) {
+// The two areas have medians of their own: K with Voronoi areas is compared with the median of K with Voronoi areas.
+TEST(UniformStudy, KWithVoronoiAreasIsMeasuredFromItsOwnMedian) {
+    const TriangleMesh ball = icosphere(3);
+    const MeshTopology topology = topology_of(ball);
+    const Vector K = gaussian_curvature(ball, topology, vertex_areas(ball, AreaForm::voronoi));
+    const double median = summary_of(K).median;
+    const MeshCurvature c = curvature_of(library_mesh(ball, "icosphere2"));
+    const IrregularVertices odd = irregular_vertices(c);
+    double most = 0;
+    for (const int v : odd.vertices) most = std::max(most, std::abs(K[v] / median - 1));
+    EXPECT_NEAR(odd.off_with_voronoi, most, 1e-12);
+    EXPECT_GT(std::abs(summary_of(c.K).median / median - 1), 0.1 * most);   // or else it would make no difference
+}
+
+TEST(UniformStudy, SignsOfKAreCountedHoweverSmallButRoundingIsNone) {
+    const MeshCurvature torus = curvature_of(library_mesh(torus_mesh(48, 24, 1, 0.4), "signs1"));
+    const auto share = [&](auto chosen) { return double(chosen.count()) / double(torus.K.size()); };
+    EXPECT_EQ(signs_of_K(torus).all.negative, share(torus.K.array() < 0));
+    EXPECT_EQ(signs_of_K(torus).all.positive, share(torus.K.array() > 0));
+    TriangleMesh sheet = grid_mesh(9, 9, 1, 1);
+    sheet.X = sheet.X * Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()).toRotationMatrix();
+    const SignsOfK flat = signs_of_K(curvature_of(library_mesh(sheet, "signs_sheet1")));
+    EXPECT_EQ(flat.all.negative, 0);
+    EXPECT_EQ(flat.all.positive, 0);
+}
+
+TEST(UniformStudy, APictureVariesWhereTheTruthIsConstant) {
     TriangleMesh ball = icosphere(3);
     ball.X = jittered(ball, topology_of(ball), 0.2, 1, [](const Vector3& p) { return p.normalized(); });
     const Picture picture = picture_of(curvature_of(library_mesh(ball, "picture1")));
-    EXPECT_TRUE(picture.misleads());
+    EXPECT_TRUE(picture.is_even());
+    EXPECT_TRUE(picture.varies_where_truth_does_not());
     EXPECT_LT(picture.cotangent_spread, 1.5);
     EXPECT_GT(picture.spread, 2);
     ball.X *= 50;   // a picture does not know the unit of length
     EXPECT_NEAR(picture_of(curvature_of(library_mesh(ball, "large_picture1"))).correlation, picture.correlation, 1e-9);
     // Where all rings are alike both see the same form.
     const Picture torus = picture_of(curvature_of(library_mesh(torus_mesh(48, 24, 1, 0.4), "picture_torus1")));
-    EXPECT_FALSE(torus.misleads());
+    EXPECT_FALSE(torus.varies_where_truth_does_not());
     EXPECT_GT(torus.correlation, 0.9);
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "questions/truth/parts.h"
@@ -41,6 +42,27 @@ TEST(GroundTruth, ChecksNoticeWhenAnEstimatorIsWrong) {
     GroundTruth jet = quick_truth();
     jet.reference.errors["H.jet"].l2 *= 1.2;
     EXPECT_EQ(failures(jet), 1);
+}
+
+// Whoever looks up the numbers of the answer finds them in the table that it names.
+TEST(GroundTruth, TheAnswerNamesTheTableOfItsNumbers) {
+    const report::Section section = ground_truth_section(quick_truth());
+    const auto named = std::ranges::find(section.answer, report::Run::Kind::reference, &report::Run::kind);
+    ASSERT_NE(named, section.answer.end());
+    std::set<std::string> cells;
+    for (const report::Block& block : section.blocks) {
+        const auto* table = std::get_if<report::Table>(&block);
+        if (!table || table->id != named->content) continue;
+        for (const auto& row : table->rows)
+            for (const report::Cell& cell : row)
+                if (const auto* percent = std::get_if<double>(&cell)) cells.insert(readable_percent(*percent / 100, 2));
+    }
+    const std::string answer = report::plain(section.answer);
+    for (const char* key : {"H.mixed", "H.jet"}) {
+        const std::string error = readable_percent(quick_truth().run("ellipsoid", MeshKind::random).finest().error(key).l2, 2);
+        EXPECT_NE(answer.find(error), std::string::npos) << answer;
+        EXPECT_TRUE(cells.contains(error)) << named->content << " lacks " << error;
+    }
 }
 
 TEST(GroundTruth, SectionIsWellFormedAndCanBeWritten) {
