@@ -133,7 +133,7 @@ void add_H_and_K(Answer& answer, const std::vector<const MeshCurvature*>& meshes
                                  .range = relative_range(words.line("quantity")),
                                  .frame_panel = -1,
                                  .layout = layout,
-                                 .turnable = true,
+                                 .turnable = layout == output::Layout::six_views,
                                  .view_files = layout == output::Layout::six_views};
     UndefinedVertices masked;
     Names ringed;
