@@ -122,7 +122,8 @@ report::Facts about_K(const Meshes& meshes) {
         if (is_flat(c) || closed_rings(c) == 0) continue;
         if (seen.all.negative > 0) negative.push_back(share_on(c, seen.all.negative));
         if (seen.all.positive == 1 && !irregular_vertices(c).ringed()) positive.push_back(c.name());
-        if (seen.all.caps_outside()) caps.push_back(c.name()), outer.push_back(share_on(c, seen.all.outer_positive));
+        if (seen.all.caps_outside()) outer.push_back(share_on(c, seen.all.outer_positive));
+        if (seen.all.caps_outside() && seen.all.inner_negative > 0.5) caps.push_back(c.name());
         if (seen.all.negative > 0 && seen.white > 0.2) white.push_back(share_on(c, seen.white));
     }
     return {"caps"_a = listed(caps),
