@@ -126,13 +126,6 @@ std::string trend(const ErrorHistory& history) {
                                 "order"_a = words_of(order));
 }
 
-std::string grade(double relative_error) {
-    return curvature_words.line(relative_error < 0.01   ? "grade.good"
-                                : relative_error < 0.05 ? "grade.fair"
-                                : relative_error < 0.2  ? "grade.rough"
-                                                        : "grade.useless");
-}
-
 report::Plot error_plot(std::string id, std::string caption, std::string alt) {
     return {.id = std::move(id),
             .caption = std::move(caption),

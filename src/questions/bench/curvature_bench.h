@@ -43,8 +43,6 @@ struct ErrorHistory {
 };
 /// "falls from 3.1 % to 0.05 % (order 1.98 ± 0.01)", "goes from 14.6 % to …", "grows from … to …".
 std::string trend(const ErrorHistory& history);
-/// "good" below 1 %, "fair" below 5 %, "rough" below 20 %, "useless" beyond.
-std::string grade(double relative_error);
 /// An empty log–log plot of relative L2 errors over the mean edge, and a series for it.
 report::Plot error_plot(std::string id, std::string caption, std::string alt);
 report::Series error_series(std::string name, const ErrorHistory& history, report::Series::Style style);

@@ -42,9 +42,6 @@ TEST(CurvatureBench, WordsFollowTheNumbers) {
     EXPECT_NE(trend({{1, 0.5, 0.25}, {1e-15, 2e-15, 1e-14}}).find("rounding"), std::string::npos);
     EXPECT_TRUE((ErrorHistory{{1, 0.5}, {0.2, 0.1}}.order().converges()));
     EXPECT_FALSE((ErrorHistory{{1, 0.5}, {0.1, 0.1}}.order().converges()));
-    EXPECT_NE(grade(0.001), grade(0.03));
-    EXPECT_NE(grade(0.03), grade(0.1));
-    EXPECT_NE(grade(0.1), grade(10));
 }
 
 TEST(CurvatureBench, NormalPartOfTheUniformLaplacianIsExactAtAnyPointsOfASphere) {
