@@ -149,16 +149,16 @@ void add_H_and_K(Answer& answer, const std::vector<const MeshCurvature*>& meshes
     add_figure(answer, std::move(figure), words.line(key + ".caption", "marked"_a = marked, "undefined"_a = undefined_words(masked)));
 }
 
-/// A square patch of z = −½(κ₁x² + κ₂y²), seen from aside and above, with the curves of κ₁ and κ₂.
+/// A square patch of z = −½(κ₁y² + κ₂x²), seen along y and from above, with the curves of κ₁ and κ₂.
 Diagram::Panel patch_panel(double kappa_1, double kappa_2, const std::string& title) {
-    constexpr double turn = 0.6, reach = 1, line_spacing = 0.25;
+    constexpr double turn = 0.45, elevation = 0.75, reach = 1, line_spacing = 0.25;
     constexpr int steps = 24;
-    const SideView seen({0, 0, 0}, {std::cos(turn), std::sin(turn), 0}, {0, 0, 1}, 0.5);
+    const SideView seen({0, 0, 0}, {std::cos(turn), std::sin(turn), 0}, {0, 0, 1}, elevation);
     const auto curve = [&](const Vector3& start, const Vector3& direction) {
         std::vector<DiagramPoint> points;
         for (int i = -steps; i <= steps; ++i) {
             Vector3 p = start + reach * i / steps * direction;
-            p.z() = -(kappa_1 * p.x() * p.x() + kappa_2 * p.y() * p.y()) / 2;
+            p.z() = -(kappa_1 * p.y() * p.y() + kappa_2 * p.x() * p.x()) / 2;
             points.push_back(seen(p));
         }
         return points;
@@ -179,11 +179,10 @@ Diagram::Panel patch_panel(double kappa_1, double kappa_2, const std::string& ti
     const auto label = [&](const std::vector<DiagramPoint>& points, const char* name, double kappa, Side side) {
         panel.paths.push_back(path_through(points, Style::accent));
         const std::string value = std::string(name) + " = " + readable(kappa, 1);
-        const DiagramPoint& end = side == Side::left ? points.front() : points.back();
-        panel.labels.push_back({.x = end[0], .y = end[1], .words = text(math(value)), .side = side, .accent = true});
+        panel.labels.push_back({.x = points.back()[0], .y = points.back()[1], .words = text(math(value)), .side = side, .accent = true});
     };
-    label(curve({0, 0, 0}, x), "κ_1", kappa_1, Side::left);
-    label(curve({0, 0, 0}, y), "κ_2", kappa_2, Side::below_right);
+    label(curve({0, 0, 0}, y), "κ_1", kappa_1, Side::below);
+    label(curve({0, 0, 0}, x), "κ_2", kappa_2, Side::right);
     const DiagramPoint tip = seen({0, 0, 0.8});
     panel.paths.push_back(path_through({seen({0, 0, 0}), tip}, Style::line));
     panel.paths.back().arrow = true;
