@@ -4,7 +4,6 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
-#include "geometry/spectrum/laplace_spectrum.h"
 #include "mesh/vertex_noise.h"
 
 namespace meshfolio {
@@ -33,8 +32,9 @@ ExpectedError empty_error(int iterations, double weight_sum) {
     return {zeros, zeros, zeros, weight_sum};
 }
 
-DenoisingPrediction by_modes(const LaplaceBeltrami& laplacian, const Positions& X, int modes, const PredictionOptions& options) {
-    const Spectrum spectrum = smallest_eigenpairs(laplacian, modes, {.dense_below = modes});
+DenoisingPrediction by_modes(const LaplaceBeltrami& laplacian, const Positions& X, const Spectrum& spectrum,
+                             const PredictionOptions& options) {
+    const auto modes = static_cast<int>(spectrum.eigenvalues.size());
     const DenseMatrix& Phi = spectrum.eigenvectors;
     const Vector& M = laplacian.M;
     const DenseMatrix c = Phi.transpose() * (M.asDiagonal() * centred(X, M));
@@ -129,8 +129,15 @@ DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const
                                          ImplicitSolver& solver) {
     check(laplacian, X, options);
     const OperatorWithMass whole = operator_with_mass(laplacian);
-    if (whole.size() <= options.modes_up_to) return by_modes(laplacian, X, whole.size(), options);
+    if (const int n = whole.size(); n <= options.modes_up_to)
+        return by_modes(laplacian, X, smallest_eigenpairs(laplacian, n, {.dense_below = n}), options);
     return by_probes(laplacian, whole, X, options, solver);
+}
+
+DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options,
+                                         const Spectrum& all) {
+    check(laplacian, X, options);
+    return by_modes(laplacian, X, all, options);
 }
 
 Positions random_signs(Eigen::Index rows, std::uint64_t seed) {

@@ -12,6 +12,7 @@
 
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/smoothing/implicit_solver.h"
+#include "geometry/spectrum/laplace_spectrum.h"
 
 namespace meshfolio {
 
@@ -52,6 +53,9 @@ DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const
 /// The same with a solver that other runs share, which is left ready for the operator where probes are used.
 DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options,
                                          ImplicitSolver& solver);
+/// The same by all modes of the operator, where they are known. @param all  as many as vertices with mass
+DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options,
+                                         const Spectrum& all);
 
 /// n × 3 fair ±1.
 Positions random_signs(Eigen::Index rows, std::uint64_t seed);

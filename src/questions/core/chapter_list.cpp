@@ -16,7 +16,6 @@
     chapter(stability) \
     chapter(maps) \
     chapter(modes) \
-    chapter(prediction) \
     chapter(methods) \
     chapter(operators) \
     chapter(certificates) \

@@ -1,121 +1,42 @@
-// The section "modes": explicit and implicit smoothing, one eigenmode at a time.
+// The section "modes": what a filter does to shape and to noise, one eigenmode at a time, and how far that is known beforehand.
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
 
 namespace {
 
-constexpr std::size_t accurate = std::size(implicit_steps), matched = accurate + 1;   // implicit ways
-
-report::Text about_laws(const Studies& studies) {
-    double worst = 0;
-    Eigen::Index modes = 0;
-    for (const ModeStudy& study : studies) {
-        modes += study.eigenvalues.size();
-        for (const ModeDamping& d : study.dampings) worst = std::max(worst, d.deviation(study.eigenvalues));
-    }
-    const ModeDamping& close = studies.front().dampings[1];
-    return report::text(words.say(worst < law_tolerance ? "laws" : "laws.off", "modes"_a = modes, "worst"_a = readable(worst, 2)), " ",
-                        words.say("laws.limit", "steps"_a = close.steps,
-                                  "left"_a = readable_percent(std::abs(close.law(studies.front().subject.top.value)), 2)));
-}
-
-/// What a distance is in a picture of a thousand pixels.
-report::Text seen_in_a_picture(double of_box) {
-    return words.say(of_box < 1e-3 ? "same.invisible" : of_box < 1e-2 ? "same.beside" : "same.no");
-}
-
-report::Text about_gap(const ModeStudy& study) {
-    const SchemeGap* largest = nullptr;   // by share of the motion
-    double widest = 0;                    // of the box
-    double worst = 0, worst_leading = 0;
-    int compared = 0;
-    for (const SchemeGap& gap : study.gaps) {
-        if (gap.lambda > study.subject.critical || !(gap.motion > 0)) continue;
-        if (!largest || gap.measured / gap.motion > largest->measured / largest->motion) largest = &gap;
-        widest = std::max(widest, gap.measured);
-        if (!study.seen(gap)) continue;
-        ++compared;
-        worst = std::max(worst, std::abs(gap.predicted / gap.measured - 1));
-        worst_leading = std::max(worst_leading, std::abs(gap.leading / gap.measured - 1));
-    }
-    if (!largest) return {};
-    report::Text t = words.say("same", "mesh"_a = study.name(), "step"_a = readable(largest->lambda / study.subject.critical, 2),
-                               "steps"_a = largest->steps, "gap"_a = readable_percent(largest->measured, 2),
-                               "share"_a = readable_percent(largest->measured / largest->motion, 2));
-    go_on(t, seen_in_a_picture(widest));
-    if (compared > 0)
-        go_on(t, words.say("same.predicted", "worst"_a = readable(worst, 1), "first_order"_a = readable_percent(worst_leading, 2)));
-    return t;
-}
-
-/// "below 12 % of the energy", "everywhere", "nowhere".
-std::string where_cheaper(const ModeStudy& study, std::size_t which) {
-    if (study.cheaper_nowhere(which)) return words.line("cheaper.nowhere");
-    if (study.cheaper_everywhere(which)) return words.line("cheaper.everywhere");
-    return words.line("cheaper.below", "energy"_a = readable_percent(study.crossings[which]->energy, 2));
-}
-
-report::Text about_costs(const ModeStudy& study) {
-    Names ways;
-    for (std::size_t which = 0; which < std::size(implicit_steps); ++which)
-        ways.push_back(words.line("cheaper.way", "steps"_a = implicit_steps[which], "where"_a = where_cheaper(study, which)));
-    const SmoothingTarget& last = study.curve.back();
-    const std::string least = readable_percent(last.energy, 2);
-    const auto error = [](const SmoothingWay& way) { return readable_percent(way.error, 2); };
-    report::Text t = words.say("cheaper", "mesh"_a = study.name(), "step"_a = readable(study.implicit_step / study.explicit_step, 2),
-                               "factorisation"_a = readable(study.factor.factorisation / study.explicit_step, 2), "least"_a = least,
-                               "ways"_a = listed(ways));
-    const std::string explicitly =
-        last.explicit_way.steps > 0 ? words.line("not_the_same.explicit", "error"_a = error(last.explicit_way)) : "";
-    go_on(t, words.say("not_the_same", "least"_a = least, "one"_a = error(last.implicit_ways.front()), "explicit"_a = explicitly));
-    go_on(t, words.say("true_enough", "accuracy"_a = readable_percent(implicit_accuracy, 1), "accurate"_a = where_cheaper(study, accurate),
-                       "matched"_a = where_cheaper(study, matched)));
-    return t;
-}
-
-/// The energies where one way of smoothing becomes cheaper, over all meshes.
-struct Border {
-    std::string where;   // "between 5 % and 12 % of the energy", "at 5 % of the energy"; empty where there is no border on any mesh
-    int never = 0, everywhere = 0;   // meshes on which it is nowhere, and at every energy looked at, the cheaper one
-
-    bool on_some() const { return never + everywhere > 0; }
+/// The meshes of both parts, of the first and of the second: noise is added to clean ones only. A user's own take part in both.
+struct PartMeshes {
+    LibraryMeshes shape, noise;
 };
-Border border(const Studies& studies, std::size_t which) {
-    Border found;
-    double least = infinity, most = 0;
-    for (const ModeStudy& study : studies) {
-        found.never += study.cheaper_nowhere(which) ? 1 : 0;
-        found.everywhere += study.cheaper_everywhere(which) ? 1 : 0;
-        if (study.cheaper_nowhere(which) || study.cheaper_everywhere(which)) continue;
-        least = std::min(least, study.crossings[which]->energy);
-        most = std::max(most, study.crossings[which]->energy);
+PartMeshes part_meshes(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
+    PartMeshes parts;
+    const auto enter = [&](std::initializer_list<std::string_view> roles, auto... of_parts) {
+        for (const SharedMesh& mesh : meshes_for(library, settings, roles, section)) ((parts.*of_parts).push_back(mesh), ...);
+    };
+    const bool given = !settings.meshes.empty() || library.has_own_meshes();
+    if (settings.laboratory && !given) {
+        enter({"cube", "armadillo"}, &PartMeshes::shape, &PartMeshes::noise);
+        enter({"plane_ns", "fandisk_ns"}, &PartMeshes::shape);
+        enter({"lilium", "torus"}, &PartMeshes::noise);
+        return parts;
     }
-    const std::string low = readable_percent(least, 2), high = readable_percent(most, 2);
-    if (most > 0) found.where = words.line(low == high ? "border.at" : "border.between", "least"_a = low, "most"_a = high);
-    return found;
-}
-
-report::Text rule(const Studies& studies) {
-    const Border one = border(studies, 0), exact = border(studies, accurate);
-    if (one.where.empty() && one.everywhere == 0) return words.say("rule.never");
-    if (one.where.empty()) return words.say(one.never > 0 ? "rule.always_or_never" : "rule.always");
-    const std::string error = readable_percent(implicit_accuracy, 1);
-    const std::string by_one = words.line(one.on_some() ? "border.one.on_some" : "border.one", "where"_a = one.where);
-    if (exact.where.empty()) return words.say("rule.border", "one"_a = by_one, "error"_a = error);
-    return words.say("rule.borders", "one"_a = by_one,
-                     "accurate"_a = words.line(exact.on_some() ? "border.accurate.on_some" : "border.accurate", "where"_a = exact.where,
-                                               "error"_a = error));
+    enter({"cube"}, &PartMeshes::shape, &PartMeshes::noise);
+    if (settings.quick || given) return parts;
+    enter({"plane_ns"}, &PartMeshes::shape);
+    enter({"lilium"}, &PartMeshes::noise);
+    return parts;
 }
 
 void add_timings(report::Section& section, const ModeStudy& study) {
     for (const TriedWay& run : study.tried)
-        section.timings.push_back({words.line("timing", "scheme"_a = scheme_name(run.way.scheme), "steps"_a = run.way.steps,
-                                              "mesh"_a = study.name(), "energy"_a = readable_percent(study.targets[run.target].energy, 2)),
-                                   run.seconds});
+        section.timings.push_back(
+            {words.line("timing", "explicitly"_a = run.way.scheme == SmoothingScheme::explicit_euler, "steps"_a = run.way.steps,
+                        "mesh"_a = study.name(), "energy"_a = readable_percent(study.targets[run.target].energy, 2)),
+             run.seconds});
 }
 
-void add_checks(report::Section& section, const ModeStudy& study) {
+void add_shape_checks(report::Section& section, const ModeStudy& study) {
     double damping = 0, gap = 0, energy = 0;
     int gaps = 0, runs = 0;
     for (const ModeDamping& d : study.dampings) damping = std::max(damping, d.deviation(study.eigenvalues));
@@ -135,11 +56,50 @@ void add_checks(report::Section& section, const ModeStudy& study) {
     if (runs > 0) add(section, check_at_most(words.line("check.energy", "runs"_a = runs, "mesh"_a = study.name()), 1e-6, energy));
 }
 
-report::Text answer_of(const ModeStudy& study) {
-    const char* key = study.cheaper_nowhere(0) ? "answer.nowhere" : study.cheaper_everywhere(0) ? "answer.everywhere" : "answer.below";
-    const double energy = study.crossings[0] ? study.crossings[0]->energy : 0;
-    return words.say(key, "mesh"_a = study.name(), "energy"_a = readable_percent(energy, 2),
-                     "least"_a = readable_percent(study.curve.back().energy, 2));
+void add_noise_checks(report::Section& section, const PredictionStudies& studies) {
+    constexpr double far = 5, wrong = 1.5;
+    for (const auto& [study, level] : levels_of(studies)) {
+        const auto name = [&mesh = study.name(), sigma = plain_text(100 * level.sigma, 3)](const char* key) {
+            return words.line(key, "sigma"_a = sigma, "mesh"_a = mesh);
+        };
+        const StandardDistance right = standard_distance(study, level), control = standard_distance(study, level, wrong);
+        append_checks(section, {check_at_most(name("check.vertices"), far, right.vertices, 0,
+                                              words.line("check.vertices.note", "seeds"_a = study.seeds)),
+                                check_at_most(name("check.area"), far, right.mass)});
+        // A formula that rounding drowns cannot be told from a wrong one.
+        if (study.condition < 1e12) add(section, check_at_least(name("check.control"), far, control.vertices));
+        // p(t) is the expected, m(t) the measured curve, off by δ at most: m(t_p) ≤ (1 + δ)p(t_p) ≤ (1 + δ)p(t_m) ≤ m(t_m)(1 + δ)/(1 − δ).
+        const OperatorStudy& clean = level.of(FlowOperator::clean);
+        const double off = deviation(clean.formula(), clean.measured);
+        if (off < 0.5) add(section, check_at_most(name("check.regret"), (1 + off) / (1 - off) - 1, clean.regret_of_formula, 1e-12));
+    }
+}
+
+void add_record(report::Section& section, const ModeStudies& shapes, const PredictionStudies& noisy, const QuestionSettings& settings) {
+    const PredictionStudy& first = noisy.front();
+    Names levels;
+    std::vector<double> noise;
+    for (const NoiseLevelStudy& level : first.levels) {
+        noise.push_back(level.sigma);
+        levels.push_back(readable_percent(level.sigma, 2));
+    }
+    section.parameters = {{"operator", words.line("parameter.operator")},
+                          {words.line("parameter.step"), {"0.95 λ_crit", 0.95, "λ_crit"}},
+                          {words.line("parameter.lanczos"), lanczos_steps(settings)},
+                          {"noise", {words.line("parameter.noise", "levels"_a = listed(levels)), noise, "box diagonal"}},
+                          {"seeds", first.seeds},
+                          {"seed", settings.seed}};
+    for (const PredictionStudy& study : noisy) {
+        const double lambda = study.lambda * study.diagonal * study.diagonal;
+        section.parameters["λ on " + study.name()] = {plain_text(lambda, 6), lambda, "length²"};
+    }
+    section.extent =
+        words.line("extent", "meshes"_a = listed(names_of(shapes)), "noisy"_a = listed(names_of(noisy)), "seeds"_a = first.seeds);
+}
+
+report::Facts joined_facts(report::Facts facts, const report::Facts& more) {
+    facts.insert(facts.end(), more.begin(), more.end());
+    return facts;
 }
 
 }   // namespace
@@ -147,41 +107,43 @@ report::Text answer_of(const ModeStudy& study) {
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("modes")};
     report::Section& section = answer.section;
-    const auto meshes = laboratory_meshes(library, settings, section);
-    add_words(section, words, {"method", "results"});
-    const auto studies = studies_of(meshes, "modes", settings, progress, section, mode_study);
-    const ModeStudy& first = studies.front();
-    add(section, damping_plot(first, SmoothingScheme::explicit_euler), damping_plot(first, SmoothingScheme::implicit_euler),
-        damping_table(studies), gap_table(studies));
-    for (const ModeStudy& study : studies) {
-        add(section, cost_plot(study), truth_plot(study));
+    const PartMeshes meshes = part_meshes(library, settings, section);
+    const ModeStudies shapes = studies_of(meshes.shape, "modes", settings, progress, section, mode_study);
+    const PredictionStudies noisy = studies_of(meshes.noise, "predicted denoising", settings, progress, section, prediction_study);
+    const report::Facts of_shape = shape_facts(shapes), of_noise = noise_facts(noisy);
+
+    add_words(section, words, "method");
+    add_words(section, words, "shape", of_shape);
+    add(section, damping_plot(shapes.front()));
+    if (!shapes.front().gaps.empty()) add(section, gap_table(shapes));
+    add_words(section, words, "cost", of_shape);
+    add(section, cost_plot(shapes), truth_plot(shapes), crossing_table(shapes));
+    add_words(section, words, "noise", of_noise);
+    add(section, expected_plot(noisy), expected_table(noisy));
+    add_words(section, words, "own_operator", of_noise);
+    add(section, own_operator_plot(noisy), own_operator_table(noisy), why_table(noisy));
+    add_words(section, words, "stopping", of_noise);
+    add(section, rule_table(noisy));
+
+    for (const ModeStudy& study : shapes) {
+        add_shape_checks(section, study);
         add_timings(section, study);
     }
-    add(section, crossing_table(studies));
-    add_words(section, words, "discussion");
-    add_paragraphs(section, {about_laws(studies)});
-    for (const ModeStudy& study : studies) add_paragraphs(section, {about_gap(study), about_costs(study)});
-    add_paragraphs(section, {rule(studies)});
-    for (const ModeStudy& study : studies) add_checks(section, study);
-
-    section.parameters = {{"operator", words.line("parameter.operator")},
-                          {words.line("parameter.step"), {"0.95 λ_crit", 0.95, "λ_crit"}},
-                          {words.line("parameter.lanczos"), lanczos_steps(settings)}};
-    const Names damped = each_of(studies, [&](const ModeStudy& study) {
-        return words.line(&study == &first ? "extent.modes" : "extent.more", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name());
-    });
-    section.extent =
-        words.line("extent", "modes"_a = listed(damped), "targets"_a = first.targets.size(), "meshes"_a = listed(names_of(studies)));
-    section.answer = answer_of(first);
+    add_noise_checks(section, noisy);
+    section.answer = words.say("answer", joined_facts(of_shape, of_noise));
+    add_record(section, shapes, noisy, settings);
     return answer;
 }
 
 extern const Chapter chapter{
     .id = "modes",
     .code = {{"spectral_measure", "src/geometry/spectrum/spectral_measure.cpp"},
-             {"factor_operations", "src/geometry/linear/sparse_factor.cpp"},
-             {"mode_study", "src/questions/modes/study.cpp"},
              {"CostModel", "src/questions/modes/costs.cpp"},
+             {"mode_study", "src/questions/modes/mode_study.cpp"},
+             {"denoising_prediction", "src/geometry/denoising/denoising_prediction.cpp"},
+             {"noise_level", "src/geometry/denoising/noise_level.cpp"},
+             {"risk_estimate", "src/geometry/denoising/risk_estimate.cpp"},
+             {"prediction_study", "src/questions/modes/prediction_study.cpp"},
              {"answer", "src/questions/modes/chapter.cpp"}},
     .answer = answer,
 };

@@ -65,7 +65,9 @@ struct SmoothingTarget {
 };
 inline constexpr int implicit_steps[] = {1, 3, 10};
 inline constexpr double implicit_accuracy = 0.01;   // of the way that takes as many steps as that needs
-inline constexpr std::size_t implicit_way_count = std::size(implicit_steps) + 2;
+/// Places among the implicit ways of the one within that accuracy, and of the one as true as the explicit way.
+inline constexpr std::size_t accurate_way = std::size(implicit_steps), matched_way = accurate_way + 1;
+inline constexpr std::size_t implicit_way_count = matched_way + 1;
 
 /// "implicit, 1 step", …, "implicit, error ≤ 1 %", "implicit, as true as explicit".
 Names implicit_way_names();

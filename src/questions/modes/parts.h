@@ -1,87 +1,37 @@
 /// @file
-/// What the section "modes" measures, how each eigenmode fades and what a given smoothness costs, and what it shows of it.
+/// What the section "modes" shows of its two parts: what a filter does to the shape, and to noise.
 #pragma once
 
-#include "questions/bench/smoothing_study.h"
-#include "questions/modes/costs.h"
+#include "questions/modes/mode_study.h"
+#include "questions/modes/prediction_study.h"
 
 namespace meshfolio::modes {
 
 inline constexpr report::Words words("modes");
 
-/// Damping by some steps of one scheme, on coordinates that contain each mode with coefficient 1.
-struct ModeDamping {
-    SmoothingScheme scheme = SmoothingScheme::explicit_euler;
-    double lambda = 0;   // [length²]
-    int steps = 0;
-    Vector measured;   // factor of each coefficient, with its sign
+// ---- the shape
 
-    /// (1 − λμ)ᵗ or (1 + λμ)⁻ᵗ.
-    double law(double mu) const;
-    /// Largest |measured − law|, over the largest of the laws and 1: what the others leave by rounding.
-    double deviation(const Vector& eigenvalues) const;
-};
+/// What the filters leave of each mode of one mesh, by law and measured, at three steps.
+report::Plot damping_plot(const ModeStudy& study);
+report::Table gap_table(const ModeStudies& studies);
+/// Operations, and the distance from the exact flow, over the energy that is left; a panel each mesh.
+report::Plot cost_plot(const ModeStudies& studies);
+report::Plot truth_plot(const ModeStudies& studies);
+report::Table crossing_table(const ModeStudies& studies);
 
-/// Explicit against implicit at equal λ and t. Distances are area-weighted rms values over the box diagonal.
-struct SchemeGap {
-    double lambda = 0;   // [length²]
-    int steps = 0;
-    double motion = 0;      // of the implicit run
-    double measured = 0;    // between the two results
-    double predicted = 0;   // from the spectral measure of the input
-    double leading = 0;     // tλ²‖L² e^{λtL} X‖, the first term of its expansion in λ
-};
+/// What the words say of it.
+report::Facts shape_facts(const ModeStudies& studies);
 
-/// A way that was run.
-struct TriedWay {
-    std::size_t target = 0;
-    SmoothingWay way;
-    double energy = 0;     // measured, of the input
-    double rounding = 0;   // what the rounding of coordinates and weights may do to that, relative
-    double seconds = 0;
-};
+// ---- noise
 
-struct ModeStudy {
-    SmoothingSubject subject;
-    Vector eigenvalues;   // of the modes measured, ascending [1/length²]
-    bool all = false;     // every one of the mesh; else the lowest and the top
-    std::vector<ModeDamping> dampings;
-    SpectralMeasure measure;
-    double rounding = 0;   // of stored coordinates, over the box diagonal
-    std::vector<SchemeGap> gaps;
-    FactorOperations factor;
-    double explicit_step = 0, implicit_step = 0;             // multiply–adds
-    std::vector<SmoothingTarget> targets;                    // those of the table
-    std::vector<SmoothingTarget> curve;                      // finer, energies descending
-    std::vector<std::optional<SmoothingTarget>> crossings;   // of each implicit way with the explicit one
-    std::vector<TriedWay> tried;
+report::Table expected_table(const PredictionStudies& studies);
+report::Table own_operator_table(const PredictionStudies& studies);
+report::Table why_table(const PredictionStudies& studies);
+report::Table rule_table(const PredictionStudies& studies);
+/// The clean mesh's operator at all levels; the noisy mesh's own with every prediction, at the highest. A panel each mesh.
+report::Plot expected_plot(const PredictionStudies& studies);
+report::Plot own_operator_plot(const PredictionStudies& studies);
 
-    const std::string& name() const { return subject.name(); }
-    /// Is the gap far enough above the rounding of coordinates to be compared with its prediction?
-    bool seen(const SchemeGap& gap) const { return gap.measured > 1e8 * rounding; }
-    /// Is this implicit way cheaper than the explicit one at no energy, or at every energy?
-    bool cheaper_nowhere(std::size_t which) const { return !crossings[which]; }
-    bool cheaper_everywhere(std::size_t which) const { return crossings[which] && crossings[which]->energy >= curve.front().energy; }
-};
-/// The Lanczos steps of the spectral measure, for each coordinate.
-int lanczos_steps(const QuestionSettings& settings);
-
-/// Gaps at the steps and iterations of the settings, else at three shares of the limit and two counts.
-ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings);
-
-using Studies = std::vector<ModeStudy>;
-
-/// No coefficient may be farther than this from its law, over the largest.
-inline constexpr double law_tolerance = 1e-9;
-
-inline std::string scheme_name(SmoothingScheme scheme) { return scheme == SmoothingScheme::explicit_euler ? "explicit" : "implicit"; }
-
-report::Table damping_table(const Studies& studies);
-/// |factor| of each mode against μ/μ_max for one of the schemes, measured on the laws.
-report::Plot damping_plot(const ModeStudy& study, SmoothingScheme scheme);
-report::Table gap_table(const Studies& studies);
-report::Plot cost_plot(const ModeStudy& study);
-report::Plot truth_plot(const ModeStudy& study);
-report::Table crossing_table(const Studies& studies);
+report::Facts noise_facts(const PredictionStudies& studies);
 
 }   // namespace meshfolio::modes

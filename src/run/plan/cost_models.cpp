@@ -10,7 +10,7 @@ namespace {
 
 // A SectionModel a row. Its last four, each {fixed, linear, growing}: from runs of each section on meshes of 2,000 to 25,000 vertices
 // (small settings of q1, q3 and the preflight to 97,000, of q6 to 173,000), rounded. What took more than five seconds there is carried on
-// from smaller meshes: q3 and prediction in full settings are estimates. tests/bench/fit_costs.py prints better ones.
+// from smaller meshes: q3 and modes in full settings are estimates. tests/bench/fit_costs.py prints better ones.
 constexpr std::array models_of_sections{
     SectionModel{"q1", "bumpy_cube lilium sphere plane", {1.7, 2}, {1.5, 0.5, 0.8}, {40, 42}, {10, 42}},
     SectionModel{"q2", "", {0.15, 0}, {0.04, 0}, {9, 0}, {1, 0}},
@@ -22,8 +22,7 @@ constexpr std::array models_of_sections{
     SectionModel{"truth", "", {3.4, 0}, {0.9, 0}, {3, 0}, {2, 0}},
     SectionModel{"stability", "cube plane_ns fandisk_ns armadillo", {0.05, 0, 75}, {0.02, 0, 45}, {8, 200}, {1, 100}},
     SectionModel{"maps", "cube plane_ns", {0.15, 22}, {0.15, 10}, {10, 150}, {2, 75}},
-    SectionModel{"modes", "cube plane_ns", {0.6, 0, 27}, {0.1, 8.5}, {2, 250}, {1, 100}},
-    SectionModel{"prediction", "cube lilium", {4, 20}, {1.9, 1}, {10, 150}, {2, 130}},
+    SectionModel{"modes", "cube plane_ns lilium", {2.6, 10, 27}, {1, 9}, {12, 400}, {3, 230}},
     SectionModel{"methods", "cube armadillo", {0.9, 0.2}, {0.05, 0.2}, {7, 25}, {4, 5}},
     SectionModel{"operators", "armadillo lilium fandisk_ns", {0.45, 0, 34}, {0.2, 3.5}, {7, 180}, {4, 25}},
     SectionModel{"certificates",

@@ -26,7 +26,7 @@ class BundledMeshes : public testing::TestWithParam<std::string> {};
 /// New ones among them, until their own folder has a test of that.
 std::vector<std::string> chapters_without_a_test_of_their_own() {
     static const std::set<std::string> tested_in_their_folder{
-        "q1", "q2", "q4", "q5", "truth", "stability", "maps", "modes", "prediction", "reproductions", "claims"};
+        "q1", "q2", "q4", "q5", "truth", "stability", "maps", "modes", "reproductions", "claims"};
     std::vector<std::string> ids = section_ids();
     std::erase_if(ids, [](const std::string& id) { return tested_in_their_folder.contains(id); });
     return ids;
@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(EverySection, BundledMeshes, testing::ValuesIn(chapters
 TEST_P(RealMeshes, PassTheChecksOfTheChapter) { check_real_meshes(chapter_of_id(GetParam()).answer); }
 
 INSTANTIATE_TEST_SUITE_P(EverySection, RealMeshes,
-                         testing::Values("certificates", "q5", "q6", "q7", "maps", "modes", "prediction", "methods"));
+                         testing::Values("certificates", "q5", "q6", "q7", "maps", "modes", "methods"));
 
 TEST_P(UnusableMesh, IsAFailedCheckBesideTheAnswerOnTheOther) {
     const TemporaryFolder folder;
@@ -75,5 +75,5 @@ TEST_P(UnusableMesh, IsAFailedCheckBesideTheAnswerOnTheOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EverySection, UnusableMesh,
-                         testing::Values("q4", "q5", "q6", "q7", "stability", "maps", "modes", "prediction", "methods", "operators",
+                         testing::Values("q4", "q5", "q6", "q7", "stability", "maps", "modes", "methods", "operators",
                                          "certificates"));

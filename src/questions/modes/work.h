@@ -4,19 +4,20 @@
 
 #include "geometry/denoising/noise_level.h"
 #include "mesh/mesh_topology.h"
-#include "questions/prediction/parts.h"
+#include "questions/bench/smoothing_study.h"
+#include "questions/modes/prediction_study.h"
 
-namespace meshfolio::prediction {
+namespace meshfolio::modes {
 
-inline constexpr std::array all_operators{FlowOperator::clean, FlowOperator::noisy, FlowOperator::rebuilt};
+inline constexpr std::array all_operators{FlowOperator::clean, FlowOperator::noisy};
 
 /// How much is done, by the settings and the size of the mesh.
 struct Extent {
-    std::vector<double> levels;           // σ [box diagonals]
-    int iterations, rebuilt_iterations;   // at most
-    int modes_up_to = 1000;
-    int seeds = 20, rule_seeds, rebuilt_rule_seeds;
-    int draws = 4, derivative_probes = 3;
+    std::vector<double> levels;   // σ [box diagonals]
+    int iterations;               // at most
+    int modes_up_to = all_modes_at_most;
+    int seeds = 20, rule_seeds;
+    int draws = 4;
 };
 
 Extent extent_of(const QuestionSettings& settings, int vertices);
@@ -46,13 +47,11 @@ struct SeedResult {
 
 /// The results of one noise level by operator and seed, and the estimated σ̂ by seed.
 struct LevelResults {
-    std::array<std::vector<SeedResult>, 3> of;
+    std::array<std::vector<SeedResult>, 2> of;
     std::vector<NoiseLevel> estimates;
-    std::array<int, 3> iterations{};
+    int iterations = 0;
 };
 
-/// How many seeds the rules are tried on; none with the clean mesh's operator.
-int rule_seeds(const Extent& extent, FlowOperator kind);
 /// Computes one result per level; `iterations` limits each. Seeds run in parallel.
 std::vector<LevelResults> results_of_levels(const Work& work, const std::vector<int>& iterations);
 
@@ -62,15 +61,4 @@ OperatorFacts facts_of(const LaplaceBeltrami& laplacian, double clean_area);
 /// The formula with the operators of other noisy meshes, mean over them: what the operator is, but not that it knows the noise.
 PredictedCurve formula_of_draws(const Work& work, double sigma, std::size_t level, int iterations, OperatorFacts& facts);
 
-/// Bias of the run without noise, and ‖∂F_t/∂Y‖² of the run about the clean mesh: what σ² is multiplied by to first order.
-struct FirstOrder {
-    Vector bias, noise;   // over the vertices
-
-    PredictedCurve at(double sigma, int iterations) const {
-        return {std::string(by_derivative), (bias + sigma * sigma * noise).head(iterations + 1)};
-    }
-};
-
-FirstOrder first_order(const Work& work, FlowOperator kind, int iterations);
-
-}   // namespace meshfolio::prediction
+}   // namespace meshfolio::modes

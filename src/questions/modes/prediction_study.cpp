@@ -1,8 +1,8 @@
 #include <numeric>
 
-#include "questions/prediction/work.h"
+#include "questions/modes/work.h"
 
-namespace meshfolio::prediction {
+namespace meshfolio::modes {
 
 namespace {
 
@@ -19,6 +19,21 @@ TriangleMesh in_box_diagonals(const TriangleMesh& mesh) {
 PredictedCurve formula(const DenoisingPrediction& prediction, double sigma, int iterations) {
     const ExpectedError& error = prediction.vertices;
     return {std::string(by_formula), (error.squared(sigma) / error.weight_sum).head(iterations + 1)};
+}
+
+/// Takes all modes of a small mesh from the spectrum that the chapters share: in box diagonals d, μ is multiplied by d² and φ by d.
+DenoisingPrediction expected_error(const PredictionStudy& study, const LaplaceBeltrami& laplacian, const Positions& X, const Extent& extent,
+                                   std::uint64_t seed) {
+    PredictionOptions options{study.lambda, extent.iterations, extent.modes_up_to};
+    options.seed = seed;
+    const int with_mass = operator_with_mass(laplacian).size();
+    if (with_mass > extent.modes_up_to || study.preflight().vertices_in_use != with_mass)
+        return denoising_prediction(laplacian, X, options);
+    const double d = study.diagonal;
+    Spectrum spectrum = *all_modes(study);
+    spectrum.eigenvalues *= d * d;
+    spectrum.eigenvectors *= d;
+    return denoising_prediction(laplacian, X, options, spectrum);
 }
 
 // ---- rules ---------------------------------------------------------------------------------------------------------------
@@ -39,12 +54,6 @@ RuleOutcome rule_outcome(std::string_view name, const std::vector<SeedResult>& r
 void try_rules(OperatorStudy& study, const LevelResults& results, double sigma, int seeds, int numbers) {
     const auto& runs = results.of[int(study.kind)];
     study.rule_seeds = seeds;
-    study.divergence = study.divergence_held = Vector::Zero(study.measured.square.size());
-    for (int s = 0; s < seeds; ++s) {
-        const SeedResult& result = runs[s];
-        study.divergence += result.risk.divergence / (double(seeds) * numbers);
-        if (study.kind == FlowOperator::noisy) study.divergence_held += result.held_fixed / (double(seeds) * numbers);
-    }
     PredictedCurve stein{std::string(by_stein), Vector::Zero(study.measured.square.size())};
     for (int s = 0; s < seeds; ++s) stein.square += runs[s].risk.risk(sigma) * (3.0 / numbers / seeds);
     study.predictions.push_back(std::move(stein));
@@ -56,7 +65,6 @@ void try_rules(OperatorStudy& study, const LevelResults& results, double sigma, 
     if (!known) return;
     add(by_stein_estimated, [&](std::size_t s) { return runs[s].risk.best(estimated(s)); });
     add(by_discrepancy, [&](std::size_t s) { return runs[s].risk.by_discrepancy(estimated(s)); });
-    if (study.kind != FlowOperator::noisy) return;
     add(by_fixed_operator, [&](std::size_t s) {
         RiskEstimate fixed = runs[s].risk;
         fixed.divergence = runs[s].held_fixed;
@@ -70,7 +78,6 @@ void enter_estimates(NoiseLevelStudy& level, const std::vector<NoiseLevel>& esti
     for (const NoiseLevel& estimate : estimates) {
         if (!(estimate.sigma > 0)) continue;
         level.sigma_ratio.push_back(estimate.sigma / level.sigma);
-        level.kept += static_cast<double>(estimate.kept) / estimate.patches / static_cast<double>(estimates.size());
     }
 }
 
@@ -133,10 +140,6 @@ double RuleOutcome::worst_regret() const { return regret.empty() ? std::nan("") 
 const PredictedCurve* OperatorStudy::prediction(std::string_view name) const { return named(predictions, name); }
 const RuleOutcome* OperatorStudy::rule(std::string_view name) const { return named(rules, name); }
 
-const PredictedCurve& OperatorStudy::closest() const {
-    return *std::ranges::min_element(predictions, {}, [&](const PredictedCurve& p) { return deviation(p, measured); });
-}
-
 double NoiseLevelStudy::mean_sigma_ratio() const { return mean_of(sigma_ratio); }
 
 PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& settings) {
@@ -151,17 +154,13 @@ PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& sett
                                            : settings.lambda.front() / (study.diagonal * study.diagonal);
     study.seeds = extent.seeds;
     study.draws = extent.draws;
-    study.derivative_probes = extent.derivative_probes;
 
     const DenoisingFlow flow(clean, study.lambda);
     const LaplaceBeltrami laplacian = laplace_beltrami(clean);
-    study.clean_facts = facts_of(laplacian, laplacian.M.sum());
     // Bounds the eigenvalues by Gershgorin's theorem.
     const Vector rows = flow.whole.A.cwiseAbs() * Vector::Ones(flow.whole.size());
     study.condition = 1 + study.lambda * rows.cwiseQuotient(flow.whole.M).maxCoeff();
-    PredictionOptions options{study.lambda, extent.iterations, extent.modes_up_to};
-    options.seed = seed_of(settings, 0, first_probe + 200);
-    study.prediction = denoising_prediction(laplacian, clean.X, options);
+    study.prediction = expected_error(study, laplacian, clean.X, extent, seed_of(settings, 0, first_probe + 200));
 
     std::vector<int> iterations;   // of each level: four times the expected best one
     for (const double sigma : extent.levels) {
@@ -169,9 +168,6 @@ PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& sett
         iterations.push_back(std::min(extent.iterations, std::max(8, 4 * best + 4)));
     }
     const Work work{settings, extent, flow, topology, difference_in_edges * study.mean_edge};
-    const int longest = *std::ranges::max_element(iterations);
-    const FirstOrder own = first_order(work, FlowOperator::noisy, longest);
-    const FirstOrder rebuilt = first_order(work, FlowOperator::rebuilt, std::min(longest, extent.rebuilt_iterations));
     const std::vector<LevelResults> results = results_of_levels(work, iterations);
 
     for (std::size_t l = 0; l < extent.levels.size(); ++l) {
@@ -180,14 +176,11 @@ PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& sett
         level.sigma_edges = level.sigma / study.mean_edge;
         enter_estimates(level, results[l].estimates);
         for (const FlowOperator kind : all_operators) {
-            const int steps = results[l].iterations[int(kind)];
-            OperatorStudy& operated = level.of(kind);
-            operated = operator_study(kind, results[l], formula(study.prediction, level.sigma, steps));
-            if (kind == FlowOperator::clean) continue;
-            if (kind == FlowOperator::noisy) operated.predictions.push_back(formula_of_draws(work, level.sigma, l, steps, level.facts));
-            operated.predictions.push_back((kind == FlowOperator::noisy ? own : rebuilt).at(level.sigma, steps));
-            try_rules(operated, results[l], level.sigma, rule_seeds(extent, kind), 3 * clean.vertex_count());
+            level.of(kind) = operator_study(kind, results[l], formula(study.prediction, level.sigma, iterations[l]));
         }
+        OperatorStudy& own = level.of(FlowOperator::noisy);
+        own.predictions.push_back(formula_of_draws(work, level.sigma, l, iterations[l], level.facts));
+        try_rules(own, results[l], level.sigma, extent.rule_seeds, 3 * clean.vertex_count());
         study.levels.push_back(std::move(level));
     }
     return study;
@@ -225,4 +218,4 @@ ErrorAccount error_account(const NoiseLevelStudy& level) {
             .across_clean = (clean.square[t] - clean.along[t]) / variance};
 }
 
-}   // namespace meshfolio::prediction
+}   // namespace meshfolio::modes

@@ -1,4 +1,4 @@
-#include "questions/modes/parts.h"
+#include "questions/modes/mode_study.h"
 
 #include <chrono>
 
@@ -84,9 +84,7 @@ SchemeGap gap_of(const ModeStudy& study, double lambda, int steps, ImplicitSolve
     const Smoothed other = smoothed(subject, SmoothingScheme::explicit_euler, lambda, steps, solver);
     gap.measured = other.blew_up ? undefined : distance(subject, X, other.X);
     const auto explicit_minus_implicit = [&](double mu) { return std::pow(1 - lambda * mu, steps) - std::pow(1 + lambda * mu, -steps); };
-    const auto first_term = [&](double mu) { return steps * lambda * mu * lambda * mu * std::exp(-steps * lambda * mu); };
     gap.predicted = study.measure.rms(explicit_minus_implicit) / subject.diagonal;
-    gap.leading = study.measure.rms(first_term) / subject.diagonal;
     return gap;
 }
 
@@ -171,7 +169,7 @@ ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings) {
         study.dampings.push_back(damping_of(study.subject, modes, SmoothingScheme::implicit_euler, relative, steps));
 
     study.measure = spectral_measure(study.subject.laplacian, study.subject.mesh().X, lanczos_steps(settings));
-    const std::vector<int> counts = settings.iterations.empty() ? std::vector{10, 100} : each_once(settings.iterations);
+    const std::vector<int> counts = settings.iterations.empty() ? std::vector{1, 10, 100} : each_once(settings.iterations);
     ImplicitSolver solver;
     for (const double lambda : steps_of(settings, study.subject.critical, {0.1, 0.5, 0.9})) {
         for (const int count : counts)

@@ -1,9 +1,9 @@
-#include "questions/prediction/work.h"
+#include "questions/modes/work.h"
 
 #include "base/parallel_tasks.h"
 #include "mesh/vertex_noise.h"
 
-namespace meshfolio::prediction {
+namespace meshfolio::modes {
 
 namespace {
 
@@ -34,18 +34,18 @@ SeedResult seed_result(const Work& work, FlowOperator kind, const Positions& Y, 
     result.errors = errors_of_run(work.flow, run);
     if (!with_rule) return result;
     result.risk = risk_estimate(run, moved, direction, work.difference);
-    if (kind == FlowOperator::noisy) result.held_fixed = fixed_divergence(direction, iterations, solvers);
+    result.held_fixed = fixed_divergence(direction, iterations, solvers);
     return result;
 }
 
 void run_seed(const Work& work, LevelResults& results, double sigma, std::size_t level, int seed, FlowSolvers& solvers) {
     const TriangleMesh noisy = work.noisy(sigma, level, seed);
-    if (seed < work.extent.rule_seeds) results.estimates[seed] = noise_level(noisy, work.topology);
-    for (const FlowOperator kind : all_operators) {
-        const int k = int(kind);
-        results.of[k][seed] = seed_result(work, kind, noisy.X, results.iterations[k], seed_of(work.settings, level, first_probe + seed),
-                                          seed < rule_seeds(work.extent, kind), solvers);
-    }
+    const bool with_rule = seed < work.extent.rule_seeds;
+    if (with_rule) results.estimates[seed] = noise_level(noisy, work.topology);
+    for (const FlowOperator kind : all_operators)
+        results.of[int(kind)][seed] =
+            seed_result(work, kind, noisy.X, results.iterations, seed_of(work.settings, level, first_probe + seed),
+                        with_rule && kind == FlowOperator::noisy, solvers);
 }
 
 }   // namespace
@@ -58,11 +58,8 @@ Extent extent_of(const QuestionSettings& settings, int vertices) {
     extent.levels = each_once(extent.levels);
     const int most = last_or(settings.iterations, settings.laboratory ? 80 : settings.quick ? 10 : 40);
     extent.iterations = std::clamp(600'000 / vertices, std::min(8, most), most);
-    extent.rebuilt_iterations = std::clamp(30'000 / vertices, std::min(4, most), most);
     extent.rule_seeds = settings.quick ? 4 : vertices > 3000 ? 8 : 20;
-    extent.rebuilt_rule_seeds = settings.quick ? 2 : 8;
     if (settings.quick) extent.modes_up_to = 300;   // beyond, all modes take longer than all the rest
-    if (settings.quick) extent.derivative_probes = 2;
     return extent;
 }
 
@@ -74,20 +71,11 @@ TriangleMesh Work::noisy(double sigma, std::size_t level, int run) const {
     return moved_to(flow.clean, with_gaussian_noise(flow.clean.X, Vector3::Constant(sigma), seed_of(settings, level, run)));
 }
 
-int rule_seeds(const Extent& extent, FlowOperator kind) {
-    if (kind == FlowOperator::clean) return 0;
-    return std::min(extent.seeds, kind == FlowOperator::noisy ? extent.rule_seeds : extent.rebuilt_rule_seeds);
-}
-
 std::vector<LevelResults> results_of_levels(const Work& work, const std::vector<int>& iterations) {
     std::vector<LevelResults> levels(iterations.size());
     for (std::size_t l = 0; l < levels.size(); ++l) {
-        for (const FlowOperator kind : all_operators) {
-            const int k = int(kind);
-            levels[l].of[k].resize(work.extent.seeds);
-            levels[l].iterations[k] =
-                kind == FlowOperator::rebuilt ? std::min(iterations[l], work.extent.rebuilt_iterations) : iterations[l];
-        }
+        for (auto& results : levels[l].of) results.resize(work.extent.seeds);
+        levels[l].iterations = iterations[l];
         levels[l].estimates.resize(work.extent.rule_seeds);
     }
     for_each_task(chains, [&](std::size_t chain) {
@@ -135,29 +123,4 @@ PredictedCurve formula_of_draws(const Work& work, double sigma, std::size_t leve
     return mean;
 }
 
-FirstOrder first_order(const Work& work, FlowOperator kind, int iterations) {
-    const auto probes = static_cast<std::size_t>(work.extent.derivative_probes);
-    const Positions& X = work.flow.clean.X;
-    const auto vertices = static_cast<double>(X.rows());
-    std::vector<Vector> squares(probes + 1);   // the last: of the run without noise
-    for_each_task(probes + 1, [&](std::size_t p) {
-        FlowSolvers solvers;
-        const auto run_from = [&](const Positions& Y) {
-            return kept_at_its_end(denoising_run(work.flow, kind, Y, iterations, solvers), iterations);
-        };
-        squares[p] = Vector::Zero(iterations + 1);
-        if (p == probes) {
-            squares[p] = errors_of_run(work.flow, run_from(X)).vertices;
-            return;
-        }
-        const Positions step = work.difference * random_signs(X.rows(), seed_of(work.settings, 0, first_probe + 100 + static_cast<int>(p)));
-        const Trajectory ahead = run_from(X + step), back = run_from(X - step);
-        for (int t = 0; t <= iterations; ++t)
-            squares[p][t] = (ahead[t] - back[t]).squaredNorm() / (4 * work.difference * work.difference * vertices);
-    });
-    FirstOrder order{squares[probes], Vector::Zero(iterations + 1)};
-    for (std::size_t p = 0; p < probes; ++p) order.noise += squares[p] / static_cast<double>(probes);
-    return order;
-}
-
-}   // namespace meshfolio::prediction
+}   // namespace meshfolio::modes

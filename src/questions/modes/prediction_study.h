@@ -1,22 +1,16 @@
 /// @file
-/// What the section "prediction" measures: the error of denoising expected beforehand, the mean of many noisy runs with three operators,
-/// and rules that choose the iteration without the clean mesh.
+/// The error of denoising expected beforehand, the mean of many noisy runs with two operators, and rules that choose the iteration without
+/// the clean mesh.
 #pragma once
 
 #include "geometry/denoising/denoising_prediction.h"
 #include "geometry/denoising/risk_estimate.h"
-#include "geometry/operators/vertices_with_mass.h"
-#include "geometry/smoothing/implicit_solver.h"
-#include "mesh/triangle_mesh.h"
 #include "questions/core/section_tools.h"
 
-namespace meshfolio::prediction {
+namespace meshfolio::modes {
 
-inline constexpr report::Words words("prediction");
-
-/// Whose operator smooths the noisy mesh: that of the clean mesh, its own, or that of the current positions at every step.
-enum class FlowOperator { clean, noisy, rebuilt };
-std::string name_of(FlowOperator kind);
+/// The mesh that the smoothing operator is made from.
+enum class FlowOperator { clean, noisy };
 
 /// Implicit smoothing of meshes with the triangles of `clean`.
 struct DenoisingFlow {
@@ -33,7 +27,7 @@ struct FlowSolvers {
     ImplicitSolver clean, own;
 };
 
-/// Runs T steps from Y and returns T + 1 positions; fewer where triangles collapse and no operator can be factored.
+/// Runs T steps from Y and returns T + 1 positions; fewer where the operator of Y cannot be factored.
 Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Positions& Y, int iterations, FlowSolvers& solvers);
 /// Extends a run that ended early by its last positions.
 Trajectory kept_at_its_end(Trajectory run, int iterations);
@@ -95,16 +89,12 @@ struct OperatorStudy {
     std::vector<RuleOutcome> rules;            // none for the clean mesh's operator: who has it needs no rule
     int rule_seeds = 0;
     int collapsed = 0;              // runs that ended early, because triangles collapsed
-    Vector divergence;              // mean of div F_t over 3n; empty for the clean mesh's operator
-    Vector divergence_held;         // the same with the operator held fixed; for the noisy mesh's only
     double regret_of_formula = 0;   // of the measured mean curve at the formula's best iteration
 
     const PredictedCurve& formula() const { return predictions.front(); }
     bool minimum_reached() const { return measured.best() < measured.iterations(); }
     const PredictedCurve* prediction(std::string_view name) const;   // null without
     const RuleOutcome* rule(std::string_view name) const;            // null without
-    /// The prediction that deviates least.
-    const PredictedCurve& closest() const;
 };
 
 /// What the noise does to the operator of the mesh, mean over the draws. The clean mesh's is that of the study.
@@ -116,14 +106,12 @@ struct OperatorFacts {
 struct NoiseLevelStudy {
     double sigma = 0;         // [box diagonals]
     double sigma_edges = 0;   // [mean edges]
-    std::array<OperatorStudy, 3> operators;
+    std::array<OperatorStudy, 2> operators;
     OperatorFacts facts;
     std::vector<double> sigma_ratio;   // σ̂/σ, one a seed the rules were tried on; empty where no patch could be fitted
-    double kept = 0;                   // share of the patches whose residuals noise explains, mean
 
     const OperatorStudy& of(FlowOperator kind) const { return operators[int(kind)]; }
     OperatorStudy& of(FlowOperator kind) { return operators[int(kind)]; }
-    int iterations(FlowOperator kind) const { return of(kind).measured.iterations(); }
     double mean_sigma_ratio() const;
 };
 
@@ -132,9 +120,7 @@ struct PredictionStudy : OnMesh {
     double mean_edge = 0;       // [box diagonals]
     double lambda = 0;          // [squared box diagonals]
     int seeds = 0, draws = 0;   // noisy meshes measured; and others whose operators predict
-    int derivative_probes = 0;
-    OperatorFacts clean_facts;
-    double condition = 1;   // of the clean mesh's M − λC beside M, at most: rounding is multiplied by it
+    double condition = 1;       // of the clean mesh's M − λC beside M, at most: rounding is multiplied by it
     DenoisingPrediction prediction;
     std::vector<NoiseLevelStudy> levels;   // ascending σ
 
@@ -166,27 +152,12 @@ ErrorAccount error_account(const NoiseLevelStudy& level);
 
 /// Names of predictions and rules.
 inline constexpr std::string_view by_formula = "formula, clean operator", by_draws = "formula, operators of other draws",
-                                  by_derivative = "first order in the noise", by_stein = "Stein, σ known", by_stein_estimated = "Stein, σ̂",
-                                  by_fixed_operator = "Stein, σ̂, held fixed", by_discrepancy = "discrepancy, σ̂";
+                                  by_stein = "Stein, σ known", by_stein_estimated = "Stein, σ̂", by_fixed_operator = "Stein, σ̂, held fixed",
+                                  by_discrepancy = "discrepancy, σ̂";
 
-using Studies = std::vector<PredictionStudy>;
-
-/// Relative [1]. Beyond this a deviation is told as "more than" it: a derivative near a collapse has no bound.
-inline constexpr double deviation_shown = 10;
+using PredictionStudies = std::vector<PredictionStudy>;
 
 /// Every level of every mesh: its study as `whole`, itself as `part`.
-inline auto levels_of(const Studies& studies) { return parts_within(studies, &PredictionStudy::levels); }
+inline auto levels_of(const PredictionStudies& studies) { return parts_within(studies, &PredictionStudy::levels); }
 
-report::Table clean_prediction_table(const Studies& studies);
-report::Table operator_prediction_table(const Studies& studies);
-report::Table why_table(const Studies& studies);
-report::Table rule_table(const Studies& studies);
-
-/// The clean mesh's operator at all levels.
-report::Plot clean_prediction_plot(const PredictionStudy& study);
-/// The noisy mesh's own operator, or the rebuilt one, and every prediction, at the highest level.
-report::Plot operator_prediction_plot(const PredictionStudy& study, FlowOperator kind);
-
-void add_discussion(report::Section& section, const Studies& studies);
-
-}   // namespace meshfolio::prediction
+}   // namespace meshfolio::modes

@@ -1,10 +1,8 @@
-#include "questions/prediction/parts.h"
+#include "questions/modes/prediction_study.h"
 
 #include <tuple>
 
-#include "geometry/smoothing/laplacian_smoothing.h"
-
-namespace meshfolio::prediction {
+namespace meshfolio::modes {
 
 namespace {
 
@@ -28,29 +26,17 @@ std::pair<Vector, Vector> mean_over(const std::vector<RunErrors>& runs, Vector R
 
 }   // namespace
 
-std::string name_of(FlowOperator kind) { return kind == FlowOperator::clean ? "clean" : kind == FlowOperator::noisy ? "noisy" : "rebuilt"; }
-
 DenoisingFlow::DenoisingFlow(TriangleMesh mesh, double step)
     : clean(std::move(mesh)), whole(operator_with_mass(laplace_beltrami(clean))), normals(vertex_normals(clean)), lambda(step) {}
 
 Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Positions& Y, int iterations, FlowSolvers& solvers) {
     Trajectory run{Y};
     run.reserve(iterations + 1);
+    const bool clean = kind == FlowOperator::clean;
+    ImplicitSolver& solver = clean ? solvers.clean : solvers.own;
     try {
-        if (kind == FlowOperator::clean) {
-            solvers.clean.prepare(flow.whole, flow.lambda);
-            for (int t = 0; t < iterations; ++t) run.push_back(solvers.clean.step(run.back()));
-            return run;
-        }
-        SmoothingOptions options{.scheme = SmoothingScheme::implicit_euler,
-                                 .lambda = flow.lambda,
-                                 .iterations = iterations,
-                                 .rebuild = kind == FlowOperator::rebuilt};
-        options.after_step = [&](int, const Positions& X) {
-            run.push_back(X);
-            return true;
-        };
-        smooth(moved_to(flow.clean, Y), options, solvers.own);
+        solver.prepare(clean ? flow.whole : operator_with_mass(laplace_beltrami(moved_to(flow.clean, Y))), flow.lambda);
+        for (int t = 0; t < iterations; ++t) run.push_back(solver.step(run.back()));
     } catch (const SolverError&) {   // triangles so thin that rounding makes −C indefinite: what was reached stands
     }
     return run;
@@ -99,4 +85,4 @@ int first_smallest(const Vector& values) {
     return static_cast<int>(first);
 }
 
-}   // namespace meshfolio::prediction
+}   // namespace meshfolio::modes

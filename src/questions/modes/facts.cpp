@@ -1,0 +1,160 @@
+#include "questions/modes/parts.h"
+
+namespace meshfolio::modes {
+
+namespace {
+
+std::string percent(double share) { return readable_percent(share, 2); }
+
+/// "on cube", "on cube and lily": entries of a list, each with what separates it from the next.
+report::FactList separated(report::FactList entries) {
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        entries[i].push_back("sep"_a = i + 1 == entries.size() ? "" : i + 2 == entries.size() ? " and " : ", ");
+    return entries;
+}
+
+// ---- the shape
+
+/// The largest gap after so many steps that do not diverge, over the motion of the implicit run.
+struct LargestGap {
+    double share = 0;
+    std::string mesh;
+};
+LargestGap largest_gap(const ModeStudies& studies, int steps) {
+    LargestGap largest;
+    for (const ModeStudy& study : studies)
+        for (const SchemeGap& gap : study.gaps)
+            if (gap.steps == steps && gap.lambda <= study.subject.critical && gap.share() > largest.share)
+                largest = {gap.share(), study.name()};
+    return largest;
+}
+
+/// Is this implicit way cheaper on some mesh, and where does that begin? "36 % to 74 %"
+std::string cheaper_below(const ModeStudies& studies, std::size_t which) {
+    double least = infinity, most = 0;
+    for (const ModeStudy& study : studies) {
+        if (study.cheaper_nowhere(which)) continue;
+        least = std::min(least, study.crossings[which]->energy);
+        most = std::max(most, study.crossings[which]->energy);
+    }
+    return most > 0 ? span_of(percent(least), percent(most)) : "";
+}
+
+/// The energy below which the explicit result is nearer to the exact flow than one implicit step, wherever it is known; 0: at none.
+double explicit_is_truer_below(const ModeStudy& study) {
+    double below = 0;
+    for (const SmoothingTarget& target : study.curve) {   // energies descend
+        if (target.explicit_way.steps == 0) continue;
+        const bool truer = target.explicit_way.error < target.implicit_ways.front().error;
+        below = truer ? std::max(below, target.energy) : 0;
+    }
+    return below;
+}
+
+// ---- noise
+
+double off_of(const NoiseLevelStudy& level, FlowOperator kind, std::string_view name = by_formula) {
+    return deviation(*level.of(kind).prediction(name), level.of(kind).measured);
+}
+
+/// The largest mean regret of a rule where the minimum is known; NaN where it was tried nowhere.
+double largest_regret(const PredictionStudies& studies, std::string_view name) {
+    double largest = undefined;
+    for (const auto& [study, level] : levels_of(studies)) {
+        const OperatorStudy& own = level.of(FlowOperator::noisy);
+        if (const RuleOutcome* rule = own.rule(name); rule && own.minimum_reached()) largest = std::fmax(largest, rule->mean_regret());
+    }
+    return largest;
+}
+
+/// Does the rule stop after the best iteration wherever it was tried?
+bool stops_late(const PredictionStudies& studies, std::string_view name) {
+    return std::ranges::all_of(levels_of(studies), [&](auto& each) {
+        const OperatorStudy& own = each.part.of(FlowOperator::noisy);
+        const RuleOutcome* rule = own.rule(name);
+        return !rule || rule->mean_chosen() > own.measured.best();
+    });
+}
+
+}   // namespace
+
+report::Facts shape_facts(const ModeStudies& studies) {
+    double worst = 0;
+    for (const ModeStudy& study : studies)
+        worst = std::max(worst, largest_of(study.dampings, [&](const ModeDamping& d) { return d.deviation(study.eigenvalues); }));
+    const ModeDamping& close = studies.front().dampings[1];
+
+    std::vector<int> counts;
+    for (const SchemeGap& gap : studies.front().gaps) counts.push_back(gap.steps);
+    counts = each_once(counts);
+    const LargestGap first = counts.empty() ? LargestGap() : largest_gap(studies, counts.front());
+    const LargestGap last = counts.size() < 2 ? LargestGap() : largest_gap(studies, counts.back());
+
+    const auto below = [](const ModeStudy& s) { return !s.cheaper_nowhere(0) && !s.cheaper_everywhere(0); };
+    report::FactList borders;
+    for (const ModeStudy& study : studies)
+        if (below(study)) borders.push_back({"energy"_a = percent(study.crossings[0]->energy), "mesh"_a = study.name()});
+    const double truer = explicit_is_truer_below(*std::ranges::min_element(studies, {}, explicit_is_truer_below));
+    return {"laws"_a = worst<law_tolerance, "worst"_a = readable(worst, 2), "first"_a = studies.front().name(), "steps"_a = close.steps,
+                             "left"_a = percent(std::abs(close.law(studies.front().subject.top.value))), "gap"_a = first.share> 0
+                           ? percent(first.share)
+                           : "",
+            "gap_steps"_a = counts.empty() ? 0 : counts.front(),
+            "gap_mesh"_a = first.mesh,
+            "last_gap"_a = last.share > 0 && last.share < first.share ? percent(last.share) : "",
+            "last_steps"_a = counts.empty() ? 0 : counts.back(),
+            "some"_a = !borders.empty(),
+            "below"_a = separated(borders),
+            "everywhere"_a = listed(names_where(studies, [](const ModeStudy& s) { return s.cheaper_everywhere(0); })),
+            "nowhere"_a = listed(names_where(studies, [](const ModeStudy& s) { return s.cheaper_nowhere(0); })),
+            "truer"_a = truer > 0 ? percent(truer) : "",
+            "accuracy"_a = readable_percent(implicit_accuracy, 1),
+            "accurate"_a = cheaper_below(studies, accurate_way),
+            "matched"_a = cheaper_below(studies, matched_way)};
+}
+
+report::Facts noise_facts(const PredictionStudies& studies) {
+    const auto levels = levels_of(studies);
+    double off = 0, own = 0, regret = 0, stein = 0, least_sigma = undefined, most_sigma = undefined;
+    int late = 0;
+    for (const auto& [study, level] : levels) {
+        off = std::max({off, off_of(level, FlowOperator::clean), largest_mass_deviation(study, level)});
+        own = std::max(own, off_of(level, FlowOperator::noisy));
+        regret = std::max(regret, level.of(FlowOperator::clean).regret_of_formula);
+        stein = std::max(stein, off_of(level, FlowOperator::noisy, by_stein));
+        late = std::max(late, level.of(FlowOperator::noisy).measured.best() - level.of(FlowOperator::noisy).formula().best());
+        least_sigma = std::fmin(least_sigma, level.mean_sigma_ratio());
+        most_sigma = std::fmax(most_sigma, level.mean_sigma_ratio());
+    }
+    const auto& [study, level] = *std::ranges::max_element(levels, {}, [](auto& each) { return off_of(each.part, FlowOperator::noisy); });
+    const ErrorAccount account = error_account(level);
+    const bool fails = own > 0.05 && account.iteration > 0;
+    const double sigma_off = std::fmax(1 - least_sigma, most_sigma - 1);   // NaN where σ cannot be estimated
+    const double held = largest_regret(studies, by_fixed_operator), by_estimate = largest_regret(studies, by_stein_estimated);
+    return {"seeds"_a = studies.front().seeds,
+            "foreseen"_a = off < 0.1,
+            "off"_a = percent(off),
+            "regret"_a = regret < 5e-5 ? "" : percent(regret),
+            "own"_a = percent(own),
+            "late"_a = late,
+            "fails"_a = fails,
+            "mesh"_a = study.name(),
+            "sigma"_a = percent(level.sigma),
+            "numbers"_a = fails && account.numbers > 0 && account.knowledge > 0
+                              ? percent(account.numbers / (account.numbers + account.knowledge))
+                              : "",
+            "along"_a = fails && account.along_own > account.along_clean,
+            "along_own"_a = percent(account.along_own),
+            "along_clean"_a = percent(account.along_clean),
+            "stein"_a = percent(stein),
+            "no_sigma"_a = std::ranges::all_of(levels, [](auto& each) { return each.part.sigma_ratio.empty(); }),
+            "sigma_off"_a = sigma_off < 0.5 ? percent(sigma_off) : "",
+            "sigma_times"_a = sigma_off >= 0.5 ? span_of(readable(least_sigma, 2), readable(most_sigma, 2)) : "",
+            "rule"_a = by_estimate < 1 ? percent(by_estimate) : "",
+            "rule_times"_a = by_estimate >= 1 ? readable(1 + by_estimate, 2) : "",
+            "held"_a = held > by_estimate ? percent(held) : "",
+            "discrepancy"_a = percent(largest_regret(studies, by_discrepancy)),
+            "stops_late"_a = stops_late(studies, by_discrepancy)};
+}
+
+}   // namespace meshfolio::modes

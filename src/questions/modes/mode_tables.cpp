@@ -1,0 +1,138 @@
+#include "questions/modes/parts.h"
+
+namespace meshfolio::modes {
+
+namespace {
+
+using Style = report::Series::Style;
+
+constexpr double invisible = 1e-13;       // factors below are rounding
+constexpr Eigen::Index most_shown = 60;   // points
+
+/// |factor| where it can be seen above rounding.
+double visible(double factor) { return std::abs(factor) > invisible ? std::abs(factor) : undefined; }
+
+report::Series law_line(const ModeStudy& study, const ModeDamping& damping, std::string name, std::string panel) {
+    report::Series line{.name = std::move(name), .panel = std::move(panel)};
+    constexpr int points = 240;
+    for (int i = 0; i <= points; ++i) {
+        const double share = double(i) / points;
+        add_point(line, share, visible(damping.law(share * study.subject.top.value)));
+    }
+    return line;
+}
+
+/// Picks some of the modes, evenly spaced, with the last.
+report::Series measured_points(const ModeStudy& study, const ModeDamping& damping, std::string name, std::string panel) {
+    report::Series points{.name = std::move(name), .style = Style::points, .panel = std::move(panel)};
+    const Eigen::Index n = study.eigenvalues.size(), shown = std::min(n, most_shown);
+    for (Eigen::Index k = 0; k < shown; ++k) {
+        const Eigen::Index i = shown > 1 ? k * (n - 1) / (shown - 1) : 0;
+        add_point(points, study.eigenvalues[i] / study.subject.top.value, visible(damping.measured[i]));
+    }
+    return points;
+}
+
+double operations_of(const SmoothingWay& way) { return way.steps > 0 ? way.operations : undefined; }
+double error_of(const SmoothingWay& way) { return way.steps > 0 ? 100 * way.error : undefined; }
+
+/// Plots one value of the explicit and of the first implicit ways over energy, a panel each mesh.
+report::Plot target_plot(const ModeStudies& studies, const std::string& key, std::size_t implicit_ways,
+                         double (*value)(const SmoothingWay&)) {
+    report::Plot plot{.id = "modes_" + key,
+                      .caption = words.line(key),
+                      .alt = words.line(key + ".alt", "meshes"_a = listed(names_of(studies))),
+                      .x_label = words.line("targets.x"),
+                      .y_label = words.line(key + ".y"),
+                      .log_x = true,
+                      .log_y = true};
+    for (const ModeStudy& study : studies) {
+        const auto add = [&](const std::string& name, const auto& way_of) {
+            report::Series series{.name = name, .panel = study.name()};
+            for (const SmoothingTarget& target : study.curve) add_point(series, 100 * target.energy, value(way_of(target)));
+            plot.series.push_back(std::move(series));
+        };
+        add(words.line("way.explicit"), [](const SmoothingTarget& t) { return t.explicit_way; });
+        for (std::size_t which = 0; which < implicit_ways; ++which)
+            add(implicit_way_names()[which], [&](const SmoothingTarget& t) { return t.implicit_ways[which]; });
+    }
+    return plot;
+}
+
+/// The gaps of one step, at each count of iterations.
+struct GapRow {
+    const ModeStudy& study;
+    std::size_t first;   // of its gaps
+};
+
+}   // namespace
+
+report::Plot damping_plot(const ModeStudy& study) {
+    const auto in_limits = [&](const ModeDamping& d) { return plain_text(d.lambda / study.subject.critical, 3); };
+    report::Plot plot{.id = id_of("modes", study.name(), "damping"),
+                      .caption = words.line("damping", "steps"_a = study.dampings.front().steps, "mesh"_a = study.name(),
+                                            "some"_a = study.all && study.eigenvalues.size() > most_shown),
+                      .alt = words.line("damping.alt", "modes"_a = study.eigenvalues.size()),
+                      .x_label = words.line("damping.x"),
+                      .y_label = words.line("damping.y"),
+                      .log_y = true};
+    for (int i = 0; i < damped_steps; ++i) {
+        const ModeDamping &by_explicit = study.dampings[i], &by_implicit = study.dampings[damped_steps + i];
+        const std::string of_one = in_limits(by_explicit), of_other = in_limits(by_implicit);
+        const std::string panel = words.line("damping.panel", "step"_a = of_one, "implicit"_a = of_other == of_one ? "" : of_other);
+        plot.series.push_back(law_line(study, by_explicit, words.line("damping.explicit"), panel));
+        plot.series.push_back(measured_points(study, by_explicit, words.line("damping.explicit.measured"), panel));
+        plot.series.push_back(law_line(study, by_implicit, words.line("damping.implicit"), panel));
+        plot.series.push_back(measured_points(study, by_implicit, words.line("damping.implicit.measured"), panel));
+    }
+    return plot;
+}
+
+report::Table gap_table(const ModeStudies& studies) {
+    std::vector<int> counts;   // the same at every step of every mesh
+    std::vector<GapRow> rows;
+    for (const SchemeGap& gap : studies.front().gaps)
+        if (gap.lambda == studies.front().gaps.front().lambda) counts.push_back(gap.steps);
+    for (const ModeStudy& study : studies)
+        for (std::size_t first = 0; first < study.gaps.size(); first += counts.size()) rows.push_back({study, first});
+    auto gaps = table("modes_gap", words.line("gap"), std::move(rows));
+    gaps.column("mesh", [](auto& r) { return r.study.name(); }).column("λ/λ_crit", [](auto& r) {
+        return r.study.gaps[r.first].lambda / r.study.subject.critical;
+    });
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        gaps.column(words.line("gap.motion", "steps"_a = counts[i]), {.unit = "% of box"},
+                    [i](auto& r) { return 100 * r.study.gaps[r.first + i].motion; });
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        gaps.column(words.line("gap.share", "steps"_a = counts[i]), {.unit = "% of motion", .digits = 2},
+                    [i](auto& r) { return cell_of(100 * r.study.gaps[r.first + i].share()); });
+    return gaps;
+}
+
+report::Plot cost_plot(const ModeStudies& studies) {
+    report::Plot plot = target_plot(studies, "operations", std::size(implicit_steps) + 1, operations_of);
+    for (const ModeStudy& study : studies) {
+        for (std::size_t which = 0; which <= std::size(implicit_steps); ++which) {
+            if (study.cheaper_nowhere(which) || study.cheaper_everywhere(which)) continue;
+            const SmoothingTarget& at = *study.crossings[which];
+            plot.markers.push_back({100 * at.energy, operations_of(at.implicit_ways[which]), "", study.name()});
+        }
+    }
+    return plot;
+}
+
+report::Plot truth_plot(const ModeStudies& studies) { return target_plot(studies, "truth", std::size(implicit_steps), error_of); }
+
+report::Table crossing_table(const ModeStudies& studies) {
+    auto crossings = table("modes_crossing", words.line("crossing"), studies);
+    crossings.column("mesh", &ModeStudy::name)
+        .column("step", {.unit = "explicit steps"}, [](auto& s) { return s.implicit_step / s.explicit_step; })
+        .column("factorisation", {.unit = "explicit steps"}, [](auto& s) { return s.factor.factorisation / s.explicit_step; })
+        .column("looked down to", {.unit = "% of energy", .digits = 2}, [](auto& s) { return 100 * s.curve.back().energy; });
+    for (std::size_t which = 0; which < implicit_way_count; ++which)
+        crossings.column(implicit_way_names()[which], {.unit = "% of energy"}, [which](auto& s) {
+            return s.cheaper_nowhere(which) ? report::Cell() : report::Cell(100 * s.crossings[which]->energy);
+        });
+    return crossings;
+}
+
+}   // namespace meshfolio::modes

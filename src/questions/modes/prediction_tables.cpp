@@ -1,0 +1,194 @@
+#include "questions/modes/parts.h"
+
+namespace meshfolio::modes {
+
+namespace {
+
+using Style = report::Series::Style;
+
+/// One operator at one level of noise on one mesh.
+struct Row {
+    const PredictionStudy& study;
+    const NoiseLevelStudy& level;
+    const OperatorStudy& own;
+
+    int steps() const { return own.measured.iterations(); }
+};
+
+/// A table with a row for each level of each mesh; every one begins with mesh and noise.
+auto begun_table(std::string id, std::string caption, const PredictionStudies& studies, FlowOperator kind = FlowOperator::noisy) {
+    std::vector<Row> rows;
+    for (const auto& [study, level] : levels_of(studies)) rows.push_back({study, level, level.of(kind)});
+    auto begun = table(std::move(id), std::move(caption), std::move(rows));
+    begun.column("mesh", [](auto& r) { return r.study.name(); })
+        .column("σ", {.unit = "% of box"}, [](auto& r) { return 100 * r.level.sigma; })
+        .column("σ", {.unit = "mean edges"}, [](auto& r) { return r.level.sigma_edges; });
+    return begun;
+}
+
+/// "23", or "40, still falling" at the end of the run.
+std::string best_words(int best, int iterations) {
+    return std::to_string(best) + (best < iterations || best == 0 ? "" : ", still falling");
+}
+std::string measured_best(const Row& r) { return best_words(r.own.measured.best(), r.steps()); }
+std::string formula_best(const Row& r) { return best_words(r.own.formula().best(), r.steps()); }
+
+/// A cell made from the prediction or the rule of a name; empty where there is none.
+template <class Entry>
+auto cell_from(const Entry* (OperatorStudy::*find)(std::string_view) const, std::string_view name, auto cell) {
+    return [=](const Row& r) {
+        const Entry* entry = (r.own.*find)(name);
+        return entry == nullptr ? report::Cell() : cell(r, *entry);
+    };
+}
+
+/// Shows the largest deviation of a prediction.
+auto deviation_of(std::string_view name) {
+    return cell_from(&OperatorStudy::prediction, name,
+                     [](const Row& r, const PredictedCurve& p) -> report::Cell { return 100 * deviation(p, r.own.measured); });
+}
+
+/// Shows what a rule chose, and what that cost where the minimum is known.
+auto chosen_by(std::string_view name) {
+    return cell_from(&OperatorStudy::rule, name, [](const Row&, const RuleOutcome& rule) -> report::Cell { return rule.mean_chosen(); });
+}
+auto regret_of(std::string_view name, double (RuleOutcome::*regret)() const = &RuleOutcome::mean_regret) {
+    return cell_from(&OperatorStudy::rule, name,
+                     [=](const Row& r, const RuleOutcome& rule) { return cell_of(100 * (rule.*regret)(), r.own.minimum_reached()); });
+}
+
+/// √ of the values in % of the box; a negative estimate leaves a gap, and so does what lies beyond `most`.
+report::Series root_series(std::string name, std::string panel, const Vector& square, Style style, double most = infinity) {
+    report::Series series{.name = std::move(name), .style = style, .panel = std::move(panel)};
+    for (Eigen::Index t = 0; t < square.size(); ++t)
+        add_point(series, double(t), square[t] >= 0 && square[t] <= most ? 100 * std::sqrt(square[t]) : undefined);
+    return series;
+}
+
+report::Series measured_series(std::string name, std::string panel, const MeasuredCurve& measured) {
+    report::Series series = root_series(std::move(name), std::move(panel), measured.square, Style::line);
+    for (Eigen::Index t = 0; t < measured.square.size(); ++t) {
+        series.y_low.push_back(100 * measured.low[t]);
+        series.y_high.push_back(100 * measured.high[t]);
+    }
+    return series;
+}
+
+/// "measured t = 7"; an error that is smallest at its end has no minimum yet.
+report::Marker marker_at(const std::string& panel, const Vector& square, int t, std::string label) {
+    if (t > 0 && t + 1 == square.size()) label = "still falling, t = ";
+    return {static_cast<double>(t), 100 * std::sqrt(std::max(square[t], 0.0)), label + std::to_string(t), panel};
+}
+
+}   // namespace
+
+report::Table expected_table(const PredictionStudies& studies) {
+    report::FactList by_probes;
+    for (const PredictionStudy& study : studies)
+        if (study.prediction.probes > 0) by_probes.push_back({"mesh"_a = study.name(), "probes"_a = study.prediction.probes});
+    return begun_table("modes_expected", words.line("expected", "seeds"_a = studies.front().seeds, "by_probes"_a = by_probes), studies,
+                       FlowOperator::clean)
+        .column("best iteration, expected", formula_best)
+        .column("best iteration, measured", measured_best)
+        .column("error, expected", {.unit = "% of box", .digits = 4},
+                [](auto& r) { return 100 * std::sqrt(r.own.formula().square[r.own.measured.best()]); })
+        .column("error, measured", {.unit = "% of box", .digits = 4},
+                [](auto& r) { return 100 * std::sqrt(r.own.measured.square[r.own.measured.best()]); })
+        .column("farthest, vertices", {.unit = "%", .digits = 2}, [](auto& r) { return 100 * deviation(r.own.formula(), r.own.measured); })
+        .column("farthest, area", {.unit = "%", .digits = 2}, [](auto& r) { return 100 * largest_mass_deviation(r.study, r.level); })
+        .column("farthest", {.unit = "std. errors", .digits = 2}, [](auto& r) { return standard_distance(r.study, r.level).larger(); })
+        .column("regret", {.unit = "%", .digits = 2}, [](auto& r) { return 100 * r.own.regret_of_formula; });
+}
+
+report::Table own_operator_table(const PredictionStudies& studies) {
+    int collapsed = 0;
+    for (const auto& [study, level] : levels_of(studies)) collapsed += level.of(FlowOperator::noisy).collapsed;
+    return begun_table("modes_own",
+                       words.line("own", "seeds"_a = studies.front().seeds, "draws"_a = studies.front().draws, "collapsed"_a = collapsed),
+                       studies)
+        .column("best iteration, measured", measured_best)
+        .column("best iteration, formula", formula_best)
+        .column("formula", {.unit = "% off", .digits = 2}, deviation_of(by_formula))
+        .column("draws", {.unit = "% off", .digits = 2}, deviation_of(by_draws))
+        .column("Stein", {.unit = "% off", .digits = 2}, deviation_of(by_stein));
+}
+
+report::Table why_table(const PredictionStudies& studies) {
+    const auto share = [](double ErrorAccount::*part) { return [part](const Row& r) { return 100 * (error_account(r.level).*part); }; };
+    return begun_table("modes_why", words.line("why"), studies)
+        .column("iteration", [](auto& r) { return std::to_string(error_account(r.level).iteration); })
+        .column("formula", {.unit = "% of noise"}, share(&ErrorAccount::formula))
+        .column("other numbers", {.unit = "% of noise"}, share(&ErrorAccount::numbers))
+        .column("own noise", {.unit = "% of noise"}, share(&ErrorAccount::knowledge))
+        .column("measured", {.unit = "% of noise"}, share(&ErrorAccount::measured))
+        .column("along, own", {.unit = "% of noise"}, share(&ErrorAccount::along_own))
+        .column("along, clean", {.unit = "% of noise"}, share(&ErrorAccount::along_clean))
+        .column("across, own", {.unit = "% of noise"}, share(&ErrorAccount::across_own))
+        .column("across, clean", {.unit = "% of noise"}, share(&ErrorAccount::across_clean))
+        .column("area", {.unit = "× clean"}, [](auto& r) { return r.level.facts.area; })
+        .column("negative weights", {.unit = "%", .digits = 2}, [](auto& r) { return 100 * r.level.facts.negative_weights; });
+}
+
+report::Table rule_table(const PredictionStudies& studies) {
+    return begun_table("modes_rules",
+                       words.line("rules", "seeds"_a = studies.front().levels.front().of(FlowOperator::noisy).rule_seeds,
+                                  "mesh"_a = studies.front().name()),
+                       studies)
+        .column("σ̂/σ", [](auto& r) { return cell_of(r.level.mean_sigma_ratio()); })
+        .column("best, measured", measured_best)
+        .column("chosen", {.unit = "mean"}, chosen_by(by_stein_estimated))
+        .column("regret", {.unit = "%", .digits = 2}, regret_of(by_stein_estimated))
+        .column("worst", {.unit = "%", .digits = 2}, regret_of(by_stein_estimated, &RuleOutcome::worst_regret))
+        .column("σ known", {.unit = "regret, %", .digits = 2}, regret_of(by_stein))
+        .column("held fixed", {.unit = "regret, %", .digits = 2}, regret_of(by_fixed_operator))
+        .column("discrepancy", {.unit = "chosen"}, chosen_by(by_discrepancy))
+        .column("discrepancy", {.unit = "regret, %", .digits = 2}, regret_of(by_discrepancy));
+}
+
+report::Plot expected_plot(const PredictionStudies& studies) {
+    report::Plot plot{.id = "modes_expected_errors",
+                      .caption = words.line("expected.plot", "seeds"_a = studies.front().seeds),
+                      .x_label = "iteration",
+                      .y_label = words.line("plot.y"),
+                      .log_y = true};
+    for (const PredictionStudy& study : studies) {
+        const std::string& panel = study.name();
+        int levels = 0;
+        for (const NoiseLevelStudy& level : study.levels) {
+            const MeasuredCurve& measured = level.of(FlowOperator::clean).measured;
+            const PredictedCurve& formula = level.of(FlowOperator::clean).formula();
+            const std::string sigma = "σ = " + readable_percent(level.sigma, 2);
+            plot.series.push_back(measured_series(sigma + ", measured", panel, measured));
+            plot.series.back().color = levels;
+            plot.series.back().pattern = 0;   // a continuous line at every level
+            plot.series.push_back(root_series(sigma + ", expected", panel, formula.square, Style::dashed));
+            plot.series.back().color = levels++ + 3;   // another colour than that of the line it runs on
+            const bool same = formula.best() == measured.best();
+            plot.markers.push_back(marker_at(panel, measured.square, measured.best(), same ? "both t = " : "measured t = "));
+            if (!same) plot.markers.push_back(marker_at(panel, formula.square, formula.best(), "expected t = "));
+        }
+    }
+    return plot;
+}
+
+report::Plot own_operator_plot(const PredictionStudies& studies) {
+    report::Plot plot{.id = "modes_own_errors",
+                      .caption = words.line("own.plot", "seeds"_a = studies.front().seeds,
+                                            "sigma"_a = readable_percent(studies.front().levels.back().sigma, 2)),
+                      .x_label = "iteration",
+                      .y_label = words.line("plot.y"),
+                      .log_y = true};
+    for (const PredictionStudy& study : studies) {
+        const OperatorStudy& own = study.levels.back().of(FlowOperator::noisy);
+        plot.series.push_back(measured_series("measured", study.name(), own.measured));
+        // Far beyond what is measured a curve would only flatten the others.
+        for (const PredictedCurve& predicted : own.predictions)
+            plot.series.push_back(
+                root_series(predicted.name, study.name(), predicted.square, Style::dashed, 9 * own.measured.square.maxCoeff()));
+        plot.markers.push_back(marker_at(study.name(), own.measured.square, own.measured.best(), "measured t = "));
+        plot.markers.push_back(marker_at(study.name(), own.formula().square, own.formula().best(), "formula t = "));
+    }
+    return plot;
+}
+
+}   // namespace meshfolio::modes
