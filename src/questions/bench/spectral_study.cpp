@@ -91,6 +91,23 @@ double wavelength(const SpectralStudy& study, int mode) {
     return mu > 0 ? 2 * pi / std::sqrt(mu) : infinity;
 }
 
+Vector coefficient_sizes(const Spectrum& spectrum, const Vector& M, const Positions& X) {
+    const Positions c = spectrum.eigenvectors.transpose() * (M.asDiagonal() * X);
+    return c.rowwise().norm() / std::sqrt(M.sum());
+}
+
+double weyl_eigenvalue(double k, double area, double boundary) {
+    const double root = (std::sqrt(boundary * boundary + 16 * pi * area * k) - boundary) / (2 * area);
+    return root * root;
+}
+
+double weyl_eigenvalue(const SpectralStudy& study, int k) {
+    double boundary = 0;
+    for (const Edge& edge : study.topology().edges)
+        if (edge.faces == 1) boundary += (study.mesh().X.row(edge.a) - study.mesh().X.row(edge.b)).norm();
+    return weyl_eigenvalue(k, surface_area(study.mesh()), boundary);
+}
+
 double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r) {
     const Positions& X = study.mesh().X;
     const Vector& M = study.laplacian.M;

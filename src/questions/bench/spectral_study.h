@@ -59,6 +59,16 @@ int zero_modes(const SpectralStudy& study);
 /// Wavelength 2π/√μ of a mode, counted from 1; infinite for a zero mode. [length]
 double wavelength(const SpectralStudy& study, int mode);
 
+/// ‖φ_iᵀMX‖/√ΣM of each mode: what it contributes to the rms distance from the origin. The squares beyond k add up to the squared error of
+/// k modes. [length]
+Vector coefficient_sizes(const Spectrum& spectrum, const Vector& M, const Positions& X);
+
+/// Weyl's law for the k-th eigenvalue of a surface with a free boundary of this length, from 4πk ≈ area μ + boundary √μ; 4πk/area where it
+/// is closed. [1/length²]
+double weyl_eigenvalue(double k, double area, double boundary);
+/// The same for the mesh of a study.
+double weyl_eigenvalue(const SpectralStudy& study, int k);
+
 /// How far from the centroid the worst-placed 5 % of the vertices are, over how far an average vertex is.
 double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r);
 

@@ -1,9 +1,7 @@
 #include "questions/bench/spectral_uses.h"
 
-#include "geometry/linear/sparse_factor.h"
 #include "geometry/measures/local_thickness.h"
 #include "geometry/operators/laplace_operator.h"
-#include "geometry/operators/vertices_with_mass.h"
 #include "geometry/spectrum/spectral_mistakes.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 
@@ -71,15 +69,6 @@ std::vector<MistakeErrors> mistake_study(const SpectralStudy& study, bool quick)
     const LaplaceBeltrami other = laplace_operator(study.mesh(), OperatorKind::edge_normalised);
     const Spectrum edge_normalised = modes_if_any(other, most);
     return each_of(each_once(counts), [&](const int k) { return mistakes_at(study, edge_normalised, other, k); });
-}
-
-ModeCost mode_cost(int k, double n, double factor_entries) {
-    return {k, 4 * factor_entries * k, 2 * n * k * k, 12 * n * k, 8 * n * k / 1048576};
-}
-
-/// How full a factor is depends on the pattern alone.
-double factor_entries(const SpectralStudy& study) {
-    return static_cast<double>(EliminationOrder(operator_with_mass(study.laplacian).A).operations.nonzeros);
 }
 
 LimbStudy limb_study(const SpectralStudy& study) {

@@ -1,5 +1,5 @@
 /// @file
-/// What question 4 tells of its modes beside the error: why thin parts suffer first, and what many modes cost. And ways of rebuilding that
+/// What question 4 tells of its modes beside the error: why thin parts suffer first. And ways of rebuilding that
 /// look right and are not, for the claims.
 #pragma once
 
@@ -35,19 +35,5 @@ struct LimbStudy {
     bool measured() const { return thin_diameter > 0 && !errors.empty(); }
 };
 LimbStudy limb_study(const SpectralStudy& study);
-
-// ---- cost -----------------------------------------------------------------------------------------------------------------
-
-/// Counted, not timed: what k modes take at least, whatever Krylov method finds them.
-struct ModeCost {
-    int k = 0;
-    double solve_operations = 0;           // k solves with the factor
-    double orthogonalise_operations = 0;   // each vector once against all before it
-    double rebuild_operations = 0;         // Φ(ΦᵀMX)
-    double megabytes = 0;                  // of Φ
-};
-/// @param factor_entries  of a Cholesky factor of −C + σM
-ModeCost mode_cost(int k, double n, double factor_entries);
-double factor_entries(const SpectralStudy& study);
 
 }   // namespace meshfolio

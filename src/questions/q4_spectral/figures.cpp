@@ -77,15 +77,15 @@ void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study) {
         const std::string number = std::to_string(mode);
         request.panels.push_back(
             meshfolio::panel_of(*study.source, id_of(study, "phi" + number), "φ" + number, phi / phi.cwiseAbs().maxCoeff()));
-        request.columns.push_back("φ" + number);
+        request.columns.push_back(words.line("eigenfunctions.column", "mode"_a = mode,
+                                             "wave"_a = percent_of_box(study, wavelength(study, mode)),
+                                             "edges"_a = readable(wavelength(study, mode) / study.preflight().mean_edge, 2)));
     }
     request.range = output::robust_range(request.panels, "diverging", "φ / max |φ|", "", 1);
     request.range->low = -1;
     request.range->high = 1;
     request.range->clipped_below = request.range->clipped_above = 0;
-    const std::string caption = words.line("eigenfunctions.caption", "mesh"_a = study.name(), "first"_a = drawn.front(),
-                                           "longest"_a = percent_of_box(study, wavelength(study, drawn.front())), "last"_a = drawn.back(),
-                                           "shortest"_a = percent_of_box(study, wavelength(study, drawn.back())));
+    const std::string caption = words.line("eigenfunctions.caption", "mesh"_a = study.name());
     add_figure(answer, std::move(request), caption, caption);
 }
 

@@ -3,10 +3,11 @@
 namespace meshfolio::q4_spectral {
 
 Subject subject_of(SharedMesh mesh, const QuestionSettings& settings) {
-    SpectralStudy study = spectral_study(std::move(mesh), settings);
-    LimbStudy limbs = limb_study(study);
-    const double entries = factor_entries(study);
-    return {std::move(study), std::move(limbs), entries, settings.k.empty()};
+    Subject subject{spectral_study(std::move(mesh), settings), {}, {}, settings.k.empty()};
+    const SpectralStudy& study = subject.study;
+    subject.limbs = limb_study(study);
+    for (const Reconstruction& r : study.reconstructions) subject.hausdorff.push_back(hausdorff_distance(study.mesh(), r.mesh));
+    return subject;
 }
 
 std::vector<const Reconstruction*> told_reconstructions(const SpectralStudy& study) {
@@ -18,22 +19,10 @@ std::vector<const Reconstruction*> told_reconstructions(const SpectralStudy& stu
 }
 
 std::vector<int> drawn_modes(const SpectralStudy& study) {
-    const int zeros = zero_modes(study);
     std::vector<int> drawn;
-    for (int mode = zeros + 1; mode <= std::min(study.modes(), zeros + 4); ++mode) drawn.push_back(mode);
-    for (const int mode : {10, 15})
-        if (mode > zeros + 4 && mode <= study.modes()) drawn.push_back(mode);
+    for (const int mode : {zero_modes(study) + 1, 5, 15, 60})
+        if (mode <= study.modes() && (drawn.empty() || mode > drawn.back())) drawn.push_back(mode);
     return drawn;
-}
-
-double remoteness_of_peak(const SpectralStudy& study, int mode) {
-    const Positions& X = study.mesh().X;
-    const Vector& M = study.laplacian.M;
-    const Vector3 centroid = X.transpose() * M / M.sum();
-    const Vector distance = (X.rowwise() - centroid.transpose()).rowwise().norm();
-    Eigen::Index peak = 0;
-    study.spectrum.eigenvectors.col(mode - 1).cwiseAbs().maxCoeff(&peak);
-    return 100 * static_cast<double>((distance.array() < distance[peak] * (1 - 1e-9)).count()) / static_cast<double>(distance.size());
 }
 
 double share_seen(const SpectralStudy& study, const Reconstruction& r) {
@@ -49,5 +38,15 @@ const Reconstruction* last_erring(const SpectralStudy& study) {
 }
 
 bool is_exact(const SpectralStudy& study, int k) { return study.rms[k] < rounding * study.diagonal; }
+
+double distance_from_weyl(const SpectralStudy& study) {
+    int last = study.modes();
+    while (last > 0 && wavelength(study, last) < 4 * study.preflight().mean_edge) --last;
+    if (last < 20) return undefined;
+    double farthest = 0;
+    for (int k = last / 2; k <= last; ++k)
+        farthest = std::max(farthest, std::abs(study.spectrum.eigenvalues[k - 1] / weyl_eigenvalue(study, k) - 1));
+    return farthest;
+}
 
 }   // namespace meshfolio::q4_spectral

@@ -59,13 +59,3 @@ TEST(LimbStudy, SharesOfPlantedErrors) {
 }
 
 TEST(LimbStudy, AnOpenSurfaceHasNone) { EXPECT_FALSE(limb_study(spectral_study_on(grid_mesh(12, 12, 1, 1), "sheet", {5})).measured()); }
-
-TEST(ModeCost, GrowsAsCounted) {
-    const ModeCost one = mode_cost(10, 1000, 5e4), two = mode_cost(20, 1000, 5e4);
-    EXPECT_EQ(two.solve_operations, 2 * one.solve_operations);
-    EXPECT_EQ(two.orthogonalise_operations, 4 * one.orthogonalise_operations);
-    EXPECT_EQ(two.rebuild_operations, 2 * one.rebuild_operations);
-    EXPECT_EQ(mode_cost(100, 1000, 5e4).solve_operations, mode_cost(100, 1000, 5e4).orthogonalise_operations) << "k = 2 entries/n";
-    const SpectralStudy study = spectral_study_on(egg(), "egg_cost", {5});
-    EXPECT_GE(factor_entries(study), (study.laplacian.C.nonZeros() + study.vertices()) / 2.0) << "half of C at least";
-}

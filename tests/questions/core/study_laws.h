@@ -37,6 +37,12 @@ inline const report::Table& table_named(const report::Section& section, const st
     throw std::logic_error("no table " + id);
 }
 
+inline const report::Plot& plot_named(const report::Section& section, const std::string& id) {
+    for (const report::Block& block : section.blocks)
+        if (const auto* plot = std::get_if<report::Plot>(&block); plot != nullptr && plot->id == id) return *plot;
+    throw std::logic_error("no plot " + id);
+}
+
 /// The cells of the column of that name (and unit, where two share the name).
 inline std::vector<report::Cell> cells(const report::Table& table, const std::string& name, const std::string& unit = "") {
     for (std::size_t c = 0; c < table.columns.size(); ++c) {

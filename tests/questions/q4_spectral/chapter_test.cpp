@@ -86,17 +86,24 @@ TEST(Q4, TheTableHasTheErrorsOfTheMeshesWrittenOut) {
     EXPECT_LE(off[0], 100);
 }
 
-TEST(Q4, EigenvaluesStandBesideTheirWavelengths) {
+TEST(Q4, EigenvaluesAreThoseOfTheSphere) {
     const Answer answer = answer_on(icosphere(2), "ball_waves", {9, 16});
-    const report::Table& table = table_named(answer.section, "q4_ball_waves_eigenvalues");
-    EXPECT_EQ(numbers(table, "index"), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 16}));
-    const std::vector<double> mu = numbers(table, "μ");
-    const std::vector<report::Cell> wavelength = cells(table, "wavelength");
-    EXPECT_EQ(mu[0], 0);
-    EXPECT_TRUE(std::holds_alternative<std::monostate>(wavelength[0]));
-    for (std::size_t i = 1; i < mu.size(); ++i) EXPECT_NEAR(std::get<double>(wavelength[i]) * std::sqrt(mu[i]), 2 * M_PI, 1e-9);
-    EXPECT_NEAR(mu[1], 2, 0.05);   // l(l + 1) on the unit sphere
-    EXPECT_NEAR(mu[10], 12, 0.8);
+    const report::Plot& plot = plot_named(answer.section, "q4_ball_waves_spectrum");
+    EXPECT_EQ(plot.series.front().x.front(), 2) << "the constant has no wavelength";
+    const std::vector<double>& mu = plot.series.front().y;
+    EXPECT_NEAR(mu[0], 2, 0.05);   // l(l + 1) on the unit sphere
+    EXPECT_NEAR(mu[9], 12, 0.8);
+}
+
+// Parseval: the squares of the coefficients beyond k are the squared error of k modes.
+TEST(Q4, TheCoefficientsDrawnMakeUpTheError) {
+    const Answer answer = answer_on(ellipsoid_mesh(2, {1.7, 1.1, 0.6}), "egg_parseval", {6, 162});
+    const report::Plot& plot = plot_named(answer.section, "q4_egg_parseval_error_versus_k");
+    const report::Series &error = plot.series[0], &coefficients = plot.series[2];
+    double squares = 0;
+    for (std::size_t i = 0; i < coefficients.x.size(); ++i)
+        if (coefficients.x[i] > 6) squares += coefficients.y[i] * coefficients.y[i];
+    EXPECT_NEAR(std::sqrt(squares) / error.y[5], 1, 1e-3);
 }
 
 TEST(Q4, TheReportShowsTheFirstTwoKAndTheLargestAndTheAppendixTheOthers) {

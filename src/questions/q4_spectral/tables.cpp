@@ -1,0 +1,105 @@
+#include "questions/q4_spectral/parts.h"
+
+namespace meshfolio::q4_spectral {
+
+namespace {
+
+using Style = report::Series::Style;
+
+constexpr auto count_digits = 6;
+
+/// A length of each element, as a share of the box.
+auto of_box(const SpectralStudy& study, auto length_of) {
+    return [&study, length_of](auto& element) {
+        const double length = std::invoke(length_of, element);
+        return cell_of(length < rounding * study.diagonal ? 0 : percent_of(study) * length);
+    };
+}
+
+}   // namespace
+
+report::Table error_table(const Subject& subject) {
+    const SpectralStudy& study = subject.study;
+    const report::Column share{.unit = "% of box"};
+    const auto place = [&](auto& r) { return static_cast<std::size_t>(&r - study.reconstructions.data()); };
+    return table(id_of(study, "errors"),
+                 words.line("errors", "mesh"_a = study.name(), "diagonal"_a = readable(study.diagonal),
+                            "limit"_a = readable_percent(seen_error, 1), "exact"_a = is_exact(study, study.modes())),
+                 study.reconstructions)
+        .column("k", {.digits = count_digits}, &Reconstruction::k)
+        .column("rms", {.unit = share.unit, .digits = 2}, of_box(study, [](auto& r) { return r.difference.area_weighted_rms; }))
+        .column("off", {.unit = "% of area", .digits = 2}, [&](auto& r) { return 100 * share_seen(study, r); })
+        .column("farther off", {.unit = "% of vertices", .digits = 2},
+                [&](auto& r) { return cell_of(place(r) == 0 ? NAN : 100 * share_made_worse(study, *(&r - 1), r)); })
+        .column("maximum", share, of_box(study, [](auto& r) { return r.difference.max; }))
+        .column("Hausdorff", share, of_box(study, [&](auto& r) { return subject.hausdorff[place(r)].distance; }))
+        .column("mean normal angle", {.unit = "°"},
+                [&](auto& r) { return cell_of(is_exact(study, r.k) ? 0 : r.difference.mean_normal_angle * 180 / pi); })
+        .column("volume", {.unit = "% of original"}, [](auto& r) { return cell_of(100 * r.difference.volume_ratio); });
+}
+
+report::Plot error_plot(const SpectralStudy& study) {
+    const double percent = percent_of(study), least = rounding * study.diagonal;   // below it, a logarithm would squeeze everything else
+    report::Series coefficients{.name = words.line("error_versus_k.coefficients"), .style = Style::points};
+    report::Series predicted{.name = words.line("error_versus_k.predicted")};
+    report::Series measured{.name = words.line("error_versus_k.measured"), .style = Style::points};
+    const Vector sizes = coefficient_sizes(study.spectrum, study.laplacian.M, study.mesh().X);
+    // A coefficient far below the error that is left adds nothing to it.
+    for (int k = zero_modes(study) + 1; k <= study.modes() && study.rms[k] > least; ++k)
+        if (sizes[k - 1] > 1e-3 * study.rms[k]) add_point(coefficients, k, percent * sizes[k - 1]);
+    for (int k = 1; k <= study.modes() && study.rms[k] > least; ++k) add_point(predicted, k, percent * study.rms[k]);
+    for (const Reconstruction& r : study.reconstructions)
+        if (r.difference.area_weighted_rms > least) add_point(measured, r.k, percent * r.difference.area_weighted_rms);
+    report::Plot plot{.id = id_of(study, "error_versus_k"),
+                      .alt = words.line("error_versus_k.alt", "first"_a = readable(percent * study.rms[1]),
+                                        "last"_a = readable(percent * study.rms[study.modes()]), "modes"_a = study.modes()),
+                      .x_label = words.line("error_versus_k.x"),
+                      .y_label = words.line("error_versus_k.y"),
+                      .log_x = true,
+                      .log_y = true,
+                      .series = {std::move(predicted), std::move(measured), std::move(coefficients)}};
+    const auto law = fall_of_the_error(study);
+    plot.caption = words.line("error_versus_k", "mesh"_a = study.name(), "modes"_a = study.modes(), "fitted"_a = law.has_value(),
+                              "first"_a = law ? law->first : 0, "last"_a = law ? law->last : 0);
+    if (law) {
+        report::Series fitted{.name = words.line("error_versus_k.fitted", "power"_a = readable(law->power, 2)), .style = Style::dashed};
+        for (const int k : {law->first, law->last}) add_point(fitted, k, percent * law->at(k));
+        plot.series.push_back(std::move(fitted));
+    }
+    for (const double share : target_shares)
+        if (const int k = smallest_k_below(study, share); k > 0)
+            plot.markers.push_back({double(k), percent * study.rms[k], readable_percent(share, 1) + ": k = " + std::to_string(k)});
+    return plot;
+}
+
+report::Plot spectrum_plot(const SpectralStudy& study) {
+    report::Series measured{.name = words.line("spectrum.measured")};
+    report::Series weyl{.name = words.line("spectrum.weyl"), .style = Style::dashed};
+    for (int k = zero_modes(study) + 1; k <= study.modes(); ++k) {
+        add_point(measured, k, study.spectrum.eigenvalues[k - 1]);
+        add_point(weyl, k, weyl_eigenvalue(study, k));
+    }
+    return {.id = id_of(study, "spectrum"),
+            .caption = words.line("spectrum", "mesh"_a = study.name(), "open"_a = !study.preflight().closed()),
+            .x_label = words.line("spectrum.x"),
+            .y_label = words.line("spectrum.y"),
+            .log_x = true,
+            .log_y = true,
+            .series = {std::move(measured), std::move(weyl)}};
+}
+
+report::Table limb_table(const SpectralStudy& study, const LimbStudy& limbs) {
+    const report::Column share{.unit = "% of box"};
+    return table(id_of(study, "limbs"),
+                 words.line("limbs", "mesh"_a = study.name(), "thin"_a = percent_of_box(study, limbs.thin_diameter),
+                            "thick"_a = percent_of_box(study, limbs.thick_diameter)),
+                 limbs.errors)
+        .column("k", {.digits = count_digits}, &LimbErrors::k)
+        .column("shortest wavelength", share,
+                [&](auto& row) { return cell_of(percent_of(study) * wavelength(study, row.k), study.spectrum.eigenvalues[row.k - 1] > 0); })
+        .column("error, thin", share, of_box(study, &LimbErrors::thin))
+        .column("error, thick", share, of_box(study, &LimbErrors::thick))
+        .column("thin / thick", [](auto& row) { return row.thin / row.thick; });
+}
+
+}   // namespace meshfolio::q4_spectral
