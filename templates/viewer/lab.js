@@ -6,15 +6,14 @@ import * as lab from "./lab_math.js";
 import { Panel } from "./lab_panel.js";
 import { ErrorPlot, SpectrumPlot } from "./lab_plot.js";
 import { held, linkOf, readLink, shownSteps, startOf } from "./lab_state.js";
-import { aboutMesh, longer, told } from "./lab_words.js";
+import { limits, longer, notesOf, passed, told } from "./lab_words.js";
 import { Model } from "./model.js";
-import { button, element, View } from "./view.js";
+import { button, element, legendOf, typeset, View } from "./view.js";
 
 const room = 1.25;            // what is seen around the mesh, in its radii: what flies farther is drawn at the rim
 const above = 0.015;          // lines of the drift lie that far above the surface, in its radii
 const stepsPerSecond = 15;
 const slowFrame = 40, seldom = 250, forCurve = 15;   // milliseconds
-const grey = "#9aa3b0";
 
 /// The edges of the triangles, each once.
 function edgesOf(corners) {
@@ -52,7 +51,7 @@ class Lab {
 
     makeModels() {
         const frame = { centre: [0, 0, 0], radius: room }, places = () => Float32Array.from(this.data.positions, (x) => x / this.radius);
-        this.models = ["before", "after"].map((label) => Model.ofSurface(places(), this.data.corners, label, grey, frame));
+        this.models = ["before", "after"].map((label) => Model.ofSurface(places(), this.data.corners, label, { colors: this.data.colors }, frame));
         const edges = new BufferAttribute(edgesOf(this.data.corners), 1);
         for (const { mesh } of this.models) {
             Object.assign(mesh.material, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
@@ -74,12 +73,17 @@ class Lab {
         this.view = new View(this.models, "Mesh before and after the filter. Arrow keys turn, plus and minus zoom, 0 resets, Escape closes.", { closed: (byReader) => (byReader ? this.stop(true) : this.loseView()) });
         this.frame = Object.assign(element("img", "lab-frame"), { alt: "The mesh before and after the filter" });
         const bar = element("div", "model-bar"), columns = element("div", "lab-columns"), settings = element("div", ""), plots = element("div", "");
+        const notes = notesOf(data, this.question), note = (part) => element("p", `lab-note lab-${part}`, notes[part]);
+        const details = element("details", "lab-note");
+        details.append(element("summary", "", "How this is computed"), ...notes.details.map((words) => element("p", "", words)));
+        this.legend = element("div", "model-legend");
         this.reset = button("Reset view", () => this.view.reset());
         bar.append(panel.told, this.reset, button("Close", () => this.stop(true)));
-        settings.append(panel.controls, panel.table);
-        plots.append(this.spectrum.picture, this.errors.picture);
+        settings.append(panel.controls, note("units"), panel.table, panel.exactBox, note("program"));
+        this.errorNote = note("errors");
+        plots.append(this.spectrum.picture, note("modes"), this.errors.picture, this.errorNote);
         columns.append(settings, plots);
-        this.root.append(panel.presets, this.view.stage, this.frame, bar, columns, element("p", "lab-mesh", aboutMesh(data, this.question)));
+        this.root.append(panel.presets, this.view.stage, this.frame, this.legend, note("mesh"), bar, columns, details);
         this.block = block;
         block.append(this.root);
     }
@@ -116,14 +120,14 @@ class Lab {
         const { data, experiment } = this;
         this.state = held(state, data.modes, this.state);
         if (!data.hasAllModes) Object.assign(this.state, { sigma: 0, scheme: this.state.scheme === "denoising" ? "implicit" : this.state.scheme });   // noise lies in the modes that are cut off
-        if (experiment.set(this.state)) this.models[0].moveTo(this.drawable(experiment.start).places);
+        if (experiment.set(this.state)) this.models[0].moveTo(this.drawable(experiment.start).places, experiment.colours(experiment.start).places);
         this.update();
     }
 
     /// The error over t, where there is something to come back from.
     showErrors(milliseconds) {
         const { state, experiment } = this, shown = state.sigma > 0 && state.scheme !== "projection" && !experiment.hasNoStep;
-        this.errors.picture.toggleAttribute("hidden", !shown);
+        for (const part of [this.errors.picture, this.errorNote]) part.toggleAttribute("hidden", !shown);
         this.best = shown ? experiment.extendCurve(milliseconds) : null;
         if (shown) this.errors.show(experiment.curve, this.best, state.t);
     }
@@ -150,16 +154,32 @@ class Lab {
         if (!hasNoStep) {
             experiment.compute();
             const { places, clamped } = this.drawable(experiment.x);
+            const colours = experiment.colours(experiment.x);
             this.clamped = clamped;
-            this.models[1].moveTo(places);
+            this.models[1].moveTo(places, colours.places);
+            this.showLegend(colours);
             this.moveLines(places);
         }
         if (this.isDrawn) this.view.draw();
         const says = this.isPlaying && !(now - this.saidAt < seldom);
         if (says || !this.isSlow || now - this.toldAt > seldom) this.showCurve(now, milliseconds);
         if (says) this.saidAt = now;
-        if (says && !this.isGone()) this.panel.told.textContent = told(this);
+        if (says && !this.isGone()) this.tell();
         if (this.isPlaying && this.isGone()) this.pause(` Blown up: no vertex is left in the view, and the play has stopped at t = ${this.state.t}.`);
+    }
+
+    showLegend({ top, isCut }) {
+        const quantity = this.state.sigma > 0 ? "distance to the clean surface" : "moved by the filter", shown = `${quantity} ${top} ${isCut}`;
+        if (shown === this.legendShown) return;
+        this.legendShown = shown;
+        this.legend.replaceChildren(...legendOf({ quantity, unit: "% of the box", range: [0, top], isCut, colors: this.data.colors }).childNodes);
+    }
+
+    /// Says what is set and seen, and first what has happened since it last came to rest.
+    tell() {
+        const now = limits(this), event = passed(this.limits ?? {}, now);
+        if (!this.isPlaying) this.limits = now;
+        this.panel.told.replaceChildren(...(event ? [element("strong", "", event), " "] : []), ...typeset(told(this) + this.why));
     }
 
     /// Where frames follow one another slowly, as without a graphics card, they have fewer pixels, and curve and numbers follow now and
@@ -222,10 +242,9 @@ class Lab {
         numbers.push([`rms to the ${state.sigma > 0 ? "clean mesh" : "original"}${byArea}`, "% of the box", percent * here.rms, percent * program.rms, 100 * rounding]);
         if (state.sigma > 0) {
             ["surface", "places", "normals"].forEach((measure, i) => numbers.push([`gain: ${measure}`, "×", here.gains[i], program.gains[i] ?? NaN]));
-            numbers.push(["along the surface", "% of rms²", 100 * here.along, NaN]);
+            numbers.push(["rms² along the surface", "%", 100 * here.along, NaN]);
         }
-        const words = { explicit: "largest |1 − λμ|", implicit: "largest 1/(1 + λμ)", taubin: "largest |(1 − λμ)(1 − mμ)|", heat: "largest exp(−λμ)" };
-        if (state.scheme in words) numbers.push([words[state.scheme], "", here.factor, program.factor]);
+        if (!Number.isNaN(here.factor)) numbers.push(["shortest wave, each step", "×", here.factor, program.factor, 1e-12]);
         this.panel.showNumbers(numbers);
     }
 
@@ -238,7 +257,7 @@ class Lab {
         this.compute(performance.now(), Infinity);
         if (this.isDrawn && this.clamped === 0) this.view.resolve(1);   // what has blown up covers itself many times over: it stays coarse
         this.root.removeAttribute("aria-busy");   // before: what is busy is not read out
-        this.panel.told.textContent = told(this) + this.why;
+        this.tell();
         this.link = linkOf(this.question, this.state);
         history.replaceState(null, "", this.link);
     }

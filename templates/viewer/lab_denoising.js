@@ -141,19 +141,22 @@ export class CleanSurface {
         }
     }
 
-    /// Root mean square of the distances of the vertices to the triangles around their clean places [length].
-    distance(x) {
-        let sum = 0;
-        this.around.forEach((triangles, v) => {
+    /// From each vertex to the triangles around its clean place [length].
+    distances(x) {
+        return Float64Array.from(this.around, (triangles, v) => {
             const at = 3 * v;
             let nearest = (x[at] - this.positions[at]) ** 2 + (x[at + 1] - this.positions[at + 1]) ** 2 + (x[at + 2] - this.positions[at + 2]) ** 2;
             for (const triangle of triangles) {
                 const p = [0, 1, 2].map((k) => x[at + k] - this.positions[triangle.at + k]);
                 nearest = Math.min(nearest, toTriangle(p, triangle, nearest));
             }
-            sum += nearest;
+            return Math.sqrt(nearest);
         });
-        return Math.sqrt(sum / this.around.length);
+    }
+
+    /// Root mean square of them [length].
+    distance(x) {
+        return Math.sqrt(this.distances(x).reduce((sum, d) => sum + d * d, 0) / this.around.length);
     }
 
     /// Mean angle of the normals of the triangles that have one [rad].

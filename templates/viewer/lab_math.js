@@ -59,13 +59,9 @@ export function filterCurve(data, { scheme, k, lambda, edges, t }) {
     return (mu) => Math.min(largest, Math.abs(factor(mu)) ** t);
 }
 
-/// The largest |factor| of one step over all modes but the constant ones; those beyond the page's own count. NaN for the denoising, whose
-/// modes the page does not have.
-export function largestFactor(data, { scheme, lambda }) {
-    if (scheme === "denoising") return NaN;
-    const factor = factorOfStep(data, scheme, lambda * data.critical);
-    return Math.max(...[data.largestEigenvalue, ...data.mu].filter((mu) => !data.isConstant(mu)).map((mu) => Math.abs(factor(mu))));
-}
+/// What one step multiplies the finest mode by. NaN for the projection, which has no steps, and the denoising, whose modes the page does not have.
+export const finestFactor = (data, { scheme, lambda }) =>
+    (["projection", "denoising"].includes(scheme) ? NaN : factorOfStep(data, scheme, lambda * data.critical)(data.largestEigenvalue));
 
 /// c + Φᵀ M (shift), 3 numbers a mode.
 export function withShift(data, shift) {
@@ -139,6 +135,12 @@ export function volume(data, x) {
              + x[a + 2] * (x[b] * x[c + 1] - x[b + 1] * x[c]);
     }
     return sum / 6;
+}
+
+/// The least of 1, 1.5, 2, … times a power of ten that is not below x > 0.
+export function roundedUp(x) {
+    const power = 10 ** Math.floor(Math.log10(x));
+    return [1, 1.5, 2, 3, 4, 5, 6, 8, 10].map((digit) => Number((digit * power).toPrecision(2))).find((end) => end >= x);
 }
 
 export function indexOfLeast(values) {

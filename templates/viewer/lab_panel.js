@@ -33,12 +33,12 @@ class Row {
         this.box.append(label);
         if (slider) {
             this.slider = Object.assign(element("input", ""), { type: "range", name: `${name}-slider`, ...slider });
-            this.slider.setAttribute("aria-label", `${[words, unit].filter(Boolean).join(", ")}, slider`);
+            this.slider.setAttribute("aria-label", `${[words, unit].filter(Boolean).join(", ").replace("_", " ")}, slider`);
             this.slider.addEventListener("input", () => changed({ [name]: from(Number(this.slider.value)) }));
             this.box.append(this.slider);
         }
         this.box.append(this.number, units);
-        this.words = [`${words} %`, unit].filter(Boolean).join(", ");
+        this.words = [`${words} %`, unit].filter(Boolean).join(", ").replace("_", " ");
     }
     show(exact) {
         const value = Number(exact.toPrecision(10));
@@ -69,6 +69,10 @@ export class Panel {
         this.hasNoise = data.hasAllModes;
         this.makePresets(question, data, act.preset);
         this.table = element("table", "lab-numbers");
+        this.exactBox = element("label", "lab-lines", " six digits");
+        this.exact = Object.assign(element("input", ""), { type: "checkbox", name: "exact" });
+        this.exact.addEventListener("change", () => this.showNumbers(this.measured));
+        this.exactBox.prepend(this.exact);
         this.told = element("output", "lab-told");
         this.tellsAloud(true);
     }
@@ -119,13 +123,14 @@ export class Panel {
 
     /// @param measured  [[words, unit, here, the program's; NaN: none, what is rounding], …]
     showNumbers(measured) {
-        const cell = (tag, words) => element(tag, "", words);
+        this.measured = measured;
+        const cell = (tag, words) => element(tag, "", words), count = this.exact.checked ? 6 : 3;
         const head = element("tr", "");
         head.append(cell("td", ""), ...["this page", "the program"].map((words) => Object.assign(cell("th", words), { scope: "col" })));
         const body = measured.map(([words, unit, here, program, rounding]) => {
             const row = element("tr", ""), name = Object.assign(cell("th", words), { scope: "row" });
             if (unit) name.append(" ", element("span", "unit", unit));
-            row.append(name, cell("td", digits(here, rounding)), cell("td", digits(program, rounding)));
+            row.append(name, cell("td", digits(here, rounding, count)), cell("td", digits(program, rounding, count)));
             return row;
         });
         this.table.replaceChildren(head, ...body);

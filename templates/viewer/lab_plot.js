@@ -6,7 +6,7 @@ const svg = (tag, attributes, ...children) => {
     made.append(...children);
     return made;
 };
-const text = (x, y, words, anchor = "start") => svg("text", { x, y, "text-anchor": anchor }, words);
+const text = (x, y, words, anchor = "start") => svg("text", { x, y, "text-anchor": anchor }, ...words.split(/_(\w+)/).map((part, i) => (i % 2 ? svg("tspan", { dy: 3, "font-size": "80%" }, part) : part)));
 const line = (x1, y1, x2, y2, name) => svg("line", { x1, y1, x2, y2, class: name });
 const path = (points) => points.map(([x, y], i) => `${i > 0 ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
 const dots = (points) => points.map(([x, y]) => `M${x.toFixed(1)} ${y.toFixed(1)}h0`).join("");

@@ -1,29 +1,64 @@
 // What the laboratory says: of its mesh, and of what is set and seen. No page in here.
-import { factorOfStep } from "./lab_math.js";
+import { finestFactor } from "./lab_math.js";
 import { schemeNames, shownSteps } from "./lab_state.js";
 
-export const longer = 10;   // lines of the drift are that many times too long
+export const longer = 10;   // lines of the drift are exaggerated that many times
 
-/// Six digits, so that an agreement can be seen. @param rounding  what is smaller may be that alone
-export function digits(x, rounding = 0) {
+/// @param rounding  what is smaller may be that alone
+export function digits(x, rounding = 0, count = 6) {
     if (typeof x === "string") return x;
     if (!Number.isFinite(x)) return "–";
-    if (Math.abs(x) < rounding) return `< ${digits(Number(rounding.toPrecision(1)))}`;
-    if (x !== 0 && (Math.abs(x) >= 1e6 || Math.abs(x) < 1e-4)) return x.toExponential(4).replace(/\.?0+e/, "e").replaceAll("-", "−").replace("e+", "e");
-    return x.toPrecision(6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "").replaceAll("-", "−");
+    const size = Math.abs(x);
+    if (size < rounding) return `< ${digits(Number(rounding.toPrecision(1)))}`;
+    const isPlain = x === 0 || (size >= 1e-4 && size < 1e6);
+    return (isPlain ? String(Number(x.toPrecision(count))) : x.toExponential(Math.min(count, 5) - 1).replace(/\.?0+e/, "e")).replaceAll("-", "−").replace("e+", "e");
 }
 
 const capital = (words) => words[0].toUpperCase() + words.slice(1);
 const short = (x, count = 3) => digits(Number(x.toPrecision(count)));
 const small = (x) => x.toExponential(1).replace("-", "−");
 
-export function aboutMesh({ name, vertices, modes, hasAllModes, isDecimated, sourceVertices, quantisationShift, orthonormalityError, critical, meanEdge }, question) {
+/// A line for each part of the panel, and the rest.
+export function notesOf({ name, vertices, modes, hasAllModes, isDecimated, sourceVertices, quantisationShift, orthonormalityError, critical, meanEdge }, question) {
     const hasNoise = hasAllModes && ["q7", "lab"].includes(question);
     const from = isDecimated ? `, decimated from ${sourceVertices} vertices by quadrics` : "";
-    const all = hasAllModes ? `all ${modes} modes` : `the lowest ${modes} modes: what finer modes hold is cut off before any filter, so this is a truncation, and a step beyond λ_crit cannot be seen to blow up`;
-    const filters = `λ_crit = 2/μ_max = ${short(critical, 4)} length², h̄ = ${short(meanEdge, 4)} length, the mean edge. Filters use the cotangent operator of the mesh${hasNoise ? " before the noise, but for “noisy mesh's operator”, with which question 7 denoises; the spectrum shows its result in the modes of the clean mesh" : ""}.${hasNoise ? " Gain: what the noisy mesh has of the distance to the clean surface, of rms to the vertices' own places, and of the angle to the clean normals, over what is left." : ""}`;
-    return `Mesh: ${name}${from}; ${vertices} vertices, ${all}. The modes are stored in 16 bits: no vertex of their sum is off by more than ${small(quantisationShift)} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${small(orthonormalityError)}. ` +
-        `${filters} In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. “The program”: what meshfolio itself computes on this mesh, stored for the settings of the report and those to try; – elsewhere.`;
+    return {
+        mesh: `Mesh: ${name}${from}; ${vertices} vertices, ${hasAllModes ? `all ${modes} modes` : `the lowest ${modes} modes`}.`,
+        units: hasAllModes ? `λ_crit = 2/μ_max = ${short(critical)} length², the limit of explicit steps. Mean edge h̄ = ${short(meanEdge)} length.` : "",
+        program: "“The program” is what meshfolio itself computes, stored for the settings of the report and those to try; – elsewhere.",
+        modes: "Each dot is a mode: long waves left, short ones right; the higher, the more of it the mesh has.",
+        errors: "The curve falls while noise goes; it rises where smoothing takes the shape, or blows up.",
+        details: [
+            hasAllModes ? "" : "What finer modes hold is cut off before any filter: this is a truncation, and a step beyond λ_crit cannot be seen to blow up.",
+            `Filters use the cotangent operator of the mesh${hasNoise ? " before the noise. Question 7 denoises with the “noisy mesh's operator”; the spectrum shows its result in the modes of the clean mesh" : ""}.`,
+            hasNoise ? "Gain: how many times smaller the error is than that of the noisy mesh. Three errors: distance to the clean surface, rms to the vertices' own places, and angle to the clean normals." : "",
+            "In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. The shortest wave is the mode of μ_max; a negative factor flips it.",
+            `The modes are stored in 16 bits: no vertex of their sum is off by more than ${small(quantisationShift)} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${small(orthonormalityError)}.`,
+        ].filter(Boolean),
+    };
+}
+
+/// The limits that sliders pass: on which side of each it is, from 0 on, and what each side means. A side is named by the scheme, too.
+export function limits({ state, data, experiment, numbers, clamped, best }) {
+    if (experiment.hasNoStep) return {};
+    const { scheme, lambda, t, k } = state, all = {}, say = (name, side, ...words) => { all[`${scheme} ${name}`] = { side: Number(side), words }; };
+    const kept = numbers.volume / experiment.first.volume, carried = data.mu.filter((mu) => mu <= (Math.PI / data.meanEdge) ** 2).length;   // wavelength 2π/√μ
+    if (data.isClosed && clamped === 0 && Number.isFinite(kept)) say("volume", kept < 0.5, "More than half of the volume is there again.", "More than half of the volume is now gone.");
+    if (scheme === "projection") say("edges", k > carried, `Up to k = ${carried} every wave is longer than two mean edges.`,
+        `Past k = ${carried}: the waves added now are shorter than two mean edges, too short for the mesh to show well.`);
+    if (scheme === "explicit") say("flip", lambda > 0.5, "Below half of λ_crit: no wave flips any more.", "Past half of λ_crit: the shortest waves now flip at every step, hills to dips.");
+    if (scheme === "explicit") say("limit", lambda > 1, "Below λ_crit again: every wave shrinks.", "Past λ_crit: the shortest waves now grow at every step.");
+    if (scheme === "implicit") say("limit", lambda > 1, "Below λ_crit: explicit steps would be stable here, too.", "Past λ_crit: explicit steps would blow up here; implicit ones still shrink every wave.");
+    if (scheme === "taubin") say("limit", Math.abs(finestFactor(data, state)) > 1 + 1e-12, "Below the limit of Taubin's steps: the shortest waves shrink again.", "Past the limit of Taubin's steps: the shortest waves now grow.");
+    if (best !== null && best < shownSteps) say("least", 1 + Math.sign(t - best), "Before the least error: more steps still lead nearer to the clean surface.",
+        "This is the least error: with fewer steps or more the surface is farther from the clean one.", "Past the least error: more steps now lead away from the clean surface.");
+    return all;
+}
+
+/// What has just happened: the last of the limits that lies between before and now; "": none.
+export function passed(before, now) {
+    const name = Object.keys(now).findLast((each) => before[each] && before[each].side !== now[each].side);
+    return name ? now[name].words[now[name].side] : "";
 }
 
 /// @param clamped  vertices drawn at the rim; best: the t of the least error, null: there is none
@@ -36,11 +71,11 @@ export function told({ state, data, experiment, numbers, clamped, best }) {
     const constant = data.mu.filter(data.isConstant).length;   // modes, one a part of the mesh
     const parts = scheme !== "projection" || k > constant ? "" : constant === 1 ? " It is constant: nothing is left but a point."
         : ` The first ${constant} modes are constant on each part of the mesh: of so few, nothing is left but a point a part.`;
-    const finest = ["projection", "denoising"].includes(scheme) ? 1 : Math.abs(factorOfStep(data, scheme, state.lambda * data.critical)(data.largestEigenvalue));
-    const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the finest mode by ${digits(finest)}.` : "";
+    const finest = Math.abs(finestFactor(data, state));
+    const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the shortest wave by ${digits(finest)}.` : "";
     const rim = clamped > 0 ? ` Flown out of the view, and drawn at its rim: ${clamped} of ${data.vertices} vertices.` : "";
     const least = best === null ? "" : best === shownSteps ? ` Up to t = ${shownSteps} it comes ever nearer to the clean surface.` : ` Nearest to the clean surface at t = ${best}.`;
-    const drift = lines ? ` Lines show how far vertices lie from their place along the surface, ${longer} times too long${sigma > 0 ? driftWords(experiment) : ""}.` : "";
+    const drift = lines ? ` Lines show how far vertices lie from their place along the surface, exaggerated ${longer}×${sigma > 0 ? driftWords(experiment) : ""}.` : "";
     return `${set}: ${rms}.${parts}${growth}${rim}${least}${sigma > 0 ? operatorWords(state, numbers) : ""}${drift}`;
 }
 

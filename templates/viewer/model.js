@@ -1,6 +1,6 @@
 // A model of the report (src/output/draw/write_glb.h) read by three.js's own loader, or a surface that moves, with what the shader and the
 // reading of values need.
-import { BufferAttribute, BufferGeometry, Color, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
 import { materialFor } from "./shader.js";
@@ -43,14 +43,15 @@ export class Model {
         return new Model(scene, label);
     }
 
-    /// A surface without values that moves. @param positions  Float32Array, x y z of each vertex
-    static ofSurface(positions, corners, label, color, frame) {
+    /// A surface that moves and changes its colours. @param positions  Float32Array, x y z of each vertex; value: {colors}, the colour map
+    static ofSurface(positions, corners, label, value, frame) {
         const geometry = new BufferGeometry();
         geometry.setAttribute("position", new BufferAttribute(positions, 3));
         geometry.setIndex(new BufferAttribute(corners, 1));
         geometry.computeVertexNormals();
-        const mesh = new Mesh(geometry, new MeshBasicMaterial({ color: new Color(color) }));
-        mesh.userData.frame = frame;
+        geometry.setAttribute("place", new BufferAttribute(new Float32Array(positions.length / 3), 1));
+        const mesh = new Mesh(geometry, new MeshBasicMaterial());
+        Object.assign(mesh.userData, { frame, value });
         mesh.frustumCulled = false;   // its bounds move, too
         return new Model(new Group().add(mesh), label);
     }
@@ -79,12 +80,14 @@ export class Model {
         this.root.updateMatrixWorld(true);
     }
 
-    moveTo(positions) {
+    /// @param places  of each vertex in the colour map, 0 to 1
+    moveTo(positions, places) {
         const { geometry } = this.mesh;
         geometry.attributes.position.array.set(positions);
+        geometry.attributes.place.array.set(places);
         geometry.computeVertexNormals();
         geometry.attributes.sharpness.array.set(sharpnessOf(geometry));
-        for (const name of ["position", "normal", "sharpness"]) geometry.attributes[name].needsUpdate = true;
+        for (const name of ["position", "place", "normal", "sharpness"]) geometry.attributes[name].needsUpdate = true;
     }
 
     /// The value at a point of a triangle: null where undefined, as decided by the nearest corner.

@@ -7,7 +7,34 @@ const margin = 1.04;                          // what is seen, in radii of the m
 const narrow = 520;                           // pixels; below, two models stand above each other
 const keyTurn = Math.PI / 24, keyZoom = 1.2;
 
-export const element = (tag, className, text = "") => Object.assign(document.createElement(tag), { className, textContent: text });
+/// "λ_crit" and "μ_max" with their indices set low; names of meshes keep their underscores.
+export const typeset = (words) => words.split(/(?<=[λμ])_(\w+)/).map((part, i) => (i % 2 ? Object.assign(document.createElement("sub"), { textContent: part }) : part));
+
+export function element(tag, className, text = "") {
+    const made = Object.assign(document.createElement(tag), { className });
+    made.append(...typeset(text));
+    return made;
+}
+
+export const number = (x) => String(Number(x.toPrecision(4))).replaceAll("-", "−");
+
+/// A colour bar: the colours and the ends of their range. @param isCut  values beyond the range have the colour of its upper end
+export function legendOf({ quantity, unit, range: [low, high], isCut, colors, defined, undefined_color }) {
+    const filled = (className, background) => {
+        const area = element("i", className);
+        area.style.background = background;
+        return area;
+    };
+    const scale = element("span", ""), legend = element("div", "model-legend");
+    scale.append(number(low), filled("ramp", `linear-gradient(to right, ${colors.join(", ")})`), (isCut ? "≥ " : "") + number(high));
+    legend.append(element("span", "", quantity + (unit ? ` [${unit}]` : "")), scale);
+    if (defined) {
+        const gap = element("span", "");
+        gap.append(filled("swatch", undefined_color), "undefined");
+        legend.append(gap);
+    }
+    return legend;
+}
 
 export function button(text, act) {
     const made = element("button", "model-button", text);

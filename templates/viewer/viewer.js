@@ -3,27 +3,7 @@ import { Raycaster, Vector2 } from "three";
 
 import { openLab } from "./lab.js";
 import { Model } from "./model.js";
-import { button, element, View } from "./view.js";
-
-const number = (x) => String(Number(x.toPrecision(4))).replaceAll("-", "−");
-
-/// The colours and the ends of their range.
-function legendOf({ quantity, unit, range: [low, high], colors, defined, undefined_color }) {
-    const filled = (className, background) => {
-        const area = element("i", className);
-        area.style.background = background;
-        return area;
-    };
-    const scale = element("span", ""), legend = element("div", "model-legend");
-    scale.append(number(low), filled("ramp", `linear-gradient(to right, ${colors.join(", ")})`), number(high));
-    legend.append(element("span", "", quantity + (unit ? ` [${unit}]` : "")), scale);
-    if (defined) {
-        const gap = element("span", "");
-        gap.append(filled("swatch", undefined_color), "undefined");
-        legend.append(gap);
-    }
-    return legend;
-}
+import { button, element, legendOf, number, View } from "./view.js";
 
 class Viewer {
     constructor(block, models, onStop) {

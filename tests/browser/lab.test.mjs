@@ -38,6 +38,7 @@ describe("the panel", options, () => {
         if (link) await page.evaluate((hash) => { location.hash = hash; }, link);
         else await block(page, question).getByRole("button", { name: "Open the live laboratory" }).click();
         await block(page, question).locator(".lab-numbers td").first().waitFor();
+        await page.locator('.lab-panel input[name="exact"]').check();
         await settled(page);
         return page;
     }
@@ -91,13 +92,13 @@ describe("the panel", options, () => {
         for (const question of ["q4", "q5", "q6", "q7"]) {
             const page = await opened(question), compare = async (words) => {
                 for (const [name, [here, program]] of Object.entries(await table(page))) {
-                    if (name.startsWith("along the surface") || here === program) continue;   // the program does not measure it, or both have rounding
+                    if (name.startsWith("rms² along") || here === program) continue;   // the program does not measure it, or both have rounding
                     assert.ok(Math.abs(numberIn(here) / numberIn(program) - 1) < 1e-4, `${question}, ${words}: ${name} ${here} ${program}`);
                 }
             };
             await compare("as it opens");
             for (const { words, state } of states.presetsOf(dataOf(reportPage, question), question)) {
-                const link = page.locator(".lab-presets a", { hasText: words }).first();
+                const link = page.locator(".lab-presets a", { hasText: words.replace("_", "") }).first();
                 await link.click();
                 await settled(page);
                 await compare(words);
@@ -150,8 +151,8 @@ describe("the panel", options, () => {
         assert.doesNotMatch(await told(page), /Beyond the limit|Flown/);
         await page.evaluate(() => { location.hash = "#lab=q5,lambda=1.01,t=40"; });
         await settled(page);
-        assert.match(await told(page), /λ = 1\.01 λ_crit, t = 40.*multiplies the finest mode by 1\.02/);
-        assert.equal((await table(page))["largest |1 − λμ|"][0], "1.02");
+        assert.match(await told(page), /^Past λcrit: the shortest waves now grow at every step\. .*λ = 1\.01 λcrit, t = 40.*multiplies the shortest wave by 1\.02/);
+        assert.equal((await table(page))["shortest wave, each step ×"][0], "−1.02");
         await page.evaluate(() => { location.hash = "#lab=q5,lambda=2,t=60"; });
         await settled(page);
         assert.match(await told(page), /Flown out of the view, and drawn at its rim: \d+ of \d+ vertices/);
@@ -164,6 +165,49 @@ describe("the panel", options, () => {
         await settled(page);
         assert.doesNotMatch(await told(page), /Beyond the limit|Flown/);
         assert.equal(await page.locator(".lab-panel").count(), 1);
+    });
+
+    test("it says which limit a slider has passed, once, and back again", async () => {
+        const event = async (page) => (await page.locator(".lab-told strong").allTextContents()).join();
+        const page = await opened("q5", { link: "#lab=q5,scheme=explicit,lambda=0.4,t=3" });
+        assert.equal(await event(page), "");
+        for (const [lambda, words] of [[0.6, /flip/], [0.7, /^$/], [1.2, /Past λcrit: the shortest waves now grow/], [1.3, /^$/], [0.9, /Below λcrit again/], [0.3, /no wave flips/]]) {
+            await set(page, "lambda", lambda);
+            assert.match(await event(page), words, `λ = ${lambda} λ_crit`);
+        }
+        assert.equal(await page.locator(".lab-told").getAttribute("aria-live"), "polite");
+        assert.deepEqual(await page.$$eval(".lab-panel", ([panel]) => panel.textContent.match(/[λμ]_\w+/g)), null, "indices are set low");
+        const denoising = await opened("q7"), t = denoising.locator('.lab-panel input[name="t"]');
+        const best = Number((await denoising.locator(".lab-told").textContent()).match(/Nearest to the clean surface at t = (\d+)/)[1]);
+        await set(denoising, "t", best);
+        await set(denoising, "t", best + 1);
+        assert.match(await event(denoising), /^Past the least error/);
+        await set(denoising, "t", best - 1);
+        assert.match(await event(denoising), /^Before the least error/);
+        assert.equal(await t.inputValue(), String(best - 1));
+    });
+
+    test("three digits, and six on demand", async () => {
+        const page = await opened("q5"), exact = page.locator('.lab-panel input[name="exact"]'), digitsOf = (words) => words.replace(/^[−0.]*|\D/g, "").length;
+        const long = await table(page);
+        await exact.uncheck();
+        for (const [name, cells] of Object.entries(await table(page))) cells.forEach((words, i) => {
+            if (!/^[−\d.]+$/.test(words) || Math.abs(numberIn(words)) >= 1000) return;
+            assert.ok(digitsOf(words) <= 3, `${name}: ${words}`);
+            assert.ok(Math.abs(numberIn(words) - numberIn(long[name][i])) <= 0.005 * Math.abs(numberIn(words)), `${name}: ${words} for ${long[name][i]}`);
+        });
+    });
+
+    test("the surface has the report's colours, and a bar says how far they reach", async () => {
+        const page = await opened("q7"), bar = page.locator(".lab-panel .model-legend");
+        assert.match(await bar.textContent(), /distance to the clean surface \[% of the box\]0(≥ )?[\d.]+$/);
+        const noisy = await bar.textContent();
+        await set(page, "t", 1);
+        assert.equal((await bar.textContent()).replace("≥ ", ""), noisy.replace("≥ ", ""), "colours of one noise can be compared");
+        await set(page, "sigma", 0);
+        assert.match(await bar.textContent(), /moved by the filter/);
+        const { colors } = dataOf(reportPage, "q7");
+        assert.deepEqual([colors[0], colors.at(-1)], ["#f1eee4", "#253261"]);
     });
 
     test("its gains are those of the report's table", async () => {
@@ -276,6 +320,7 @@ describe("the panel", options, () => {
         });
         await block(page, "q5").getByRole("button").click();
         await page.locator(".lab-no-view", { hasText: "cannot show it in three dimensions" }).waitFor();
+        await page.locator('.lab-panel input[name="exact"]').check();
         await set(page, "t", 25);
         assert.equal(await page.getByRole("button", { name: "Reset view" }).count(), 0);
         const figure = page.locator(await page.locator(".lab-no-view a").getAttribute("href"));

@@ -131,7 +131,7 @@ test("every number that the report has is the page's to 1e-4", options, () => {
         for (const { state, energy, volume, rms, factor, gains } of data.readings) {
             const here = measured(data, state), pairs = { energy: [here.energy, energy], rms: [here.rms, rms] };
             if (data.isClosed && Math.abs(volume) > data.rounding * Math.abs(lab.volume(data, data.positions))) pairs.volume = [here.volume, volume];
-            if (state.scheme !== "projection" && factor !== null) pairs.factor = [here.factor, factor];
+            if (factor !== null) pairs.factor = [here.factor, factor];
             gains?.forEach((gain, i) => { pairs[`gain ${i}`] = [here.gains[i], gain]; });
             for (const [name, [x, y]] of Object.entries(pairs)) {
                 assert.ok(Math.abs(x - y) <= 1e-4 * Math.abs(y) + (name === "rms" ? data.rounding * data.diagonal : 0), `${question} ${JSON.stringify(state)}: ${name} ${x} ${y}`);
@@ -163,12 +163,48 @@ test("it says what is seen: one mode, nothing moved, and whose operator it is", 
     };
     assert.match(said({ k: 1 }), /^The smoothest of \d+ modes: rms .* It is constant: nothing is left but a point\.$/);
     assert.match(said({ scheme: "implicit", lambda: 0 }), /: nothing has moved\.$/);
-    assert.match(said({ scheme: "explicit", lambda: 1.001 }), /multiplies the finest mode by 1\.002\.$/);
+    assert.match(said({ scheme: "explicit", lambda: 1.001 }), /multiplies the shortest wave by 1\.002\.$/);
     assert.match(said({ scheme: "implicit", sigma: 1 }), /know the clean mesh's operator/);
     assert.doesNotMatch(said({ scheme: "implicit", sigma: 0 }), /operator/);
     assert.match(said({ scheme: "denoising", edges: 0.01, t: 19, sigma: 1 }), /Of rms², \d+ % lies along the surface/);
     assert.doesNotMatch(said({ scheme: "denoising", edges: 0.01, t: 19, sigma: 0.1 }), /Of rms²/, "where smoothing does harm, it is not the noise that is left");
     assert.match(said({ scheme: "denoising", edges: 0.01, t: 19, sigma: 1, lines: true }), /along the surface is [\d.]+ times that of the noisy mesh, across it 0\.\d+ times\.$/);
+});
+
+test("the colours are those of the numbers: their mean square is that of the table", options, () => {
+    const data = dataOf(reportPage, "q7");
+    for (const change of [{ scheme: "explicit", lambda: 0.5, t: 5 }, { scheme: "denoising", edges: 0.1, t: 2, sigma: 1 }]) {
+        const experiment = new Experiment(data);
+        experiment.set(start(change));
+        experiment.compute();
+        const apart = experiment.apart(experiment.x), rms = Math.sqrt(apart.reduce((sum, far) => sum + far * far, 0) / apart.length);
+        const { surface, places } = experiment.errors(experiment.x), { places: shown, top } = experiment.colours(experiment.x);
+        assert.ok(Math.abs(rms / (100 * (change.sigma ? surface : places) / data.diagonal) - 1) < 1e-12);
+        assert.ok(apart.every((far, v) => Math.abs(Math.min(1, far / top) - shown[v]) < 1e-6));
+        if (change.sigma) assert.equal(experiment.colours(experiment.start).top, top, "colours of one noise can be compared");
+    }
+    for (const x of [1e-3, 0.0149, 1, 1.01, 7.3, 96]) {
+        const end = lab.roundedUp(x);
+        assert.ok(end >= x && end <= 1.51 * x && String(end).length <= 6, `${x}: ${end}`);
+    }
+});
+
+test("of the limits passed the last is said, and none where the filter is another", options, () => {
+    const data = dataOf(reportPage, "q5"), side = (change) => {
+        const experiment = new Experiment(data), state = start(change);
+        experiment.set(state);
+        experiment.compute();
+        return words.limits({ state, data, experiment, numbers: experiment.numbers(), clamped: 0, best: null });
+    };
+    const explicit = (lambda) => side({ scheme: "explicit", lambda, t: 1 });
+    assert.match(words.passed(explicit(0.3), explicit(1.001)), /grow/);
+    assert.equal(words.passed(explicit(0.3), explicit(0.3)), "");
+    assert.equal(words.passed(explicit(0.3), side({ scheme: "implicit", lambda: 2, t: 1 })), "");
+    assert.equal(words.passed({}, explicit(2)), "");
+    assert.match(words.passed(side({ scheme: "implicit", lambda: 0.5 }), side({ scheme: "implicit", lambda: 2 })), /explicit steps would blow up/);
+    const carried = data.mu.filter((mu) => 2 * Math.PI / Math.sqrt(mu) >= 2 * data.meanEdge).length;   // the constant mode is infinitely long
+    assert.match(words.passed(side({ k: carried }), side({ k: carried + 1 })), new RegExp(`^Past k = ${carried}: .*two mean edges`));
+    assert.match(words.passed(side({ k: carried + 1 }), side({ k: carried })), /longer than two mean edges/);
 });
 
 test("a slider stops at every small number, at both ends, and nowhere far beyond 2 %", () => {

@@ -81,7 +81,7 @@ constexpr const char* short_page = R"(<html lang="en">
 <h1>{{title}}</h1><p title="{{author}}">{{course}}</p>
 {{#sections}}<section id="{{id}}">
 <h2>{{title}}</h2>{{#asked}}{{>text.html}}{{/asked}}{{#warnings}}<li>{{text}}</li>{{/warnings}}
-{{#inputs}}<td>{{role}}</td><td><code>{{asked}}</code></td><td title="{{file}}">{{file}}</td>{{/inputs}}
+{{#inputs}}<td>{{name}}</td><td><code>{{asked}}</code></td><td title="{{file}}">{{file}}</td>{{/inputs}}
 {{#parameters}}<dt>{{#name}}{{>text.html}}{{/name}}</dt><dd>{{#value}}{{>text.html}}{{/value}}</dd>{{/parameters}}
 {{#blocks}}{{#is_heading}}<h3 id="{{anchor}}">{{#title}}{{>text.html}}{{/title}}</h3>{{/is_heading}}
 {{#is_paragraph}}<p>{{>text.html}}</p>{{/is_paragraph}}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "base/number_text.h"
@@ -70,7 +71,7 @@ json mesh_view(const std::string& file, const std::string& sha256, bool is_stand
 
 json input_view(const Input& input) {
     json view = mesh_view(input.file, input.sha256, input.stand_in);
-    enter(view, {{"role", "what the mesh is to the question", safe_text(input.role)},
+    enter(view, {{"name", "of the mesh: that of the file without its ending", safe_text(std::filesystem::path(input.file).stem().string())},
                  {"asked", "path in the assignment", safe_text(input.asked)},
                  {"has_asked", "the assignment names it", !input.asked.empty()},
                  {"vertices", "how many", readable_integer(input.vertices)},
@@ -182,15 +183,15 @@ json provenance_view(const Document& document) {
     return view;
 }
 
-/// The meshes the questions were answered on, each role once.
+/// The meshes the questions were answered on, each once.
 json meshes_used(const Document& document) {
-    std::set<std::string> shown;
+    std::set<std::pair<std::string, std::string>> shown;   // file and content
     std::size_t stand_ins = 0;
     json list = json::array();
     for (const Section& section : document.sections) {
         if (!is_question(section.id)) continue;
         for (const Input& input : section.inputs) {
-            if (!shown.insert(input.role).second) continue;
+            if (!shown.emplace(input.file, input.sha256).second) continue;
             list.push_back(input_view(input));
             stand_ins += input.stand_in ? 1 : 0;
         }

@@ -10,6 +10,7 @@
 #include "mesh/mesh_topology.h"
 #include "mesh/orientation.h"
 #include "mesh/triangle_measures.h"
+#include "output/draw/surface_of.h"
 
 namespace meshfolio::run {
 
@@ -79,7 +80,9 @@ nlohmann::json json_of(const LabPreset& preset) {
 }
 
 std::string header_of(const LabMesh& lab) {
-    nlohmann::json readings = nlohmann::json::array(), presets = nlohmann::json::array(), starts;
+    nlohmann::json readings = nlohmann::json::array(), presets = nlohmann::json::array(), starts, colors;
+    for (const render::Rgba& stop : render::colormap_named("pale").stops)
+        colors.push_back(output::hex_of(stop));   // the report's for errors
     for (const LabReading& reading : lab.readings) readings.push_back(json_of(reading));
     for (const LabPreset& preset : lab.presets) presets.push_back(json_of(preset));
     for (const auto& [question, start] : lab.starts) starts[question] = json_of(start);
@@ -95,6 +98,7 @@ std::string header_of(const LabMesh& lab) {
                                    {"meanEdge", lab.mean_edge},
                                    {"quantisationShift", lab.quantisation_shift},
                                    {"orthonormalityError", lab.orthonormality_error},
+                                   {"colors", colors},
                                    {"starts", starts},
                                    {"presets", presets},
                                    {"readings", readings}};

@@ -17,10 +17,10 @@ namespace meshfolio::run {
 /// Measured on the positions that the program's own steps lead to; the energy with the operator of the clean mesh.
 struct LabReading {
     LabSetting setting;
-    double energy = 0;   // ½ Σ C_ij |x_i − x_j|² [length²]
-    double volume = 0;   // signed; meaningful when closed [length³]
-    double rms = 0;      // √(Σ|x − x_clean|²/n), of a projection √(ΣA|x − x_clean|²/ΣA) [length]
-    double factor = 0;   // the largest that one step multiplies a mode by, the constant ones aside; 1 for the projection, NaN for denoising
+    double energy = 0;                // ½ Σ C_ij |x_i − x_j|² [length²]
+    double volume = 0;                // signed; meaningful when closed [length³]
+    double rms = 0;                   // √(Σ|x − x_clean|²/n), of a projection √(ΣA|x − x_clean|²/ΣA) [length]
+    double factor = 0;                // of the finest mode in one step, negative if it flips; NaN for the projection and denoising
     std::vector<double> gains = {};   // by the measures of question 7; empty without noise
 };
 

@@ -26,7 +26,7 @@ Positions step(const LabMesh& lab, const LabSetting& setting, const Positions& X
     return explicit_step(lab.laplacian, taubin_mu_of(lab.laplacian, {.lambda = lambda}), smoothed);
 }
 
-/// What one step multiplies the modes of eigenvalues μ by.
+/// Returns the factor by which one step multiplies each mode of eigenvalue μ.
 Vector factors(const LabMesh& lab, const LabSetting& setting, const Vector& mu) {
     const double lambda = setting.lambda * lab.critical();
     if (setting.scheme == "implicit") return (1 + lambda * mu.array()).inverse();
@@ -62,12 +62,9 @@ double rms_of(const LabMesh& lab, const LabSetting& setting, const Positions& X)
     return std::sqrt(M.dot((X - lab.mesh.X).rowwise().squaredNorm()) / M.sum());
 }
 
-double largest_factor(const LabMesh& lab, const LabSetting& setting) {
-    if (setting.scheme == "projection") return 1;
-    if (setting.scheme == "denoising") return NAN;           // of another operator
-    const double constant = 1e-9 * lab.largest_eigenvalue;   // modes of eigenvalue 0, but for rounding: one a component
-    const Vector mu = (lab.eigenvalues.array() > constant).select(lab.eigenvalues, lab.largest_eigenvalue);
-    return factors(lab, setting, mu).lpNorm<Eigen::Infinity>();
+double finest_factor(const LabMesh& lab, const LabSetting& setting) {
+    const bool has_own_modes = setting.scheme != "projection" && setting.scheme != "denoising";
+    return has_own_modes ? factors(lab, setting, Vector::Constant(1, lab.largest_eigenvalue))[0] : NAN;
 }
 
 /// A state of the search, where it did not search: what is judged there.
@@ -79,7 +76,7 @@ SearchState judged(const LabMesh& lab, const Positions& normals, const Positions
 
 LabReading reading_of(const LabMesh& lab, const LabSetting& setting, const Positions& before, const Positions& X) {
     LabReading reading{setting, dirichlet_energy(lab.laplacian.C, X), signed_volume(moved_to(lab.mesh, X), Vector3::Zero()),
-                       rms_of(lab, setting, X), largest_factor(lab, setting)};
+                       rms_of(lab, setting, X), finest_factor(lab, setting)};
     if (setting.sigma == 0) return reading;
     const Positions normals = face_normals(lab.mesh);
     SearchResult result;

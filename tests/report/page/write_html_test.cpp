@@ -264,6 +264,18 @@ TEST(WriteHtml, TheFirstPageSaysWhichMeshesStandIn) {
     EXPECT_NE(page.find("<span>sphere</span>"), std::string::npos);
 }
 
+TEST(WriteHtml, TheFirstPageNamesMeshesByTheirFilesEachOnce) {
+    Document document = sample_document();
+    const Input lilium{"lilium", "curvatures/lilium_s.obj", "lilium_s.obj"}, own{"your mesh", "", "cube.obj"},
+        other{"your mesh", "", "saddle.ply"};
+    document.sections[0].inputs = {lilium, own, other};
+    document.sections[1].inputs = {lilium};
+    const std::string page = write_html(document, sample_figures(), Templates());
+    EXPECT_NE(page.find("<b>On 3 meshes</b>"), std::string::npos);
+    for (const char* name : {"lilium_s", "cube", "saddle"}) EXPECT_EQ(count_of(page, std::string("<span>") + name + "</span>"), 1u) << name;
+    EXPECT_EQ(page.find(">lilium<"), std::string::npos);
+}
+
 TEST(WriteHtml, TheContentsListTheHeadingsOfEverySection) {
     const std::string page = sample_page(), list = page.substr(page.find("<nav"), page.find("</nav>") - page.find("<nav"));
     EXPECT_NE(list.find("<a href=\"#section-1.1\"><span class=\"number\">1.1</span>Method</a>"), std::string::npos);

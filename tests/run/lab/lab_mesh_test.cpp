@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "mesh/samples/sample_shapes.h"
@@ -87,17 +88,17 @@ TEST(LabMesh, HasTheNumbersOfTheReportsTables) {
             EXPECT_NE(reading_at(lab, {"implicit", lambda, t}), lab.readings.end()) << lambda << ' ' << t;
 }
 
-// The constant mode does not count: it would make every factor at least 1.
-TEST(LabMesh, TheLargestFactorOfAStepIsThatOfTheFinestOrOfTheCoarsestMode) {
-    const LabMesh lab = lab_mesh(make_sample("cube"), "cube", {{"q5", {}}, {"q6", {}}});
-    const double coarsest = lab.eigenvalues[1];
+// λ_crit is 2/μ_max: a step of λ has λμ_max = 2 λ/λ_crit.
+TEST(LabMesh, TheFactorOfAStepIsThatOfTheFinestMode) {
+    const LabMesh lab = lab_mesh(make_sample("cube"), "cube", {{"q4", {}}, {"q5", {}}, {"q6", {}}});
     for (const LabReading& reading : lab.readings) {
-        const double step = reading.setting.lambda * lab.critical();
-        double largest = reading.factor;
-        if (reading.setting.scheme == "implicit") largest = 1 / (1 + step * coarsest);
-        if (reading.setting.scheme == "heat") largest = std::exp(-step * coarsest);
-        if (reading.setting.scheme == "explicit") largest = std::max(1 - step * coarsest, 2 * reading.setting.lambda - 1);
-        EXPECT_NEAR(reading.factor, largest, 1e-8);
+        const double step = 2 * reading.setting.lambda;
+        const std::map<std::string, double> factors{{"explicit", 1 - step}, {"implicit", 1 / (1 + step)}, {"heat", std::exp(-step)}};
+        const auto known = factors.find(reading.setting.scheme);
+        if (known != factors.end()) {
+            EXPECT_NEAR(reading.factor, known->second, 1e-8) << known->first;
+        }
+        EXPECT_EQ(std::isnan(reading.factor), reading.setting.scheme == "projection") << reading.setting.scheme;
     }
 }
 
