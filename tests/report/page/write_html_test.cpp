@@ -266,8 +266,9 @@ TEST(WriteHtml, TheFirstPageSaysWhichMeshesStandIn) {
 
 TEST(WriteHtml, TheFirstPageNamesMeshesByTheirFilesEachOnce) {
     Document document = sample_document();
-    const Input lilium{"lilium", "curvatures/lilium_s.obj", "lilium_s.obj"}, own{"your mesh", "", "cube.obj"},
-        other{"your mesh", "", "saddle.ply"};
+    Input lilium = document.sections[0].inputs[0], own = lilium, other = lilium;
+    lilium.role = "lilium", lilium.file = "lilium_s.obj", lilium.stand_in = false;
+    own.role = other.role = "your mesh", own.file = "cube.obj", other.file = "saddle.ply", own.stand_in = other.stand_in = false;
     document.sections[0].inputs = {lilium, own, other};
     document.sections[1].inputs = {lilium};
     const std::string page = write_html(document, sample_figures(), Templates());
