@@ -47,7 +47,7 @@ export class SpectrumPlot {
         const legend = svg("text", { x: frame.left, y: 14 }, mark("before", "● "), "|cᵢ| before   ", mark("after", "● "), "after   ", mark("filter", "— "), "filter |f(μ)|");
         this.picture = empty("Spectrum: size of the coefficient of each mode over its eigenvalue, before and after the filter, and the filter's curve",
             ...grid, before, after, inside(curve), legend,
-            ...axis("0", "μ, √ scale: coarse to fine", data.hasAllModes ? "μ_max" : "last mode"));
+            ...axis("0", "μ, √ scale: coarse to fine", data.hasAllModes ? "μ_max" : `μ_${data.modes}`));
     }
     /// As √μ, the frequency: by Weyl's law the modes then lie less crowded where they are coarse.
     x(mu) { return across(this.last > 0 ? Math.sqrt(Math.max(0, mu) / this.last) : 0); }

@@ -15,7 +15,7 @@ export function digits(x, rounding = 0, count = 6) {
 }
 
 const capital = (words) => words[0].toUpperCase() + words.slice(1);
-const short = (x, count = 3) => digits(Number(x.toPrecision(count)));
+const short = (x, count = 3) => digits(x, 0, count);
 const small = (x) => x.toExponential(1).replace("-", "−");
 
 /// A line for each part of the panel, and the rest.
@@ -67,7 +67,7 @@ export function told({ state, data, experiment, numbers, clamped, best }) {
     const { scheme, k, t, sigma, lines } = state, size = 100 * numbers.rms / data.diagonal;
     const step = scheme === "denoising" ? `${digits(state.edges)} h̄²` : `${digits(state.lambda)} λ_crit`;
     const set = scheme !== "projection" ? `${capital(schemeNames[scheme])}, λ = ${step}, t = ${t}` : k === 1 ? `The smoothest of ${data.modes} modes` : `The ${k} smoothest of ${data.modes} modes`;
-    const rms = Number.isNaN(size) ? "rms beyond all measure" : size === 0 ? "nothing has moved" : `rms ${digits(Number(size.toPrecision(3)), 100 * data.rounding)} % of the box`;
+    const rms = Number.isNaN(size) ? "rms beyond all measure" : size === 0 ? "nothing has moved" : `rms ${digits(size, 100 * data.rounding, 3)} % of the box`;
     const constant = data.mu.filter(data.isConstant).length;   // modes, one a part of the mesh
     const parts = scheme !== "projection" || k > constant ? "" : constant === 1 ? " It is constant: nothing is left but a point."
         : ` The first ${constant} modes are constant on each part of the mesh: of so few, nothing is left but a point a part.`;
