@@ -74,6 +74,13 @@ class QuickReport(unittest.TestCase):
                 self.assertTrue(check["passed"], check)
                 self.assertEqual({type(check[k]) in (int, float) for k in ("expected", "measured", "tolerance")}, {True}, check)
 
+    def test_each_answer_is_one_sentence_of_at_most_25_words(self):
+        for chapter in self.results["questions"] + self.results["supporting"]:
+            text = "".join(run if isinstance(run, str) else " formula " for run in chapter["answer"]).replace("\u202f", "")
+            with self.subTest(chapter["id"], answer=text):
+                self.assertLessEqual(len([word for word in text.split() if any(map(str.isalnum, word))]), 25)
+                self.assertRegex(text, r"^[^.!?]+([.!?]\S[^.!?]*)*[.!?] *$")
+
     def test_rendered_again_from_its_results_it_is_the_same(self):
         again = self.folder / "again"
         process = run("report", "--from", self.out / "results.json", "--out", again)
