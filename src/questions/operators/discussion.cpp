@@ -1,3 +1,4 @@
+#include "geometry/measures/mesh_laws.h"
 #include "questions/operators/parts.h"
 
 namespace meshfolio::operators {
