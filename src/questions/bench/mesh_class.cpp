@@ -115,6 +115,17 @@ double median_face_angle(const TriangleMesh& mesh, const MeshTopology& topology)
     return median_of(each_of(edge_angles(mesh, topology), [](const EdgeAngle& edge) { return edge.degrees; }));
 }
 
+Vector vertex_face_angles(const TriangleMesh& mesh, const MeshTopology& topology) {
+    Vector sum = Vector::Zero(mesh.vertex_count()), count = sum;
+    for (const EdgeAngle& edge : edge_angles(mesh, topology)) {
+        for (const int v : {edge.a, edge.b}) {
+            sum[v] += edge.degrees;
+            count[v] += 1;
+        }
+    }
+    return sum.cwiseQuotient(count);
+}
+
 MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topology) {
     MeshCharacter character;
     const std::vector<EdgeAngle> angles = edge_angles(mesh, topology);

@@ -42,4 +42,7 @@ MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topol
 /// Median angle between the faces at all inner edges: one set of edges, whatever smoothing makes of them [°].
 double median_face_angle(const TriangleMesh& mesh, const MeshTopology& topology);
 
+/// Mean angle between the faces at the inner edges of each vertex; NaN where it has none [n, °].
+Vector vertex_face_angles(const TriangleMesh& mesh, const MeshTopology& topology);
+
 }   // namespace meshfolio

@@ -230,6 +230,13 @@ Amplification top_mode_amplification(const SmoothingSubject& subject, double lam
     return {std::pow(std::abs(1 - lambda * subject.top.value), steps), mode_amplitude(subject, X) / start};
 }
 
+double share_of_top_mode(const SmoothingSubject& subject, const Positions& X) {
+    const Positions moved = (X - subject.mesh().X) / subject.diagonal;
+    const Vector& M = subject.laplacian.M;
+    const double all = M.dot(moved.rowwise().squaredNorm());
+    return (moved.transpose() * M.cwiseProduct(subject.top.mode)).squaredNorm() / all;   // φ is M-normalised
+}
+
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X) {
     const TriangleMesh mesh = moved_to(subject.mesh(), X);
     return subject.mean_edge * cotangent_mean_curvature(mesh, subject.topology(), laplace_beltrami(mesh));

@@ -93,6 +93,9 @@ struct Amplification {
 };
 Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps);
 
+/// The share of the top mode in the motion X − X_input, in squared M-norms; NaN if nothing moved.
+double share_of_top_mode(const SmoothingSubject& subject, const Positions& X);
+
 /// Cotangent mean curvature at X times the subject's mean edge: the colours of smoothing figures. NaN where undefined.
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
 
