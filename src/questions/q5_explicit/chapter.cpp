@@ -36,13 +36,6 @@ std::vector<Trial> trials_of(std::span<const ExplicitStudy> studies) {
     return trials;
 }
 
-/// The energy over the iterations. Beyond twenty the curve has made its point and would flatten all others.
-report::Series energy_series(const ExplicitStudy& study, const SmoothingRun& run) {
-    report::Series series{.name = words.line("energy.series", "limits"_a = in_limits(study.subject, run.lambda))};
-    for (std::size_t t = 0; t < run.energy.size() && run.energy[t] < 20; ++t) add_point(series, double(t), run.energy[t]);
-    return series;
-}
-
 /// Five at most, evenly through their order, with the smallest step and the largest.
 std::vector<const SmoothingRun*> shown_runs(const ExplicitStudy& study) {
     const std::size_t count = study.runs.size(), most = 5;
@@ -51,14 +44,18 @@ std::vector<const SmoothingRun*> shown_runs(const ExplicitStudy& study) {
     return shown;
 }
 
-/// What a step multiplies a mode by, explicit and implicit.
+/// What a step multiplies a mode by, explicit and implicit; the band beyond λμ = 2, in which modes grow, is shaded.
 report::Plot damping_plot() {
-    constexpr double end = 2.4;
+    constexpr double end = 2.4, low = 1 - end;
     report::Series explicit_factor{.name = "1 − λμ"}, implicit_factor{.name = "1/(1 + λμ)"};
     for (int i = 0; i <= 48; ++i) {
         const double x = end * i / 48;
         add_point(explicit_factor, x, 1 - x);
         add_point(implicit_factor, x, 1 / (1 + x));
+    }
+    for (const double x : explicit_factor.x) {
+        explicit_factor.y_low.push_back(x < 2 ? undefined : low);
+        explicit_factor.y_high.push_back(x < 2 ? undefined : 1);
     }
     return {.id = "q5_damping",
             .caption = words.line("damping"),
@@ -90,9 +87,14 @@ report::Table limit_table(const Studies& studies) {
 report::Table steps_table(const Studies& studies) {
     return table("q5_steps", words.line("steps", "iterations"_a = studies.front().runs.front().iterations), trials_of(studies))
         .column("mesh", [](auto& t) { return t.study.name(); })
+        .column("λ", {.unit = "length²"}, [](auto& t) { return t.run.lambda; })
         .column("λ/λ_crit", [](auto& t) { return t.run.lambda / t.study.subject.critical; })
+        .column("top mode ×, predicted", [](auto& t) { return above_rounding(t.growth.predicted); })
+        .column("measured", [](auto& t) { return above_rounding(t.growth.measured); })
         .column("energy", {.unit = "of input"}, [](auto& t) { return left_of(t.run, t.run.energy.back()); })
         .column("size", {.unit = "% of input"}, [](auto& t) { return left_of(t.run, 100 * t.run.size.back()); })
+        .column("rms moved", {.unit = "% of box"},
+                [](auto& t) { return cell_of(100 * t.run.moved.rms / t.study.subject.diagonal, !t.run.result.blew_up); })
         .column("faces turned over", {.digits = 6}, [](auto& t) { return cell_of(t.run.moved.inverted_faces, !t.run.result.blew_up); })
         .column("outcome", &Trial::outcome);
 }
@@ -101,7 +103,7 @@ report::Table bounds_table(const Studies& studies) {
     return table("q5_bounds", words.line("bounds"), studies)
         .column("mesh", &ExplicitStudy::name)
         .column("μ_max", {.unit = "1/length²", .digits = 4}, [](auto& s) { return s.subject.top.value; })
-        .column("safe λ (Gershgorin)", {.unit = "length²", .digits = 4, .rounding = Rounding::down},
+        .column("safe λ (Gershgorin)", {.unit = "length², rounded down", .digits = 4, .rounding = Rounding::down},
                 [](auto& s) { return s.subject.safe(); })
         .column("vertex", {.digits = 8}, [](auto& s) { return s.subject.top.vertex; })
         .column("vertices as large", [](auto& s) { return s.peaks.size(); })
@@ -109,30 +111,23 @@ report::Table bounds_table(const Studies& studies) {
         .column("uniform λ_crit", {.digits = 4}, &ExplicitStudy::uniform_critical);
 }
 
-report::Table sweep_table(const ExplicitStudy& study) {
-    const SmoothingSubject& s = study.subject;
-    return table(id_of("q5", study.name(), "sweep_table"), words.line("sweep", "mesh"_a = study.name()), trials_of({&study, 1}))
-        .column("λ", {.unit = "length²"}, [](auto& t) { return t.run.lambda; })
-        .column("λ/λ_crit", [&](auto& t) { return t.run.lambda / s.critical; })
-        .column("λ/h̄²", [&](auto& t) { return t.run.lambda / (s.mean_edge * s.mean_edge); })
-        .column("top mode ×, predicted", [](auto& t) { return above_rounding(t.growth.predicted); })
-        .column("measured", [](auto& t) { return above_rounding(t.growth.measured); })
-        .column("iterations", {.digits = 6}, [](auto& t) { return t.run.result.iterations; })
-        .column("rms moved", {.unit = "% of box"},
-                [&](auto& t) { return cell_of(100 * t.run.moved.rms / s.diagonal, !t.run.result.blew_up); })
-        .column("smallest angle", {.unit = "°"}, [](auto& t) { return cell_of(t.run.smallest_angle * 180 / pi, !t.run.result.blew_up); });
-}
-
-report::Plot energy_plot(const ExplicitStudy& study) {
+/// The energies of all meshes, a panel a mesh, a curve a step. Beyond five a curve has made its point and would flatten all others.
+report::Plot energy_plot(const Studies& studies) {
+    constexpr double shown = 5;
     report::Plot plot{
-        .id = id_of("q5", study.name(), "energy"), .x_label = "iteration", .y_label = words.line("energy.axis"), .log_y = true};
-    Names cut;
-    for (const SmoothingRun* run : shown_runs(study)) {
-        plot.series.push_back(energy_series(study, *run));
-        if (plot.series.back().y.size() < run->energy.size()) cut.push_back(in_limits(study.subject, run->lambda));
+        .id = "q5_energy", .caption = words.line("energy"), .x_label = "iteration", .y_label = words.line("energy.axis"), .log_y = true};
+    for (const ExplicitStudy& study : studies) {
+        int color = 0;
+        for (const SmoothingRun* run : shown_runs(study)) {
+            report::Series& series = plot.series.emplace_back(
+                report::Series{.name = words.line("energy.series", "limits"_a = in_limits(study.subject, run->lambda)),
+                               .color = color,
+                               .pattern = color,
+                               .panel = studies.size() > 1 ? study.name() : ""});
+            for (std::size_t t = 0; t < run->energy.size() && run->energy[t] < shown; ++t) add_point(series, double(t), run->energy[t]);
+            ++color;
+        }
     }
-    plot.caption = words.line("energy", "mesh"_a = study.name());
-    if (!cut.empty()) plot.caption += " " + words.line("energy.cut", "cut"_a = listed(cut));
     return plot;
 }
 
@@ -176,18 +171,13 @@ void add_record(report::Section& section, const Studies& studies) {
     section.parameters["iterations"] = studies.front().runs.front().iterations;
     section.parameters["operator"] = smoothing_words.line("parameter.operator");
     const bool all = std::ranges::all_of(studies, [](const ExplicitStudy& study) { return study.recommended.has_value(); });
-    section.extent = words.line(all ? "extent" : "extent.not_all_recommended", "meshes"_a = listed(names_of(studies)));
+    section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)), "all"_a = all);
 }
 
-void add_appendix(Answer& answer, const Studies& studies) {
-    report::Section& section = answer.section;
+void add_appendix(report::Section& section, const Studies& studies) {
     begin_appendix(section);
-    add(section, bounds_table(studies));
+    add(section, steps_table(studies), bounds_table(studies));
     add_faces_without_area(section, studies);
-    for (const ExplicitStudy& study : studies) {
-        if (&study != &telling(studies)) add_frames_figure(answer, study, studies);
-        add(section, energy_plot(study), sweep_table(study));
-    }
 }
 
 }   // namespace
@@ -197,21 +187,23 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     report::Section& section = answer.section;
     const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns"}, section);
     const auto studies = studies_of(meshes, "explicit smoothing", settings, progress, section, explicit_study);
-    section.answer = answer_in_short(studies);
-    add_paragraphs(section, {lead(studies)});
+    const report::Facts facts = facts_of(studies);
+    section.answer = words.say("answer", facts);
     add_words(section, words, "method");
+    add(section, wave_diagram());
+    add_words(section, words, "method.limit");
     add(section, damping_plot());
-    add_words(section, words, "results");
-    add_paragraphs(section, {how_large(studies)});
+    add_words(section, words, "limit", facts);
     add(section, limit_table(studies));
-    add_paragraphs(section, {which_step(studies), too_large(studies)});
-    add_frames_figure(answer, telling(studies), studies);
-    add(section, steps_table(studies));
-    add_paragraphs(section, {when_to_stop(studies)});
+    add_words(section, words, "step", facts);
+    add(section, energy_plot(studies));
+    add_words(section, words, "beyond", facts);
+    add_frames_figure(answer, studies);
+    add_words(section, words, "stop", facts);
     add_recommended_figure(answer, studies);
-    add_paragraphs(section, {units_of_lambda(studies)});
+    add_words(section, words, "units", facts);
     for (const ExplicitStudy& study : studies) add_checks(section, study);
-    add_appendix(answer, studies);
+    add_appendix(section, studies);
     add_record(section, studies);
     return answer;
 }

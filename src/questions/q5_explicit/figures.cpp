@@ -2,29 +2,66 @@
 
 #include "output/draw/framing.h"
 #include "questions/bench/curvature_subject.h"
+#include "questions/core/diagram_names.h"
 #include "questions/q5_explicit/parts.h"
 
 namespace meshfolio::q5_explicit {
 
 namespace {
 
-/// A state of a run in one of its frames. Where spikes would be cut off it is drawn smaller, by `scale`.
+/// A column of the figure of frames: a strip at an iteration; the input if there is no strip.
+struct Column {
+    std::optional<Strip> ExplicitStudy::*strip = nullptr;
+    int t = 0;
+};
+
+std::vector<Column> columns_of(const Studies& studies) {
+    std::vector<Column> columns{{}};
+    int late = 0, seen = 4;   // the last iteration that shows all spikes of the far step on every mesh
+    bool far = false;
+    for (const ExplicitStudy& study : studies) {
+        if (study.near && !study.near->times.empty()) late = std::max(late, study.near->times.back());
+        if (!study.far) continue;
+        far = true;
+        seen = std::min(seen, std::max(1, study.runs[study.far->run].in_view_iteration));
+    }
+    for (const int t : each_once(std::vector{late / 2, late}))
+        if (t > 0) columns.push_back({&ExplicitStudy::near, t});
+    if (far) columns.insert(columns.end(), {{&ExplicitStudy::far, seen}, {&ExplicitStudy::far, 5}});
+    return columns;
+}
+
+std::string head_of(const Column& column, const Studies& studies) {
+    if (column.strip == nullptr) return words.line("frames.input");
+    Names limits;
+    for (const ExplicitStudy& study : studies)
+        if (const auto& strip = study.*column.strip) limits.push_back(in_limits(study.subject, study.runs[strip->run].lambda));
+    limits = each_once(std::move(limits));
+    return words.line("frames.head", "limits"_a = limits.size() == 1 ? limits.front() : "", "t"_a = column.t);
+}
+
+/// A state of a run. If spikes would be cut off, it is drawn smaller, by `scale`.
 struct Frame {
     output::Panel panel;   // an empty cell once the mesh is blown up or too wide
     double scale = 1;
 };
 
-Frame frame_of(const ExplicitStudy& study, const Strip& strip, std::size_t column) {
-    const SmoothingRun& run = study.runs[strip.run];
-    const int t = study.frame_times[column];
-    const std::string name = id_of("q5", study.name(), "frame_" + step_name(run.lambda) + "_t" + std::to_string(t));
-    if (column >= strip.frames.size()) return {{name, words.line("frames.blew_up", "iteration"_a = run.result.blow_up_iteration), nullptr}};
-    const Positions& X = strip.frames[column];
-    output::FittedPositions fitted = output::fitted_into_frame(study.subject.mesh(), X);
-    Frame frame{
-        framed_panel(study.subject, X, name, words.line("frames.label", "limits"_a = in_limits(study.subject, run.lambda), "t"_a = t))};
+Frame frame_of(const ExplicitStudy& study, const Column& column) {
+    const std::string name = id_of("q5", study.name(), "frame_");
+    if (column.strip == nullptr)
+        return {panel_of(*study.subject.source, name + "input", study.name(), curvature_colours(study.subject, study.subject.mesh().X))};
+    const auto& strip = study.*column.strip;
+    if (!strip) return {{name + (column.strip == &ExplicitStudy::near ? "near_t" : "far_t") + std::to_string(column.t), "–", nullptr}};
+    const SmoothingRun& run = study.runs[strip->run];
+    const std::string state = name + step_name(run.lambda) + "_t" + std::to_string(column.t);
+    const Positions* X = strip->at(column.t);
+    if (X == nullptr)
+        return {{state, run.result.blew_up ? words.line("frames.blew_up", "iteration"_a = run.result.blow_up_iteration) : "–", nullptr}};
+    output::FittedPositions fitted = output::fitted_into_frame(study.subject.mesh(), *X);
+    const std::string limits = in_limits(study.subject, run.lambda);
+    Frame frame{framed_panel(study.subject, *X, state, words.line("frames.label", "limits"_a = limits, "t"_a = column.t))};
     if (!frame.panel.mesh) return frame;
-    frame.panel.values = curvature_colours(study.subject, X);
+    frame.panel.values = curvature_colours(study.subject, *X);
     frame.scale = fitted.scale;
     if (fitted.scale < 1) frame.panel.mesh = std::make_shared<const TriangleMesh>(moved_to(study.subject.mesh(), std::move(fitted.X)));
     return frame;
@@ -38,16 +75,11 @@ output::ColorRange range_of(const Studies& studies) {
     return curvature_range(inputs);
 }
 
-/// What a caption says where a mesh has sharp edges.
-std::string on_sharp_edges(const Studies& studies) {
+/// What the captions of inputs and results add: rings, and creases.
+report::Facts remarks_on(const Studies& studies) {
     const bool sharp = std::ranges::any_of(studies, [](const ExplicitStudy& s) { return s.recommended && s.recommended->on_features > 0; });
-    return sharp ? " " + words.line("figure.sharp") : "";
-}
-
-/// What a caption says where a few vertices set the limit.
-std::string on_rings(const Studies& studies) {
     const Names ringed = names_where(studies, [](auto& study) { return study.recommended && !limiting_spot(study).empty(); });
-    return ringed.empty() ? "" : " " + words.line("figure.ring", "meshes"_a = listed(ringed));
+    return {"ringed"_a = listed(ringed), "sharp"_a = sharp};
 }
 
 report::Facts facts_of(const ExplicitStudy& study) {
@@ -59,8 +91,8 @@ report::Facts facts_of(const ExplicitStudy& study) {
 void add_pair(Answer& answer, const Studies& studies, const std::string& id) {
     const ExplicitStudy& study = studies.front();
     const SmoothingRun& run = study.recommended->stopped;
-    report::Facts facts = facts_of(study);
-    facts.insert(facts.end(), {"ring"_a = on_rings(studies), "sharp"_a = on_sharp_edges(studies)});
+    report::Facts facts = facts_of(study), remarks = remarks_on(studies);
+    std::ranges::move(remarks, std::back_inserter(facts));
     output::FigureRequest figure{
         .id = id,
         .title = words.line("recommended.title", facts),
@@ -91,10 +123,10 @@ void add_all(Answer& answer, const Studies& studies, const std::string& id) {
         figure.panels.push_back(resized_panel(study, study.recommended->stopped.result.X, "result", words.line("results.result", facts)));
     }
     figure.range = range_of(studies);
-    add_figure(answer, std::move(figure),
-               words.line("results.caption", "frames"_a = telling(studies).name(), "ring"_a = on_rings(studies),
-                          "sharp"_a = on_sharp_edges(studies)));
-    answer.figures.back().range->quantity.clear();   // the colour bar is that of the frames
+    report::Facts remarks = remarks_on(studies);
+    remarks.push_back("frames"_a = has_frames(studies));
+    add_figure(answer, std::move(figure), words.line("results.caption", remarks));
+    if (has_frames(studies)) answer.figures.back().range->quantity.clear();   // the colour bar is that of the frames
 }
 
 }   // namespace
@@ -111,32 +143,63 @@ void add_recommended_figure(Answer& answer, const Studies& studies) {
         add_all(answer, studies, recommended_figure(studies));
 }
 
-void add_frames_figure(Answer& answer, const ExplicitStudy& study, const Studies& studies) {
-    output::FigureRequest request{.id = id_of("q5", study.name(), "frames"),
-                                  .title = words.line("frames.title", "mesh"_a = study.name()),
-                                  .subtitle = subtitle_of(*study.subject.source),
-                                  .layout = output::Layout::one_frame,
-                                  .coarse_edges = true};
+report::Diagram wave_diagram() {
+    using namespace diagram_names;
+    constexpr int steps = 2, points = 96;
+    constexpr double waves = 2.5, height = 0.34, apart = 1.2;
+    Diagram diagram{.id = "q5_wave", .caption = words.line("wave"), .alt = words.line("wave.alt")};
+    for (const auto& [product, title] : {std::pair{0.5, "wave.shrinks"}, {1.5, "wave.flips"}, {2.2, "wave.grows"}}) {
+        Diagram::Panel& panel = diagram.panels.emplace_back(Diagram::Panel{.title = words.line(title)});
+        for (int t = 0; t <= steps; ++t) {
+            const double middle = -apart * t;
+            const auto wave = [&](double factor, Style style) {
+                std::vector<DiagramPoint> line;
+                for (int i = 0; i <= points; ++i) {
+                    const double x = double(i) / points;
+                    line.push_back({4 * x, middle + height * factor * std::sin(2 * pi * waves * x)});
+                }
+                panel.paths.push_back(path_through(line, style));
+            };
+            panel.paths.push_back(path_through({{0, middle}, {4, middle}}, Style::thin));
+            if (t > 0) wave(std::pow(1 / (1 + product), t), Style::dashed);
+            wave(std::pow(1 - product, t), Style::accent);
+            panel.labels.push_back({.x = 0, .y = middle, .words = text("t = " + std::to_string(t)), .side = Side::left});
+        }
+        panel.paths.push_back(path_through({{0, -1.5 * height - apart * steps}}, Style::thin));   // not seen: all panels have one scale
+    }
+    return diagram;
+}
+
+bool has_frames(const Studies& studies) {
+    return std::ranges::any_of(studies, [](const ExplicitStudy& study) { return study.near || study.far; });
+}
+
+void add_frames_figure(Answer& answer, const Studies& studies) {
+    if (!has_frames(studies)) return;
+    const std::vector<Column> columns = columns_of(studies);
+    output::FigureRequest request{.id = "q5_frames",
+                                  .title = words.line("frames.title"),
+                                  .frame_panel = -1,
+                                  .layout = output::Layout::multiples,
+                                  .coarse_edges = true,
+                                  .states = static_cast<int>(columns.size())};
+    for (const Column& column : columns) request.columns.push_back(head_of(column, studies));
     Names shrunk;
-    for (const int t : study.frame_times) request.columns.push_back("t = " + std::to_string(t));
-    for (const Strip& strip : study.strips) {
-        const std::string limits = in_limits(study.subject, study.runs[strip.run].lambda);
-        request.rows.push_back(words.line("frames.row", "limits"_a = limits));
-        for (std::size_t column = 0; column < study.frame_times.size(); ++column) {
-            Frame frame = frame_of(study, strip, column);
+    std::string unseen;
+    for (const ExplicitStudy& study : studies) {
+        request.rows.push_back(study.name());
+        for (const Column& column : columns) {
+            Frame frame = frame_of(study, column);
             if (frame.scale < 1)
-                shrunk.push_back(words.line("frames.shrunk.state", "limits"_a = limits, "t"_a = study.frame_times[column],
+                shrunk.push_back(words.line("frames.shrunk", "mesh"_a = study.name(), "state"_a = frame.panel.label,
                                             "scale"_a = readable_percent(frame.scale, 2)));
+            if (!frame.panel.mesh) unseen += " " + frame.panel.label + ".";
             request.panels.push_back(std::move(frame.panel));
         }
     }
     request.range = range_for(range_of(studies), request.panels);
-    const std::string small = shrunk.empty() ? "" : " " + words.line("frames.shrunk", "states"_a = listed(shrunk));
-    const std::string caption = words.line("frames.caption", "mesh"_a = study.name(), "shrunk"_a = small);
-    std::string alt = caption;
-    for (const output::Panel& panel : request.panels)
-        if (!panel.mesh) alt += " " + panel.label + ".";
-    add_figure(answer, std::move(request), caption, alt);
+    const std::string caption = words.line("frames.caption", "shrunk"_a = listed(shrunk));
+    add_figure(answer, std::move(request), caption, caption + unseen);
 }
 
 }   // namespace meshfolio::q5_explicit

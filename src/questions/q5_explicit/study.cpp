@@ -70,31 +70,16 @@ std::optional<Recommendation> recommended(const ExplicitStudy& study) {
 
 // ---- frames
 
-/// Early iterations show a step far beyond the limit, later ones a step just beyond it. The first is the last with the largest step in
-/// view.
-std::vector<int> frame_times(const SmoothingSubject& subject, double largest_step, int iterations) {
-    constexpr int second = 5;
-    const int seen =
-        run_smoothing(subject, SmoothingScheme::explicit_euler, largest_step, std::min(second - 1, iterations)).in_view_iteration;
-    std::vector<int> times{0};
-    for (const int t : {std::max(1, seen), second, 10, 25})
-        if (t < iterations) times.push_back(t);
-    if (iterations > 0) times.push_back(iterations);
-    return times;
-}
+constexpr double far_beyond = 1.5;   // λ_crit: spikes are there at once
 
-/// The steps whose frames are kept.
-std::vector<double> told_steps(const std::vector<double>& steps, const SmoothingSubject& subject) {
-    std::vector<double> told;
-    for (const double limit : {0.5, 1.0}) {   // the largest that keeps signs, else the largest stable one
-        if (!told.empty()) break;
-        for (const double step : steps)
-            if (step <= limit * subject.critical * (1 + 1e-12)) told = {step};
-    }
-    const auto beyond = std::ranges::find_if(steps, [&](double step) { return step > subject.critical; });
-    if (beyond != steps.end()) told.push_back(*beyond);
-    if (told.empty() || told.back() != steps.back()) told.push_back(steps.back());
-    return told;
+/// Runs a step and keeps the states of these iterations in `strip`.
+SmoothingRun framed_run(const SmoothingSubject& subject, double lambda, int iterations, std::vector<int> times, Strip& strip) {
+    std::erase_if(times, [&](int t) { return t < 1 || t > iterations; });
+    SmoothingRun run = run_smoothing(subject, SmoothingScheme::explicit_euler, lambda, iterations, times);
+    strip.times = std::move(times);
+    strip.frames = std::move(run.snapshots);
+    run.snapshots.clear();
+    return run;
 }
 
 }   // namespace
@@ -107,26 +92,30 @@ std::size_t ExplicitStudy::first_beyond() const {
     return i;
 }
 
+const Positions* Strip::at(int t) const {
+    const auto found = std::ranges::find(times, t);
+    const std::ptrdiff_t i = found - times.begin();
+    return found != times.end() && i < std::ssize(frames) ? &frames[i] : nullptr;
+}
+
 ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings) {
     ExplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
     study.uniform_top = largest_eigenvalue(uniform_operator(study.subject.mesh(), study.subject.topology())).value;
     const int iterations = iterations_of(settings);
-    const std::vector<double> steps = steps_of(settings, study.subject.critical, own_steps);
-    const std::vector<double> told = told_steps(steps, study.subject);
-    study.frame_times = frame_times(study.subject, steps.back(), iterations);
+    const double critical = study.subject.critical;
+    const std::vector<double> steps = steps_of(settings, critical, own_steps);
     for (const double lambda : steps) {
-        const bool framed = std::ranges::find(told, lambda) != told.end();
-        SmoothingRun run = run_smoothing(study.subject, SmoothingScheme::explicit_euler, lambda, iterations,
-                                         framed ? study.frame_times : std::vector<int>());
-        if (framed) {
-            Strip strip{study.runs.size(), {study.subject.mesh().X}};
-            std::ranges::move(run.snapshots, std::back_inserter(strip.frames));
-            run.snapshots.clear();
-            study.strips.push_back(std::move(strip));
-        }
-        study.runs.push_back(std::move(run));
+        Strip strip{.run = study.runs.size(), .times = {}, .frames = {}};
+        const bool far = lambda == steps.back() && lambda > far_beyond * critical;
+        const bool near = !far && !study.near && lambda > critical;
+        const std::vector<int> early{1, 2, 3, 4, 5}, late = each_once(std::vector{iterations / 2, iterations});
+        study.runs.push_back(framed_run(study.subject, lambda, iterations, far ? early : near ? late : std::vector<int>(), strip));
         study.amplification.push_back(top_mode_amplification(study.subject, lambda, 20));
+        if (far)
+            study.far = std::move(strip);
+        else if (near)
+            study.near = std::move(strip);
     }
     study.peaks = peaks_of(study.subject.top.mode);
     study.recommended = recommended(study);
@@ -135,8 +124,16 @@ ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings
 
 bool keeps_signs(const SmoothingSubject& subject, double lambda) { return lambda <= 0.5 * subject.critical * (1 + 1e-12); }
 
-int faces_turned(const TriangleMesh& mesh, const Positions& X) {
-    return static_cast<int>((face_normals(mesh).cwiseProduct(face_normals(moved_to(mesh, X))).rowwise().sum().array() < 0).count());
+double share_rougher(const SmoothingSubject& subject, const Positions& X) {
+    const Vector before = vertex_face_angles(subject.mesh(), subject.topology());
+    const Vector after = vertex_face_angles(moved_to(subject.mesh(), X), subject.topology());
+    return double((after.array() > before.array() + 1).count()) / std::max(subject.preflight().vertices_in_use, 1);
+}
+
+bool ends_by_top_mode(const ExplicitStudy& study) {
+    const Smoothed& last = study.runs.back().result;
+    return last.blew_up && std::ranges::find(study.peaks, last.blow_up_vertex) != study.peaks.end() &&
+           share_of_top_mode(study.subject, last.X) > 0.5;
 }
 
 bool is_folded(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals, int t) {

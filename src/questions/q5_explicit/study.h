@@ -19,10 +19,14 @@ struct Recommendation {
     double time() const { return stopped.lambda * stopped.iterations; }   // λt [length²]
 };
 
-/// A run frame by frame.
+/// States of one run; fewer frames than times if the mesh blew up before.
 struct Strip {
-    std::size_t run = 0;             // of the study
-    std::vector<Positions> frames;   // one for each of frame_times, from the input on; fewer when the mesh blew up before
+    std::size_t run = 0;   // of the study
+    std::vector<int> times;
+    std::vector<Positions> frames;
+
+    /// The state after t iterations; null if it is not kept.
+    const Positions* at(int t) const;
 };
 
 struct ExplicitStudy {
@@ -32,8 +36,7 @@ struct ExplicitStudy {
     double uniform_top = 0;                      // μ_max of −Δ_uniform
     std::vector<int> peaks;                      // vertices where the top mode is as large as anywhere, to a thousandth
     std::optional<Recommendation> recommended;   // none: no step tried is stable
-    std::vector<int> frame_times;                // iterations, ascending from 0
-    std::vector<Strip> strips;                   // of the largest step that keeps signs, the first beyond the limit, and the largest
+    std::optional<Strip> near, far;              // of the first step beyond the limit; of the largest, if it exceeds 1.5 λ_crit
 
     const std::string& name() const { return subject.name(); }
     double critical_in_edges() const { return in_edges(subject.critical); }
@@ -56,8 +59,12 @@ ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings
 /// Does a step of λ leave the sign of every mode (λμ_max ≤ 1, half the limit)?
 bool keeps_signs(const SmoothingSubject& subject, double lambda);
 
-/// Counts the triangles of `mesh` whose normals reverse when its vertices move to X.
-int faces_turned(const TriangleMesh& mesh, const Positions& X);
+/// The share of the vertices that are rougher at X than in the input: the mean angle between the faces at their edges has grown by more
+/// than 1°.
+double share_rougher(const SmoothingSubject& subject, const Positions& X);
+
+/// Does the largest run end at a vertex where the top mode is largest, and is that mode most of its motion there?
+bool ends_by_top_mode(const ExplicitStudy& study);
 
 /// Does triangle t, of these unit normals, face away from the others at its vertices?
 bool is_folded(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals, int t);

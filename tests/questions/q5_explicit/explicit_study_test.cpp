@@ -137,15 +137,20 @@ TEST(ExplicitStudy, WhatIsRecommendedTakesTheNoiseFromASheet) {
     EXPECT_LT(sheet.roughness_after, 0.1 * sheet.roughness_before);
 }
 
-TEST(ExplicitStudy, StripsAreOfASignKeepingStepAndOfThoseBeyond) {
+TEST(ExplicitStudy, StripsAreOfTheFirstStepBeyondAndOfTheLargest) {
     const ExplicitStudy study = explicit_study_on(cube_mesh(4), "cube_strips");
-    ASSERT_EQ(study.strips.size(), 3u);
-    EXPECT_EQ(study.strips[0].run, 1u);
-    EXPECT_EQ(study.strips[1].run, 3u);
-    EXPECT_EQ(study.strips[2].run, 4u);
+    ASSERT_TRUE(study.near && study.far);
+    EXPECT_EQ(study.near->run, 3u);
+    EXPECT_EQ(study.near->times, (std::vector<int>{10, 20}));
+    EXPECT_EQ(study.far->run, 4u);
+    ASSERT_TRUE(study.far->at(5));
+    EXPECT_EQ(*study.far->at(5), run_smoothing(study.subject, SmoothingScheme::explicit_euler, 2 * study.subject.critical, 5).result.X);
+    EXPECT_FALSE(study.far->at(7)) << "not kept";
     const double critical = study.subject.critical;
-    EXPECT_EQ(explicit_study_on(cube_mesh(4), "cube_stable", {0.1 * critical, 0.9 * critical}).strips.size(), 2u);
-    EXPECT_EQ(explicit_study_on(cube_mesh(4), "cube_one", {0.1 * critical}).strips.size(), 1u);
+    const ExplicitStudy one = explicit_study_on(cube_mesh(4), "cube_one", {0.1 * critical, 1.2 * critical});
+    EXPECT_TRUE(one.near && !one.far);
+    const ExplicitStudy stable = explicit_study_on(cube_mesh(4), "cube_stable", {0.1 * critical, 0.9 * critical});
+    EXPECT_TRUE(!stable.near && !stable.far);
 }
 
 TEST(ExplicitStudy, NothingBlowsUpBeforeItCan) {
