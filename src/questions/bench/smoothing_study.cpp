@@ -184,9 +184,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     for (const double energy : watch.energy()) run.energy.push_back(energy / watch.energy().front());
     for (const double rounding : watch.rounding()) run.energy_rounding.push_back(rounding / watch.energy().front());
 
-    const TriangleMesh smoothed = moved_to(subject.mesh(), run.result.X);
-    run.moved = compare_meshes(subject.mesh(), smoothed);
-    run.smallest_angle = smallest_angle(smoothed);
+    run.moved = compare_meshes(subject.mesh(), moved_to(subject.mesh(), run.result.X));
     return run;
 }
 

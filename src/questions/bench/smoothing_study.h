@@ -52,7 +52,6 @@ struct SmoothingRun {
     int iterations = 0;   // asked for
     Smoothed result;
     MeshDifference moved;                  // the input against the result
-    double smallest_angle = 0;             // of the result [rad]
     std::vector<double> energy;            // Dirichlet energy after t = 0, 1, … iterations, over that of the input
     std::vector<double> energy_rounding;   // by how much rounding may have raised it in step t, likewise; 0 for t = 0
     std::vector<double> volume;            // after t = 0, 1, … iterations, over that of the input; empty when open
