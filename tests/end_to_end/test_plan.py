@@ -20,17 +20,17 @@ class Plans(unittest.TestCase):
 
     def test_a_plan_works_on_nothing_and_is_the_same_again(self):
         out = self.folder / "out"
-        for words in ([], [self.mesh], [self.mesh, "--time", 5], [self.mesh, "--quick", "--only", "q4,maps"]):
+        for words in ([], [self.mesh], [self.mesh, "--time", 5], [self.mesh, "--quick", "--only", "q4,stability"]):
             plan = self.plan("--out", out, *words)
             self.assertEqual(plan, self.plan("--out", out, *words, "--threads", 1))
             self.assertAlmostEqual(plan["cpu_seconds"], plan["cpu_seconds_beside_sections"] + sum(s["cpu_seconds"] for s in plan["sections"]),
                                    delta=0.02 * plan["cpu_seconds"])
             self.assertEqual(run("report", "--plan", "--out", out, *words).stdout.splitlines()[0].split()[0], "section")
         self.assertFalse(out.exists())
-        self.assertEqual([s["id"] for s in plan["sections"]], ["q4", "maps"])
+        self.assertEqual([s["id"] for s in plan["sections"]], ["q4", "stability"])
 
     def test_a_report_does_what_is_planned_and_again(self):
-        words = [self.mesh, "--time", 4, "--only", "q5,maps,certificates", "--alone", "--no-timings", "--size", 64]
+        words = [self.mesh, "--time", 4, "--only", "q5,stability,certificates", "--alone", "--no-timings", "--size", 64]
         planned = {s["id"]: s for s in self.plan(*words)["sections"]}
         trees = []
         for name in ("a", "b"):

@@ -14,7 +14,6 @@
     chapter(q7_denoising) \
     chapter(truth) \
     chapter(stability) \
-    chapter(maps) \
     chapter(modes) \
     chapter(methods) \
     chapter(operators) \

@@ -1,86 +1,35 @@
 /// @file
-/// What the section "stability" measures, the limit of explicit smoothing proved, tried on both sides and watched, and what it shows of it.
+/// What the section "stability" shows of its two studies, the limit of explicit smoothing and the planes of steps and iterations.
 #pragma once
 
-#include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/smoothing/mode_growth.h"
-#include "geometry/smoothing/stability_certificate.h"
-#include "questions/bench/smoothing_study.h"
-#include "questions/core/section_tools.h"
+#include "questions/stability/planes.h"
+#include "questions/stability/study.h"
 
 namespace meshfolio::stability {
 
 inline constexpr report::Words words("stability");
 
-struct OperatorLimit {
-    std::string name;   // "cotangent", "uniform"
-    StabilityCertificate certificate;
-    ModeGrowth below, beyond;   // at 0.99 and 1.01 of the limit, the top mode seeded a thousandth of the mean edge high
-
-    double critical() const { return largest_stable_step(certificate.top); }
-};
-
-/// Why that vertex: its area and its weights beside those of the others.
-struct LimitingVertex {
-    int vertex = -1;
-    double area_share = 0;        // its area over the median
-    double stiffness_share = 0;   // its −C_ii over the median
-    bool on_boundary = false;
-    double smallest_angle = 0;   // of the triangles around it [rad]
-
-    double rate() const { return stiffness_share / area_share; }   // weights over area, which set how fast a vertex moves
-};
-
-struct StabilityStudy : OnMesh {
-    OperatorLimit cotangent, uniform;
-    LimitingVertex limiting;   // of the cotangent operator
-    std::vector<int> peaks;    // vertices where its top mode is as large as there, to a thousandth
-    double mean_edge = 0;      // [length]
-    double diagonal = 0;       // of the bounding box [length]
-
-    std::array<const OperatorLimit*, 2> operators() const { return {&cotangent, &uniform}; }
-};
-StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settings);
-
-/// A run, and the first triangle it turned against the input.
-struct WatchedRun {
-    Smoothed run;
-    double lambda = 0;          // asked for [length²]
-    int iterations = 0;         // asked for
-    int turned_iteration = 0;   // the first after which a triangle faces away from its own first normal; 0: none
-    int turned_face = -1;       // that triangle, the first of them
-    int inverted = 0;           // how many at the end
-};
-
-/// Flow with the operator rebuilt at every step, at half the limit of the input; and flow beyond the limit with the operator of the input.
-struct RebuiltFlow : OnMesh {
-    double lambda = 0;    // asked for [length²]
-    double share = 0;     // of the proved limit, kept by the adaptive run
-    int iterations = 0;   // asked for
-    double beyond = 0;    // λ of the frozen run over the limit
-    WatchedRun fixed, adaptive, frozen;
-
-    std::array<std::pair<std::string, const WatchedRun*>, 3> runs() const {
-        return {{{"rebuilt, fixed λ", &fixed}, {"rebuilt, adaptive λ", &adaptive}, {"frozen, fixed λ", &frozen}}};
-    }
-};
-RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& settings);
+using Studies = std::vector<StabilityStudy>;
+using Planes = std::vector<SmoothingMaps>;
 
 /// What a mode has grown to over what the law says.
 double over_predicted(const ModeGrowth& growth);
 
-using Studies = std::vector<StabilityStudy>;
-
 report::Table certificate_table(const Studies& studies);
+/// The limit in other units, and the vertex that sets it.
 report::Table unit_table(const Studies& studies);
-report::Table growth_table(const Studies& studies);
 report::Plot growth_plot(const StabilityStudy& study);
 report::Table flow_table(const RebuiltFlow& flow);
-report::Table flow_time_table(const RebuiltFlow& flow);
 report::Plot flow_plot(const RebuiltFlow& flow);
+/// The error over the plane, or the motion if no clean mesh is known; explicit beside implicit.
+report::Map error_map(const SmoothingMaps& maps);
+report::Table region_table(const Planes& planes);
+report::Table blow_up_table(const Planes& planes);
 
-/// Two figures: every mesh seen along the normal of its limiting vertex, coloured by |φ_max|; and the triangles around it, by φ_max.
-void add_limiting_vertex_figures(Answer& answer, const Studies& studies, const std::string& colormap);
+/// One figure: every mesh seen along the normal of its limiting vertex, and below it the triangles around, coloured by the top mode.
+void add_top_mode_figure(Answer& answer, const Studies& studies);
+/// The lettered places of the planes, a row a mesh.
+void add_place_figure(Answer& answer, const Planes& planes);
 
 /// The triangles within `rings` edges of a vertex, turned so that its normal faces the three-quarter view.
 struct Neighbourhood {
@@ -90,7 +39,15 @@ struct Neighbourhood {
 };
 Neighbourhood neighbourhood(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int rings);
 
-report::Text answer_of(const Studies& studies);
-void add_discussion(report::Section& section, const Studies& studies, const RebuiltFlow& flow);
+/// Of all cells that are compared, the one in which the schemes are farthest apart; none if none is.
+struct Gap {
+    const SmoothingMaps* maps = nullptr;
+    std::size_t cell = 0;
+    double apart = 0, last = 0;   // there; at most after all iterations, on any mesh
+};
+Gap largest_gap(const Planes& planes);
+
+/// What answer and discussion state.
+report::Facts facts_of(const Studies& studies, const RebuiltFlow& flow, const Planes& planes);
 
 }   // namespace meshfolio::stability

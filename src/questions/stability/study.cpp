@@ -1,4 +1,4 @@
-#include "questions/stability/parts.h"
+#include "questions/stability/study.h"
 
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operators/uniform_laplacian.h"
@@ -68,7 +68,6 @@ StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settin
     study.uniform = operator_limit("uniform", OperatorKind::uniform, uniform_operator(study.mesh(), study.topology()), study.mesh(),
                                    study.mean_edge, steps);
     study.limiting = limiting_vertex(laplacian, *study.source, study.cotangent.certificate.top.vertex);
-    study.peaks = peaks_of(study.cotangent.certificate.top.mode);
     return study;
 }
 
@@ -86,7 +85,5 @@ RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& se
     flow.frozen = watched_run(study.mesh(), {.lambda = flow.beyond * study.cotangent.critical(), .iterations = 100, .monitor = true});
     return flow;
 }
-
-double over_predicted(const ModeGrowth& growth) { return growth.factor.back() / growth.predicted(growth.steps()); }
 
 }   // namespace meshfolio::stability

@@ -28,10 +28,9 @@ TEST(StabilitySection, WellFormedOnAMeshOfTheUser) {
         chapter_of_id("stability").answer(library_of(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_stab"), quick_settings(), no_progress);
     expect_well_formed(answer);
     expect_checks_pass(answer.section);
-    ASSERT_EQ(answer.figures.size(), 2u);
-    for (const output::FigureRequest& figure : answer.figures) {
-        ASSERT_EQ(figure.panels.size(), 1u);
-        const output::Panel& panel = figure.panels.front();
+    const output::FigureRequest& modes = figure_named(answer, "stability_top_modes");
+    ASSERT_EQ(modes.panels.size(), 2u) << "the whole mesh, and the triangles around its vertex";
+    for (const output::Panel& panel : modes.panels) {
         ASSERT_EQ(panel.marked_vertices.size(), 1u);
         EXPECT_NEAR(panel.values[panel.marked_vertices.front()], panel.values.maxCoeff(), 1e-6) << "the ring is where the mode is largest";
         EXPECT_EQ(panel.values.size(), panel.mesh->vertex_count());
@@ -42,15 +41,24 @@ TEST(StabilitySection, UnitsAreConvertedBothWays) {
     const auto source = library_mesh(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_units");
     const StabilityStudy study = stability_study(source, quick_settings());
     const report::Table table = unit_table({study});
-    const auto raw = numbers(table, "λ"), tau = numbers(table, "τ"), h2 = numbers(table, "λ/h̄²");
-    EXPECT_NEAR(tau[0], 1, 1e-14) << "the limit";
-    EXPECT_NEAR(tau[1], 0.5, 1e-14);
-    EXPECT_NEAR(h2[3], 0.01, 1e-15);
     const double critical = study.cotangent.critical(), h = mean_edge_length(source->mesh());
-    for (std::size_t i = 0; i < raw.size(); ++i) {
-        EXPECT_NEAR(step_in_model_units(tau[i], StepUnit::tau, critical, h) / raw[i], 1, 1e-14);
-        EXPECT_NEAR(step_in_model_units(h2[i], StepUnit::h2, critical, h) / raw[i], 1, 1e-14);
-        EXPECT_EQ(step_in_model_units(raw[i], StepUnit::raw, critical, h), raw[i]);
+    EXPECT_NEAR(step_in_model_units(numbers(table, "λ_crit/h̄²")[0], StepUnit::h2, critical, h) / critical, 1, 1e-14);
+    EXPECT_NEAR(step_in_model_units(numbers(table, "0.01 h̄²")[0], StepUnit::tau, critical, h) / (0.01 * h * h), 1, 1e-14);
+    EXPECT_NEAR(step_in_model_units(numbers(table, "safe λ")[0], StepUnit::tau, critical, h) / study.cotangent.certificate.lambda_safe(), 1,
+                1e-11);
+}
+
+// The rows of the uniform operator sum to 2: its Gershgorin bound is 2 but for the rounding that is counted in, and 0.9999 is no other
+// step.
+TEST(StabilitySection, ASafeStepOfOneIsPrintedAsOneAndHeadsNameTheirRounding) {
+    const report::Table table =
+        certificate_table({stability_study(library_mesh(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_heads"), quick_settings())});
+    const std::vector<double> safe = numbers(table, "safe λ");
+    EXPECT_EQ(rounded_down(safe[1], 4), 1) << "uniform";
+    for (const report::Column& column : table.columns) {
+        if (column.unit.find("length²") == std::string::npos) continue;
+        EXPECT_TRUE(column.unit.ends_with(column.rounding == report::Column::Rounding::down ? "rounded down" : "rounded up"))
+            << column.name;
     }
 }
 
@@ -127,7 +135,7 @@ TEST(StabilitySection, WhatMakesAVertexFastFollowsWeightsOverArea) {
     mesh.X.row(100) += 0.95 * (mesh.X.row(near) - mesh.X.row(100));
     const std::string pinched =
         prose_of(chapter_of_id("stability").answer(library_of(mesh, "pinched"), quick_settings(), no_progress).section);
-    EXPECT_NE(pinched.find("because of its large weights"), std::string::npos);
+    EXPECT_NE(pinched.find("On pinched the fastest is fast because of its large weights"), std::string::npos);
     EXPECT_EQ(pinched.find("no single spot"), std::string::npos);
 }
 

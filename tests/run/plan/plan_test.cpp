@@ -81,7 +81,7 @@ TEST(Plan, ItFitsOrNothingIsLeftToScaleDownAndEveryQuestionIsAnswered) {
             const Plan plan = plan_of_size(vertices, time);
             for (const PlannedSection& planned : plan.sections)
                 EXPECT_FALSE(planned.effort().left_out && chapter_of_id(planned.model->id).is_question()) << planned.model->id;
-            EXPECT_TRUE(plan.seconds() <= time || section(plan, "maps").effort().left_out) << vertices << " in " << time << " s";
+            EXPECT_TRUE(plan.seconds() <= time || section(plan, "stability").effort().left_out) << vertices << " in " << time << " s";
         }
     }
 }
@@ -122,15 +122,15 @@ TEST(Plan, NamedSectionsAreKeptAndOmittedOnesAreReported) {
     ReportSettings settings = settings_with(5, true);
     const std::vector<PlannedMesh> meshes{{"a.obj", 2e5}};
     const Plan whole = plan_for(settings, meshes);
-    ASSERT_TRUE(section(whole, "maps").effort().left_out);
-    settings.only = {"q1", "maps"};
+    ASSERT_TRUE(section(whole, "stability").effort().left_out);
+    settings.only = {"q1", "stability"};
     const Plan part = plan_for(settings, meshes);
-    EXPECT_FALSE(section(part, "maps").effort().left_out);
-    EXPECT_GT(section(part, "maps").effort().cpu_seconds, 0);
+    EXPECT_FALSE(section(part, "stability").effort().left_out);
+    EXPECT_GT(section(part, "stability").effort().cpu_seconds, 0);
     double sum = part.rest_cpu();
     for (const auto& [id, effort] : part.efforts()) {
         sum += effort.cpu_seconds;
-        if (id == "maps") continue;
+        if (id == "stability") continue;
         const Effort in_whole = whole.efforts().at(id);
         EXPECT_EQ(effort.left_out, in_whole.left_out) << id;
         EXPECT_EQ(effort.most_vertices, in_whole.most_vertices) << id;

@@ -6,9 +6,9 @@
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
-#include "questions/maps/parts.h"
+#include "questions/stability/parts.h"
 
-namespace meshfolio::maps {
+namespace meshfolio::stability {
 using namespace testing_tools;
 
 namespace {
@@ -31,7 +31,7 @@ const SmoothingMaps& egg_maps() {
 
 }   // namespace
 
-TEST(SmoothingMaps, IterationsAreSpacedAlikeAndEndWhereAsked) {
+TEST(StabilityPlanes, IterationsAreSpacedAlikeAndEndWhereAsked) {
     EXPECT_EQ(spaced_iterations(30, 2), (std::vector{1, 3, 10, 30}));
     EXPECT_EQ(spaced_iterations(1, 5), (std::vector{1}));
     EXPECT_EQ(spaced_iterations(7, 1), (std::vector{1, 7}));
@@ -43,7 +43,7 @@ TEST(SmoothingMaps, IterationsAreSpacedAlikeAndEndWhereAsked) {
     }
 }
 
-TEST(SmoothingMaps, TheLimitLiesHalfWayBetweenTwoSteps) {
+TEST(StabilityPlanes, TheLimitLiesHalfWayBetweenTwoSteps) {
     const SmoothingMaps& maps = egg_maps();
     double nearest_below = 0, nearest_beyond = INFINITY;
     for (std::size_t step = 0; step < maps.lambdas.size(); ++step) {
@@ -54,7 +54,7 @@ TEST(SmoothingMaps, TheLimitLiesHalfWayBetweenTwoSteps) {
 }
 
 // Each cell is what a run of its own gives, whichever lane it was in.
-TEST(SmoothingMaps, CellsAreThoseOfSingleRuns) {
+TEST(StabilityPlanes, CellsAreThoseOfSingleRuns) {
     const SmoothingMaps& maps = egg_maps();
     for (const SchemeMap* map : maps.maps()) {
         for (const std::size_t step : {std::size_t{0}, std::size_t{3}, maps.lambdas.size() - 1}) {
@@ -81,14 +81,14 @@ TEST(SmoothingMaps, CellsAreThoseOfSingleRuns) {
     }
 }
 
-TEST(SmoothingMaps, OneFactorisationAStepAndOneAnalysisALane) {
+TEST(StabilityPlanes, OneFactorisationAStepAndOneAnalysisALane) {
     const SmoothingMaps& maps = egg_maps();
     EXPECT_EQ(maps.implicit_map.factorisations, int(maps.lambdas.size()));
     EXPECT_EQ(maps.implicit_map.analyses, 2);
     EXPECT_EQ(maps.explicit_map.factorisations, 0);
 }
 
-TEST(SmoothingMaps, RunsBlowUpBeyondTheLimitOnlyAndWhenTheModesSay) {
+TEST(StabilityPlanes, RunsBlowUpBeyondTheLimitOnlyAndWhenTheModesSay) {
     const SmoothingMaps& maps = egg_maps();
     ASSERT_TRUE(maps.all.has_value());
     int blown = 0;
@@ -125,7 +125,7 @@ TEST(GrowingModes, FollowTheClosedForm) {
     EXPECT_TRUE(std::isnan(modes.latest(0.75))) << "but nothing to rely on";
 }
 
-TEST(SmoothingMaps, AreTheSameInAnyUnit) {
+TEST(StabilityPlanes, AreTheSameInAnyUnit) {
     TriangleMesh large = egg();
     large.X *= 1000;
     const SmoothingMaps maps = maps_on(large, "egg_large");
@@ -135,7 +135,7 @@ TEST(SmoothingMaps, AreTheSameInAnyUnit) {
     }
 }
 
-TEST(SmoothingMaps, OnlyTheBundledNoisyMeshesHaveACleanOne) {
+TEST(StabilityPlanes, OnlyTheBundledNoisyMeshesHaveACleanOne) {
     EXPECT_FALSE(egg_maps().clean.has_value());
     EXPECT_TRUE(egg_maps().implicit_map.error.empty());
     const SmoothingMaps plane = smoothing_maps(MeshLibrary({}, {}).role("plane_ns"), quick_settings());
@@ -148,7 +148,7 @@ TEST(SmoothingMaps, OnlyTheBundledNoisyMeshesHaveACleanOne) {
     EXPECT_FALSE(plane.closed);
 }
 
-TEST(SmoothingMaps, EqualTimeIsComparedAtEqualTime) {
+TEST(StabilityPlanes, EqualTimeIsComparedAtEqualTime) {
     const SmoothingMaps& maps = egg_maps();
     const EqualTime pair = largest_difference_at_equal_time(maps, maps.implicit_map);
     ASSERT_NE(pair.many, pair.few);
@@ -159,53 +159,68 @@ TEST(SmoothingMaps, EqualTimeIsComparedAtEqualTime) {
 }
 
 // Schemes lose different cells: shares of all cells would not compare.
-TEST(SmoothingMapsSection, TurnedTrianglesAreCountedAmongTheCellsThatHaveThem) {
+TEST(StabilityPlanes, TurnedTrianglesAreCountedAmongTheCellsThatHaveThem) {
     SmoothingMaps maps = egg_maps();
     std::fill(maps.explicit_map.inverted.begin(), maps.explicit_map.inverted.end(), NAN);
     maps.explicit_map.inverted[0] = 0;
     maps.explicit_map.inverted[1] = 0.25;
     maps.explicit_map.inverted[2] = 0.5;
     std::fill(maps.implicit_map.inverted.begin(), maps.implicit_map.inverted.end(), 0);
-    report::Section section;
-    add_discussion(section, {maps});
-    const std::string prose = prose_of(section), cells = std::to_string(maps.implicit_map.inverted.size());
-    EXPECT_NE(prose.find("in 2 of the 3 measurable cells of the explicit plane, at most 50.0\u202f% of them."), std::string::npos) << prose;
-    EXPECT_NE(prose.find("in none of the " + cells + " cells of the implicit plane."), std::string::npos) << prose;
+    const report::Table table = region_table({maps});
+    EXPECT_EQ(numbers(table, "usable"), (std::vector<double>{3, double(maps.implicit_map.inverted.size())}));
+    EXPECT_EQ(numbers(table, "turned"), (std::vector<double>{2, 0}));
+    EXPECT_EQ(numbers(table, "at most"), (std::vector<double>{50, 0}));
 }
 
-TEST(SmoothingMapsSection, WellFormedAndPassesItsChecks) {
-    const Answer answer = chapter_of_id("maps").answer(library_of(egg(), "egg_section"), quick_settings(), no_progress);
-    expect_well_formed(answer);
-    expect_checks_pass(answer.section);
-    std::size_t maps = 0;
-    for (const report::Block& block : answer.section.blocks) {
-        const auto* map = std::get_if<report::Map>(&block);
-        if (!map) continue;
-        ++maps;
-        ASSERT_EQ(map->panels.size(), 2u);
-        EXPECT_FALSE(map->panels[0].markers.empty());
-        EXPECT_EQ(map->panels[0].lines.front().x, (std::vector<double>{1, 1})) << "the limit is drawn in";
+// Two runs may move vertices equally far to different places: what is told is how far apart they are, in every cell below half the limit.
+TEST(StabilityPlanes, TheGapBetweenTheSchemesIsADistanceOfPositions) {
+    const SmoothingMaps& maps = egg_maps();
+    double largest = 0, amounts = 0;
+    int compared = 0;
+    for (std::size_t i = 0; i < maps.implicit_map.apart.size(); ++i) {
+        const double told = maps.implicit_map.apart[i], limits = maps.relative(maps.step_of(i));
+        EXPECT_EQ(std::isnan(told), limits >= 0.5);
+        if (limits >= 0.5) continue;
+        ++compared;
+        SmoothingOptions options{.lambda = maps.lambdas[maps.step_of(i)], .iterations = maps.iterations[maps.row_of(i)]};
+        const Positions by_explicit = smooth(egg(), options).X;
+        options.scheme = SmoothingScheme::implicit_euler;
+        const Positions by_implicit = smooth(egg(), options).X;
+        EXPECT_NEAR(told, vertex_rms(by_explicit, by_implicit) / vertex_rms(egg().X, by_implicit), 1e-9);
+        largest = std::max(largest, told);
+        amounts = std::max(amounts, std::abs(maps.explicit_map.moved[i] / maps.implicit_map.moved[i] - 1));
     }
-    EXPECT_EQ(maps, 3u);
+    EXPECT_GT(compared, 0);
+    EXPECT_EQ(largest_gap({maps}).apart, largest);
+    EXPECT_LE(amounts, largest * (1 + 1e-12)) << "the triangle inequality";
 }
 
-TEST(SmoothingMapsSection, TakesTheStepsAndIterationsOfTheSettings) {
+TEST(StabilityPlanes, WhatIsLeftOfTheLargestStepIsMeasured) {
+    Answer answer;
+    SmoothingMaps maps = egg_maps();
+    const auto place = std::ranges::find(maps.places, "d", &MapPlace::letter);
+    ASSERT_NE(place, maps.places.end());
+    maps.implicit_map.size[maps.index(place->step, place->row)] = 0.18;
+    add_place_figure(answer, {maps});
+    const auto& figure = std::get<report::Figure>(answer.section.blocks.back());
+    EXPECT_NE(figure.caption.find("with 18\u202f% of egg_maps left"), std::string::npos) << figure.caption;
+    ASSERT_EQ(answer.figures.size(), 1u);
+    EXPECT_EQ(answer.figures.front().panels.size(), answer.figures.front().columns.size());
+    for (const output::Panel& panel : answer.figures.front().panels) EXPECT_TRUE(panel.mesh) << panel.label;
+}
+
+TEST(StabilityPlanes, TakesTheStepsAndIterationsOfTheSettings) {
     const SmoothingMaps maps = maps_on(egg(), "egg_settings", {0.02, 0.01}, {5});
     EXPECT_EQ(maps.lambdas, (std::vector{0.01, 0.02}));
     EXPECT_EQ(maps.iterations.back(), 5);
 }
 
-TEST(SmoothingMapsSection, AnswersForDegenerateMeshes) {
-    TriangleMesh triangle;
-    triangle.X.resize(3, 3);
-    triangle.X << 0, 0, 0, 1, 0, 0, 0, 1, 0;
-    triangle.F.resize(1, 3);
-    triangle.F << 0, 1, 2;
-    for (const TriangleMesh& mesh : {triangle, cube_mesh(1)}) {
-        const Answer answer = chapter_of_id("maps").answer(library_of(mesh, "tiny_maps"), quick_settings(), no_progress);
+TEST(StabilitySection, AnswersForDegenerateMeshes) {
+    for (const TriangleMesh& mesh : {cube_mesh(1), icosphere(0)}) {
+        const Answer answer = chapter_of_id("stability").answer(library_of(mesh, "tiny_maps"), quick_settings(), no_progress);
         expect_well_formed(answer);
         expect_checks_pass(answer.section);
     }
 }
 
-}   // namespace meshfolio::maps
+}   // namespace meshfolio::stability

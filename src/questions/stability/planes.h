@@ -1,12 +1,10 @@
 /// @file
-/// What the section "maps" measures, explicit and implicit smoothing over the plane of steps λ and iterations t, and what it shows of it.
+/// Explicit and implicit smoothing over the plane of steps λ and iterations t.
 #pragma once
 
 #include "questions/bench/smoothing_study.h"
 
-namespace meshfolio::maps {
-
-inline constexpr report::Words words("maps");
+namespace meshfolio::stability {
 
 /// One quantity over the plane, row by row of iteration counts; NaN where the run had blown up or nothing is left to measure.
 using PlaneValues = std::vector<double>;
@@ -18,6 +16,7 @@ struct SchemeMap {
     PlaneValues size;           // volume over that of the input, of an open mesh area over area
     PlaneValues angle;          // smallest [rad]
     PlaneValues inverted;       // share of the triangles that face away from their first normals
+    PlaneValues apart;          // of the implicit scheme, below half the limit: rms distance from the explicit result over `moved`
     std::vector<int> blow_up;   // iteration, one a λ; 0: none
     int analyses = 0, factorisations = 0;
 
@@ -40,12 +39,13 @@ struct GrowingModes {
     int earliest(double lambda, int last) const;
 };
 
-/// A place of the plane that is shown in a picture.
+/// A place of the plane that a picture shows. a: explicit, the last stable step, all iterations; b: the first unstable one, while it stays
+/// in view; c: implicit, there; d: implicit, the largest step, while a twentieth of the size is left (or after one measured count); e and
+/// f: explicit and implicit, nearest to the clean mesh.
 struct MapPlace {
     std::string letter;
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;
     std::size_t step = 0, row = 0;   // in lambdas and iterations
-    std::string why;                 // "just beyond the limit, the last sampled iteration within the picture"
     Positions X;
 };
 
@@ -92,17 +92,4 @@ EqualTime largest_difference_at_equal_time(const SmoothingMaps& maps, const Sche
 /// 1, 2, 3, 5, 8, … with `per_decade` counts a factor of ten, the last one included.
 std::vector<int> spaced_iterations(int last, int per_decade);
 
-using Studies = std::vector<SmoothingMaps>;
-
-/// The maps of one mesh: error, volume (area where it is open), turned triangles; explicit beside implicit.
-std::vector<report::Map> maps_of(const SmoothingMaps& maps);
-/// "a: explicit, the last step …. b: …."
-std::string words_of(const std::vector<MapPlace>& places);
-
-report::Table blow_up_table(const Studies& studies);
-report::Table place_table(const Studies& studies);
-report::Table region_table(const Studies& studies);
-
-void add_discussion(report::Section& section, const Studies& studies);
-
-}   // namespace meshfolio::maps
+}   // namespace meshfolio::stability

@@ -1,9 +1,9 @@
 #include "base/parallel_tasks.h"
 #include "mesh/samples/sample_parts.h"
 #include "mesh/samples/sample_shapes.h"
-#include "questions/maps/parts.h"
+#include "questions/stability/parts.h"
 
-namespace meshfolio::maps {
+namespace meshfolio::stability {
 
 namespace {
 
@@ -70,7 +70,10 @@ private:
 void run_step(const SmoothingMaps& maps, const Ruler& ruler, std::size_t step, SchemeMap& map, ImplicitSolver& solver) {
     SmoothingOptions options{.scheme = map.scheme, .lambda = maps.lambdas[step], .iterations = maps.iterations.back()};
     std::size_t row = 0;
+    const bool compared = !map.apart.empty() && maps.relative(step) < 0.5;
+    Positions beside = compared ? maps.subject.mesh().X : Positions();   // after as many explicit steps
     options.after_step = [&](int iteration, const Positions& X) {
+        if (compared) beside = explicit_step(maps.subject.laplacian, options.lambda, beside);
         if (iteration != maps.iterations[row]) return true;
         const Measured m = ruler(X);
         const std::size_t i = maps.index(step, row);
@@ -79,6 +82,7 @@ void run_step(const SmoothingMaps& maps, const Ruler& ruler, std::size_t step, S
         map.size[i] = m.size;
         map.angle[i] = m.angle;
         map.inverted[i] = m.inverted;
+        if (compared) map.apart[i] = vertex_rms(beside, X) / maps.subject.diagonal / m.moved;
         ++row;
         return true;
     };
@@ -96,6 +100,7 @@ SchemeMap scheme_map(const SmoothingMaps& maps, SmoothingScheme scheme) {
     const PlaneValues nothing(maps.lambdas.size() * maps.iterations.size(), undefined);
     map.moved = map.size = map.angle = map.inverted = nothing;
     if (maps.clean) map.error = nothing;
+    if (scheme == SmoothingScheme::implicit_euler) map.apart = nothing;
     map.blow_up.assign(maps.lambdas.size(), 0);
     const Ruler ruler(maps);
     // Every other λ with a solver of its own: how many there are must not depend on the processors.
@@ -151,30 +156,24 @@ std::optional<std::size_t> last_in_view(const SmoothingMaps& maps, const SchemeM
 
 std::vector<MapPlace> places_of(const SmoothingMaps& maps) {
     std::vector<MapPlace> places;
-    const auto add = [&](SmoothingScheme scheme, std::size_t step, std::size_t row, std::string why) {
-        places.push_back({std::string(1, static_cast<char>('a' + places.size())), scheme, step, row, std::move(why), {}});
+    const auto add = [&](const char* letter, SmoothingScheme scheme, std::size_t step, std::size_t row) {
+        const SmoothingOptions options{.scheme = scheme, .lambda = maps.lambdas[step], .iterations = maps.iterations[row]};
+        places.push_back({letter, scheme, step, row, smooth(maps.subject.mesh(), options).X});
     };
     const auto beyond = std::upper_bound(maps.lambdas.begin(), maps.lambdas.end(), maps.subject.critical);
     const auto step = static_cast<std::size_t>(beyond - maps.lambdas.begin());
-    const std::size_t last = maps.iterations.size() - 1;
-    if (step > 0) add(SmoothingScheme::explicit_euler, step - 1, last, words.line("place.within"));
+    const std::size_t last = maps.iterations.size() - 1, largest = maps.lambdas.size() - 1;
+    if (step > 0) add("a", SmoothingScheme::explicit_euler, step - 1, last);
     const auto seen = step < maps.lambdas.size() ? last_in_view(maps, maps.explicit_map, step) : std::nullopt;
     if (seen) {
-        add(SmoothingScheme::explicit_euler, step, *seen, words.line("place.beyond"));
-        add(SmoothingScheme::implicit_euler, step, *seen, words.line("place.implicit"));
+        add("b", SmoothingScheme::explicit_euler, step, *seen);
+        add("c", SmoothingScheme::implicit_euler, step, *seen);
     }
-    std::size_t left = last;   // while something is left to be seen
-    const std::size_t largest = maps.lambdas.size() - 1;
-    const auto is_left = [&](std::size_t row) { return maps.implicit_map.size[maps.index(largest, row)] > 0.05; };
-    while (left > 0 && !is_left(left)) --left;
-    add(SmoothingScheme::implicit_euler, largest, left, words.line(is_left(left) ? "place.largest" : "place.largest.at_once"));
-    for (const SchemeMap* map : maps.maps())
-        if (const auto best = maps.best(*map))
-            add(map->scheme, maps.step_of(*best), maps.row_of(*best), words.line("place.best", "scheme"_a = map->name()));
-    for (MapPlace& place : places)
-        place.X = smooth(maps.subject.mesh(),
-                         {.scheme = place.scheme, .lambda = maps.lambdas[place.step], .iterations = maps.iterations[place.row]})
-                      .X;
+    std::size_t left = last;   // while a twentieth is left to be seen
+    while (left > 0 && !(maps.implicit_map.size[maps.index(largest, left)] > 0.05)) --left;
+    add("d", SmoothingScheme::implicit_euler, largest, left);
+    if (const auto best = maps.best(maps.explicit_map)) add("e", SmoothingScheme::explicit_euler, maps.step_of(*best), maps.row_of(*best));
+    if (const auto best = maps.best(maps.implicit_map)) add("f", SmoothingScheme::implicit_euler, maps.step_of(*best), maps.row_of(*best));
     return places;
 }
 
@@ -247,4 +246,4 @@ SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings
     return maps;
 }
 
-}   // namespace meshfolio::maps
+}   // namespace meshfolio::stability
