@@ -176,6 +176,8 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
         if (iteration == run.in_view_iteration + 1 && output::fit_frame_of(bounds, X)) {
             run.in_view = X;
             run.in_view_iteration = iteration;
+        } else if (iteration == run.in_view_iteration + 1) {
+            run.out_of_view = X;
         }
         if (std::ranges::find(keep, iteration) != keep.end()) run.snapshots.push_back(X);
         return true;

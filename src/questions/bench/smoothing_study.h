@@ -59,6 +59,7 @@ struct SmoothingRun {
                                            // boundary the mean squared distance from its centroid, over that of the input
     Positions in_view;                     // the last positions before any leaves the pictures framed on the input
     int in_view_iteration = 0;
+    Positions out_of_view;              // the first of which some have left them; empty: none
     std::vector<Positions> snapshots;   // at the iterations asked for
 };
 

@@ -54,8 +54,8 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
     };
     for (const ExperimentRun& run : done.runs) {
         if (run.mesh != m) continue;
-        // A run that has left the picture is shown once, if a step of it is in the picture, and then as it ended.
-        bool ended = run.run.in_view_iteration == 0 && run.run.result.blew_up;
+        // A run that has left the picture is shown as it was before, if it has made a step, and as it is after.
+        bool ended = run.run.in_view_iteration == 0;
         for (std::size_t i = 0; i < e.iterations.size() && !ended; ++i) {
             const Shown shown = shown_at(run, i, e.iterations[i]);
             const std::string label = run_label(e, run, shown);
@@ -66,10 +66,10 @@ void add_figure_of(const Reproduction& r, const SmoothingExperiment& done, std::
             }
             add_panel(*shown.X, label);
         }
-        if (!run.run.result.blew_up) continue;
-        const Scaled end = scaled_into(mesh, run.run.result.X);
-        const std::string label = run_label(e, run, {&end.X, run.run.result.iterations, true});
-        add_panel(end.X, words.line("run.scaled", "run"_a = label, "times"_a = chosen_text(end.times)));
+        if (run.run.out_of_view.size() == 0) continue;
+        const Scaled after = scaled_into(mesh, run.run.out_of_view);
+        const std::string label = run_label(e, run, {&after.X, run.run.in_view_iteration + 1, true});
+        add_panel(after.X, words.line("run.scaled", "run"_a = label, "times"_a = chosen_text(after.times)));
     }
     figure.range = range_of(r, colour, {figure.panels.front()});
     std::string caption = words.line("smoothed.caption", "file"_a = figure.subtitle);

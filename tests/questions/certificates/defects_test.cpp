@@ -64,8 +64,8 @@ TEST(MeshDefects, EachPlantedDefectIsFoundAndNoOther) {
     EXPECT_EQ(found({ball.X.rowwise() + Eigen::RowVector3d(1e4, 0, 0), ball.F}), Set{"far_from_origin 1"});
     EXPECT_EQ(found({ball.X.rowwise() + Eigen::RowVector3d(1e10, 0, 0), ball.F}), Set{"far_from_origin 1"});
     EXPECT_EQ(found({ball.X.rowwise() + Eigen::RowVector3d(1e13, 0, 0), ball.F}), (Set{"far_from_origin 1", "coarse_coordinates 1"}));
-    EXPECT_EQ(found({(ball.X * 1000).array().round() / 1000, ball.F}), Set{"coarse_coordinates 1"}) << "three decimals";
-    EXPECT_EQ(found({(ball.X * 1e6).array().round() / 1e6, ball.F}), Set{}) << "six decimals";
+    EXPECT_EQ(found({((ball.X * 1000).array().round() / 1000).matrix(), ball.F}), Set{"coarse_coordinates 1"}) << "three decimals";
+    EXPECT_EQ(found({((ball.X * 1e6).array().round() / 1e6).matrix(), ball.F}), Set{}) << "six decimals";
 }
 
 TEST(MeshDefects, SharedEdgesAndPoints) {
