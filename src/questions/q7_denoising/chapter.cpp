@@ -18,12 +18,11 @@ void add_checks(report::Section& section, const DenoisingGrid& grid) {
     }
 }
 
-/// Why there is a mesh of ours: the coursework has no clean one of that shape.
-report::Text own_fandisk(const Grids& grids) {
-    const bool used = std::ranges::any_of(grids, [](const DenoisingGrid& grid) {
+/// The coursework has no clean mesh of that shape, so there is one of ours.
+bool has_own_fandisk(const Grids& grids) {
+    return std::ranges::any_of(grids, [](const DenoisingGrid& grid) {
         return grid.clean->input.role == "fandisk" && grid.clean->input.file == "fandisk_like.obj";
     });
-    return used ? words.say("method.own") : report::Text();
 }
 
 }   // namespace
@@ -33,37 +32,35 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     report::Section& section = answer.section;
     const auto meshes = meshes_for(library, settings, {"cube", "fandisk", "armadillo"}, section);
     const auto grids = studies_of(meshes, "denoising", settings, progress, section, denoising_grid);
-    section.answer = answer_of(grids);
-    add_words(section, words, "method", "seed"_a = settings.seed, "own"_a = own_fandisk(grids));
+    const Reasons reasons = reasons_of(grids);
+    const report::Facts facts = facts_of(grids, reasons);
+    section.answer = words.say("answer", facts);
+    add_words(section, words, "method", "seed"_a = settings.seed, "own"_a = has_own_fandisk(grids));
 
-    add_words(section, words, "results");
-    add_paragraphs(section, {explanation_of(grids)});
-    const output::ColorRange colours = add_states(answer, grids);
-    add_paragraphs(section, {reading_of(grids)});
+    add_words(section, words, "discussion.why", facts);
+    if (!reasons.bands.mu.empty()) add(section, mode_plot(reasons));
+    if (reasons.grid) add(section, error_plot(reasons));
+    add_words(section, words, "discussion.when", facts);
     add(section, result_table(grids));
-    add_paragraphs(section, {summary_of(grids), strength_of(grids)});
-    add(section, gain_map(leading(grids)));
-    add_paragraphs(section, {amount_of(grids)});
-    add_views(answer, grids, colours);
-    add_limits(answer, grids);
-    add(section, remains_table(grids));
-    add_paragraphs(section, {limits_of(grids), beyond_of(grids)});
+    add_states(answer, grids);
+    add_views(answer, grids);
+    add_words(section, words, "discussion.cost", facts);
+    add_losses(answer, grids);
 
     begin_appendix(section);
-    if (report::Table counts = count_table(grids); !counts.rows.empty()) add(section, std::move(counts));
-    for (const DenoisingGrid& grid : grids) {
-        if (&grid != &leading(grids)) add(section, gain_map(grid));
-        add(section, error_plot(grid));
-        add_checks(section, grid);
-    }
-    add(section, measure_table(grids));
+    add_words(section, words, "discussion.further", facts);
+    add(section, measure_table(grids), gain_map(leading(grids)), remains_table(grids));
+    for (const DenoisingGrid& grid : grids) add_checks(section, grid);
 
     const DenoisingGrid& first = grids.front();
-    const std::vector<double> noise = each_of(first.trials, [&](const NoisyTrial& trial) { return trial.relative; });
-    const std::string levels = listed(each_of(noise, [](double relative) { return readable_percent(relative, 2); }));
+    const std::vector<double> noise = tries_of(settings, first.mean_edge).noise;
+    const bool in_edges = tries_in_edges(settings);
+    const std::string levels =
+        words.line("parameter.noise", "in_edges"_a = in_edges, "edges"_a = readable(level_in_edges, 2),
+                   "levels"_a = listed(each_of(noise, [](double relative) { return readable_percent(relative, 2); })));
     const std::string steps = listed(each_of(first.lambdas, [](double lambda) { return readable(lambda, 3); }));
     section.parameters = {
-        {"noise", {words.line("parameter.noise", "levels"_a = levels), noise, "box diagonal"}},
+        {"noise", {levels, noise, "box diagonal"}},
         {"λ", {words.line("parameter.lambda", "steps"_a = steps), first.lambdas, "h̄²"}},
         {"iterations", {words.line("parameter.iterations", "last"_a = first.iterations), static_cast<double>(first.iterations)}},
         {"seed", settings.seed}};

@@ -1,298 +1,217 @@
+// What question 7 says: its facts; templates/words/q7.md chooses among them.
 #include "questions/q7_denoising/parts.h"
 
 namespace meshfolio::q7_denoising {
 
 namespace {
 
-/// Says that the noise in mean edges does not separate the cases that are halved; if it does, the answer says so.
-report::Text noise_in_mean_edges(const Grids& grids) {
-    const NoiseSplit split = noise_split(grids);
-    if (!std::isfinite(split.smallest_halved) || split.largest_other == 0 || split.decides()) return {};
-    return words.say("split.mixed", "halved"_a = readable(split.smallest_halved, 2), "other"_a = readable(split.largest_other, 2));
-}
+constexpr double clearly = 1.2;   // more of something, by what a sentence takes for a difference
 
-/// Names the meshes whose normals gain most at less than the strongest noise.
-report::Text strongest_by_normals(const Grids& grids) {
-    const Measure& normals = measures[2];
-    Names told;
-    for (const DenoisingGrid& grid : grids) {
-        const NoisyTrial& last = grid.trials.back();
-        const auto gain = [&](const NoisyTrial& trial) { return std::isnan(trial.gain(normals)) ? 0 : trial.gain(normals); };
-        const NoisyTrial& most = *std::ranges::max_element(grid.trials, {}, gain);
-        if (!(gain(most) > 1.05 * gain(last))) continue;
-        told.push_back(words.line("strong.normals.mesh", "mesh"_a = grid.name(), "most"_a = readable(gain(most), 2),
-                                  "noise"_a = readable_percent(most.relative, 2), "last"_a = readable(gain(last), 2),
-                                  "strongest"_a = readable_percent(last.relative, 2)));
-    }
-    return said_of(told, words, "strong.normals");
-}
+double gain_of(const NoisyTrial& trial) { return trial.gain(measures[0]); }
+double amount_of(const NoisyTrial& trial) { return trial.found.by_shape.value * trial.found.by_shape.step; }
 
-/// Says that the strongest noise is not too strong where it gains most, and how much error is left.
-report::Text strongest_noise(const Grids& grids) {
-    Names meshes;
-    double angle = infinity, strongest = infinity;
-    for (const DenoisingGrid& grid : grids) {
-        const auto gain = [](const NoisyTrial& trial) { return trial.gain(measures[0]); };
-        const NoisyTrial& last = grid.trials.back();
-        if (grid.trials.size() < 2 || !last.improved() || verdict_on(last) == "shrinks" ||
-            !std::ranges::all_of(grid.trials, [&](const NoisyTrial& t) { return gain(t) <= gain(last); }))
-            continue;
-        meshes.push_back(grid.name());
-        angle = std::min(angle, last.found.by_angle.angle);
-        strongest = std::min(strongest, last.relative);
-    }
-    constexpr double crumpled = 10 * pi / 180;
-    if (meshes.empty()) return {};
-    return paragraph_of({words.say("strong", "meshes"_a = listed(meshes), "noise"_a = readable_percent(strongest, 2)),
-                         strongest_by_normals(grids),
-                         angle > crumpled ? words.say("strong.crumpled", "angle"_a = readable(180 / pi * angle, 2)) : report::Text()});
-}
+std::string degrees(double angle) { return readable(180 / pi * angle, 2); }
 
-report::Text reading(const DenoisingGrid& grid) {
-    const NoisyTrial& trial = grid.pictured();
-    if (!trial.improved()) return words.say("reading.no_better", facts_of(grid, trial));
-    const Remains& left = trial.remains;
-    const bool at_edges = grid.has_features() && left.features.times() > 1.2;
-    const bool at_bends = !at_edges && left.curved.times() > 1.2;
-    const std::string verdict = verdict_on(trial);
-    const report::Facts facts = facts_of(grid, trial, {"times"_a = readable((at_edges ? left.features : left.curved).times(), 2)});
-    return paragraph_of({words.say(verdict == "works"     ? "reading.works"
-                                   : verdict == "shrinks" ? "reading.shrinks"
-                                   : verdict == "helps"   ? "reading.helps"
-                                                          : "reading.fails",
-                                   facts),
-                         at_edges   ? words.say("reading.edges", facts)
-                         : at_bends ? words.say("reading.bends", facts)
-                                    : report::Text()});
-}
+void append(report::Facts& facts, report::Facts more) { facts.insert(facts.end(), more.begin(), more.end()); }
 
-/// The cases with the least and the largest gain, where they are pictured beside those of the meshes.
-report::Text extremes(const Grids& grids) {
-    report::Text told;
-    for (const Case& c : pictured_cases(grids)) {
-        if (&c.part == &c.whole.pictured() || !c.part.improved()) continue;
-        const bool is_least = &c.part == &hardest_in(hardest(grids));
-        const bool alike = is_least && c.part.gain(measures[0]) < 1.2;
-        told = paragraph_of({told, words.say(alike      ? "reading.least.alike"
-                                             : is_least ? "reading.least"
-                                                        : "reading.most",
-                                             facts_of(c.whole, c.part))});
-    }
-    return told;
-}
-
-/// The best amount of smoothing λt [h̄²] from the lowest to the highest noise, by surface distance.
-report::Text noise_and_amount(const Grids& grids) {
-    Names more, less;
-    for (const DenoisingGrid& grid : grids) {
-        const auto time = [](const NoisyTrial& trial) { return trial.found.by_shape.value * trial.found.by_shape.step; };
-        const double low = time(grid.trials.front()), high = time(grid.trials.back());
-        if (low == 0 || high == 0 || low == high) continue;
-        (high > low ? more : less)
-            .push_back(words.line("amount.mesh", "mesh"_a = grid.name(), "low"_a = readable(low, 2), "high"_a = readable(high, 2)));
-    }
-    return paragraph_of({said_of(more, words, "amount.more"), said_of(less, words, "amount.less")});
-}
-
-/// Another step that reaches nearly as much at nearly the same λt, where there is one.
-report::Text as_good_at_equal_time(const DenoisingGrid& grid, const NoisyTrial& trial) {
-    const SearchState& best = trial.found.by_shape;
-    const SearchState* other = nullptr;
-    for (const SearchState& state : trial.states)
-        if (state.value != best.value && (!other || state.shape < other->shape)) other = &state;
-    if (!trial.improved() || !other || is_unended(grid, best)) return {};
-    const double share = best.shape / other->shape, times = other->value * other->step / (best.value * best.step);
-    if (share < 0.9 || times < 1 / 1.5 || times > 1.5) return {};
-    return words.say("map.time", "noise"_a = readable_percent(trial.relative, 2), "other"_a = readable(other->value, 2),
-                     "share"_a = readable_percent(share, 2));
-}
-
-/// What the map of the gain shows: where the best cell goes as the noise grows, that λt counts, and which steps only harm.
-report::Text map_read(const Grids& grids) {
-    const DenoisingGrid& grid = leading(grids);
-    const NoisyTrial &first = grid.trials.front(), &last = grid.trials.back();
-    const double low = first.found.by_shape.value, high = last.found.by_shape.value;
-    report::Facts facts{"map"_a = id_of("q7", grid.name(), "gains"), "low"_a = readable(low, 2), "high"_a = readable(high, 2),
-                        "noise"_a = readable_percent(first.relative, 2), "largest"_a = readable(grid.lambdas.back(), 2)};
-    const auto gains = [&](const SearchState& state) {
-        return state.value == grid.lambdas.back() && state.shape < first.found.noisy.shape;
-    };
-    const bool harms = grid.lambdas.size() > 1 && first.improved() && std::ranges::none_of(first.states, gains);
-    return paragraph_of({words.say(first.improved() && last.improved() && low < high ? "map.grows" : "map", facts),
-                         as_good_at_equal_time(grid, last), harms ? words.say("map.harms", facts) : report::Text()});
-}
-
-/// Finds the case where the measures differ most in how much smoothing they ask for.
-report::Text measures_disagree(const Grids& grids) {
-    const auto time = [](const Case& c, const Measure& measure) { return c.part.best_by(measure).value * c.part.best_by(measure).step; };
-    const auto spread = [&](const Case& c) {
-        double least = infinity, most = 0;
-        for (const Measure& measure : measures) {
-            if (!(c.part.gain(measure) >= helps)) return 0.0;   // a best of little worth says nothing
-            least = std::min(least, time(c, measure));
-            most = std::max(most, time(c, measure));
-        }
-        return most / least;
-    };
+/// How many cases have each verdict, and which noise separates them.
+report::Facts verdict_facts(const Grids& grids) {
     const std::vector<Case> cases = cases_of(grids);
-    const Case& most = *std::ranges::max_element(cases, {}, spread);
-    if (spread(most) < 2) return {};
-    const auto [least, largest] = std::ranges::minmax_element(measures, {}, [&](const Measure& measure) { return time(most, measure); });
-    return words.say("disagree", facts_of(most.whole, most.part,
-                                          {"least"_a = readable(time(most, *least), 2), "largest"_a = readable(time(most, *largest), 2),
-                                           "first"_a = words.line("measure." + std::string(least->key)),
-                                           "last"_a = words.line("measure." + std::string(largest->key))}));
+    const auto count = [&](std::string_view verdict) {
+        return std::ranges::count_if(cases, [&](const Case& c) { return verdict_on(c.part) == verdict; });
+    };
+    const NoiseSplit split = noise_split(grids);
+    Names shrinking;
+    for (const Case& c : cases)
+        if (verdict_on(c.part) == "shrinks") shrinking.push_back(c.whole.name());
+    const auto rises = [](const DenoisingGrid& grid) { return grid.trials.size() > 1 && std::ranges::is_sorted(grid.trials, {}, gain_of); };
+    return {"rises"_a = std::ranges::all_of(grids, rises),
+            "works"_a = count("works"),
+            "helps"_a = count("helps"),
+            "fails"_a = count("fails"),
+            "shrinks"_a = count("shrinks"),
+            "cases"_a = std::ssize(cases) - count("–"),
+            "gained"_a = count("works") + count("helps") + count("shrinks"),
+            "shrinking"_a = listed(each_once(shrinking)),
+            "always"_a = std::isfinite(split.always_from) ? readable(split.always_from, 2) : "",
+            "never"_a = split.never_to > 0 ? readable(split.never_to, 2) : "",
+            "between"_a = !split.decides};
 }
 
-/// What it costs not to stop: of the pictured cases the one that loses most in four times as many iterations.
-report::Text going_on(const Grids& grids) {
+/// How far the gain depends on the sample of the noise.
+report::Facts sample_facts(const Grids& grids) {
+    const auto level = [](double gain) { return gain >= works ? 2 : gain >= helps ? 1 : 0; };
+    std::size_t samples = 0, open = 0;
+    double spread = 0;
+    for (const Case& c : cases_of(grids)) {
+        samples = std::max(samples, c.part.further_gains.size());
+        spread = std::fmax(spread, c.part.spread() / gain_of(c.part));
+        open += std::ranges::any_of(c.part.further_gains, [&](double gain) { return level(gain) != level(gain_of(c.part)); }) ? 1 : 0;
+    }
+    return {"samples"_a = samples > 0 ? samples + 1 : 0, "spread"_a = readable_percent(spread, 2), "open"_a = open};
+}
+
+/// Does the strongest noise gain most, without the loss of volume that would make it a failure?
+bool strongest_gains_most(const DenoisingGrid& grid) {
+    const NoisyTrial& last = grid.trials.back();
+    return grid.trials.size() > 1 && verdict_on(last) == "works" &&
+           std::ranges::all_of(grid.trials, [&](const NoisyTrial& t) { return gain_of(t) <= gain_of(last); });
+}
+
+report::Facts strength_facts(const Grids& grids) {
+    double angle = infinity, noise = infinity;
+    for (const DenoisingGrid& grid : grids) {
+        if (!strongest_gains_most(grid)) continue;
+        angle = std::min(angle, grid.trials.back().found.by_shape.angle);
+        noise = std::min(noise, grid.trials.back().relative);
+    }
+    return {"strong"_a = listed(names_where(grids, strongest_gains_most)), "strongest"_a = readable_percent(noise, 2),
+            "crumpled"_a = degrees(angle)};
+}
+
+/// Where the distance left is largest, and what it costs not to stop.
+report::Facts state_facts(const Grids& grids) {
+    const auto at_edges = [](const DenoisingGrid& grid) {
+        const NoisyTrial& trial = grid.pictured();
+        return trial.improved() && grid.has_features() && trial.remains.features.times() > clearly;
+    };
+    const auto at_bends = [&](const DenoisingGrid& grid) {
+        const NoisyTrial& trial = grid.pictured();
+        return trial.improved() && !at_edges(grid) && trial.remains.curved.times() > clearly;
+    };
     const DenoisingGrid* loser = nullptr;
-    double most = 1.05;
+    double loss = clearly;
     for (const DenoisingGrid& grid : grids) {
         const NoisyTrial& trial = grid.pictured();
         if (!trial.improved()) continue;
-        const TriangleMesh& clean = grid.clean->mesh();
-        const double after = shape_rms(clean, trial.over.X);
-        if (!(after > most * trial.found.by_shape.shape)) continue;
-        most = after / trial.found.by_shape.shape;
-        loser = &grid;
+        const double times = shape_rms(grid.clean->mesh(), trial.over.X) / trial.found.by_shape.shape;
+        if (times > loss) loser = &grid, loss = times;
     }
-    return loser ? words.say("going_on", facts_of(*loser, loser->pictured(), {"loss"_a = readable(most, 2)})) : report::Text();
+    return {"seen"_a = std::ranges::any_of(grids, [](const DenoisingGrid& grid) { return grid.pictured().improved(); }),
+            "at_edges"_a = listed(names_where(grids, at_edges)), "at_bends"_a = listed(names_where(grids, at_bends)),
+            "loser"_a = loser ? loser->name() : "", "loss"_a = readable(loss, 2)};
 }
 
-/// Why the clean mesh, smoothed alike, loses more than the noisy one: said where the larger area explains at least half of it.
-report::Text less_by_area(const DenoisingGrid& grid) {
-    const double kept = grid.pictured().volume_by(measures[0]), alike = grid.pictured().taken.volume, less = grid.kept_by_less;
-    if (!(kept > alike + 0.02 && std::abs(kept - less) < 0.5 * (kept - alike) && grid.noisy_area > 1.05)) return {};
-    return words.say("cannot.area", "mesh"_a = grid.name(), "kept"_a = readable_percent(kept, 2), "area"_a = readable(grid.noisy_area, 2),
-                     "less"_a = readable_percent(less, 2));
+/// What smoothing takes or leaves besides, each where it is largest.
+report::Facts cost_facts(const Grids& grids) {
+    const DenoisingGrid *drift = most_drifting(grids), *edges = most_rounded(grids), *volume = most_shrunk(grids);
+    const NoisyTrial none;
+    const auto trial = [&](const DenoisingGrid* grid) -> const NoisyTrial& { return grid ? grid->pictured() : none; };
+    const double along = trial(drift).removed_along();
+    const auto coarse = [](const DenoisingGrid& grid) { return grid.feature_vertices > 0 && !grid.has_features(); };
+    return {"costs"_a = edges || volume,
+            "rounded"_a = edges ? edges->name() : "",
+            "times"_a = readable(trial(edges).taken.features.times(), 2),
+            "normals_there"_a = degrees(trial(edges).remains.feature_angle),
+            "normals_elsewhere"_a = degrees(trial(edges).remains.other_angle),
+            "coarse"_a = listed(names_where(grids, coarse)),
+            "shrunk"_a = volume ? volume->name() : "",
+            "lost"_a = readable_percent(1 - trial(volume).taken.volume, 2),
+            "drifting"_a = drift ? drift->name() : "",
+            "grows"_a = along < 0,
+            "grown"_a = readable(std::sqrt(1 - along), 2),
+            "along"_a = readable_percent(along, 2),
+            "across"_a = readable_percent(trial(drift).removed_across(), 2)};
 }
 
-/// A message on the noise along the surface, at the noise to look at; it may also grow.
-report::Text along_surface(const DenoisingGrid& grid) {
-    const NoisyTrial& trial = grid.pictured();
-    return words.say(trial.removed_along() > 0 ? "cannot.drift" : "cannot.drift.grows", "mesh"_a = grid.name(),
-                     "along"_a = readable_percent(std::abs(trial.removed_along()), 2),
-                     "across"_a = readable_percent(trial.removed_across(), 2));
-}
-
-/// Explains the lost volume: the shape is thin for so much smoothing.
-report::Text thin(const Grids& grids) {
-    const DenoisingGrid* thinnest = nullptr;
-    double elsewhere = 1;
-    for (const DenoisingGrid& grid : grids)
-        if (verdict_on(grid.pictured()) == "shrinks" && (!thinnest || grid.ball_kept() < thinnest->ball_kept())) thinnest = &grid;
-    if (!thinnest) return {};
-    bool others = false;
+/// The least gain against each other kind of noise, over the meshes.
+report::Facts other_noise_facts(const Grids& grids) {
+    double normal = infinity, same = infinity, best = infinity, spread = infinity, gaussian = infinity;
     for (const DenoisingGrid& grid : grids) {
-        if (&grid == thinnest || std::isnan(grid.ball_kept()) || !grid.pictured().improved()) continue;
-        elsewhere = std::min(elsewhere, grid.ball_kept());
-        others = true;
+        for (const OtherNoise& other : grid.other_noise) {
+            if (std::isnan(other.same)) continue;
+            if (other.kind == NoiseKind::normal) normal = std::min(normal, other.same);
+            if (other.kind != NoiseKind::impulsive) continue;
+            same = std::min(same, other.same), best = std::min(best, other.best), spread = std::fmin(spread, other.spread);
+            gaussian = std::min(gaussian, gain_of(grid.pictured()));
+        }
     }
-    if (!(thinnest->ball_kept() < elsewhere)) return {};
-    const report::Facts facts{"mesh"_a = thinnest->name(), "radius"_a = readable(thinnest->thickness, 2),
-                              "kept"_a = readable_percent(thinnest->ball_kept(), 2), "elsewhere"_a = readable_percent(elsewhere, 2)};
-    return paragraph_of({words.say("thin", facts), others ? words.say("thin.elsewhere", facts) : report::Text()});
+    return {"others"_a = std::isfinite(normal) && std::isfinite(same), "normal"_a = readable(rounded_down(normal, 2), 2),
+            "impulsive"_a = readable(rounded_down(same, 2), 2),        "impulsive_best"_a = readable(rounded_down(best, 2), 2),
+            "gaussian"_a = readable(rounded_down(gaussian, 2), 2),     "harder"_a = same < gaussian,
+            "spills"_a = std::isfinite(spread) && spread > 0.1,        "spill"_a = readable_percent(spread, 2)};
 }
 
-/// For whoever has no clean mesh: what the rule that needs none reaches of the best gain, and where it does harm.
-report::Text without_clean(const Grids& grids) {
-    const std::vector<Case> cases = cases_of(grids);
+/// A rule for whoever has no clean mesh: what it reaches, and in how many cases it fails or does harm.
+report::Facts rule_facts(const Grids& grids) {
     double sum = 0;
-    int all = 0;
-    bool all_as_noisy = true;
-    Names harmed;
-    const Case *least = nullptr, *worst = nullptr;   // by share of the best gain, by gain
+    int all = 0, failed = 0, harmed = 0;
+    const Case* worst = nullptr;
+    const std::vector<Case> cases = cases_of(grids);
     for (const Case& c : cases) {
         const Stopped& stopped = c.part.stopped;
         if (std::isnan(stopped.share())) continue;
         sum += stopped.share(), ++all;
-        if (!least || stopped.share() < least->part.stopped.share()) least = &c;
+        failed += stopped.fails() ? 1 : 0;
+        harmed += stopped.harms() ? 1 : 0;
         if (!worst || stopped.gain < worst->part.stopped.gain) worst = &c;
-        all_as_noisy = all_as_noisy && std::abs(stopped.gain - 1) < 0.01;
-        if (stopped.gain < 1) harmed.push_back(words.line("samples.case", facts_of(c.whole, c.part)));
     }
-    if (all == 0) return {};
-    if (all_as_noisy) return words.say("stopped.nothing");
-    const Case& told = harmed.empty() ? *least : *worst;
-    const report::Facts facts = facts_of(
-        told.whole, told.part,
-        {"mean"_a = readable_percent(sum / all, 2), "worst"_a = readable_percent(least->part.stopped.share(), 2),
-         "middle"_a = readable(grids.front().middle_lambda(), 2), "harmed"_a = harmed.size(), "all"_a = all, "cases"_a = listed(harmed),
-         "times"_a = readable(1 / worst->part.stopped.gain, 2), "false"_a = readable(worst->whole.fitted_to_clean, 2)});
-    const bool by_shape = !harmed.empty() && worst->whole.fitted_to_clean * worst->whole.mean_edge > worst->part.sigma;
-    return paragraph_of({words.say("stopped", facts), words.say(harmed.empty() ? "stopped.least" : "stopped.harms", facts),
-                         by_shape ? words.say("stopped.shape", facts) : report::Text()});
+    const bool by_shape = harmed > 0 && worst->whole.fitted_to_clean > worst->whole.edges(worst->part);
+    return {"rules"_a = all,
+            "reached"_a = readable_percent(sum / std::max(all, 1), 2),
+            "rule_fails"_a = failed,
+            "rule_harms"_a = harmed,
+            "middle"_a = readable(grids.front().middle_lambda(), 2),
+            "mistaken"_a = by_shape ? worst->whole.name() : "",
+            "mistaken_edges"_a = readable(worst ? worst->whole.fitted_to_clean : 0, 2)};
 }
 
-/// Noise along the normals alone, and on few vertices.
-report::Text other_noise(const Grids& grids) {
-    std::vector<double> normal, impulsive;
-    for (const DenoisingGrid& grid : grids) {
-        if (grid.other_gains.size() != 2 || std::isnan(grid.other_gains[0] + grid.other_gains[1])) continue;
-        normal.push_back(grid.other_gains[0]);
-        impulsive.push_back(grid.other_gains[1]);
-    }
-    if (normal.empty()) return {};
-    const auto least = [](const std::vector<double>& gains) { return readable(std::ranges::min(gains), 2); };
-    return words.say("other_noise", "normal"_a = least(normal), "impulsive"_a = least(impulsive));
+/// How often the other measures gain as much, and another step that reaches nearly the largest gain of all at nearly the same λt.
+report::Facts measure_facts(const Grids& grids) {
+    const auto works_by = [cases = cases_of(grids)](const Measure& measure) {
+        return std::ranges::count_if(cases, [&](const Case& c) { return c.part.gain(measure) >= works; });
+    };
+    const DenoisingGrid& grid = leading(grids);
+    const NoisyTrial& trial = *std::ranges::max_element(grid.trials, {}, [](const NoisyTrial& t) { return std::fmax(0, gain_of(t)); });
+    const SearchState& best = trial.found.by_shape;
+    const SearchState* other = nullptr;
+    for (const SearchState& state : trial.states)
+        if (state.value != best.value && (!other || state.shape < other->shape)) other = &state;
+    const double times = other && trial.improved() ? other->value * other->step / amount_of(trial) : 0;
+    const bool alike = times > 1 / 1.5 && times < 1.5 && best.shape > 0.9 * other->shape;
+    return {"works_by_places"_a = works_by(measures[1]),
+            "works_by_normals"_a = works_by(measures[2]),
+            "best_mesh"_a = grid.name(),
+            "map"_a = id_of("q7", grid.name(), "gains"),
+            "other_lambda"_a = readable(alike ? other->value : 0, 2),
+            "share"_a = alike ? readable_percent(best.shape / other->shape, 2) : ""};
 }
 
-/// What smoothing cannot do, picture by picture.
-report::Text cannot(const Grids& grids) {
-    const auto left = [](const DenoisingGrid* grid) -> const Remains& { return grid->pictured().remains; };
-    const DenoisingGrid *drift = most_drifting(grids), *edges = most_rounded(grids), *volume = most_shrunk(grids);
-    if (!drift && !edges && !volume) return {};
-    const auto degrees = [](double angle) { return readable(180 / pi * angle, 2); };
-    return paragraph_of(
-        {words.say("cannot"), drift ? along_surface(*drift) : report::Text(),
-         edges ? words.say("cannot.edges", "mesh"_a = edges->name(), "times"_a = readable(edges->pictured().taken.features.times(), 2),
-                           "there"_a = degrees(left(edges).feature_angle), "elsewhere"_a = degrees(left(edges).other_angle))
-               : report::Text(),
-         thin(grids),
-         volume ? words.say("cannot.volume", "mesh"_a = volume->name(), "lost"_a = readable_percent(1 - volume->pictured().taken.volume, 2))
-                : report::Text(),
-         volume ? less_by_area(*volume) : report::Text()});
-}
-
-/// Meshes whose edges cannot be looked at, and why.
-report::Text no_edges(const Grids& grids) {
-    const Names smooth = names_where(grids, [](const DenoisingGrid& grid) { return grid.feature_vertices == 0; });
-    const Names coarse = names_where(grids, [](const DenoisingGrid& grid) { return grid.feature_vertices > 0 && !grid.has_features(); });
-    return paragraph_of({said_of(smooth, words, "features.none"), said_of(coarse, words, "features.coarse")});
+/// The two plots of one mesh.
+report::Facts reason_facts(const Reasons& reasons) {
+    if (!reasons.grid)
+        return {"mesh"_a = "", "crosses"_a = 0, "wave"_a = "",    "above"_a = 0,         "modes"_a = 0,
+                "all"_a = 0,   "exceeds"_a = 0, "sums"_a = 0,     "sum"_a = "",          "later"_a = 0,
+                "low"_a = "",  "high"_a = "",   "weakest"_a = "", "weakest_gain"_a = "", "joins"_a = 0};
+    const DenoisingGrid& grid = *reasons.grid;
+    const NoisyTrial &first = grid.trials.front(), &last = grid.trials.back();
+    const double deviation = reasons.parts.deviation_of_sum();
+    const bool is_weak = grid.trials.size() > 1 && gain_of(first) < clearly;
+    return {"mesh"_a = grid.name(),
+            "crosses"_a = reasons.bands.crosses(),
+            "wave"_a = readable(reasons.bands.wavelength(), 2),
+            "above"_a = reasons.bands.above,
+            "modes"_a = reasons.bands.modes,
+            "all"_a = reasons.bands.all,
+            "exceeds"_a = reasons.bands.modes > 0 && reasons.bands.above == reasons.bands.modes,
+            "sums"_a = deviation < 0.1,
+            "sum"_a = readable_percent(deviation, 1),
+            "later"_a = first.improved() && amount_of(last) > clearly * amount_of(first),
+            "low"_a = readable(amount_of(first), 2),
+            "high"_a = readable(amount_of(last), 2),
+            "weakest"_a = is_weak ? readable(grid.edges(first), 2) : "",
+            "weakest_gain"_a = readable(rounded_down(gain_of(first), 3), 3),
+            "joins"_a = joins_the_clean(reasons)};
 }
 
 }   // namespace
 
-report::Text explanation_of(const Grids& grids) {
-    const DenoisingGrid& grid = hardest(grids);
-    const auto told = [&](const NoisyTrial& trial, const char* key) {
-        return words.say(
-            key,
-            facts_of(grid, trial, {"taken"_a = readable(grid.taken_at_once(trial), 2), "middle"_a = readable(grid.middle_lambda(), 2)}));
-    };
-    const NoisyTrial &least = grid.trials.front(), &most = grid.trials.back();
-    const bool rises = grid.after_one(least) > 1 && grid.taken_at_once(least) > 1;
-    const bool falls = grid.after_one(most) < 1 && grid.taken_at_once(most) < 0.5;
-    const bool smaller = least.improved() && least.found.by_shape.value < grid.middle_lambda();
-    return paragraph_of({words.say("explained"), rises ? told(least, "explained.rises") : report::Text(),
-                         rises && smaller ? words.say("explained.smaller") : report::Text(),
-                         falls ? told(most, "explained.falls") : report::Text()});
+report::Facts facts_of(const Grids& grids, const Reasons& reasons) {
+    report::Facts facts = reason_facts(reasons);
+    for (report::Facts more : {verdict_facts(grids), sample_facts(grids), strength_facts(grids), state_facts(grids), cost_facts(grids),
+                               other_noise_facts(grids), rule_facts(grids), measure_facts(grids)})
+        append(facts, std::move(more));
+    return facts;
 }
-
-report::Text reading_of(const Grids& grids) {
-    const bool improved = std::ranges::any_of(grids, [](const DenoisingGrid& grid) { return grid.pictured().improved(); });
-    report::Text seen = words.say(improved ? "reading" : "reading.noise");
-    for (const DenoisingGrid& grid : grids) go_on(seen, reading(grid));
-    return paragraph_of({seen, extremes(grids), going_on(grids)});
-}
-
-report::Text strength_of(const Grids& grids) { return paragraph_of({noise_in_mean_edges(grids), strongest_noise(grids)}); }
-
-report::Text amount_of(const Grids& grids) { return paragraph_of({map_read(grids), noise_and_amount(grids), measures_disagree(grids)}); }
-
-report::Text beyond_of(const Grids& grids) { return paragraph_of({without_clean(grids), other_noise(grids)}); }
-
-report::Text limits_of(const Grids& grids) { return paragraph_of({cannot(grids), no_edges(grids)}); }
 
 }   // namespace meshfolio::q7_denoising

@@ -6,9 +6,6 @@ namespace meshfolio::q7_denoising {
 
 namespace {
 
-/// Cases that have room beside each other.
-constexpr std::size_t most_beside = 6;
-
 /// For ids and file names: σ in hundred-thousandths of the box diagonal, "sigma00300" for 0.3 %.
 std::string sigma_name(double relative) {
     const std::string digits = std::to_string(std::llround(1e5 * relative));
@@ -41,14 +38,6 @@ void add_pictures(Answer& answer, output::FigureRequest request, const std::stri
     add_figure(answer, std::move(request), words.line(key + ".caption"), alt);
 }
 
-void transpose(output::FigureRequest& request) {
-    std::vector<output::Panel> panels;
-    for (std::size_t c = 0; c < request.columns.size(); ++c)
-        for (std::size_t r = 0; r < request.rows.size(); ++r) panels.push_back(std::move(request.panels[r * request.columns.size() + c]));
-    request.panels = std::move(panels);
-    std::swap(request.rows, request.columns);
-}
-
 /// The grid whose noise to look at shows most of something, above `floor`; null where none does.
 template <class Amount>
 const DenoisingGrid* most_of(const Grids& grids, double floor, const Amount& amount) {
@@ -62,56 +51,48 @@ const DenoisingGrid* most_of(const Grids& grids, double floor, const Amount& amo
 
 }   // namespace
 
-report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial, report::Facts more) {
+report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial) {
     const SearchState& best = trial.found.by_shape;
     const double gain = trial.gain(measures[0]);
-    more.insert(more.end(),
-                {"mesh"_a = grid.name(), "noise"_a = readable_percent(trial.relative, 2),
-                 "edges"_a = readable(trial.sigma / grid.mean_edge, 2), "lambda"_a = readable(best.value, 2), "best"_a = best.step,
-                 "volume"_a = readable_percent(trial.volume_by(measures[0]), 2), "over"_a = 4 * best.step, "verdict"_a = verdict_on(trial),
-                 "angle"_a = readable(180 / pi * best.angle, 2), "gain"_a = readable(gain, gain < 1.1 ? 3 : 2)});
-    return more;
+    return {"mesh"_a = grid.name(),
+            "noise"_a = readable_percent(trial.relative, 2),
+            "edges"_a = readable(grid.edges(trial), 2),
+            "lambda"_a = readable(best.value, 2),
+            "best"_a = best.step,
+            "over"_a = 4 * best.step,
+            "verdict"_a = verdict_on(trial),
+            "gain"_a = readable(rounded_down(gain, 2), 2)};
 }
 
-std::vector<Case> pictured_cases(const Grids& grids) {
-    const NoisyTrial &least = hardest_in(hardest(grids)), &most = leading_in(leading(grids));
-    std::vector<Case> shown;
-    for (const Case& c : cases_of(grids))
-        if (&c.part == &c.whole.pictured() || &c.part == &least || &c.part == &most) shown.push_back(c);
-    return shown;
-}
-
-output::ColorRange add_states(Answer& answer, const Grids& grids) {
+void add_states(Answer& answer, const Grids& grids) {
     output::FigureRequest request{.id = "q7_states", .subtitle = words.line("trial.subtitle"), .layout = output::Layout::multiples};
     request.columns = {words.line("states.clean"), words.line("states.noisy"), words.line("states.best"), words.line("states.over")};
-    for (const auto& [grid, trial] : pictured_cases(grids)) {
+    for (const DenoisingGrid& grid : grids) {
+        const NoisyTrial& trial = grid.pictured();
         const std::string name = request.id + "_" + grid.name() + "_" + sigma_name(trial.relative);
         const report::Facts facts = facts_of(grid, trial);
         request.rows.push_back(words.line(trial.improved() ? "states.row" : "states.row.no_better", facts));
         request.panels.push_back(panel_of(*grid.clean, name + "_clean", words.line("states.clean.panel", facts)));
         add_states_of(request, grid, trial, name);
     }
-    const output::ColorRange colours = range_from_zero(request.panels, distance_colours, words.line("colours.surface"), 0.01, "σ");
-    request.range = colours;
-    if (request.rows.size() > request.columns.size() && request.rows.size() <= most_beside) transpose(request);
+    request.range = range_from_zero(request.panels, distance_colours, words.line("colours.surface"), 0.01, "σ");
     add_pictures(answer, std::move(request), "states");
-    return colours;
 }
 
-void add_views(Answer& answer, const Grids& grids, const output::ColorRange& colours) {
+void add_views(Answer& answer, const Grids& grids) {
     output::FigureRequest figure{.id = "q7_views",
                                  .title = words.line("views.title"),
                                  .subtitle = words.line("trial.subtitle"),
                                  .frame_panel = -1,
                                  .coarse_edges = true};
     for (const DenoisingGrid& grid : grids) {
-        const NoisyTrial& trial = grid.pictured();
+        const NoisyTrial& trial = grid.trials.back();
         if (!trial.improved()) continue;
         figure.panels.push_back(panel_of(in_unit_box(grid.clean->mesh(), trial.best.X), "q7_views_" + grid.name(),
                                          words.line("views.panel", facts_of(grid, trial)), distances_of(grid, trial.best.X) / trial.sigma));
     }
     if (figure.panels.empty()) return;
-    figure.range = range_for(colours, figure.panels);
+    figure.range = range_from_zero(figure.panels, distance_colours, words.line("colours.surface"), 0.01, "σ");
     add_figure(answer, std::move(figure), words.line("views.caption"));
 }
 
@@ -122,7 +103,7 @@ const DenoisingGrid* most_drifting(const Grids& grids) {
 }
 
 const DenoisingGrid* most_rounded(const Grids& grids) {
-    return most_of(grids, 1, [](const DenoisingGrid& grid, const NoisyTrial& trial) {
+    return most_of(grids, 1.2, [](const DenoisingGrid& grid, const NoisyTrial& trial) {
         return grid.has_features() ? trial.taken.features.times() : NAN;
     });
 }
@@ -131,20 +112,19 @@ const DenoisingGrid* most_shrunk(const Grids& grids) {
     return most_of(grids, 0.001, [](const DenoisingGrid&, const NoisyTrial& trial) { return 1 - trial.taken.volume; });
 }
 
-void add_limits(Answer& answer, const Grids& grids) {
-    output::FigureRequest request{.id = "q7_limits", .layout = output::Layout::multiples};
-    const auto add_panel = [&](const DenoisingGrid* grid, const std::string& what, TriangleMesh NoisyTrial::*shown, const auto& distances) {
+void add_losses(Answer& answer, const Grids& grids) {
+    output::FigureRequest request{.id = "q7_losses", .layout = output::Layout::multiples};
+    const auto add_panel = [&](const DenoisingGrid* grid, const std::string& what) {
         if (grid == nullptr) return;
-        const TriangleMesh& mesh = grid->pictured().*shown;
-        request.panels.push_back(panel_of(mesh, request.id + "_" + what, words.line("limits." + what, facts_of(*grid, grid->pictured())),
-                                          distances(*grid, mesh.X) / grid->pictured().sigma));
+        const NoisyTrial& trial = grid->pictured();
+        request.panels.push_back(panel_of(trial.clean_alike, request.id + "_" + what, words.line("losses." + what, facts_of(*grid, trial)),
+                                          distances_of(*grid, trial.clean_alike.X) / trial.sigma));
     };
-    add_panel(most_drifting(grids), "drift", &NoisyTrial::best, drifts);
-    add_panel(most_rounded(grids), "edges", &NoisyTrial::clean_alike, distances_of);
-    add_panel(most_shrunk(grids), "volume", &NoisyTrial::clean_alike, sinkings);
+    add_panel(most_rounded(grids), "edges");
+    add_panel(most_shrunk(grids), "volume");
     if (request.panels.empty()) return;
-    request.range = range_from_zero(request.panels, distance_colours, words.line("colours.limits"), 0.01, "σ");
-    add_pictures(answer, std::move(request), "limits");
+    request.range = range_from_zero(request.panels, distance_colours, words.line("colours.surface"), 0.01, "σ");
+    add_pictures(answer, std::move(request), "losses");
 }
 
 }   // namespace meshfolio::q7_denoising

@@ -125,46 +125,44 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
     return trial;
 }
 
-/// What is seen of the trials alone that a report may show.
-void smooth_on(DenoisingGrid& grid, const Positions& normals) {
+/// What the figures show of the noise to look at.
+void smooth_pictured(DenoisingGrid& grid, const Positions& normals) {
     const TriangleMesh& clean = grid.clean->mesh();
-    const std::array shown{&grid.pictured(), &hardest_in(grid), &leading_in(grid)};
-    for_each_task(grid.trials.size(), [&](std::size_t i) {
-        NoisyTrial& trial = grid.trials[i];
-        if (std::ranges::find(shown, &trial) == shown.end()) return;
-        const SearchState& best = trial.found.by_shape;
-        const auto smoothed = [&](const TriangleMesh& mesh, int steps) {
-            return steps == 0 ? mesh : moved_to(clean, smooth(mesh, smoothing_by(grid, best.value, steps)).X);
-        };
-        trial.over = smoothed(trial.noisy, 4 * best.step);
-        if (&trial != shown[0]) return;
-        trial.clean_alike = smoothed(clean, best.step);
-        trial.taken = remains_of(grid, normals, trial.clean_alike);
-    });
-}
-
-/// Noise enlarges the triangles, and with them M: the same λ smooths less.
-void compare_areas(DenoisingGrid& grid) {
-    const NoisyTrial& trial = grid.pictured();
-    const TriangleMesh& clean = grid.clean->mesh();
+    NoisyTrial& trial = *std::ranges::find(grid.trials, &grid.pictured(), [](const NoisyTrial& t) { return &t; });
     const SearchState& best = trial.found.by_shape;
-    grid.noisy_area = surface_area(trial.noisy) / surface_area(clean);
-    if (best.step == 0 || std::isnan(trial.clean_volume)) return;
-    const SmoothingOptions less = smoothing_by(grid, best.value / grid.noisy_area, best.step);
-    grid.kept_by_less = signed_volume(moved_to(clean, smooth(clean, less).X)) / trial.clean_volume;
+    const auto smoothed = [&](const TriangleMesh& mesh, int steps) {
+        return steps == 0 ? mesh : moved_to(clean, smooth(mesh, smoothing_by(grid, best.value, steps)).X);
+    };
+    trial.over = smoothed(trial.noisy, 4 * best.step);
+    trial.clean_alike = smoothed(clean, best.step);
+    trial.taken = remains_of(grid, normals, trial.clean_alike);
 }
 
-/// Tries noise as strong as that of pictured(), along the normals only, and on a tenth of the vertices only.
-void try_other_noise(DenoisingGrid& grid, std::uint64_t seed) {
-    const NoisyTrial& trial = grid.pictured();
+/// One run on noise of that kind, as strong as that of pictured(), at its λ and for up to twice its iterations.
+OtherNoise other_noise_of(const DenoisingGrid& grid, NoiseKind kind, std::uint64_t seed) {
     const TriangleMesh& clean = grid.clean->mesh();
-    if (!trial.improved()) return;
-    const auto error = [&](const Positions& X) { return shape_rms(clean, X); };
-    for (const NoiseKind kind : {NoiseKind::normal, NoiseKind::impulsive}) {
-        const TriangleMesh noisy = moved_to(clean, with_noise(clean, kind, trial.sigma, seed));
-        const Positions X = smooth(noisy, smoothing_by(grid, trial.found.by_shape.value, trial.found.by_shape.step)).X;
-        grid.other_gains.push_back(error(noisy.X) / error(X));
-    }
+    const NoisyTrial& trial = grid.pictured();
+    const SearchState& chosen = trial.found.by_shape;
+    const TriangleMesh noisy = moved_to(clean, with_noise(clean, kind, trial.sigma, seed));
+    std::vector<char> hit(clean.vertex_count());
+    for (int v = 0; v < clean.vertex_count(); ++v) hit[v] = noisy.X.row(v) != clean.X.row(v);
+
+    const double before = shape_rms(clean, noisy.X);
+    OtherNoise other{.kind = kind, .best = 1};
+    SmoothingOptions options = smoothing_by(grid, chosen.value, std::min(grid.iterations, 2 * chosen.step));
+    options.after_step = [&](int t, const Positions& X) {
+        const Vector distances = shape_distances(clean, X);
+        const double gain = before / std::sqrt(distances.squaredNorm() / static_cast<double>(distances.size()));
+        if (gain > other.best) other.best = gain, other.best_step = t;
+        if (t == chosen.step) {
+            const Uneven left = rms_by(distances, hit);
+            other.same = gain;
+            other.spread = left.elsewhere / left.there;
+        }
+        return true;
+    };
+    smooth(noisy, options);
+    return other;
 }
 
 }   // namespace
@@ -175,8 +173,8 @@ DenoisingTries tries_of(const QuestionSettings& settings, double mean_edge) {
     if (tries.noise.empty()) tries.noise = settings.quick ? std::vector{0.003, 0.01} : std::vector{0.001, 0.003, 0.01, 0.03};
     tries.noise = each_once(tries.noise);
     for (const double lambda : each_once(settings.lambda)) tries.lambdas.push_back(lambda / (mean_edge * mean_edge));
-    if (tries.lambdas.empty()) tries.lambdas = settings.quick ? std::vector{0.01, 0.1, 1.0} : std::vector{0.001, 0.01, 0.1, 1.0, 10.0};
-    tries.iterations = last_or(settings.iterations, settings.quick ? 16 : 48);
+    if (tries.lambdas.empty()) tries.lambdas = settings.quick ? std::vector{0.01, 0.1, 1.0} : std::vector{0.003, 0.03, 0.3, 3.0};
+    tries.iterations = last_or(settings.iterations, settings.quick ? 16 : 32);
     return tries;
 }
 
@@ -201,8 +199,7 @@ DenoisingGrid denoising_grid(SharedMesh source, const QuestionSettings& settings
     const MeshTopology& topology = grid.clean->topology();
     grid.diagonal = bounding_box(clean).diagonal();
     grid.mean_edge = mean_edge_length(clean);
-    if (grid.clean->preflight().encloses_volume()) grid.thickness = 3 * signed_volume(clean) / surface_area(clean) / grid.mean_edge;
-    const DenoisingTries tries = tries_of(settings, grid.mean_edge);
+    DenoisingTries tries = tries_of(settings, grid.mean_edge);
     grid.lambdas = tries.lambdas;
     grid.iterations = tries.iterations;
     grid.fitted_to_clean = noise_level(clean, topology).sigma / grid.mean_edge;
@@ -210,22 +207,19 @@ DenoisingGrid denoising_grid(SharedMesh source, const QuestionSettings& settings
     grid.curved = most_curved(clean, topology);
     grid.feature_vertices = static_cast<int>(std::ranges::count(grid.on_feature, 1));
 
-    SmoothingOptions options = smoothing_by(grid, grid.middle_lambda(), grid.iterations);
-    grid.without_noise = {0};
-    options.after_step = [&](int, const Positions& X) {
-        grid.without_noise.push_back(shape_rms(clean, X));
-        return true;
-    };
-    smooth(clean, options);
-
+    if (tries_in_edges(settings)) tries.noise.push_back(level_in_edges * grid.mean_edge / grid.diagonal);
+    tries.noise = each_once(tries.noise);
     grid.trials.resize(tries.noise.size());
     const Positions normals = face_normals(clean);
     for_each_task(tries.noise.size(), [&](std::size_t i) {
         grid.trials[i] = trial_of(grid, normals, tries.noise[i], settings.seed, settings.quick ? 0 : further_seeds);
     });
-    smooth_on(grid, normals);
-    compare_areas(grid);
-    try_other_noise(grid, settings.seed);
+    smooth_pictured(grid, normals);
+    if (!grid.pictured().improved()) return grid;
+    grid.other_noise.resize(2);
+    for_each_task(2, [&](std::size_t i) {
+        grid.other_noise[i] = other_noise_of(grid, i == 0 ? NoiseKind::normal : NoiseKind::impulsive, settings.seed);
+    });
     return grid;
 }
 
@@ -245,39 +239,11 @@ double NoisyTrial::spread() const {
 
 double NoisyTrial::removed_along() const { return 1 - std::pow(drift(found.by_shape) / drift(found.noisy), 2); }
 
-double DenoisingGrid::taken_at_once(const NoisyTrial& trial) const {
-    return std::isnan(trial.found.gain()) || without_noise.size() < 2 ? std::nan("") : without_noise[1] / trial.found.noisy.shape;
-}
-
-double DenoisingGrid::ball_kept() const {
-    const SearchState& best = pictured().found.by_shape;
-    return std::pow(1 + 2 * best.value / (thickness * thickness), -best.step);
-}
-
-double DenoisingGrid::after_one(const NoisyTrial& trial) const {
-    for (const SearchState& state : trial.states)
-        if (state.value == middle_lambda() && state.step == 1 && !std::isnan(trial.found.gain()))
-            return state.shape / trial.found.noisy.shape;
-    return std::nan("");
-}
-
-Vector drifts(const DenoisingGrid& grid, const Positions& X) {
-    const TriangleMesh& clean = grid.clean->mesh();
-    const Vector distances = shape_distances(clean, X);
-    return ((X - clean.X).rowwise().squaredNorm().array() - distances.array().square()).max(0).sqrt();
-}
-
-Vector sinkings(const DenoisingGrid& grid, const Positions& X) {
-    const TriangleMesh& clean = grid.clean->mesh();
-    return (clean.X - X).cwiseProduct(vertex_normals(clean)).rowwise().sum().cwiseMax(0.0);
-}
-
-std::string verdict_on(const NoisyTrial& trial, const Measure& measure) {
-    constexpr double volume_to_keep = 0.85;
-    const double gain = trial.gain(measure);
+std::string verdict_on(const NoisyTrial& trial) {
+    const double gain = trial.gain(measures[0]);
     if (std::isnan(gain)) return "–";
     if (gain < helps) return "fails";
-    if (trial.volume_by(measure) < volume_to_keep) return "shrinks";
+    if (trial.volume_by(measures[0]) < volume_to_keep) return "shrinks";
     return gain >= works ? "works" : "helps";
 }
 
@@ -287,16 +253,19 @@ bool is_unended(const DenoisingGrid& grid, const SearchState& best) {
 }
 
 NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids) {
+    constexpr double equal = 1 + 1e-9;
+    std::vector<double> halved, other;
+    for (const DenoisingGrid& grid : grids)
+        for (const NoisyTrial& trial : grid.trials)
+            if (const double gain = trial.gain(measures[0]); !std::isnan(gain))
+                (gain >= works ? halved : other).push_back(grid.edges(trial));
+    const double lowest = halved.empty() ? INFINITY : std::ranges::min(halved), highest = other.empty() ? 0 : std::ranges::max(other);
     NoiseSplit split;
-    for (const DenoisingGrid& grid : grids) {
-        for (const NoisyTrial& trial : grid.trials) {
-            const double edges = trial.sigma / grid.mean_edge, gain = trial.gain(measures[0]);
-            if (gain >= works)
-                split.smallest_halved = std::min(split.smallest_halved, edges);
-            else if (!std::isnan(gain))
-                split.largest_other = std::max(split.largest_other, edges);
-        }
-    }
+    for (const double level : other)
+        if (level * equal < lowest) split.never_to = std::max(split.never_to, level);
+    for (const double level : halved)
+        if (level > highest * equal) split.always_from = std::min(split.always_from, level);
+    split.decides = highest * equal < lowest;
     return split;
 }
 

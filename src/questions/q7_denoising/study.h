@@ -2,6 +2,7 @@
 /// What question 7 measures: noisy meshes smoothed implicitly over a grid of steps λ and iterations t, against the clean mesh.
 #pragma once
 
+#include "mesh/vertex_noise.h"
 #include "questions/bench/denoising_search.h"
 #include "questions/core/section_tools.h"
 
@@ -28,6 +29,17 @@ struct Stopped {
     double best = NAN;   // at any iteration of that run
 
     double share() const { return gain / best; }
+    /// By the rule of every verdict.
+    bool fails() const { return gain < helps; }
+    bool harms() const { return gain < 1; }
+};
+
+/// Noise of another kind, as strong as that of pictured(), in one run at its λ. Gains by surface.
+struct OtherNoise {
+    NoiseKind kind{};
+    double same = NAN, best = NAN;   // after as many iterations as are best there, and after any
+    int best_step = 0;
+    double spread = NAN;   // after `same`: rms distance of the vertices that had no noise, over that of the others; NaN: all had some
 };
 
 /// One noisy mesh and its results over the grid. λ is in squared mean edges of the clean mesh, h̄².
@@ -35,7 +47,7 @@ struct NoisyTrial {
     double relative = 0, sigma = 0;    // of each coordinate [box diagonals], [length]
     double clean_volume = NAN;         // NaN: open [length³]
     TriangleMesh noisy, best;          // best: nearest to the clean surface
-    TriangleMesh over;                 // four times as many iterations of the same λ; of the pictured, the hardest and the leading trial
+    TriangleMesh over;                 // of pictured(): four times as many iterations of the same λ
     TriangleMesh clean_alike;          // of pictured(): the clean mesh after as many as the best, what smoothing itself takes
     std::vector<SearchState> states;   // of all runs, λ by λ
     SearchResult found;
@@ -61,28 +73,16 @@ struct NoisyTrial {
 struct DenoisingGrid {
     SharedMesh clean;
     double diagonal = 0, mean_edge = 0;     // [length]
-    double thickness = NAN;                 // 3 × volume / area, the radius of a ball of that ratio; NaN: open [mean edges]
     std::vector<double> lambdas;            // ascending [h̄²]
     int iterations = 0;                     // of each run, at most
     std::vector<char> on_feature, curved;   // n flags: on edges sharper than 40°, in the most curved tenth
     int feature_vertices = 0;
-    std::vector<NoisyTrial> trials;      // ascending σ
-    std::vector<double> without_noise;   // distance to the surface after t = 0, 1, … iterations of middle_lambda() from the clean mesh
-
-    double fitted_to_clean = NAN;   // the σ that is fitted to the clean mesh: its shape, taken for noise [mean edges]
-
-    double noisy_area = 1;   // of pictured(), over the area of the clean mesh
-    std::vector<double>
-        other_gains;   // by surface, of pictured()'s λ and t on noise as strong along the normals, and on a tenth of the vertices
-    double kept_by_less = NAN;   // volume of the clean mesh smoothed as pictured() was, but with λ divided by that; NaN: open
+    std::vector<NoisyTrial> trials;        // ascending σ
+    std::vector<OtherNoise> other_noise;   // along the normals, and on a tenth of the vertices; empty where pictured() has no gain
+    double fitted_to_clean = NAN;          // the σ that is fitted to the clean mesh: its shape, taken for noise [mean edges]
 
     const std::string& name() const { return clean->name; }
-    /// What one iteration of middle_lambda() takes from the clean mesh, over the noise. NaN where the noise is along the surface.
-    double taken_at_once(const NoisyTrial& trial) const;
-    /// The distance to the surface after that iteration, over that of the noisy mesh; NaN as above.
-    double after_one(const NoisyTrial& trial) const;
-    /// What pictured()'s λ and t leave of the radius r = 3V/A of a ball: on it the coordinates are modes with μ = 2/r². NaN: open.
-    double ball_kept() const;
+    double edges(const NoisyTrial& trial) const { return trial.sigma / mean_edge; }
     double middle_lambda() const { return lambdas[lambdas.size() / 2]; }
     /// Do edges stand out from the tessellation?
     bool has_features() const { return feature_vertices > 0 && 2 * feature_vertices <= clean->mesh().vertex_count(); }
@@ -104,25 +104,25 @@ DenoisingTries tries_of(const QuestionSettings& settings, double mean_edge);
 SearchResult search_for_best(const SearchInput& input, const std::vector<double>& lambdas, int iterations,
                              const std::function<void(const SearchState&, const Positions&)>& met = {});
 
-/// Runs the noise levels of the settings, else from barely visible to hopeless, with λ from 0.001 h̄² to 10 h̄².
+/// Noise of so many mean edges is tried beside the levels in box diagonals, which leave a gap there.
+inline constexpr double level_in_edges = 0.3;
+inline bool tries_in_edges(const QuestionSettings& settings) { return settings.noise.empty() && !settings.quick; }
+
+/// Runs the noise levels of the settings, else from barely visible to hopeless and level_in_edges, with λ from 0.003 h̄² to 3 h̄².
 DenoisingGrid denoising_grid(SharedMesh clean, const QuestionSettings& settings);
 
-/// Measures how far each vertex of X is from its clean place: along the surface, and below it. [length]
-Vector drifts(const DenoisingGrid& grid, const Positions& X);
-Vector sinkings(const DenoisingGrid& grid, const Positions& X);
-
-/// "works" (gain ≥ 2), "helps" (≥ 1.1), "fails" (below), "shrinks" (a gain that costs more than 15 % of the volume), "–" (no noise in it).
-std::string verdict_on(const NoisyTrial& trial, const Measure& measure = measures[0]);
+/// By surface distance alone: "works" (gain ≥ 2), "helps" (≥ 1.1), "fails" (below), "shrinks" (a gain that costs more than 15 % of the
+/// volume), "–" (the noise does not move the surface).
+std::string verdict_on(const NoisyTrial& trial);
+inline constexpr double volume_to_keep = 0.85;
 /// Whether the best lies at an end of the grid. The smallest λ is no end while t can grow: more of its steps do the same.
 bool is_unended(const DenoisingGrid& grid, const SearchState& best);
 
-inline bool is_failure(const std::string& verdict) { return verdict == "fails" || verdict == "shrinks"; }
-
-/// The lowest noise whose distance to the surface is halved, ∞ for none, and the highest that is not, 0 for none. [mean edges]
+/// Which noise separates the cases in which the distance to the surface is halved. Levels that differ by rounding are one. [mean edges]
 struct NoiseSplit {
-    double smallest_halved = INFINITY, largest_other = 0;
-
-    bool decides() const { return largest_other > 0 && largest_other < smallest_halved && std::isfinite(smallest_halved); }
+    double never_to = 0;             // the highest level up to which it never is; 0: none
+    double always_from = INFINITY;   // the lowest level from which it always is; ∞: none
+    bool decides = false;            // every level is on one of the two sides
 };
 NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids);
 

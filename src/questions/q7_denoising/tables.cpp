@@ -4,121 +4,49 @@ namespace meshfolio::q7_denoising {
 
 namespace {
 
-/// A row of the table of results: one noisy mesh by one measure.
-struct Judged {
-    const DenoisingGrid& grid;
-    const NoisyTrial& trial;
-    const Measure& measure;
-
-    const SearchState& best() const { return trial.best_by(measure); }
-    bool better() const { return best().step > 0; }
-    double shown(const SearchState& state) const { return state.*measure.error * (measure.is_angle() ? 180 / pi : 100 / grid.diagonal); }
-};
-
-std::vector<Judged> judged_in(const Grids& grids) {
-    std::vector<Judged> rows;
-    for (const Case& c : cases_of(grids))
-        for (const Measure& measure : measures) rows.push_back({c.whole, c.part, measure});
-    return rows;
-}
-
-/// Starts at the noisy mesh (t = 0) and ends where it stays on the curve without noise. [% of the box diagonal]
-report::Series error_series(const DenoisingGrid& grid, const NoisyTrial& trial) {
-    constexpr double joined = 0.1;   // of the distance without noise
-    report::Series series{
-        .name = "σ = " + readable_percent(trial.relative, 2), .x = {0}, .y = {100 / grid.diagonal * trial.found.noisy.shape}};
-    std::ptrdiff_t apart = 0;   // the last place where it is
-    for (const SearchState& state : trial.states) {
-        if (state.value != grid.middle_lambda()) continue;
-        add_point(series, state.step, 100 / grid.diagonal * state.shape);
-        const int t = state.step;
-        if (t >= std::ssize(grid.without_noise) || std::abs(state.shape / grid.without_noise[t] - 1) > joined)
-            apart = std::ssize(series.x) - 1;
-    }
-    const std::ptrdiff_t least = std::ranges::min_element(series.y) - series.y.begin();
-    const std::ptrdiff_t shown = std::min(std::max(apart, least) + 2, std::ssize(series.x));
-    series.x.resize(shown);
-    series.y.resize(shown);
-    return series;
-}
-
 /// The gain in distance to the surface; NaN where the noise does not move the surface.
 double surface_gain(const NoisyTrial& trial) { return trial.gain(measures[0]); }
 
 }   // namespace
 
-const NoisyTrial& leading_in(const DenoisingGrid& grid) {
-    return *std::ranges::max_element(grid.trials, {}, [](const NoisyTrial& trial) { return std::fmax(0, surface_gain(trial)); });
-}
-
-const NoisyTrial& hardest_in(const DenoisingGrid& grid) {
-    return *std::ranges::min_element(grid.trials, {}, [](const NoisyTrial& trial) { return std::fmin(infinity, surface_gain(trial)); });
-}
-
 const DenoisingGrid& leading(const Grids& grids) {
-    return *std::ranges::max_element(grids, {}, [](const DenoisingGrid& grid) { return std::fmax(0, surface_gain(leading_in(grid))); });
-}
-
-const DenoisingGrid& hardest(const Grids& grids) {
-    return *std::ranges::min_element(grids, {}, [](auto& grid) { return std::fmin(infinity, surface_gain(hardest_in(grid))); });
+    const auto gain = [](const NoisyTrial& trial) { return std::fmax(0, surface_gain(trial)); };
+    return *std::ranges::max_element(grids, {}, [&](const DenoisingGrid& grid) { return largest_of(grid.trials, gain); });
 }
 
 report::Table result_table(const Grids& grids) {
-    const auto gain_by = [](std::size_t m) { return [m](const Case& c) { return cell_of(c.part.gain(measures[m])); }; };
     // Rounded down: 1.10 and 2.00 are reached, so that verdicts can be counted.
     const report::Column gain{.unit = "×", .rounding = Rounding::down, .heat = Heat{1, 8}};
     const std::vector<Case> cases = cases_of(grids);
-    std::string caption = words.line("results.table");
-    const auto most = std::ranges::max_element(cases, {}, [](const Case& c) { return c.part.further_gains.size(); });
-    if (const std::size_t samples = most->part.further_gains.size(); samples > 0)
-        caption += " " + words.line("results.samples", "samples"_a = samples + 1);
-    return table("q7_results", std::move(caption), cases)
+    const std::size_t samples = std::ranges::max(each_of(cases, [](const Case& c) { return c.part.further_gains.size(); }));
+    return table("q7_results", words.line("results.table", "samples"_a = samples > 0 ? samples + 1 : 0), cases)
         .column("mesh", [](auto& c) { return c.whole.name(); })
         .column("σ", {.unit = "% of box", .digits = 2}, [](auto& c) { return 100 * c.part.relative; })
-        .column("σ", {.unit = "mean edges", .digits = 2}, [](auto& c) { return c.part.sigma / c.whole.mean_edge; })
-        .column("λt", {.unit = "h̄²", .digits = 2},
+        .column("σ", {.unit = "mean edges", .digits = 2}, [](auto& c) { return c.whole.edges(c.part); })
+        .column("best λt", {.unit = "h̄²", .digits = 2},
                 [](auto& c) { return cell_of(c.part.found.by_shape.value * c.part.found.by_shape.step, c.part.improved()); })
-        .column("gain: surface", gain, gain_by(0))
+        .column("gain", gain, [](auto& c) { return cell_of(surface_gain(c.part)); })
         .column("±", {.digits = 2}, [](auto& c) { return cell_of(c.part.spread()); })
-        .column("places", gain, gain_by(1))
-        .column("normals", gain, gain_by(2))
         .column("volume", {.unit = "%"}, [](auto& c) { return cell_of(100 * c.part.remains.volume); })
-        .column("verdict", [](auto& c) { return verdict_on(c.part); })
-        .column("alone", {.unit = "×", .rounding = Rounding::down}, [](auto& c) { return cell_of(c.part.stopped.gain); });
-}
-
-report::Table count_table(const Grids& grids) {
-    struct Row {
-        const Measure& measure;
-        Count count;
-    };
-    std::vector<Row> rows;
-    for (const Measure& measure : measures)
-        if (Count count = count_of(grids, measure); count.cases() > 0) rows.push_back({measure, std::move(count)});
-    return table("q7_counts", words.line("counts"), rows)
-        .column("by", [](auto& r) { return words.line("by." + std::string(r.measure.key)); })
-        .column("works", {.digits = 5}, [](auto& r) { return r.count.works; })
-        .column("helps", {.digits = 5}, [](auto& r) { return r.count.helps; })
-        .column("fails", {.digits = 5}, [](auto& r) { return r.count.fails; })
-        .column("fails by shrinking", {.digits = 5}, [](auto& r) { return static_cast<double>(r.count.shrinking.size()); })
-        .column("volume left", [](auto& r) { return listed(r.count.shrinking); });
+        .column("verdict", [](auto& c) { return verdict_on(c.part); });
 }
 
 report::Table measure_table(const Grids& grids) {
-    const std::vector<Judged> rows = judged_in(grids);
-    std::string caption = words.line("measures.table");
-    if (std::ranges::any_of(rows, [](const Judged& row) { return is_unended(row.grid, row.best()); }))
-        caption += " " + words.line("results.unended");
-    return table("q7_measures", caption, rows)
-        .column("mesh", [](auto& r) { return r.grid.name(); })
-        .column("σ", {.unit = "% of box", .digits = 2}, [](auto& r) { return 100 * r.trial.relative; })
-        .column("measure", [](auto& r) { return words.line("measure." + std::string(r.measure.key)); })
-        .column("noisy", {.unit = "% of box, °"}, [](auto& r) { return r.shown(r.trial.found.noisy); })
-        .column("best", {.unit = "% of box, °"}, [](auto& r) { return r.shown(r.best()); })
-        .column("gain", {.unit = "×", .rounding = Rounding::down}, [](auto& r) { return cell_of(r.trial.gain(r.measure)); })
-        .column("λ", {.unit = "h̄²"}, [](auto& r) { return cell_of(r.best().value, r.better()); })
-        .column("t", {.digits = 5}, [](auto& r) { return cell_of(r.best().step, r.better()); })
-        .column("verdict", [](auto& r) { return verdict_on(r.trial, r.measure); });
+    const std::vector<Case> cases = cases_of(grids);
+    const report::Column gain{.unit = "×", .rounding = Rounding::down, .heat = Heat{1, 8}};
+    const auto unended = std::ranges::count_if(cases, [](const Case& c) { return is_unended(c.whole, c.part.found.by_shape); });
+    auto measured = table("q7_measures", words.line("measures.table", "unended"_a = unended), cases);
+    measured.column("mesh", [](auto& c) { return c.whole.name(); }).column("σ", {.unit = "% of box", .digits = 2}, [](auto& c) {
+        return 100 * c.part.relative;
+    });
+    for (const Measure& measure : measures) {
+        const auto better = [&](auto& c) { return c.part.best_by(measure).step > 0; };
+        const std::string name = words.line("measure." + std::string(measure.key));
+        measured.column(name + ": gain", gain, [&](auto& c) { return cell_of(c.part.gain(measure)); })
+            .column("λ", {.unit = "h̄²"}, [&](auto& c) { return cell_of(c.part.best_by(measure).value, better(c)); })
+            .column("t", {.digits = 5}, [&](auto& c) { return cell_of(c.part.best_by(measure).step, better(c)); });
+    }
+    return measured.column("alone: gain", gain, [](auto& c) { return cell_of(c.part.stopped.gain); });
 }
 
 report::Table remains_table(const Grids& grids) {
@@ -130,7 +58,6 @@ report::Table remains_table(const Grids& grids) {
     if (!std::ranges::all_of(grids, &DenoisingGrid::has_features)) caption += " " + words.line("remains.none");
     return table("q7_remains", caption, grids)
         .column("mesh", &DenoisingGrid::name)
-        .column("3V/A", {.unit = "h̄", .digits = 2}, [](auto& g) { return cell_of(g.thickness); })
         .column("σ", {.unit = "% of box", .digits = 2}, [](auto& g) { return 100 * g.pictured().relative; })
         .column("removed along", {.unit = "% of error²", .digits = 2}, [](auto& g) { return cell_of(100 * g.pictured().removed_along()); })
         .column("across", {.unit = "% of error²", .digits = 2}, [](auto& g) { return cell_of(100 * g.pictured().removed_across()); })
@@ -141,28 +68,51 @@ report::Table remains_table(const Grids& grids) {
         .column("clean: volume", {.unit = "%"}, [&](auto& g) { return cell_of(100 * taken(g).volume); });
 }
 
-report::Plot error_plot(const DenoisingGrid& grid) {
-    report::Plot plot{.id = id_of("q7", grid.name(), "error_versus_iteration"),
-                      .caption = words.line("errors", "mesh"_a = grid.name(), "lambda"_a = readable(grid.middle_lambda(), 2)),
-                      .x_label = "iteration t",
-                      .y_label = words.line("errors.axis"),
+report::Plot mode_plot(const Reasons& reasons) {
+    const ModeBands& bands = reasons.bands;
+    report::Plot plot{.id = "q7_modes",
+                      .caption = words.line("modes", facts_of(*reasons.grid, reasons.grid->pictured())),
+                      .x_label = words.line("modes.x"),
+                      .y_label = words.line("modes.y"),
                       .log_x = true,
                       .log_y = true};
-    for (const NoisyTrial& trial : grid.trials) {
-        report::Series series = error_series(grid, trial);
-        const auto least = std::ranges::min_element(series.y);
-        const double x = series.x[least - series.y.begin()];
-        plot.markers.push_back({x, *least, words.line("errors.minimum", "best"_a = std::lround(x))});
-        plot.series.push_back(std::move(series));
+    plot.series = {{.name = words.line("modes.shape"), .x = bands.mu, .y = bands.shape, .style = report::Series::Style::line_and_points},
+                   {.name = words.line("modes.noise"), .x = bands.mu, .y = bands.noise, .style = report::Series::Style::line_and_points},
+                   {.name = words.line("modes.kept"), .x = bands.mu, .y = bands.kept, .style = report::Series::Style::dashed}};
+    return plot;
+}
+
+report::Plot error_plot(const Reasons& reasons) {
+    const DenoisingGrid& grid = *reasons.grid;
+    report::Plot plot{.id = "q7_error",
+                      .caption = words.line("errors", facts_of(grid, grid.pictured())),
+                      .x_label = words.line("errors.x"),
+                      .y_label = words.line("errors.y"),
+                      .log_x = true,
+                      .log_y = true};
+    const std::string one = words.line("errors.one", facts_of(grid, grid.pictured())), all = words.line("errors.all");
+    const auto add_curve = [&](const ErrorCurve& curve, std::string name, const std::string& panel, bool is_dashed) {
+        using enum report::Series::Style;
+        plot.series.push_back(
+            {.name = std::move(name), .x = curve.amount, .y = curve.error, .style = is_dashed ? dashed : line, .panel = panel});
+    };
+    const auto mark_least = [&](const ErrorCurve& curve, const std::string& panel) {
+        plot.markers.push_back({curve.amount[curve.least()], curve.error[curve.least()], "", panel});
+    };
+    add_curve(reasons.parts.total, words.line("errors.total"), one, false);
+    add_curve(reasons.parts.noise, words.line("errors.noise"), one, true);
+    add_curve(reasons.parts.shape, words.line("errors.shape"), one, true);
+    mark_least(reasons.parts.total, one);
+    for (std::size_t i = 0; i < reasons.levels.size(); ++i) {
+        add_curve(reasons.levels[i], words.line("errors.level", facts_of(grid, grid.trials[i])), all, false);
+        mark_least(reasons.levels[i], all);
     }
-    report::Series clean{.name = "without noise", .style = report::Series::Style::dashed};
-    for (std::size_t t = 1; t < grid.without_noise.size(); ++t) add_point(clean, double(t), 100 / grid.diagonal * grid.without_noise[t]);
-    plot.series.push_back(std::move(clean));
+    add_curve(reasons.parts.surface, words.line("errors.clean"), all, true);
     return plot;
 }
 
 report::Map gain_map(const DenoisingGrid& grid) {
-    const double gained = std::fmax(1, surface_gain(leading_in(grid)));
+    const double gained = std::fmax(1, largest_of(grid.trials, surface_gain));
     const double largest = std::exp2(std::max(1.0, std::ceil(std::log2(gained))));   // a power of two: no gain is beyond the scale
     report::Map map{.id = id_of("q7", grid.name(), "gains"),
                     .caption = words.line("gains", "mesh"_a = grid.name()),

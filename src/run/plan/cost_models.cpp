@@ -40,7 +40,7 @@ struct Defaults {
     std::string_view id;
     double steps[2], values[2];
 };
-constexpr Defaults defaults[] = {{"q4", {300, 60}, {1, 1}}, {"q5", {50, 20}, {1, 1}}, {"q6", {100, 10}, {3, 3}}, {"q7", {48, 16}, {25, 6}}};
+constexpr Defaults defaults[] = {{"q4", {300, 60}, {1, 1}}, {"q5", {50, 20}, {1, 1}}, {"q6", {100, 10}, {3, 3}}, {"q7", {32, 16}, {20, 6}}};
 
 }   // namespace
 

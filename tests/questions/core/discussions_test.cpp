@@ -73,9 +73,8 @@ TEST(Discussions, NoParagraphIsWithoutItsNumber) {
         discuss(section, {implicit_study(cube, quick_settings()), implicit_study(ball, quick_settings())});
         const q7_denoising::Grids grids{q7_denoising::denoising_grid(cube, quick_settings()),
                                         q7_denoising::denoising_grid(ball, quick_settings())};
-        for (const auto of : {q7_denoising::explanation_of, q7_denoising::reading_of, q7_denoising::strength_of, q7_denoising::amount_of,
-                              q7_denoising::limits_of})
-            add_paragraphs(section, {of(grids)});
+        const report::Facts facts = q7_denoising::facts_of(grids, q7_denoising::reasons_of(grids));
+        for (const char* key : {"discussion.when", "discussion.further"}) add_words(section, q7_denoising::words, key, facts);
     });
 }
 

@@ -85,14 +85,6 @@ TEST(DenoisingGrid, TheNoiseIsAsAsked) {
     }
 }
 
-TEST(DenoisingGrid, WithoutNoiseTheDistanceIsThatOfSmoothingAlone) {
-    const DenoisingGrid grid = grid_on(cube_mesh(6), "cube_bias");
-    EXPECT_EQ(grid.middle_lambda(), 0.1);
-    EXPECT_EQ(grid.without_noise.size(), static_cast<std::size_t>(grid.iterations) + 1);
-    EXPECT_EQ(grid.without_noise.front(), 0);
-    for (std::size_t t = 1; t < grid.without_noise.size(); ++t) EXPECT_GT(grid.without_noise[t], grid.without_noise[t - 1]);
-}
-
 TEST(DenoisingGrid, FurtherSamplesAreSmoothedAsTheFirst) {
     QuestionSettings settings;
     settings.noise = {0.01};
@@ -106,18 +98,6 @@ TEST(DenoisingGrid, FurtherSamplesAreSmoothedAsTheFirst) {
     ASSERT_NE(alike, next.states.end());
     EXPECT_NEAR(trial.further_gains[0], next.found.noisy.shape / alike->shape, 1e-9);
     EXPECT_TRUE(grid_on(cube_mesh(6), "cube_one").trials[0].further_gains.empty());
-}
-
-TEST(DenoisingGrid, TheVolumeKeptByLessIsThatOfTheStepDividedByTheArea) {
-    const DenoisingGrid grid = grid_on(cube_mesh(10), "cube_area");
-    const NoisyTrial& trial = grid.pictured();
-    const TriangleMesh& clean = grid.clean->mesh();
-    EXPECT_NEAR(grid.noisy_area, surface_area(trial.noisy) / surface_area(clean), 1e-12);
-    SmoothingOptions options;
-    options.scheme = SmoothingScheme::implicit_euler;
-    options.lambda = trial.found.by_shape.value * grid.mean_edge * grid.mean_edge / grid.noisy_area;
-    options.iterations = trial.found.by_shape.step;
-    EXPECT_NEAR(grid.kept_by_less, signed_volume(moved_to(clean, smooth(clean, options).X)) / signed_volume(clean), 1e-9);
 }
 
 TEST(DenoisingGrid, FeaturesOfACubeAreItsEdges) {
@@ -146,17 +126,15 @@ TEST(DenoisingGrid, DriftAndDistanceMakeUpTheVertexError) {
     const DenoisingGrid grid = grid_on(cube_mesh(8), "cube_drift");
     for (const NoisyTrial& trial : grid.trials) {
         const double error = vertex_rms(grid.clean->mesh().X, trial.best.X);
-        const auto along = [&](const TriangleMesh& mesh) { return drifts(grid, mesh.X).squaredNorm(); };
+        const auto along = [&](const TriangleMesh& mesh) {
+            return (mesh.X - grid.clean->mesh().X).squaredNorm() - shape_distances(grid.clean->mesh(), mesh.X).squaredNorm();
+        };
         const auto across = [&](const TriangleMesh& mesh) { return (mesh.X - grid.clean->mesh().X).squaredNorm() - along(mesh); };
         const double n = grid.clean->mesh().vertex_count();
         EXPECT_NEAR(n * std::pow(NoisyTrial::drift(trial.found.by_shape), 2), along(trial.best), 1e-9 * n * error * error);
         EXPECT_NEAR(trial.removed_along(), 1 - along(trial.best) / along(trial.noisy), 1e-9);
         EXPECT_NEAR(trial.removed_across(), 1 - across(trial.best) / across(trial.noisy), 1e-9);
     }
-    const Positions& X = grid.clean->mesh().X;
-    EXPECT_EQ(drifts(grid, X).cwiseAbs().maxCoeff(), 0);
-    EXPECT_EQ(sinkings(grid, 1.1 * X).maxCoeff(), 0) << "the cube is about the origin: all of it rises";
-    EXPECT_GT(sinkings(grid, 0.9 * X).minCoeff(), 0);
 }
 
 TEST(DenoisingGrid, TheNoiseToLookAtIsTheLowestThatIsHalved) {
@@ -175,20 +153,50 @@ TEST(DenoisingGrid, TheNoiseToLookAtIsTheLowestThatIsHalved) {
     EXPECT_EQ(gains(1.5, 1.2), 0);
 }
 
-TEST(DenoisingGrid, NoiseWithinAPlaneDoesNotMoveTheSurface) {
+TEST(DenoisingGrid, NoiseSeparatesTheCasesThatAreHalved) {
     DenoisingGrid grid;
     grid.mean_edge = 2;
-    grid.trials.resize(2);
-    SearchResult& low = grid.trials[0].found;
-    grid.trials[0].sigma = 0.2, grid.trials[1].sigma = 0.6;
-    low.noisy.shape = low.noisy.rms = 1, low.by_shape.shape = 0.9;
-    SearchResult& high = grid.trials[1].found;
-    high.noisy.shape = high.noisy.rms = 1, high.by_shape.shape = 0.5;
-    const NoiseSplit split = noise_split({grid});
-    EXPECT_NEAR(split.smallest_halved, 0.3, 1e-15);
-    EXPECT_NEAR(split.largest_other, 0.1, 1e-15);
-    high.noisy.shape = 0;   // nothing of the measure in the noise
-    EXPECT_TRUE(std::isinf(noise_split({grid}).smallest_halved));
+    const auto split = [&](std::vector<std::pair<double, double>> levels) {   // σ, gain
+        grid.trials.clear();
+        for (const auto& [sigma, gain] : levels) {
+            NoisyTrial& trial = grid.trials.emplace_back();
+            trial.sigma = sigma;
+            trial.found.noisy.shape = trial.found.noisy.rms = gain, trial.found.by_shape.shape = 1;
+        }
+        return noise_split({grid});
+    };
+    const NoiseSplit clear = split({{0.2, 1.5}, {0.6, 2}});
+    EXPECT_TRUE(clear.decides);
+    EXPECT_NEAR(clear.never_to, 0.1, 1e-15);
+    EXPECT_NEAR(clear.always_from, 0.3, 1e-15);
+    const NoiseSplit mixed = split({{0.2, 1.5}, {0.4, 3}, {0.6, 1.9}, {0.8, 2.5}});
+    EXPECT_FALSE(mixed.decides);
+    EXPECT_NEAR(mixed.never_to, 0.1, 1e-15);
+    EXPECT_NEAR(mixed.always_from, 0.4, 1e-15);
+    EXPECT_FALSE(split({{0.6, 1.9}, {0.6 * (1 + 1e-15), 2}}).decides) << "one level but for rounding";
+    EXPECT_TRUE(std::isinf(split({{0.6, 3}, {0.8, 1}}).always_from)) << "the strongest fails";
+    EXPECT_TRUE(std::isinf(split({{0.6, 0}}).always_from)) << "noise within a plane does not move the surface";
+}
+
+TEST(DenoisingGrid, OneLevelIsTheSameInMeanEdgesOnEveryMesh) {
+    for (const TriangleMesh& mesh : {cube_mesh(4), icosphere(2)}) {
+        const DenoisingGrid grid = grid_on(mesh, "level", {});
+        ASSERT_EQ(grid.trials.size(), 5u);
+        EXPECT_EQ(std::ranges::count_if(grid.trials, [&](auto& trial) { return std::abs(grid.edges(trial) - level_in_edges) < 1e-12; }), 1);
+        EXPECT_TRUE(std::ranges::is_sorted(grid.trials, {}, &NoisyTrial::sigma));
+    }
+}
+
+// Spikes on few vertices are spread over their neighbours; noise along the normals lies across the surface altogether.
+TEST(DenoisingGrid, OtherNoiseIsAsStrongAndSmoothedAlike) {
+    const DenoisingGrid grid = grid_on(icosphere(3), "ball_spikes");
+    ASSERT_EQ(grid.other_noise.size(), 2u);
+    const OtherNoise &normal = grid.other_noise[0], &impulsive = grid.other_noise[1];
+    EXPECT_EQ(normal.kind, NoiseKind::normal);
+    EXPECT_TRUE(std::isnan(normal.spread));
+    for (const OtherNoise& other : grid.other_noise) EXPECT_GE(other.best, other.same);
+    EXPECT_GT(impulsive.spread, 0);
+    EXPECT_LT(impulsive.spread, 1);
 }
 
 }   // namespace meshfolio::q7_denoising

@@ -1,0 +1,145 @@
+#include "questions/q7_denoising/reasons.h"
+
+#include "geometry/operators/vertices_with_mass.h"
+#include "geometry/smoothing/implicit_solver.h"
+#include "geometry/spectrum/spectral_reconstruction.h"
+
+namespace meshfolio::q7_denoising {
+
+namespace {
+
+/// The states (λ, t) of a curve, in the order of λt.
+struct Place {
+    double lambda = 0;
+    int step = 0;
+};
+bool continues(const DenoisingGrid& grid, double reached, Place place) {
+    constexpr int first_step = 3;   // fewer steps of a large λ smooth otherwise than many small ones
+    return place.lambda * place.step > reached && (place.lambda == grid.lambdas.front() || place.step >= first_step);
+}
+
+double rms(const DenseMatrix& rows) { return std::sqrt(rows.squaredNorm() / static_cast<double>(rows.rows())); }
+
+/// Ends of bands of modes: an octave of μ and so many modes at least, as a symmetric shape has nothing in most of its modes.
+std::vector<Eigen::Index> band_ends(const Vector& mu) {
+    constexpr Eigen::Index fewest = 8;
+    std::vector<Eigen::Index> ends;
+    Eigen::Index begin = 0;
+    for (Eigen::Index i = 1; i < mu.size(); ++i)
+        if (i - begin >= fewest && mu[i] > 2 * mu[begin] && mu.size() - i >= fewest) ends.push_back(begin = i);
+    ends.push_back(mu.size());
+    return ends;
+}
+
+}   // namespace
+
+double ErrorParts::deviation_of_sum() const {
+    const double last = 2 * total.amount[total.least()];
+    double largest = 0;
+    for (std::size_t i = 0; i < total.amount.size() && total.amount[i] <= last; ++i)
+        largest = std::max(largest, std::abs(std::pow(std::hypot(noise.error[i], shape.error[i]) / total.error[i], 2) - 1));
+    return largest;
+}
+
+bool joins_the_clean(const Reasons& reasons) {
+    const auto apart = [&](const ErrorCurve& curve, std::size_t i) {   // |log| of the ratio at the same amount
+        const auto& amounts = reasons.parts.surface.amount;
+        const auto nearest = std::ranges::lower_bound(amounts, 0.999 * curve.amount[i]) - amounts.begin();
+        return std::abs(std::log(curve.error[i] / reasons.parts.surface.error[std::min(nearest, std::ssize(amounts) - 1)]));
+    };
+    int turning = 0;
+    for (const ErrorCurve& curve : reasons.levels) {
+        const std::size_t least = curve.least(), last = curve.error.size() - 1;
+        if (least == 0 || least == last) continue;
+        ++turning;
+        if (!(apart(curve, last) < apart(curve, least))) return false;
+    }
+    return turning > 0;
+}
+
+ErrorCurve error_curve(const DenoisingGrid& grid, const NoisyTrial& trial) {
+    ErrorCurve curve{{0}, {trial.found.noisy.shape / grid.mean_edge}};
+    for (const SearchState& state : trial.states) {   // λ by λ
+        if (!continues(grid, curve.amount.back(), {state.value, state.step})) continue;
+        curve.amount.push_back(state.value * state.step);
+        curve.error.push_back(state.shape / grid.mean_edge);
+    }
+    return curve;
+}
+
+ErrorParts error_parts(const DenoisingGrid& grid, const TriangleMesh& noisy) {
+    const TriangleMesh& clean = grid.clean->mesh();
+    const OperatorWithMass whole = operator_with_mass(laplace_beltrami(clean));
+    const Positions normals = vertex_normals(clean);
+    const auto along_normals = [&](const Positions& D) { return rms(D.cwiseProduct(normals).rowwise().sum()) / grid.mean_edge; };
+    ErrorParts parts;
+    const auto add_state = [&](double amount, const Positions& Y, const Positions& X) {
+        const auto add = [&](ErrorCurve& curve, double error) { curve.amount.push_back(amount), curve.error.push_back(error); };
+        add(parts.total, along_normals(Y - clean.X));
+        add(parts.noise, along_normals(Y - X));
+        add(parts.shape, along_normals(X - clean.X));
+        add(parts.surface, shape_rms(clean, X) / grid.mean_edge);
+    };
+    add_state(0, noisy.X, clean.X);
+    ImplicitSolver solver;
+    for (const double lambda : grid.lambdas) {
+        solver.prepare(whole, lambda * grid.mean_edge * grid.mean_edge);
+        Positions Y = noisy.X, X = clean.X;
+        for (int t = 1; t <= grid.iterations; ++t) {
+            Y = solver.step(Y), X = solver.step(X);
+            if (continues(grid, parts.total.amount.back(), {lambda, t})) add_state(lambda * t, Y, X);
+        }
+    }
+    return parts;
+}
+
+ModeBands mode_bands(const DenoisingGrid& grid, const NoisyTrial& trial) {
+    constexpr int all_up_to = 700, fewer = 150;   // vertices, modes
+    const TriangleMesh& clean = grid.clean->mesh();
+    const LaplaceBeltrami laplacian = laplace_beltrami(clean);
+    const int n = static_cast<int>((laplacian.M.array() > 0).count());
+    const Spectrum spectrum = smallest_eigenpairs(laplacian, n <= all_up_to ? n : fewer);
+    const auto constant = (spectrum.eigenvalues.array() == 0).count(), modes = spectrum.eigenvalues.size() - constant;
+    const Vector mu = grid.mean_edge * grid.mean_edge * spectrum.eigenvalues.tail(modes);
+    const double unit = trial.sigma * std::sqrt(3 * laplacian.M.sum() / n);   // noise of a mode
+    const DenseMatrix shape = spectral_coefficients(spectrum, laplacian.M, clean.X).bottomRows(modes) / unit;
+    const DenseMatrix noise = spectral_coefficients(spectrum, laplacian.M, trial.noisy.X - clean.X).bottomRows(modes) / unit;
+
+    ModeBands bands;
+    bands.modes = static_cast<int>(modes);
+    bands.all = constant + modes == n;
+    if (modes == 0) return bands;
+    Eigen::Index begin = 0;
+    for (const Eigen::Index end : band_ends(mu)) {
+        bands.mu.push_back(std::exp(mu.segment(begin, end - begin).array().log().mean()));
+        bands.shape.push_back(rms(shape.middleRows(begin, end - begin)));
+        bands.noise.push_back(rms(noise.middleRows(begin, end - begin)));
+        bands.kept.push_back(std::pow(1 + trial.found.by_shape.value * bands.mu.back(), -trial.found.by_shape.step));
+        if (std::isnan(bands.crossing) && bands.shape.back() < 1) {
+            bands.above = static_cast<int>(begin);
+            bands.crossing = begin == 0 ? mu[0] : std::sqrt(mu[begin - 1] * mu[begin]);
+        }
+        begin = end;
+    }
+    if (std::isnan(bands.crossing)) bands.above = bands.modes;
+    return bands;
+}
+
+Reasons reasons_of(const std::vector<DenoisingGrid>& grids) {
+    Reasons reasons;
+    for (const DenoisingGrid& grid : grids) {
+        const auto size = [](const DenoisingGrid& g) { return g.clean->mesh().vertex_count(); };
+        if (grid.pictured().improved() && (!reasons.grid || size(grid) < size(*reasons.grid))) reasons.grid = &grid;
+    }
+    if (!reasons.grid) return reasons;
+    const DenoisingGrid& grid = *reasons.grid;
+    reasons.parts = error_parts(grid, grid.pictured().noisy);
+    for (const NoisyTrial& trial : grid.trials) reasons.levels.push_back(error_curve(grid, trial));
+    try {
+        reasons.bands = mode_bands(grid, grid.pictured());
+    } catch (const SolverError&) {   // no plot of them
+    }
+    return reasons;
+}
+
+}   // namespace meshfolio::q7_denoising
