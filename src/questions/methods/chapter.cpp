@@ -1,4 +1,6 @@
 // The denoising laboratory: kinds of noise, levels and methods against each other, each method at its best within the same budget.
+#include <ranges>
+
 #include "geometry/denoising/component_size.h"
 #include "geometry/measures/mesh_facts.h"
 #include "mesh/samples/sample_shapes.h"
@@ -84,6 +86,16 @@ void add_checks(report::Section& section, const DenoisingLaboratory& laboratory)
     add(section, report::within_rounding(check_at_most(words.line("check.area"), 0, area, 1e-9), rounding));
 }
 
+/// One noisy mesh each of at most four meshes; of the first also 20 % of the box in the whole laboratory.
+std::vector<Shown> pictured(const DenoisingLaboratory& laboratory, const QuestionSettings& settings) {
+    std::vector<Shown> shown;
+    for (const DenoisingTrials& mesh : laboratory.meshes | std::views::take(4)) shown.push_back({mesh, mesh.pictured_trial()});
+    const DenoisingTrials& first = laboratory.meshes.front();
+    for (const NoiseTrial& trial : first.trials)
+        if (trial.s1_level && settings.laboratory) shown.push_back({first, trial});
+    return shown;
+}
+
 report::Text answer_of(const DenoisingLaboratory& laboratory) {
     std::map<int, Names> won;   // classes, by the method that is best on them
     for (const ClassResult& c : class_results(laboratory))
@@ -103,17 +115,10 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_method(section, laboratory.budget);
 
     add_words(section, words, "results");
-    add(section, subject_table(laboratory), winner_table(class_results(laboratory)), limit_table(laboratory));
-    for (const DenoisingTrials& mesh : laboratory.meshes) {
-        for (const Measure& measure : measures) add(section, gain_table(mesh, measure));
-        if (mesh.of_kind(NoiseKind::gaussian).size() > 1) add(section, gain_plot(mesh));
-        add_method_figure(answer, mesh, mesh.pictured_trial());
-        add(section, result_table(mesh));
-    }
-    const DenoisingTrials& first = laboratory.meshes.front();
-    for (const NoiseTrial& trial : first.trials)
-        if (trial.s1_level && settings.laboratory) add_method_figure(answer, first, trial);
-    add_discussion(section, laboratory);
+    add(section, subject_table(laboratory), winner_table(class_results(laboratory)), gain_table(laboratory));
+    if (laboratory.meshes.front().of_kind(NoiseKind::gaussian).size() > 1) add(section, gain_plot(laboratory));
+    add_method_figure(answer, pictured(laboratory, settings));
+    add_words(section, words, "discussion", facts_of(laboratory));
     add_checks(section, laboratory);
     section.answer = answer_of(laboratory);
 

@@ -75,15 +75,6 @@ SearchBudget search_budget(const QuestionSettings& settings);
 /// Noise of every kind and level on the mesh, and what each method makes of it. @throws MeshError, SolverError
 DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSettings& settings);
 
-/// Where a method stands on a mesh as Gaussian noise rises, at the levels tried. NaN: at none. [mean edges]
-struct NoiseLimits {
-    double helps_from, helps_to;                          // smallest and largest level with gain ≥ 1.2
-    double halves_to;                                     // largest level with gain ≥ 2
-    bool helps_at_last = false, halves_at_last = false;   // at the largest level tried: the limit lies beyond
-    bool helps_at_first = false;                          // at the smallest: it lies below
-};
-NoiseLimits noise_limits(const DenoisingTrials& trials, std::size_t method, Gain gain);
-
 /// Meshes of one class, and the geometric means of each method's gains over all trials on them.
 struct ClassResult {
     std::string title;   // "sharp-edged, closed"
@@ -104,16 +95,16 @@ inline std::string method_title(std::size_t method) { return std::string(denoisi
 inline std::string method_title(const SearchResult& result) { return std::string(denoising_entry(result.method).title); }
 
 report::Table subject_table(const DenoisingLaboratory& laboratory);
-/// Gains of every method by one measure, one row a noisy mesh.
-report::Table gain_table(const DenoisingTrials& mesh, const Measure& measure);
-/// Every method at its best on the noisy mesh of the picture, in all measures.
-report::Table result_table(const DenoisingTrials& mesh);
+/// Gains of every method in shape, and the largest by the other measures, one row a noisy mesh.
+report::Table gain_table(const DenoisingLaboratory& laboratory);
 report::Table winner_table(const std::vector<ClassResult>& classes);
-report::Table limit_table(const DenoisingLaboratory& laboratory);
-report::Plot gain_plot(const DenoisingTrials& mesh);
-/// Clean, noisy and every method at its best, one small picture each.
-void add_method_figure(Answer& answer, const DenoisingTrials& mesh, const NoiseTrial& trial);
+/// Gain over the level of Gaussian noise, one panel a mesh, of methods that differ.
+report::Plot gain_plot(const DenoisingLaboratory& laboratory);
+using Shown = Within<DenoisingTrials, NoiseTrial>;
+/// Clean, noisy and the methods of the plot at their best, one small picture each and one row a noisy mesh.
+void add_method_figure(Answer& answer, const std::vector<Shown>& shown);
 
-void add_discussion(report::Section& section, const DenoisingLaboratory& laboratory);
+/// What the discussion tells.
+report::Facts facts_of(const DenoisingLaboratory& laboratory);
 
 }   // namespace meshfolio::methods

@@ -160,24 +160,6 @@ DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSetting
     return mesh;
 }
 
-NoiseLimits noise_limits(const DenoisingTrials& trials, std::size_t method, Gain gain) {
-    NoiseLimits limits{std::nan(""), std::nan(""), std::nan("")};
-    const auto levels = trials.of_kind(NoiseKind::gaussian);
-    for (const NoiseTrial* trial : levels) {
-        const double value = (trial->results[method].*gain)();
-        if (value >= helps) {
-            if (std::isnan(limits.helps_from)) limits.helps_from = trial->edges;
-            limits.helps_to = trial->edges;
-        }
-        if (value >= works) limits.halves_to = trial->edges;
-    }
-    if (levels.empty()) return limits;
-    limits.helps_at_first = limits.helps_from == levels.front()->edges;
-    limits.helps_at_last = limits.helps_to == levels.back()->edges;
-    limits.halves_at_last = limits.halves_to == levels.back()->edges;
-    return limits;
-}
-
 int ClassResult::best() const { return index_of_largest(gain); }
 int ClassResult::best_by_angle() const { return index_of_largest(angle_gain); }
 
