@@ -14,14 +14,16 @@ report::Facts picture_facts(const SpectralStudy& study, const Reconstruction& r)
     const bool closed = study.preflight().encloses_volume() && std::isfinite(r.difference.volume_ratio);
     const bool exact = is_exact(study, r.k), fine = !exact && r.difference.area_weighted_rms < 0.005 * study.diagonal;
     const bool collapsed = !exact && !fine && closed && r.difference.volume_ratio < 0.3;
+    const double degrees = r.difference.mean_normal_angle * 180 / pi;
     const bool armadillo = study.name() == "armadillo" && study.vertices() == 361;
     return {"k"_a = r.k,
             "exact"_a = exact,
             "fine"_a = fine,
             "collapsed"_a = collapsed,
             "blurred"_a = !exact && !fine && !collapsed,
-            "volume"_a = percent(r.difference.volume_ratio),
-            "angle"_a = readable(r.difference.mean_normal_angle * 180 / pi, 2),
+            "volume"_a = r.difference.volume_ratio < 1e-3 ? "" : percent(r.difference.volume_ratio),
+            "angle"_a = degrees < 1 ? "" : readable(degrees, 2),
+            "rms"_a = percent_of_box(study, r.difference.area_weighted_rms),
             "largest"_a = percent_of_box(study, r.difference.max),
             "sheet"_a = armadillo && r.k == 5,
             "stumps"_a = armadillo && r.k == 15,
@@ -133,6 +135,7 @@ report::Facts facts_of(const Subjects& subjects, std::size_t which) {
         "seen"_a = erring && erring->k > study.reconstructions.front().k && first_seen > last_seen ? percent(first_seen) : "",
         "last_seen"_a = percent(last_seen),
         "drawn"_a = !drawn.empty(),
+        "spectrum"_a = study.modes() > zero_modes(study) + 1,
         "wave_k"_a = drawn.size() > 1 ? drawn[1] : 0,
         "zeros"_a = zero_modes(study),
         "components"_a = zero_modes(study) > 1,

@@ -21,7 +21,7 @@ constexpr std::array models_of_sections{
     SectionModel{"q7", "cube fandisk armadillo", {0.2, 50, 20}, {0.3, 9, 8.5}, {14, 250}, {10, 250}},
     SectionModel{"truth", "", {3.4, 0}, {0.9, 0}, {3, 0}, {2, 0}},
     SectionModel{"stability", "cube plane_ns fandisk_ns armadillo", {0.2, 22, 75}, {0.17, 10, 45}, {18, 350}, {3, 175}},
-    SectionModel{"modes", "cube plane_ns lilium", {2.6, 10, 27}, {1, 9}, {12, 400}, {3, 230}},
+    SectionModel{"modes", "cube plane_ns lilium", {0.2, 32, 40}, {0.15, 14}, {12, 400}, {3, 230}},
     SectionModel{"methods", "cube armadillo", {0.9, 0.2}, {0.05, 0.2}, {7, 25}, {4, 5}},
     SectionModel{"operators", "armadillo lilium fandisk_ns", {0.45, 0, 34}, {0.2, 3.5}, {7, 180}, {4, 25}},
     SectionModel{"certificates",

@@ -9,12 +9,14 @@ using namespace testing_tools;
 
 namespace {
 
-/// What a message says of a mesh alone.
-std::string told(const char* key, const Subject& subject) {
-    report::Section section;
-    add_words(section, words, key, facts_of({subject}, 0));
-    return prose_of(section);
+/// What a message says of one of the meshes; of a mesh alone.
+std::string told(const char* key, const Subjects& subjects, std::size_t which) {
+    std::string text;
+    for (const report::Block& block : words.blocks(key, facts_of(subjects, which)))
+        text += report::plain(std::get<report::Paragraph>(block).text);
+    return text;
 }
+std::string told(const char* key, const Subject& subject) { return told(key, Subjects{subject}, 0); }
 std::string told(const char* key, const SpectralStudy& study, const LimbStudy& limbs = {}) { return told(key, Subject{study, limbs}); }
 
 bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
@@ -42,11 +44,7 @@ TEST(SpectralFacts, ThicknessIsDefinedOnce) {
     const SpectralStudy egg = spectral_study_on(ellipsoid_mesh(3, {1.7, 1.1, 0.6}), "egg_once", {5, 15}),
                         sheet = spectral_study_on(grid_mesh(12, 12, 1, 1), "sheet_once", {5, 15});
     const Subjects subjects{{sheet, limb_study(sheet)}, {egg, limb_study(egg)}, {egg, limb_study(egg)}};
-    const auto defined = [&](std::size_t which) {
-        report::Section section;
-        add_words(section, words, "thin", facts_of(subjects, which));
-        return has(prose_of(section), "The thickness at a vertex is");
-    };
+    const auto defined = [&](std::size_t which) { return has(told("thin", subjects, which), "The thickness at a vertex is"); };
     EXPECT_FALSE(defined(0)) << "an open mesh has none";
     EXPECT_TRUE(defined(1));
     EXPECT_FALSE(defined(2));
@@ -81,7 +79,8 @@ TEST(SpectralFacts, SingleVerticesThatGetWorseAreCounted) {
 // Verdict, then the errors of the first and of the largest k; rounding is none of them.
 TEST(SpectralFacts, TheAnswerHasTheErrorsOfTheKAskedFor) {
     const auto said = [](std::vector<int> k) {
-        const Subject subject{spectral_study_on(icosphere(2), "ball_answer" + std::to_string(k.front()), std::move(k)), {}};
+        const std::string name = "ball_answer" + std::to_string(k.front());
+        const Subject subject{spectral_study_on(icosphere(2), name, std::move(k)), {}};
         return report::plain(words.say("answer", facts_of({subject}, 0)));
     };
     EXPECT_TRUE(said({2, 5, 162}).starts_with("Yes: with k the error of ball_answer2 never rises: ")) << said({2, 5, 162});
