@@ -98,13 +98,13 @@ class Parts(unittest.TestCase):
         self.ended(0, *words, "--no-timings", "--only", "q2,q5,stability", "--out", whole)
         settings = json.loads((whole / "results.json").read_text())["provenance"]["settings"]
         self.assertIn("copies", settings["q5 effort"])
-        self.assertEqual(settings["maps effort"], "left out")
+        self.assertEqual(settings["methods effort"], "left out")
         self.assertNotEqual(settings["stability effort"], "left out")
         shutil.copytree(whole, renewed)
         self.ended(0, *words, "--no-timings", "--only", "q5", "--out", renewed)
         self.assertEqual(tree(renewed), tree(whole))
-        self.ended(0, *words, "--no-timings", "--only", "maps", "--out", renewed)
-        self.assertEqual({s for s, state in status(renewed).items() if state == "ok"}, {"q2", "q5", "stability", "maps"})
+        self.ended(0, *words, "--no-timings", "--only", "methods", "--out", renewed)
+        self.assertEqual({s for s, state in status(renewed).items() if state == "ok"}, {"q2", "q5", "stability", "methods"})
         parts = [folder / name for name in ("q2", "q5", "stability")]
         for part in parts:
             self.ended(0, *words, "--part", part, "--only", part.name)

@@ -113,7 +113,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "planes", facts);
     for (const SmoothingMaps& maps : planes) add(section, error_map(maps));
     add_place_figure(answer, planes);
-    add(section, region_table(planes), blow_up_table(planes));
+    add(section, region_table(planes), blow_up_table(planes), plane_table(planes));
 
     add_limit_checks(section, studies, flow);
     for (const SmoothingMaps& maps : planes) add_plane_checks(section, maps);

@@ -24,6 +24,8 @@ report::Plot flow_plot(const RebuiltFlow& flow);
 /// The error over the plane, or the motion if no clean mesh is known; explicit beside implicit.
 report::Map error_map(const SmoothingMaps& maps);
 report::Table region_table(const Planes& planes);
+/// All that was measured over the planes, for programs.
+report::Table plane_table(const Planes& planes);
 report::Table blow_up_table(const Planes& planes);
 
 /// One figure: every mesh seen along the normal of its limiting vertex, and below it the triangles around, coloured by the top mode.

@@ -171,6 +171,20 @@ std::vector<SchemeRow> scheme_rows(const Planes& planes) {
     return rows;
 }
 
+/// A cell of the plane of one scheme.
+struct PlaneCell {
+    const SmoothingMaps& maps;
+    const SchemeMap& map;
+    std::size_t i;
+};
+std::vector<PlaneCell> cells_of(const Planes& planes) {
+    std::vector<PlaneCell> cells;
+    for (const SmoothingMaps& maps : planes)
+        for (const SchemeMap* map : maps.maps())
+            for (std::size_t i = 0; i < map->moved.size(); ++i) cells.push_back({maps, *map, i});
+    return cells;
+}
+
 }   // namespace
 
 double over_predicted(const ModeGrowth& growth) { return growth.factor.back() / growth.predicted(growth.steps()); }
@@ -295,6 +309,24 @@ report::Table blow_up_table(const Planes& planes) {
             const int measured = r.maps.explicit_map.blow_up[r.step];
             return cell_of(measured, measured > 0);
         });
+}
+
+report::Table plane_table(const Planes& planes) {
+    const auto value = [](PlaneValues SchemeMap::*quantity, double unit) {
+        return [=](const PlaneCell& c) { return (c.map.*quantity).empty() ? report::Cell() : cell_of(unit * (c.map.*quantity)[c.i]); };
+    };
+    return table("stability_planes", words.line("plane"), cells_of(planes))
+        .column("mesh", [](auto& c) { return c.maps.name(); })
+        .column("scheme", [](auto& c) { return c.map.name(); })
+        .column("λ/λ_crit", [](auto& c) { return c.maps.relative(c.maps.step_of(c.i)); })
+        .column("iterations", {.digits = 5}, [](auto& c) { return c.maps.iterations[c.maps.row_of(c.i)]; })
+        .column("moved (rms)", {.unit = "% of box"}, value(&SchemeMap::moved, 100))
+        .column("from the clean mesh", {.unit = "% of box"}, value(&SchemeMap::error, 100))
+        .column("size", {.unit = "% of input"}, value(&SchemeMap::size, 100))
+        .column("smallest angle", {.unit = "°"}, value(&SchemeMap::angle, 180 / pi))
+        .column("turned triangles", {.unit = "%"}, value(&SchemeMap::inverted, 100))
+        .column("explicit apart", {.unit = "% of moved"}, value(&SchemeMap::apart, 100))
+        .file_only();
 }
 
 report::Table region_table(const Planes& planes) {
