@@ -88,7 +88,7 @@ Measurement minima_of_report(ClaimBench& bench, const MeshNames&) {
         Variant{OperatorKind::cotan, true, "with ½, L rebuilt"}, Variant{OperatorKind::cotan_no_half, true, "without ½, L rebuilt"}};
     constexpr int iterations = 40;
     Measurement m;
-    report::FactList minima;
+    Names minima;
     for (const Variant& v : variants) {
         const auto errors = [&](double sigma) { return bench.denoised("bunny", bunny_noise(bench, sigma, iterations, v.kind, v.rebuild)); };
         const std::vector<double> low = errors(0.0013), high = errors(0.0015);
@@ -96,10 +96,10 @@ Measurement minima_of_report(ClaimBench& bench, const MeshNames&) {
         const bool found = has_minimum(low) && has_minimum(high);
         const std::size_t reached = std::min(low.size(), high.size());
         m.cases.push_back({v.name, found ? std::max(off(low, 3), off(high, 7)) : std::nan("")});
-        minima.push_back({"low"_a = best_of(low), "high"_a = best_of(high), "variant"_a = v.name, "first"_a = minima.empty(),
-                          "collapse"_a = reached <= iterations ? reached : 0});
+        minima.push_back(words.line("claims_s0_minima.remark.variant", "low"_a = best_of(low), "high"_a = best_of(high),
+                                    "variant"_a = v.name, "collapse"_a = reached <= iterations ? reached : 0));
     }
-    m.remark = words.say("claims_s0_minima.remark", "minima"_a = minima);
+    m.remark = words.say("claims_s0_minima.remark", "minima"_a = joined(minima, ", "));
     return m;
 }
 
