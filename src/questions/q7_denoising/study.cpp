@@ -14,7 +14,7 @@ namespace meshfolio::q7_denoising {
 namespace {
 
 /// Samples of the same noise beside the first.
-constexpr int further_seeds = 4;
+constexpr int further_seeds = 2;
 
 SmoothingOptions smoothing_by(const DenoisingGrid& grid, double lambda, int iterations) {
     return {.scheme = SmoothingScheme::implicit_euler, .lambda = lambda * grid.mean_edge * grid.mean_edge, .iterations = iterations};
