@@ -138,6 +138,7 @@ int panels_in_a_line(const FigureRequest& request) {
     if (!request.columns.empty()) return static_cast<int>(request.columns.size());
     if (!request.rows.empty()) return static_cast<int>(panels / request.rows.size());
     if (request.layout == Layout::six_views) return static_cast<int>(std::min(panels, blocks_in_a_line));
+    if (request.in_a_line > 0) return request.in_a_line;
     const std::size_t most = is_gallery(request) ? in_a_gallery_line : in_a_line, lines = (panels + most - 1) / most;
     return static_cast<int>((panels + lines - 1) / lines);   // lines about equally full
 }

@@ -48,6 +48,7 @@ struct FigureRequest {
     Layout layout = Layout::six_views;
     bool turnable = false;        // readers of the page can turn the first panel, and with it the second if it has the same triangles
     double isoline_spacing = 0;   // lines where a value is a multiple of this; 0: none
+    int in_a_line = 0;            // panels, where there are no heads and no six views; 0: as many as fit
     std::vector<std::string> columns = {}, rows = {};   // heads of a matrix of panels, which are given row by row (one_frame, multiples)
     bool view_files = false;     // each view is a file of full size as well, for what the assignment asks to be handed in
     bool coarse_edges = false;   // edges of the meshes so coarse that their shape is not seen without
