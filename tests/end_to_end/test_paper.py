@@ -15,6 +15,7 @@ from program import run, temporary_folder
 from test_pdf import output_of, reason_to_skip
 
 MOST_PAGES = 20
+LARGEST_GAP = 0.2             # at the foot of a page, of the height of the text
 MOST_PIXELS = 45_000          # of the page, at a width of 1400
 LEAST_SIZE = 7                # [pt] of words
 LEAST_SCRIPT = 4.5            # [pt] of indices and exponents, those of indices included,
@@ -68,6 +69,16 @@ class Paper(unittest.TestCase):
     def test_it_has_at_most_twenty_pages(self):
         pages = int(re.search(r"Pages: +(\d+)", output_of("pdfinfo", self.pdf()))[1])
         self.assertLessEqual(pages, MOST_PAGES)
+
+    def test_no_page_but_the_last_ends_early(self):
+        subprocess.run(["pdftoppm", "-gray", "-r", "25.4", self.pdf(), self.folder / "page"], check=True)   # a millimetre a pixel
+        top, foot = 14, 281   # of the text; the page's number stands below
+        pages = sorted(self.folder.glob("page-*.pgm"))
+        for page in pages[:-1]:
+            _, size, _, pixels = page.read_bytes().split(b"\n", 3)
+            width, _ = map(int, size.split())
+            printed = [y for y in range(top, foot) if min(pixels[y * width:(y + 1) * width]) < 200]
+            self.assertLess(foot - printed[-1], LARGEST_GAP * (foot - top), page.name)
 
     def test_every_word_is_large_enough_to_be_read(self):
         shown = shown_in(self.pdf())
