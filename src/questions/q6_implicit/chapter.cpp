@@ -7,25 +7,32 @@ namespace meshfolio::q6_implicit {
 
 namespace {
 
-report::Table grid_table(const ImplicitStudy& study) {
-    const double percent = 100 / study.subject.diagonal;
-    const Positions& X = study.subject.mesh().X;
-    const auto gap = [=](const SmoothingCell& c) {
-        return c.has_explicit() ? cell_of(percent * vertex_rms(c.implicit_X, c.explicit_X)) : report::Cell();
+/// Every λ × t of every mesh.
+report::Table grid_table(const Studies& studies) {
+    struct Row {
+        const ImplicitStudy& study;
+        const SmoothingCell& cell;
+        double moved() const { return vertex_rms(study.subject.mesh().X, cell.implicit_X); }
+        double gap() const { return cell.has_explicit() ? vertex_rms(cell.implicit_X, cell.explicit_X) : NAN; }
+        double percent(double length) const { return 100 * length / study.subject.diagonal; }
     };
-    return table(id_of("q6", study.name(), "grid"), words.line("grid", "mesh"_a = study.name()), study.grid)
-        .column("λ", {.unit = "length²"}, &SmoothingCell::lambda)
-        .column("λ/λ_crit", [&](auto& c) { return c.lambda / study.subject.critical; })
-        .column("iterations", {.digits = 4}, &SmoothingCell::iterations)
-        .column("energy, implicit", {.unit = "% of input"}, [](auto& c) { return cell_of(100 * c.implicit_energy, !c.collapsed()); })
-        .column("energy, explicit", {.unit = "% of input"}, [](auto& c) { return cell_of(100 * c.explicit_energy, c.has_explicit()); })
-        .column("moved, implicit (rms)", {.unit = "% of box"}, [&](auto& c) { return percent * vertex_rms(X, c.implicit_X); })
-        .column("gap", {.unit = "% of box"}, gap)
-        .column("equal λt, apart", {.unit = "% of motion", .digits = 2}, [](auto& c) { return cell_of(100 * c.apart); })
-        .column("volume, implicit", {.unit = "% of input", .digits = 4}, [](auto& c) { return cell_of(100 * c.volume_ratio); })
-        .column("inverted faces, implicit", {.digits = 6}, [](auto& c) { return cell_of(c.inverted_faces, !c.collapsed()); })
-        .column("explicit blew up in", {.unit = "iteration", .digits = 6},
-                [](auto& c) { return cell_of(c.explicit_blow_up, c.explicit_blow_up > 0); });
+    std::vector<Row> rows;
+    for (const ImplicitStudy& study : studies)
+        for (const SmoothingCell& cell : study.grid) rows.push_back({study, cell});
+    return table("q6_grid", words.line("grid"), rows)
+        .column("mesh", [](auto& r) { return r.study.name(); })
+        .column("λ/λ_crit", {.digits = 2}, [](auto& r) { return r.cell.lambda / r.study.subject.critical; })
+        .column("t", {.digits = 4}, [](auto& r) { return r.cell.iterations; })
+        .column("energy, implicit", {.unit = "% of input"},
+                [](auto& r) { return cell_of(100 * r.cell.implicit_energy, !r.cell.collapsed()); })
+        .column("explicit", {.unit = "% of input"}, [](auto& r) { return cell_of(100 * r.cell.explicit_energy, r.cell.has_explicit()); })
+        .column("moved, implicit", {.unit = "% of box"}, [](auto& r) { return r.percent(r.moved()); })
+        .column("gap", {.unit = "% of box"}, [](auto& r) { return cell_of(r.percent(r.gap())); })
+        .column("equal λt, apart", {.unit = "% of motion", .digits = 2}, [](auto& r) { return cell_of(100 * r.cell.apart); })
+        .column("size, implicit", {.unit = "% of input"}, [](auto& r) { return 100 * r.cell.kept; })
+        .column("faces turned", {.digits = 6}, [](auto& r) { return cell_of(r.cell.inverted_faces, !r.cell.collapsed()); })
+        .column("blew up in", {.unit = "iteration", .digits = 6},
+                [](auto& r) { return cell_of(r.cell.explicit_blow_up, r.cell.explicit_blow_up > 0); });
 }
 
 /// What is recommended, how smooth it is, and its price.
@@ -34,14 +41,13 @@ report::Table cost_table(const Studies& studies) {
     for (const ImplicitStudy& study : studies)
         if (study.good() && study.cost) rows.push_back(&study);
     const bool reached = std::ranges::all_of(rows, [](const ImplicitStudy* study) { return study->cost->reached(); });
-    return table("q6_cost", words.line("cost") + (reached ? "" : " " + words.line("cost.unreached", "most"_a = most_priced_steps)), rows)
+    return table("q6_cost", words.line("cost", "unreached"_a = !reached, "most"_a = most_priced_steps), rows)
         .column("mesh", [](auto* s) { return s->name(); })
         .column("λ/λ_crit", {.digits = 2}, [](auto* s) { return s->good()->lambda / s->subject.critical; })
         .column("t", {.digits = 4}, [](auto* s) { return s->good()->iterations; })
         .column("λt", {.unit = "h̄²", .digits = 2}, [](auto* s) { return in_edges(*s, s->good()->time()); })
         .column("energy", {.unit = "% of input"}, [](auto* s) { return 100 * s->good()->implicit_energy; })
         .column("size", {.unit = "% of input"}, [](auto* s) { return 100 * s->good()->kept; })
-        .column("faces turned", {.digits = 6}, [](auto* s) { return s->good()->inverted_faces; })
         .column("face angle: input", {.unit = "°", .digits = 2}, [](auto* s) { return s->roughness; })
         .column("implicit", {.unit = "°", .digits = 2}, [](auto* s) { return s->cost->roughness; })
         .column("explicit", {.unit = "°", .digits = 2}, [](auto* s) { return cell_of(s->cost->explicit_roughness); })
@@ -49,7 +55,8 @@ report::Table cost_table(const Studies& studies) {
         .column("price, explicit", {.unit = "× implicit", .digits = 2}, [](auto* s) { return cell_of(s->cost->ratio); });
 }
 
-/// The price of every λ × t, and from where on the implicit steps of each λ pay; no rows where nothing is counted.
+/// The price of every λ × t, from where on the implicit steps of each λ pay, and from where on they go too far; no rows where nothing is
+/// counted.
 report::Table price_table(const Studies& studies) {
     struct Row {
         const ImplicitStudy& study;
@@ -70,9 +77,10 @@ report::Table price_table(const Studies& studies) {
         built.column(words.line("head.time", "iterations"_a = t), {.digits = 2, .heat = Heat{1, 16}},
                      [&](auto& r) { return cell_of(r.study.price(r.lambda, t)); });
     built.column("pays from t", {.digits = 4}, [](auto& r) { return cell_of(r.even ? r.even->iterations : 0, r.even.has_value()); });
-    built.column("λt", {.unit = "h̄²", .digits = 2},
-                 [](auto& r) { return cell_of(r.even ? in_edges(r.study, r.even->time()) : 0, r.even.has_value()); });
-    built.column("size", {.unit = "% of input"}, [](auto& r) { return cell_of(r.even ? 100 * r.even->kept : 0, r.even.has_value()); });
+    built.column("size there", {.unit = "% of input"},
+                 [](auto& r) { return cell_of(r.even ? 100 * r.even->kept : 0, r.even.has_value()); });
+    built.column("too far from t", {.digits = 4},
+                 [](auto& r) { return cell_of(r.study.too_far(r.lambda), r.study.too_far(r.lambda) > 0); });
     return built;
 }
 
@@ -110,30 +118,24 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     report::Section& section = answer.section;
     const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns"}, section);
     const auto studies = studies_of(meshes, "implicit smoothing", settings, progress, section, implicit_study);
-    section.answer = answer_of(studies);
-    add_paragraphs(section, {summary_of(studies)});
-    add_words(section, words, {"method", "results"});
-    const bool has_views = std::ranges::any_of(studies, [](const ImplicitStudy& study) { return study.good() != nullptr; });
+    section.answer = words.say("answer", answer_facts(studies));
+    const report::Facts facts = discussion_facts(studies);
+    add_words(section, words, "method", facts);
+    add_words(section, words, "results", facts);
+    if (report::Table costs = cost_table(studies); !costs.rows.empty()) add(section, std::move(costs));
     const output::ColorRange colours = colours_of(studies);
     const auto pictured = studies.begin() + std::min<std::size_t>(3, studies.size());
-    add_paragraphs(section, {rule_of(studies)});
-    if (report::Table costs = cost_table(studies); !costs.rows.empty()) add(section, std::move(costs));
-    for (auto study = studies.begin(); study != studies.end(); ++study) {
-        if (study < pictured) add_matrix(answer, *study, colours, !has_views);
-        add_paragraphs(section, {reading_of(*study)});
-    }
-    add_views(answer, studies, colours);
-    add_paragraphs(section, {comparison_of(studies), larger_steps_of(studies)});
+    for (auto study = studies.begin(); study != pictured; ++study) add_pairs(answer, *study, colours);
+    add_words(section, words, "discussion", facts);
     if (report::Table prices = price_table(studies); !prices.rows.empty()) add(section, std::move(prices));
-    add_paragraphs(section, {price_of(studies), quality_of(studies), verdict_of(studies)});
+    add_views(answer, studies, colours);
+    add_gap_map(answer, studies);
 
     begin_appendix(section);
     if (report::Plot gaps = gap_plot(studies); !gaps.series.empty()) add(section, std::move(gaps));
-    for (auto study = pictured; study != studies.end(); ++study) add_matrix(answer, *study, colours, !has_views);
-    for (const ImplicitStudy& study : studies) {
-        add(section, grid_table(study));
-        add_checks(section, study);
-    }
+    for (auto study = pictured; study != studies.end(); ++study) add_pairs(answer, *study, colours);
+    add(section, grid_table(studies));
+    for (const ImplicitStudy& study : studies) add_checks(section, study);
 
     const ImplicitStudy& last = studies.back();
     const Names times = each_of(last.iterations, [&](const int t) { return std::to_string(t); });

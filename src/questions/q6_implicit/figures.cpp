@@ -1,3 +1,5 @@
+#include <set>
+
 #include "questions/bench/curvature_subject.h"
 #include "questions/q6_implicit/parts.h"
 
@@ -5,69 +7,62 @@ namespace meshfolio::q6_implicit {
 
 namespace {
 
-/// A row of the matrix: what one scheme makes of the input with one λ.
-struct Row {
-    std::size_t lambda = 0;
+/// A picture: what one scheme makes of the input.
+struct Shown {
+    const SmoothingCell* cell = nullptr;
     bool is_explicit = false;
+
+    const Positions& X() const { return is_explicit ? cell->explicit_X : cell->implicit_X; }
+    bool operator==(const Shown&) const = default;
 };
+using Column = std::pair<Shown, Shown>;   // one above the other
 
-/// The first explicit run that blew up, if one of its pictures can be drawn.
-std::optional<std::size_t> drawn_blow_up(const ImplicitStudy& study) {
-    const std::optional<std::size_t> blown = study.first_blown();
-    for (std::size_t t = 0; blown && t < study.iterations.size(); ++t)
-        if (const SmoothingCell& cell = study.cell(*blown, t); cell.has_explicit() && fits_a_frame(study.subject, cell.explicit_X))
-            return blown;
-    return {};
+/// Within two boxes of the input, and not the dot that is left of a fiftieth.
+bool is_visible(const ImplicitStudy& study, const Shown& shown) {
+    const SmoothingSubject& subject = study.subject;
+    return shown.X().size() > 0 && fits_a_frame(subject, shown.X()) &&
+           bounding_box(moved_to(subject.mesh(), shown.X())).diagonal() >= 0.02 * subject.diagonal;
 }
 
-/// Explicit above implicit, λ by λ; beyond the first λ whose explicit run blows up the implicit scheme alone.
-std::vector<Row> rows_of(const ImplicitStudy& study) {
-    std::vector<Row> rows;
-    const std::size_t blown = study.first_blown().value_or(study.lambdas.size());
-    for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
-        if (l < blown || l == drawn_blow_up(study)) rows.push_back({l, true});
-        rows.push_back({l, false});
-    }
-    return rows;
+/// Both schemes at equal λ and t, within the limit and at the first step beyond it; then many implicit steps over few of equal λt.
+std::vector<Column> columns_of(const ImplicitStudy& study) {
+    constexpr std::size_t most = 5;
+    std::vector<Column> columns;
+    const auto add = [&](const Shown& above, const Shown& below) {
+        const Column column{above, below};
+        if (columns.size() < most && is_visible(study, above) && is_visible(study, below) && std::ranges::count(columns, column) == 0)
+            columns.push_back(column);
+    };
+    const std::size_t last = study.iterations.size() - 1;
+    const auto add_schemes = [&](const std::optional<std::size_t>& l, std::size_t t) {
+        if (l) add({&study.cell(*l, t), true}, {&study.cell(*l, t), false});
+    };
+    for (const std::size_t t : std::set{std::size_t(0), last / 2, last}) add_schemes(study.within_limit(), t);
+    add_schemes(study.first_blown(), 0);
+    for (const SmoothingCell& many : study.grid)
+        if (const SmoothingCell* few = study.in_fewer_steps(many); few && many.lambda > study.subject.critical) add({&many}, {few});
+    for (std::size_t l = 0; columns.empty() && l < study.lambdas.size(); ++l) add({&study.cell(l, 0)}, {&study.cell(l, last)});
+    return columns;
 }
 
-/// Smaller than one sees: a fiftieth of the box of the input.
-bool is_dot(const SmoothingSubject& subject, const Positions& X) {
-    return bounding_box(moved_to(subject.mesh(), X)).diagonal() < 0.02 * subject.diagonal;
+/// What stands below the input: the recommended result, else the first that no column shows.
+Shown below_input(const ImplicitStudy& study, const std::vector<Column>& columns) {
+    if (study.good()) return {study.good()};
+    for (const SmoothingCell& cell : study.grid)
+        if (const Shown shown{&cell}; is_visible(study, shown) && std::ranges::count(columns, shown, &Column::second) == 0) return shown;
+    return columns.front().second;
 }
 
-/// Coloured by curvature; where there is nothing to see the cell is empty and says why.
-output::Panel panel_of_cell(const ImplicitStudy& study, const SmoothingCell& cell, bool is_explicit) {
-    const std::string id = id_of("q6", study.name(), "matrix");
-    const std::string what = step_name(cell.lambda) + "_t" + std::to_string(cell.iterations);
-    const std::string name = id + (is_explicit ? "_explicit_" : "_implicit_") + what;
-    if (is_explicit && !cell.has_explicit()) return {name, words.line("panel.blew_up", "iteration"_a = cell.explicit_blow_up), nullptr};
-    const Positions& X = is_explicit ? cell.explicit_X : cell.implicit_X;
-    if (is_dot(study.subject, X)) return {name, words.line("panel.dot"), nullptr};
-    const std::string label = words.line(is_explicit ? "panel.explicit" : "panel.implicit", "cell"_a = title_of(study, cell));
-    output::Panel panel = framed_panel(study.subject, X, name, label);
-    if (panel.mesh) panel.values = curvature_colours(study.subject, X);
-    return panel;
+report::Facts facts_of(const ImplicitStudy& study, const SmoothingCell& cell) {
+    return {"mesh"_a = study.name(), "limits"_a = in_limits(study.subject, cell.lambda), "iterations"_a = cell.iterations};
 }
 
-/// The explicit runs that are left out: at larger λ than the first that blew up.
-std::string left_out(const ImplicitStudy& study) {
-    Names runs;
-    for (std::size_t l = study.first_blown().value_or(study.lambdas.size()); l < study.lambdas.size(); ++l) {
-        if (l == drawn_blow_up(study)) continue;
-        const Smoothed& run = study.explicit_runs[l].result;
-        if (run.blew_up)
-            runs.push_back(words.line("matrix.not_drawn.run", "limits"_a = in_limits(study.subject, study.lambdas[l]),
-                                      "iteration"_a = run.blow_up_iteration));
-    }
-    return runs.empty() ? "" : words.line("matrix.not_drawn", "runs"_a = listed(runs));
+output::Panel panel_of(const ImplicitStudy& study, const Shown& shown, const std::string& name) {
+    const std::string label = words.line(shown.is_explicit ? "panel.explicit" : "panel.implicit", facts_of(study, *shown.cell));
+    return smoothing_panel(study.subject, shown.X(), name, label);
 }
 
 }   // namespace
-
-std::string title_of(const ImplicitStudy& study, const SmoothingCell& cell) {
-    return words.line("cell", "limits"_a = in_limits(study.subject, cell.lambda), "iterations"_a = cell.iterations);
-}
 
 output::ColorRange colours_of(const Studies& studies) {
     std::vector<output::Panel> inputs;
@@ -75,52 +70,66 @@ output::ColorRange colours_of(const Studies& studies) {
     return curvature_range(inputs);
 }
 
-void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorRange& colours, bool has_legend) {
-    output::FigureRequest request{.id = id_of("q6", study.name(), "matrix"),
+bool has_pairs(const ImplicitStudy& study) { return study.good() || !columns_of(study).empty(); }
+
+bool compares_schemes(const ImplicitStudy& study) {
+    return std::ranges::any_of(columns_of(study), [](const Column& column) { return column.first.is_explicit; });
+}
+
+bool compares_equal_times(const ImplicitStudy& study) {
+    return std::ranges::any_of(columns_of(study), [&](const Column& column) {
+        return !column.first.is_explicit && study.in_fewer_steps(*column.first.cell) == column.second.cell;
+    });
+}
+
+void add_pairs(Answer& answer, const ImplicitStudy& study, const output::ColorRange& colours) {
+    if (!has_pairs(study)) return;
+    const std::vector<Column> columns = columns_of(study);
+    const std::string id = id_of("q6", study.name(), "pairs");
+    const Shown below = below_input(study, columns);
+    output::FigureRequest request{.id = id,
+                                  .title = words.line("pairs.title", "mesh"_a = study.name()),
                                   .subtitle = words.line("figure.subtitle", "critical"_a = readable(study.subject.critical, 4)),
                                   .layout = output::Layout::one_frame,
-                                  .columns = {words.line("head.input")},
+                                  .in_a_line = static_cast<int>(1 + columns.size()),
                                   .coarse_edges = true};
-    for (const int t : study.iterations) request.columns.push_back(words.line("head.time", "iterations"_a = t));
-    Names labels;
-    for (const Row& row : rows_of(study)) {
-        const std::size_t r = request.rows.size();
-        request.rows.push_back(words.line(row.is_explicit ? "head.explicit" : "head.implicit",
-                                          "limits"_a = in_limits(study.subject, study.lambdas[row.lambda])));
-        if (r == 0)
-            request.panels.push_back(panel_of(*study.subject.source, request.id + "_input", words.line("head.input"),
-                                              curvature_colours(study.subject, study.subject.mesh().X)));
-        else
-            request.panels.push_back({request.id + "_none" + std::to_string(r), "", nullptr});
-        for (std::size_t t = 0; t < study.iterations.size(); ++t) {
-            request.panels.push_back(panel_of_cell(study, study.cell(row.lambda, t), row.is_explicit));
-            labels.push_back(request.panels.back().label);
-        }
-    }
+    request.panels.push_back(meshfolio::panel_of(*study.subject.source, id + "_input", words.line("panel.input"),
+                                                 curvature_colours(study.subject, study.subject.mesh().X)));
+    const auto name = [&](const char* line) { return id + line + std::to_string(request.panels.size()); };
+    for (const auto& [above, _] : columns) request.panels.push_back(panel_of(study, above, name("_above")));
+    request.panels.push_back(panel_of(study, below, name("_below")));
+    for (const auto& [_, under] : columns) request.panels.push_back(panel_of(study, under, name("_below")));
     request.range = range_for(colours, request.panels);
-    if (!has_legend) request.range->quantity.clear();
-    const SmoothingCell *good = study.good(), *much = study.too_much();
-    const report::Facts facts{"mesh"_a = study.name(),
-                              "good"_a = good ? words.line("matrix.good", "cell"_a = title_of(study, *good)) : words.line("matrix.none"),
-                              "much"_a = much ? words.line("matrix.much", "cell"_a = title_of(study, *much)) : "",
-                              "left_out"_a = left_out(study), "scale"_a = has_legend ? "" : words.line("matrix.scale")};
-    request.title = words.line("matrix.title", facts);
-    const std::string alt = words.line("matrix.alt", "title"_a = request.title, "panels"_a = listed(labels));
-    add_figure(answer, std::move(request), words.line("matrix.caption", facts), alt);
+    report::Facts facts = facts_of(study, *below.cell);
+    facts.insert(facts.end(), {"recommended"_a = study.good() != nullptr, "steps"_a = study.cost ? study.cost->explicit_steps : 0});
+    add_figure(answer, std::move(request), words.line("pairs.caption", facts));
 }
 
 void add_views(Answer& answer, const Studies& studies, const output::ColorRange& colours) {
     output::FigureRequest figure{.id = "q6_views", .title = words.line("views.title"), .frame_panel = -1, .coarse_edges = true};
-    for (const ImplicitStudy& study : studies) {
-        const SmoothingCell* good = study.good();
-        if (good == nullptr) continue;
-        figure.panels.push_back(panel_of(in_unit_box(study.subject.mesh(), good->implicit_X), "q6_views_" + study.name(),
-                                         words.line("views.panel", "mesh"_a = study.name(), "cell"_a = title_of(study, *good)),
-                                         curvature_colours(study.subject, good->implicit_X)));
-    }
+    for (const ImplicitStudy& study : studies)
+        if (const SmoothingCell* good = study.good())
+            figure.panels.push_back(meshfolio::panel_of(in_unit_box(study.subject.mesh(), good->implicit_X), "q6_views_" + study.name(),
+                                                        words.line("views.panel", facts_of(study, *good)),
+                                                        curvature_colours(study.subject, good->implicit_X)));
     if (figure.panels.empty()) return;
     figure.range = range_for(colours, figure.panels);
-    add_figure(answer, std::move(figure), words.line("views.caption"));
+    add_figure(answer, std::move(figure), words.line("views.caption", "several"_a = figure.panels.size() > 1));
+}
+
+void add_gap_map(Answer& answer, const Studies& studies) {
+    output::FigureRequest figure{.id = "q6_gap_map", .title = words.line("gap_map.title"), .layout = output::Layout::multiples};
+    figure.coarse_edges = true;
+    for (const ImplicitStudy& study : studies) {
+        if (!study.cost || study.cost->gap.size() == 0) continue;
+        const SmoothingCell& good = *study.good();
+        figure.panels.push_back(meshfolio::panel_of(moved_to(study.subject.mesh(), good.implicit_X), "q6_gap_map_" + study.name(),
+                                                    words.line("views.panel", facts_of(study, good)),
+                                                    100 / study.subject.mean_edge * study.cost->gap));
+    }
+    if (figure.panels.empty()) return;
+    figure.range = range_from_zero(figure.panels, "pale", words.line("gap_map.quantity"), 0.01, "% of h̄");
+    add_figure(answer, std::move(figure), words.line("gap_map.caption"));
 }
 
 }   // namespace meshfolio::q6_implicit

@@ -10,37 +10,27 @@ inline constexpr report::Words words("q6");
 
 using Studies = std::vector<ImplicitStudy>;
 
-/// "λ = 5 λ_crit, t = 10".
-std::string title_of(const ImplicitStudy& study, const SmoothingCell& cell);
-
-/// The colour range of mean curvature on all inputs, used in every figure.
+/// The colour range of mean curvature on all inputs, used in every figure of shapes.
 output::ColorRange colours_of(const Studies& studies);
-/// Shows the input and the results over λ × t, explicit above implicit, in the frame of the input.
-void add_matrix(Answer& answer, const ImplicitStudy& study, const output::ColorRange& colours, bool has_legend);
+/// Shows two states in each column, all in the frame of the input: explicit above implicit steps, many above few.
+void add_pairs(Answer& answer, const ImplicitStudy& study, const output::ColorRange& colours);
+/// Whether there is such a figure (not if all that is left is a dot), and which columns it has.
+bool has_pairs(const ImplicitStudy& study);
+bool compares_schemes(const ImplicitStudy& study);
+bool compares_equal_times(const ImplicitStudy& study);
 /// What is recommended of each mesh, from the six directions.
 void add_views(Answer& answer, const Studies& studies, const output::ColorRange& colours);
+/// How far the recommended results are from explicit ones of equal λt, vertex by vertex.
+void add_gap_map(Answer& answer, const Studies& studies);
 
 /// The gap between the schemes over t, a curve a mesh; no curves where no λ is within the limit.
 report::Plot gap_plot(const Studies& studies);
 
-/// The few sentences that stand first, in bold, and those behind them.
-report::Text answer_of(const Studies& studies);
-report::Text summary_of(const Studies& studies);
-/// Paragraphs; empty where there is nothing to say.
-report::Text rule_of(const Studies& studies);
-report::Text reading_of(const ImplicitStudy& study);
-report::Text comparison_of(const Studies& studies);
-report::Text larger_steps_of(const Studies& studies);
-report::Text quality_of(const Studies& studies);
-report::Text price_of(const Studies& studies);
-report::Text verdict_of(const Studies& studies);
+/// What the answer, and what the discussion chooses its sentences by.
+report::Facts answer_facts(const Studies& studies);
+report::Facts discussion_facts(const Studies& studies);
 
 /// A λt in squared mean edges.
 inline double in_edges(const ImplicitStudy& study, double time) { return time / (study.subject.mean_edge * study.subject.mean_edge); }
-/// Median face angle of a rough input; below it the angle measures the shape [°].
-inline constexpr double rough = 5;
-/// "smoother", "rougher" or (to 5 %) "alike": a rough mesh after explicit steps, beside implicit ones of equal energy; "": it was not
-/// rough.
-std::string smoothness_key(const ImplicitStudy& study);
 
 }   // namespace meshfolio::q6_implicit

@@ -52,13 +52,10 @@ SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) 
 void compare_equal_times(ImplicitStudy& study) {
     for (SmoothingCell& many : study.grid) {
         const double moved = vertex_rms(study.subject.mesh().X, many.implicit_X);
-        if (many.kept < nothing_left || !(moved > 0)) continue;
-        for (const SmoothingCell& few : study.grid) {
-            const bool fewer = few.iterations < many.iterations && (many.fewer_steps == 0 || few.iterations < many.fewer_steps);
-            if (!fewer || std::abs(few.time() / many.time() - 1) > 1e-9) continue;
-            many.fewer_steps = few.iterations;
-            many.apart = vertex_rms(few.implicit_X, many.implicit_X) / moved;
-        }
+        const SmoothingCell* few = study.in_fewer_steps(many);
+        if (!few || many.kept < nothing_left || !(moved > 0)) continue;
+        many.fewer_steps = few->iterations;
+        many.apart = vertex_rms(few->implicit_X, many.implicit_X) / moved;
     }
 }
 
@@ -122,33 +119,45 @@ StepPrices step_prices(const ImplicitStudy& study) {
     return prices;
 }
 
-Smoothed explicit_run(const ImplicitStudy& study, int steps, const std::function<bool(int, const Positions&)>& after_step = {}) {
-    SmoothingOptions options{.scheme = SmoothingScheme::explicit_euler, .lambda = 0.5 * study.subject.critical, .iterations = steps};
+/// Explicit steps of at most half of λ_crit, all equal.
+Smoothed explicit_run(const ImplicitStudy& study, double lambda, int steps,
+                      const std::function<bool(int, const Positions&)>& after_step = {}) {
+    SmoothingOptions options{.scheme = SmoothingScheme::explicit_euler, .lambda = lambda, .iterations = steps};
     options.after_step = after_step;
     return smooth(study.subject.mesh(), options);
 }
 
-/// Runs until the least energy of any result that is still visible.
-std::vector<double> explicit_energies(const ImplicitStudy& study) {
-    double least = study.good() ? study.good()->implicit_energy : 1;
+/// Runs until the least energy of any result that is still visible. Returns the first positions that reach the energy of what is
+/// recommended; none: they were not reached.
+Positions follow_explicit_steps(ImplicitStudy& study) {
+    const double enough = study.good() ? study.good()->implicit_energy : 1;
+    double least = enough;
     for (const SmoothingCell& cell : study.grid)
         if (cell.kept >= nothing_left) least = std::min(least, cell.implicit_energy);
-    std::vector<double> energies{1};
-    if (!(study.subject.critical > 0) || !(study.subject.initial_energy > 0)) return energies;
-    explicit_run(study, most_priced_steps, [&](int, const Positions& X) {
-        energies.push_back(dirichlet_energy(study.subject.laplacian.C, X) / study.subject.initial_energy);
-        return energies.back() > least;
+    study.explicit_energy = {1};
+    Positions reached;
+    if (!(study.subject.critical > 0) || !(study.subject.initial_energy > 0)) return reached;
+    explicit_run(study, 0.5 * study.subject.critical, most_priced_steps, [&](int, const Positions& X) {
+        const double energy = dirichlet_energy(study.subject.laplacian.C, X) / study.subject.initial_energy;
+        if (energy <= enough && reached.size() == 0) reached = X;
+        study.explicit_energy.push_back(energy);
+        return energy > least;
     });
-    return energies;
+    return reached;
 }
 
-SmoothingCost cost_of(const ImplicitStudy& study, const SmoothingCell& good) {
+SmoothingCost cost_of(const ImplicitStudy& study, const SmoothingCell& good, const Positions& reached) {
     SmoothingCost cost;
     const auto run = std::ranges::find(study.lambdas, good.lambda);
     cost.roughness = roughness_of(study.subject, good.implicit_X);
     cost.explicit_steps = study.explicit_steps_to(good.implicit_energy);
     cost.ratio = study.price(run - study.lambdas.begin(), good.iterations);
-    if (cost.reached()) cost.explicit_roughness = roughness_of(study.subject, explicit_run(study, cost.explicit_steps).X);
+    if (cost.reached()) cost.explicit_roughness = roughness_of(study.subject, reached);
+    const double steps = std::ceil(good.time() / (0.5 * study.subject.critical) - 1e-9);
+    if (!(steps <= most_priced_steps)) return cost;
+    const Positions X = explicit_run(study, good.time() / steps, static_cast<int>(steps)).X;
+    cost.gap = (X - good.implicit_X).rowwise().norm();
+    cost.gap_share = vertex_rms(X, good.implicit_X) / vertex_rms(study.subject.mesh().X, good.implicit_X);
     return cost;
 }
 
@@ -202,18 +211,23 @@ std::optional<BreakEven> ImplicitStudy::break_even(std::size_t l) const {
 }
 
 std::optional<BreakEven> ImplicitStudy::break_even() const {
-    std::optional<BreakEven> least;
+    std::optional<BreakEven> best;
     for (std::size_t l = 0; l < lambdas.size(); ++l)
-        if (const auto found = break_even(l); found && (!least || found->time() < least->time())) least = found;
-    return least;
+        if (const auto found = break_even(l); found && (!best || found->kept > best->kept)) best = found;
+    return best;
 }
 
-const SmoothingCell* ImplicitStudy::too_much() const {
-    const SmoothingCell* half = nullptr;
-    const auto from_half = [](const SmoothingCell& cell) { return std::abs(std::log(2 * cell.kept)); };
-    for (const SmoothingCell& cell : grid)
-        if (cell.kept >= nothing_left && cell.kept < size_to_keep && (!half || from_half(cell) < from_half(*half))) half = &cell;
-    return half;
+int ImplicitStudy::too_far(std::size_t l) const {
+    const std::vector<double>& size = implicit_runs[l].size;
+    const auto gone = std::ranges::find_if(size, [](double left) { return left < too_little; });
+    return gone != size.end() ? static_cast<int>(gone - size.begin()) : 0;
+}
+
+const SmoothingCell* ImplicitStudy::in_fewer_steps(const SmoothingCell& many) const {
+    const SmoothingCell* fewest = nullptr;
+    for (const SmoothingCell& few : grid)
+        if (few.iterations < (fewest ? fewest : &many)->iterations && std::abs(few.time() / many.time() - 1) <= 1e-9) fewest = &few;
+    return fewest;
 }
 
 std::vector<int> iterations_of(const QuestionSettings& settings) {
@@ -242,8 +256,8 @@ ImplicitStudy implicit_study(SharedMesh source, const QuestionSettings& settings
     study.huge_step_energy = dirichlet_energy(study.subject.laplacian.C, far) / study.subject.initial_energy;
     study.recommended = recommended_cell(study, solver);
     study.prices = step_prices(study);
-    study.explicit_energy = explicit_energies(study);
-    if (study.recommended) study.cost = cost_of(study, *study.recommended);
+    const Positions reached = follow_explicit_steps(study);
+    if (study.recommended) study.cost = cost_of(study, *study.recommended, reached);
     return study;
 }
 

@@ -38,6 +38,8 @@ struct SmoothingCost {
     int explicit_steps = 0;                             // 0: more than were tried
     double ratio = NAN;                                 // of the operations, explicit over implicit
     double roughness = NAN, explicit_roughness = NAN;   // median angle between neighbouring faces [°]
+    Vector gap = {};                                    // n distances to the explicit result of equal λt [length]; empty: too many steps
+    double gap_share = NAN;                             // their rms, over that of the distance moved
 
     bool reached() const { return explicit_steps > 0; }
 };
@@ -50,6 +52,9 @@ struct BreakEven {
 
     double time() const { return lambda * iterations; }   // λt [length²]
 };
+
+/// Smoothing goes too far once it leaves less than this share of the size.
+inline constexpr double too_little = 0.5;
 
 /// How far apart the two schemes end after t steps, over the distance moved.
 struct SchemeGap {
@@ -87,11 +92,13 @@ struct ImplicitStudy {
     int explicit_steps_to(double energy) const;
     /// The operations of the explicit steps over those of t implicit steps of the l-th λ; NaN where one is unknown.
     double price(std::size_t l, int t) const;
-    /// The break-even of the l-th λ, and of the λ with the least λt. None: explicit steps are always cheaper.
+    /// The break-even of the l-th λ, and the one that leaves most of the size. None: explicit steps are always cheaper.
     std::optional<BreakEven> break_even(std::size_t l) const;
     std::optional<BreakEven> break_even() const;
-    /// The over-smoothed cell nearest to half of the size. Null: there is none, or only points are left.
-    const SmoothingCell* too_much() const;
+    /// The first iteration of the l-th λ that leaves less than `too_little` of the size; 0: none does.
+    int too_far(std::size_t l) const;
+    /// The cell of the same λt in the fewest steps. Null: it is that itself.
+    const SmoothingCell* in_fewer_steps(const SmoothingCell& cell) const;
 };
 
 /// Explicit steps that prices are counted with, at most.

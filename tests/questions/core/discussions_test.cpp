@@ -1,4 +1,4 @@
-// The discussions of questions 5 to 7 follow their numbers: each test changes a number of a study and expects other words.
+// The discussions of questions 5 and 7 follow their numbers: each test changes a number of a study and expects other words.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -9,16 +9,12 @@
 #include "questions/core/section_tools.h"
 #include "questions/core/study_laws.h"
 #include "questions/q5_explicit/parts.h"
-#include "questions/q6_implicit/parts.h"
 #include "questions/q7_denoising/parts.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing_tools;
 using q5_explicit::explicit_study;
 using q5_explicit::ExplicitStudy;
-using q6_implicit::implicit_study;
-using q6_implicit::ImplicitStudy;
-using q6_implicit::SmoothingCell;
 
 namespace {
 
@@ -36,16 +32,6 @@ std::string answered(const std::vector<ExplicitStudy>& studies) {
     return report::plain(q5_explicit::words.say("answer", q5_explicit::facts_of(studies)));
 }
 std::string told(const ExplicitStudy& study) { return told(add_explicit, std::vector{study}); }
-
-void discuss(report::Section& section, const q6_implicit::Studies& studies) {
-    add_paragraphs(section, {q6_implicit::rule_of(studies)});
-    for (const ImplicitStudy& study : studies) add_paragraphs(section, {q6_implicit::reading_of(study)});
-    for (const auto of : {q6_implicit::comparison_of, q6_implicit::larger_steps_of, q6_implicit::quality_of, q6_implicit::price_of,
-                          q6_implicit::verdict_of})
-        add_paragraphs(section, {of(studies)});
-}
-std::string told(const ImplicitStudy& study) { return told(discuss, std::vector{study}); }
-std::string answered(const ImplicitStudy& study) { return report::plain(q6_implicit::answer_of({study})); }
 
 bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
@@ -70,7 +56,6 @@ void expect_a_number_in_every_paragraph(void (*discuss)(report::Section&)) {
 TEST(Discussions, NoParagraphIsWithoutItsNumber) {
     expect_a_number_in_every_paragraph([](report::Section& section) {
         add_explicit(section, {explicit_study(cube, quick_settings()), explicit_study(ball, quick_settings())});
-        discuss(section, {implicit_study(cube, quick_settings()), implicit_study(ball, quick_settings())});
         const q7_denoising::Grids grids{q7_denoising::denoising_grid(cube, quick_settings()),
                                         q7_denoising::denoising_grid(ball, quick_settings())};
         const report::Facts facts = q7_denoising::facts_of(grids, q7_denoising::reasons_of(grids));
@@ -212,135 +197,4 @@ TEST(ExplicitDiscussion, SpikesAreWhereVerticesAreRougherNotWhereTheModeIs) {
     study.near->frames.back() = X;
     study.near->frames.back()(210, 2) += 0.3;   // one spike
     EXPECT_TRUE(has(told(study), "ripples are in few places")) << told(study);
-}
-
-TEST(ImplicitDiscussion, CallsTooMuchOnlyWhatLosesItsSize) {
-    ImplicitStudy study = implicit_study(cube, quick_settings());
-    for (SmoothingCell& cell : study.grid) cell.kept = 0.99;
-    EXPECT_FALSE(has(told(study), "goes too far")) << told(study);
-    study.grid[2].kept = 0.6;
-    study.grid[3].kept = 0.7;
-    EXPECT_TRUE(has(told(study), ": 60\u202f% of the size is left")) << told(study);
-    study.grid[2].kept = 1e-5;   // nothing to look at
-    EXPECT_TRUE(has(told(study), ": 70\u202f% of the size is left")) << told(study);
-}
-
-TEST(ImplicitDiscussion, TheGapIsTheLargestOfAllCellsWithinTheLimit) {
-    ImplicitStudy study = implicit_study(cube, quick_settings());
-    const Positions& X = study.subject.mesh().X;
-    const Positions step = Positions::Ones(X.rows(), 3);
-    const auto set_gaps = [&](double first, double last) {   // of the distance moved
-        for (SmoothingCell& cell : study.grid) cell.implicit_X = X + step, cell.explicit_X = X + step;
-        study.grid[0].explicit_X = X + (1 + first) * step;
-        study.grid[1].explicit_X = X + (1 + last) * step;
-        study.grid.back().explicit_X = X + 9 * step;   // beyond the limit
-        return told(study);
-    };
-    const std::string fades = set_gaps(0.3, 0.04), stays = set_gaps(0.3, 0.2), little = set_gaps(0.04, 0.03);
-    EXPECT_TRUE(has(fades, "up to 30\u202f% of the distance moved (t = 1 on cube_told). From t = 10 on it is at most 5\u202f%")) << fades;
-    EXPECT_TRUE(has(stays, "differ even within the explicit limit")) << stays;
-    EXPECT_FALSE(has(stays, "From t =")) << stays;
-    EXPECT_TRUE(has(little, "at most 4.0\u202f% of the distance moved")) << little;
-}
-
-TEST(ImplicitDiscussion, SharpEdgesOfAClosedMeshGiveWay) {
-    EXPECT_TRUE(has(told(implicit_study(cube, quick_settings())), "The sharp edges are rounded first"));
-}
-
-TEST(ImplicitDiscussion, SaysWhereTheShapeGivesWay) {
-    ImplicitStudy study = implicit_study(library_mesh(grid_mesh(12, 12, 1, 1), "sheet_told"), quick_settings());
-    ASSERT_TRUE(study.recommended);
-    EXPECT_TRUE(has(told(study), "The open boundary shrinks first")) << told(study);
-    Positions& X = study.recommended->implicit_X;
-    X = study.subject.mesh().X.rowwise() + Eigen::RowVector3d(0.1, 0, 0);   // all alike
-    EXPECT_FALSE(has(told(study), "shrinks first")) << told(study);
-}
-
-/// The first step of the smallest λ whose explicit run blew up.
-SmoothingCell& first_too_large(ImplicitStudy& study, std::size_t t = 0) {
-    return study.grid.at(*study.first_blown() * study.iterations.size() + t);
-}
-
-TEST(ImplicitDiscussion, SpikesAreSeenOnlyWhereTheyAreDrawn) {
-    ImplicitStudy study = implicit_study(cube, quick_settings());
-    ASSERT_TRUE(study.first_blown());
-    SmoothingCell& later = first_too_large(study, 1);
-    later.explicit_energy = 5;
-    later.explicit_X = study.subject.mesh().X;
-    EXPECT_TRUE(has(told(study), "Spikes grow by t = 10, where the energy is 5.0 times the input's")) << told(study);
-    later.explicit_X *= 3;   // too large to be drawn
-    EXPECT_FALSE(has(told(study), "Spikes grow")) << told(study);
-}
-
-TEST(ImplicitDiscussion, WhatAStepTooLargeDoesIsMeasured) {
-    ImplicitStudy study = implicit_study(cube, quick_settings());
-    EXPECT_TRUE(has(told(study), "pulled the sharp edges inside the faces")) << told(study);
-    SmoothingCell& first = first_too_large(study);
-    first.explicit_X = study.subject.mesh().X;   // the edges are where they were
-    first.explicit_energy = 3;
-    EXPECT_TRUE(has(told(study), "have raised the energy to 300\u202f% of the input")) << told(study);
-    first.explicit_energy = 0.5;
-    EXPECT_FALSE(has(told(study), "Explicit steps of 5")) << "no smoother than the implicit one: nothing to say: " << told(study);
-
-    TriangleMesh noisy = cube_mesh(10);
-    noisy.X = with_gaussian_noise(noisy.X, Vector3::Constant(0.02), 1);
-    ImplicitStudy rough = implicit_study(library_mesh(noisy, "noisy_told"), quick_settings());
-    ASSERT_TRUE(rough.first_blown());
-    SmoothingCell& step = first_too_large(rough);
-    step.explicit_energy = 0.5;
-    step.implicit_X = noisy.X, step.explicit_X = rough.cell(1, 1).implicit_X;
-    EXPECT_TRUE(has(told(rough), "look best at first: at t = 1 the median face angle is")) << told(rough);
-}
-
-TEST(ImplicitDiscussion, SmoothnessIsComparedOnlyOnRoughMeshes) {
-    ImplicitStudy study = implicit_study(cube, quick_settings());
-    EXPECT_EQ(q6_implicit::smoothness_key(study), "") << "faces of a cube are flat";
-    EXPECT_TRUE(has(told(study), "measures how round it has become: from 0° it rises to")) << told(study);
-    study.roughness = 20;
-    const auto key = [&](double by_implicit, double by_explicit) {
-        study.cost->roughness = by_implicit, study.cost->explicit_roughness = by_explicit, study.cost->explicit_steps = 9;
-        return q6_implicit::smoothness_key(study);
-    };
-    EXPECT_EQ(key(2, 2), "alike");
-    EXPECT_EQ(key(2.019, 2.037), "alike");
-    EXPECT_TRUE(has(told(study), "On cube_told the two tie at 2.0°")) << told(study);
-    EXPECT_EQ(key(3, 2), "smoother");
-    EXPECT_TRUE(has(told(study), "Explicit steps leave cube_told smoother: 2.0° against 3.0°")) << told(study);
-    EXPECT_EQ(key(2, 3), "rougher");
-    EXPECT_TRUE(has(told(study), "Implicit steps leave cube_told smoother: 2.0° against 3.0°")) << told(study);
-}
-
-TEST(ImplicitDiscussion, TheAnswerSaysFromWhereOnImplicitStepsPay) {
-    ImplicitStudy study = implicit_study(cube, quick_settings());
-    ASSERT_TRUE(study.cost);
-    study.prices = {.explicit_step = 1, .implicit_step = 4, .factorisation = 8};
-    const auto even = study.break_even();
-    ASSERT_TRUE(even);
-    const auto answered_at = [&](double ratio) {
-        study.cost->ratio = ratio;
-        return answered(study);
-    };
-    const double h = study.subject.mean_edge;
-    EXPECT_TRUE(has(answered_at(0.5),
-                    "explicit smoothing is cheaper (0.50 times the arithmetic). Implicit steps are cheaper only if they are large: "
-                    "on cube_told from λt = " +
-                        readable(even->time() / (h * h), 2) + " h̄² with 5 λ_crit. There"))
-        << answered(study);
-    EXPECT_TRUE(has(answered_at(4), "implicit smoothing is cheaper: explicit steps need 4.0 times the arithmetic")) << answered(study);
-    EXPECT_TRUE(has(answered_at(1), "both cost about the same")) << answered(study);
-    EXPECT_FALSE(has(answered(study), "depends on the mesh")) << "there is one mesh";
-    EXPECT_TRUE(has(told(study), "either will do: explicit steps of 0.5 λ_crit need 1.0 times the work")) << told(study);
-    study.cost->ratio = 4;
-    EXPECT_TRUE(has(told(study), "take implicit steps. Explicit ones of 0.5 λ_crit need 4.0 times the work")) << told(study);
-    EXPECT_FALSE(has(told(study), "Implicit steps are for more smoothing")) << "they are for this much already";
-    study.cost->ratio = 0.1;
-    EXPECT_TRUE(has(told(study), "take explicit steps of 0.5 λ_crit: the same or a smoother surface for 0.10 times the work"))
-        << told(study);
-    EXPECT_TRUE(has(told(study), "Implicit steps are for more smoothing than that")) << told(study);
-    study.prices.implicit_step = 1e9;
-    EXPECT_TRUE(has(answered(study), "On cube_told implicit steps pay at no amount tried.")) << answered(study);
-    study.prices.implicit_step = 0;
-    study.cost->ratio = NAN;
-    EXPECT_FALSE(has(answered(study), "pay")) << "not counted: " << answered(study);
-    EXPECT_FALSE(has(told(study), "factorisation costs")) << told(study);
 }

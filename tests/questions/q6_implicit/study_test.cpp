@@ -8,6 +8,7 @@
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
+#include "questions/bench/mesh_class.h"
 #include "questions/core/study_laws.h"
 
 namespace meshfolio::q6_implicit {
@@ -132,6 +133,8 @@ TEST(ImplicitStudy, BothWaysOfTheCostReachTheSameEnergy) {
     const double step = 0.5 * study.subject.critical;
     ASSERT_GT(cost.explicit_steps, 0);
     EXPECT_LE(energy_of(study, smoothed(study, SmoothingScheme::explicit_euler, step, cost.explicit_steps)), cell.implicit_energy);
+    const Positions reached = smoothed(study, SmoothingScheme::explicit_euler, step, cost.explicit_steps);
+    EXPECT_NEAR(cost.explicit_roughness, median_face_angle(moved_to(study.subject.mesh(), reached), study.subject.topology()), 1e-9);
     if (cost.explicit_steps > 1) {
         EXPECT_GT(energy_of(study, smoothed(study, SmoothingScheme::explicit_euler, step, cost.explicit_steps - 1)), cell.implicit_energy);
     }
@@ -154,7 +157,7 @@ TEST(ImplicitStudy, AnImplicitStepReplacesNoMoreExplicitOnesThanBernoulliAllows)
     EXPECT_GT(counted, 10);
 }
 
-TEST(ImplicitStudy, BreaksEvenAtTheLeastAmountFromWhichOnImplicitStepsPay) {
+TEST(ImplicitStudy, BreaksEvenWithMostLeftFromWhereOnImplicitStepsPay) {
     ImplicitStudy study = implicit_study_on(ellipsoid_mesh(3, {1.5, 1, 0.8}), "egg_even");
     const auto with = [&](double implicit_step, double factorisation) {
         study.prices = {.explicit_step = 1, .implicit_step = implicit_step, .factorisation = factorisation};
@@ -163,14 +166,14 @@ TEST(ImplicitStudy, BreaksEvenAtTheLeastAmountFromWhichOnImplicitStepsPay) {
     EXPECT_FALSE(with(1e9, 0)) << "dearer at any amount";
     EXPECT_FALSE(with(0, 0)) << "not counted";
     ASSERT_TRUE(with(1e-9, 0));
-    EXPECT_EQ(with(1e-9, 0)->time(), study.lambdas.front()) << "cheaper from the first step on";
+    EXPECT_EQ(with(1e-9, 0)->time(), study.lambdas.front()) << "cheaper from the first step on, and least is lost by it";
     const auto even = with(4, 8);
     ASSERT_TRUE(even);
     EXPECT_GT(even->lambda, study.subject.critical) << "a step within the limit replaces too few";
     for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
         const auto found = study.break_even(l);
         if (found) {
-            EXPECT_LE(even->time(), found->time());
+            EXPECT_GE(even->kept, found->kept);
         }
         for (int t = 1; t <= study.iterations.back(); ++t)
             if (const double price = study.price(l, t); !std::isnan(price)) {
@@ -200,22 +203,41 @@ TEST(ImplicitStudy, RecommendsTheMostSmoothingThatKeepsTheVolume) {
     huge.lambda = {1e6};
     const ImplicitStudy gone = implicit_study(library_mesh(cube_mesh(5), "cube_too_far"), huge);
     EXPECT_EQ(gone.good(), nullptr);
-    EXPECT_EQ(gone.too_much(), nullptr) << "nothing is left to look at";
+    EXPECT_EQ(gone.too_far(0), 1);
     const ImplicitStudy open = implicit_study(library_mesh(grid_mesh(20, 20, 1, 1), "grid_recommended"), quick_settings());
     ASSERT_NE(open.good(), nullptr);
     EXPECT_GE(open.good()->kept, 0.95);
 }
 
-TEST(ImplicitStudy, TooMuchIsTheCellNearestToHalfTheSize) {
+TEST(ImplicitStudy, SmoothingGoesTooFarOnceHalfOfTheSizeIsGone) {
     const ImplicitStudy study = implicit_study(library_mesh(cube_mesh(8), "cube_half"), quick_settings());
-    ASSERT_NE(study.too_much(), nullptr);
-    EXPECT_LT(study.too_much()->kept, 0.95);
-    for (const SmoothingCell& cell : study.grid) {
-        EXPECT_LE(cell.kept, 1);
-        if (cell.kept < 0.95 && cell.kept > 0.01) {
-            EXPECT_LE(std::abs(std::log2(2 * study.too_much()->kept)), std::abs(std::log2(2 * cell.kept)));
+    int reached = 0;
+    for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
+        const std::vector<double>& size = study.implicit_runs[l].size;
+        const int t = study.too_far(l);
+        for (int before = 0; before < (t > 0 ? t : static_cast<int>(size.size())); ++before) EXPECT_GE(size[before], 0.5) << l;
+        if (t > 0) {
+            EXPECT_LT(size[t], 0.5) << l;
+            ++reached;
         }
     }
+    EXPECT_TRUE(0 < reached && reached < static_cast<int>(study.lambdas.size())) << "a small step of ten does not go that far";
+}
+
+TEST(ImplicitStudy, TheMapOfTheGapIsAtEqualTime) {
+    const ImplicitStudy study = implicit_study(library_mesh(cube_mesh(16), "cube_gap"), quick_settings());
+    ASSERT_TRUE(study.good() && study.cost);
+    const SmoothingCell& good = *study.good();
+    const double half = 0.5 * study.subject.critical;
+    const int steps = static_cast<int>(std::lround(good.time() / half));
+    ASSERT_NEAR(steps * half, good.time(), 1e-9 * good.time()) << "own steps are multiples of half the limit";
+    const Positions X = smoothed(study, SmoothingScheme::explicit_euler, half, steps);
+    EXPECT_LE((study.cost->gap - (X - good.implicit_X).rowwise().norm()).norm(), 1e-9 * study.cost->gap.norm());
+    EXPECT_NEAR(study.cost->gap_share, vertex_rms(X, good.implicit_X) / vertex_rms(study.subject.mesh().X, good.implicit_X), 1e-9);
+    const ImplicitStudy uneven = implicit_study_on(cube_mesh(16), "cube_uneven", {0.7 * study.subject.critical}, {3});
+    ASSERT_TRUE(uneven.cost);
+    EXPECT_GT(uneven.cost->gap.size(), 0);
+    EXPECT_LT(uneven.cost->gap_share, 0.5) << "steps of other sizes still have the same λt";
 }
 
 TEST(ImplicitStudy, EqualTimesAreComparedWithTheFewestSteps) {
