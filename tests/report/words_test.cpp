@@ -154,7 +154,7 @@ TEST(Words, ATemplateReplacesAMessageAndKeepsTheOthers) {
     EXPECT_EQ(Words("q3").line("title"), "Cotangent Laplace–Beltrami curvature");
     EXPECT_NE(words_identity(), "");
     use_words_of(Templates());
-    EXPECT_TRUE(Words("q3").line("plane.caption", "vertices"_a = 7).starts_with("|H| × mean edge of an irregular flat square (7 vertices"));
+    EXPECT_TRUE(Words("q3").line("plane.caption", "vertices"_a = 7, "undefined"_a = "").starts_with("|H| × mean edge of flat meshes"));
     EXPECT_EQ(words_identity(), "");
 }
 
