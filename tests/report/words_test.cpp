@@ -172,7 +172,7 @@ TEST(Words, UnusableReplacedMessagesAreRefusedWithTheirLine) {
     };
     EXPECT_NE(problem_of("## title\nA\n## tittle\nB\n").find("q3.md:3"), std::string::npos);
     EXPECT_NE(problem_of("## plane.caption\n{{edges}}\n").find("edges"), std::string::npos);
-    EXPECT_NE(problem_of("## plane.caption\n{{vertices|vertex|vertices}}\n## sphere\n{{limit|one|many}}\n").find("q3.md:3: "),
+    EXPECT_NE(problem_of("## plane.caption\n{{vertices|vertex|vertices}}\n## value_on\n{{value|one|many}}\n").find("q3.md:3: "),
               std::string::npos);
     EXPECT_NE(problem_of("## title\nA\n\n## title\nB\n").find("q3.md:4"), std::string::npos);
     EXPECT_NE(problem_of("## title\n{{unclosed\n"), "none");
