@@ -92,7 +92,7 @@ Known& known() {
 }   // namespace
 
 std::string words_of(const Order& order) {
-    if (std::isnan(order.exponent)) return "exact";
+    if (std::isnan(order.exponent)) return order.exact ? "exact" : "–";
     const std::string exponent = (order.exponent < -0.005 ? "−" : "") + with_decimals(std::abs(order.exponent), 2);
     if (std::isnan(order.margin)) return exponent;
     if (order.margin < 0.0005) return exponent + "\u202f±\u202f<\u202f0.001";
@@ -106,9 +106,9 @@ Order ErrorHistory::order() const {
         x.push_back(std::log(mean_edges[i]));
         y.push_back(std::log(errors[i]));
     }
-    Order order{undefined, undefined};
+    Order order{undefined, undefined, errors.back() < rounding};
     const auto n = static_cast<Eigen::Index>(x.size());
-    if (n < 2 || errors.back() < rounding) return order;
+    if (n < 2 || order.exact) return order;
     const Eigen::Map<const Vector> X(x.data(), n), Y(y.data(), n);
     const Vector dx = X.array() - X.mean(), dy = Y.array() - Y.mean();
     order.exponent = dx.dot(dy) / dx.squaredNorm();
@@ -118,10 +118,10 @@ Order ErrorHistory::order() const {
 
 std::string trend(const ErrorHistory& history) {
     const Order order = history.order();
-    return curvature_words.line(std::isnan(order.exponent) ? "trend.exact"
-                                : order.converges()        ? "trend.falls"
-                                : order.exponent <= -0.5   ? "trend.grows"
-                                                           : "trend.stays",
+    return curvature_words.line(order.exact              ? "trend.exact"
+                                : order.converges()      ? "trend.falls"
+                                : order.exponent <= -0.5 ? "trend.grows"
+                                                         : "trend.stays",
                                 "from"_a = readable_percent(history.first()), "to"_a = readable_percent(history.last()),
                                 "order"_a = words_of(order));
 }

@@ -25,11 +25,12 @@ using Norm = double EstimateError::*;
 struct Order {
     double exponent = 0;   // NaN with fewer than two positive errors, or where the finest is rounding
     double margin = 0;     // half the 95 % confidence interval of the slope; NaN with fewer than three
+    bool exact = false;    // the finest error is rounding
 
-    /// True also where it is exact. Below order ½ halving the edges four times halves the error less than twice.
-    bool converges() const { return !(exponent < 0.5); }
+    /// Below order ½ halving the edges four times halves the error less than twice.
+    bool converges() const { return exact || exponent >= 0.5; }
 };
-/// "1.98 ± 0.01", or "exact" where there is none for the error being rounding.
+/// "1.98 ± 0.01", "exact", or "–" where too few errors are known for one.
 std::string words_of(const Order& order);
 
 /// The error of one estimator over a refinement.

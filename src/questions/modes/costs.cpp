@@ -1,10 +1,10 @@
 #include "questions/modes/costs.h"
 
+#include "questions/modes/parts.h"
+
 namespace meshfolio::modes {
 
 namespace {
-
-constexpr report::Words words("modes");
 
 /// Solves f(x) = value for x > 0 and decreasing f > 0: brackets from `guess`, then false position (Illinois) in the logarithms.
 template <class Function>

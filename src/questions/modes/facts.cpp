@@ -116,13 +116,14 @@ report::Facts shape_facts(const ModeStudies& studies) {
 report::Facts noise_facts(const PredictionStudies& studies) {
     const auto levels = levels_of(studies);
     double off = 0, own = 0, regret = 0, stein = 0, least_sigma = undefined, most_sigma = undefined;
-    int late = 0;
+    int late = 0, early = 0;
     for (const auto& [study, level] : levels) {
         off = std::max({off, off_of(level, FlowOperator::clean), largest_mass_deviation(study, level)});
         own = std::max(own, off_of(level, FlowOperator::noisy));
         regret = std::max(regret, level.of(FlowOperator::clean).regret_of_formula);
         stein = std::max(stein, off_of(level, FlowOperator::noisy, by_stein));
-        late = std::max(late, level.of(FlowOperator::noisy).measured.best() - level.of(FlowOperator::noisy).formula().best());
+        const int later = level.of(FlowOperator::noisy).measured.best() - level.of(FlowOperator::noisy).formula().best();
+        late = std::max(late, later), early = std::max(early, -later);
         least_sigma = std::fmin(least_sigma, level.mean_sigma_ratio());
         most_sigma = std::fmax(most_sigma, level.mean_sigma_ratio());
     }
@@ -137,6 +138,7 @@ report::Facts noise_facts(const PredictionStudies& studies) {
             "regret"_a = regret < 5e-5 ? "" : percent(regret),
             "own"_a = percent(own),
             "late"_a = late,
+            "early"_a = early,
             "fails"_a = fails,
             "mesh"_a = study.name(),
             "sigma"_a = percent(level.sigma),

@@ -165,7 +165,7 @@ report::Facts about_areas(const BenchRuns& runs, const AngleSums& sums) {
     const BenchRun& sphere = run_on(runs, "sphere", MeshKind::jittered);
     return {"one"_a = winners.size() == 1,
             "best"_a = winners.size() == 1 ? area_name(*winners.begin()) : listed(told),
-            "price"_a = readable(100 * price, 2),
+            "price"_a = readable(rounded_up(100 * price, 2), 2),
             "sphere"_a = error(sphere, AreaForm::voronoi) < 0.1 * error(sphere, AreaForm::barycentric),
             "without"_a = without_K(runs, AreaForm::voronoi),
             "sums"_a = std::ranges::count_if(sums, &AngleSum::applies),

@@ -64,8 +64,7 @@ report::Facts about_curved_meshes(const Comparisons& meshes, const Disagreements
         if (ratio > 1.2 && std::isfinite(ratio))
             rough.push_back(words.line("times_on", "ratio"_a = readable(ratio, 2), "mesh"_a = c.name()));
         const Vector H = (c.subject.mean_edge * c.cotangent.array().abs() > rounding).select(c.cotangent, 0 * c.cotangent);
-        if (const SignsByDistance seen = signs_by_distance(c.subject, H); seen.caps_outside())
-            bumps.push_back(share_on(c, seen.outer_positive));
+        if (const SignsByDistance seen = signs_by_distance(c.subject, H); seen.caps_outside()) bumps.push_back(c.name());
         if (c.sign_change > 0.005) opposite.push_back(share_on(c, c.sign_change));
         if (const Disagreement& d = with_jets[m]; d.rms > 0) {
             jet.push_back(share_on(c, d.rms));
@@ -128,7 +127,7 @@ report::Facts about_errors(const BenchRuns& runs) {
             "mixed"_a = std::ranges::count_if(
                 runs, [&](const BenchRun& run) { return mixed(run) > 0; }),
             "runs"_a = runs.size(),
-            "gain"_a = readable(100 * largest_of(runs, mixed), 2),
+            "gain"_a = readable(rounded_up(100 * largest_of(runs, mixed), 2), 2),
             "special"_a = special < 0.1 * cotangent_error(sphere) ? readable_percent(special, 2) : ""};
 }
 

@@ -15,7 +15,6 @@ report::Facts picture_facts(const SpectralStudy& study, const Reconstruction& r)
     const bool exact = is_exact(study, r.k), fine = !exact && r.difference.area_weighted_rms < 0.005 * study.diagonal;
     const bool collapsed = !exact && !fine && closed && r.difference.volume_ratio < 0.3;
     const double degrees = r.difference.mean_normal_angle * 180 / pi;
-    const bool armadillo = study.name() == "armadillo" && study.vertices() == 361;
     return {"k"_a = r.k,
             "exact"_a = exact,
             "fine"_a = fine,
@@ -24,10 +23,7 @@ report::Facts picture_facts(const SpectralStudy& study, const Reconstruction& r)
             "volume"_a = r.difference.volume_ratio < 1e-3 ? "" : percent(r.difference.volume_ratio),
             "angle"_a = degrees < 1 ? "" : readable(degrees, 2),
             "rms"_a = percent_of_box(study, r.difference.area_weighted_rms),
-            "largest"_a = percent_of_box(study, r.difference.max),
-            "sheet"_a = armadillo && r.k == 5,
-            "stumps"_a = armadillo && r.k == 15,
-            "snout"_a = armadillo && r.k == 150};
+            "largest"_a = percent_of_box(study, r.difference.max)};
 }
 
 /// The step from one k to the next that takes most vertices farther from their places.

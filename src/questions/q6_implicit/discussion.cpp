@@ -38,18 +38,6 @@ constexpr double farther = 1.5;   // times as far as the rest
 bool boundary_shrinks(const ImplicitStudy& study) { return boundary_excess(study) > farther; }
 bool edges_give_way(const ImplicitStudy& study) { return edge_excess(study) > farther && !(boundary_excess(study) > edge_excess(study)); }
 
-/// Has a step beyond the limit left speckles on a mesh without sharp edges? The most curved hundredth of its vertices is then far more
-/// curved than the median.
-bool is_speckled(const ImplicitStudy& study) {
-    constexpr double bell = 3.8;   // times the median, of normally distributed values
-    if (!study.good() || !(study.good()->lambda > study.subject.critical)) return false;
-    const TriangleMesh mesh = moved_to(study.subject.mesh(), study.good()->implicit_X);
-    const std::vector<double> sizes = sorted_finite(curvature_colours(study.subject, mesh.X).cwiseAbs());
-    if (sizes.size() < 100 || mesh_character(mesh, study.subject.topology()).feature_share > 0) return false;
-    const double median = sizes[sizes.size() / 2], hundredth = sizes[sizes.size() - sizes.size() / 100 - 1];
-    return median > 0 && hundredth > 1.2 * bell * median;
-}
-
 /// The first state of the smallest explicit step that blew up. Null: none did, or not even that is left.
 const SmoothingCell* first_too_large(const ImplicitStudy& study) {
     const std::optional<std::size_t> blown = study.first_blown();
@@ -72,7 +60,7 @@ bool edges_go_inside(const ImplicitStudy& study) {
 }
 bool is_roughened(const ImplicitStudy& study) {
     const SmoothingCell* first = first_too_large(study);
-    return first && first->explicit_energy > 1 && !edges_go_inside(study);
+    return first && first->explicit_energy > 1;
 }
 constexpr double rough = 5;   // median face angle [°]; below it the angle measures the shape
 /// Does that step leave a rough mesh smoother than the implicit one?
@@ -193,7 +181,6 @@ report::Facts discussion_facts(const Studies& studies) {
                         "none"_a = where([](auto& study) { return !study.good(); }),
                         "boundary"_a = where(boundary_shrinks),
                         "edges"_a = where(edges_give_way),
-                        "speckled"_a = where(is_speckled),
                         "blown"_a = listed({blown.begin(), blown.end()}),
                         "last"_a = last,
                         "first"_a = studies.front().iterations.front(),

@@ -107,6 +107,7 @@ report::Facts cost_facts(const Grids& grids) {
             "coarse"_a = listed(names_where(grids, coarse)),
             "shrunk"_a = volume ? volume->name() : "",
             "lost"_a = readable_percent(1 - trial(volume).taken.volume, 2),
+            "lost_noisy"_a = readable_percent(1 - trial(volume).remains.volume, 2),
             "drifting"_a = drift ? drift->name() : "",
             "grows"_a = along < 0,
             "grown"_a = readable(std::sqrt(1 - along), 2),
@@ -180,12 +181,14 @@ report::Facts measure_facts(const Grids& grids) {
 /// The two plots of one mesh.
 report::Facts reason_facts(const Reasons& reasons) {
     if (!reasons.grid)
-        return {"mesh"_a = "", "crosses"_a = 0, "wave"_a = "",    "above"_a = 0,         "modes"_a = 0,
-                "all"_a = 0,   "exceeds"_a = 0, "sums"_a = 0,     "sum"_a = "",          "later"_a = 0,
-                "low"_a = "",  "high"_a = "",   "weakest"_a = "", "weakest_gain"_a = "", "joins"_a = 0};
+        return {"mesh"_a = "",    "crosses"_a = 0,       "wave"_a = "", "above"_a = 0,  "modes"_a = 0,  "all"_a = 0,
+                "exceeds"_a = 0,  "sums"_a = 0,          "sum"_a = "",  "later"_a = 0,  "low"_a = "",   "high"_a = "",
+                "weakest"_a = "", "weakest_gain"_a = "", "joins"_a = 0, "slower"_a = 0, "larger"_a = ""};
     const DenoisingGrid& grid = *reasons.grid;
     const NoisyTrial &first = grid.trials.front(), &last = grid.trials.back();
     const double deviation = reasons.parts.deviation_of_sum();
+    const double larger = surface_area(grid.pictured().noisy) / surface_area(grid.clean->mesh());
+    const bool moved = amount_of(grid.pictured()) > clearly * reasons.parts.best_lambda * reasons.parts.best_step;
     const bool is_weak = grid.trials.size() > 1 && gain_of(first) < clearly;
     return {"mesh"_a = grid.name(),
             "crosses"_a = reasons.bands.crosses(),
@@ -195,13 +198,15 @@ report::Facts reason_facts(const Reasons& reasons) {
             "all"_a = reasons.bands.all,
             "exceeds"_a = reasons.bands.modes > 0 && reasons.bands.above == reasons.bands.modes,
             "sums"_a = deviation < 0.25,
-            "sum"_a = readable_percent(deviation, 2),
+            "sum"_a = readable_percent(rounded_up(deviation, 2), 2),
             "later"_a = first.improved() && amount_of(last) > clearly * amount_of(first),
             "low"_a = readable(amount_of(first), 2),
             "high"_a = readable(amount_of(last), 2),
             "weakest"_a = is_weak ? readable(grid.edges(first), 2) : "",
             "weakest_gain"_a = readable(rounded_down(gain_of(first), 3), 3),
-            "joins"_a = joins_the_clean(reasons)};
+            "joins"_a = joins_the_clean(reasons),
+            "slower"_a = moved && larger > clearly,
+            "larger"_a = readable(larger, 2)};
 }
 
 }   // namespace

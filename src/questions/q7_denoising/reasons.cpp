@@ -31,6 +31,14 @@ std::vector<Eigen::Index> band_ends(const Vector& mu) {
     return ends;
 }
 
+/// μ where the line through the last two bands has as much shape as noise, on logarithmic scales; of one band its own.
+double last_crossing(const ModeBands& bands) {
+    const std::size_t last = bands.mu.size() - 1;
+    if (last == 0) return bands.mu[0];
+    const double before = std::log(bands.shape[last - 1]), after = std::log(bands.shape[last]);
+    return bands.mu[last - 1] * std::pow(bands.mu[last] / bands.mu[last - 1], before / (before - after));
+}
+
 }   // namespace
 
 double ErrorParts::deviation_of_sum() const {
@@ -87,13 +95,15 @@ ErrorParts error_parts(const DenoisingGrid& grid, const TriangleMesh& noisy) {
         Positions Y = noisy.X, X = clean.X;
         for (int t = 1; t <= grid.iterations; ++t) {
             Y = solver.step(Y), X = solver.step(X);
-            if (continues(grid, parts.total.amount.back(), {lambda, t})) add_state(lambda * t, Y, X);
+            if (!continues(grid, parts.total.amount.back(), {lambda, t})) continue;
+            add_state(lambda * t, Y, X);
+            if (parts.total.least() + 1 == parts.total.error.size()) parts.best_lambda = lambda, parts.best_step = t;
         }
     }
     return parts;
 }
 
-ModeBands mode_bands(const DenoisingGrid& grid, const NoisyTrial& trial) {
+ModeBands mode_bands(const DenoisingGrid& grid, const NoisyTrial& trial, const ErrorParts& parts) {
     constexpr int all_up_to = 700, fewer = 150;   // vertices, modes
     const TriangleMesh& clean = grid.clean->mesh();
     const LaplaceBeltrami laplacian = laplace_beltrami(clean);
@@ -114,14 +124,11 @@ ModeBands mode_bands(const DenoisingGrid& grid, const NoisyTrial& trial) {
         bands.mu.push_back(std::exp(mu.segment(begin, end - begin).array().log().mean()));
         bands.shape.push_back(rms(shape.middleRows(begin, end - begin)));
         bands.noise.push_back(rms(noise.middleRows(begin, end - begin)));
-        bands.kept.push_back(std::pow(1 + trial.found.by_shape.value * bands.mu.back(), -trial.found.by_shape.step));
-        if (std::isnan(bands.crossing) && bands.shape.back() < 1) {
-            bands.above = static_cast<int>(begin);
-            bands.crossing = begin == 0 ? mu[0] : std::sqrt(mu[begin - 1] * mu[begin]);
-        }
+        bands.kept.push_back(std::pow(1 + parts.best_lambda * bands.mu.back(), -parts.best_step));
+        if (std::isnan(bands.crossing) && bands.shape.back() < 1) bands.crossing = last_crossing(bands);
         begin = end;
     }
-    if (std::isnan(bands.crossing)) bands.above = bands.modes;
+    bands.above = static_cast<int>(std::isnan(bands.crossing) ? modes : (mu.array() < bands.crossing).count());
     return bands;
 }
 
@@ -136,7 +143,7 @@ Reasons reasons_of(const std::vector<DenoisingGrid>& grids) {
     reasons.parts = error_parts(grid, grid.pictured().noisy);
     for (const NoisyTrial& trial : grid.trials) reasons.levels.push_back(error_curve(grid, trial));
     try {
-        reasons.bands = mode_bands(grid, grid.pictured());
+        reasons.bands = mode_bands(grid, grid.pictured(), reasons.parts);
     } catch (const SolverError&) {   // no plot of them
     }
     return reasons;

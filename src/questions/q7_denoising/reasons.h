@@ -11,12 +11,12 @@ namespace meshfolio::q7_denoising {
 struct ModeBands {
     std::vector<double> mu;             // geometric mean of the band [1/h̄²]
     std::vector<double> shape, noise;   // [noise of a mode]
-    std::vector<double> kept;           // of a mode of this μ by the best smoothing, (1 + λμ)⁻ᵗ
-    int modes = 0, above = 0;           // without the constant ones; in bands before the first with less shape than noise
+    std::vector<double> kept;           // of a mode of this μ by the best smoothing with the same operator, (1 + λμ)⁻ᵗ
+    int modes = 0, above = 0;           // without the constant ones; of waves longer than at the crossing
     bool all = false;                   // all modes of the mesh
 
     bool crosses() const { return above > 0 && above < modes; }
-    double crossing = NAN;                                               // μ between these bands [1/h̄²]
+    double crossing = NAN;                                               // μ where shape falls below noise, between bands [1/h̄²]
     double wavelength() const { return 2 * pi / std::sqrt(crossing); }   // [h̄]
 };
 
@@ -31,6 +31,8 @@ struct ErrorCurve {
 struct ErrorParts {
     ErrorCurve total, noise, shape;   // of the same amounts
     ErrorCurve surface;               // surface distance of the smoothed clean mesh, likewise
+    double best_lambda = 0;           // of the least total [h̄²]
+    int best_step = 0;                // 0: the noisy mesh itself
 
     /// Largest |(noise² + shape²)/error² − 1| up to twice the best amount: 0 in the mean over the noise.
     double deviation_of_sum() const;
@@ -51,8 +53,8 @@ bool joins_the_clean(const Reasons& reasons);
 ErrorCurve error_curve(const DenoisingGrid& grid, const NoisyTrial& trial);
 /// @param noisy  smoothed beside the clean mesh, with its operator and every λ of the grid
 ErrorParts error_parts(const DenoisingGrid& grid, const TriangleMesh& noisy);
-/// All modes of small meshes, else the smoothest. @throws SolverError
-ModeBands mode_bands(const DenoisingGrid& grid, const NoisyTrial& trial);
+/// All modes of small meshes, else the smoothest. @param parts  of this trial @throws SolverError
+ModeBands mode_bands(const DenoisingGrid& grid, const NoisyTrial& trial, const ErrorParts& parts);
 Reasons reasons_of(const std::vector<DenoisingGrid>& grids);
 
 }   // namespace meshfolio::q7_denoising

@@ -247,9 +247,10 @@ std::string verdict_on(const NoisyTrial& trial) {
     return gain >= works ? "works" : "helps";
 }
 
-bool is_unended(const DenoisingGrid& grid, const SearchState& best) {
-    if (best.step == 0) return false;
-    return best.step == grid.iterations || best.value == grid.lambdas.back() || (best.value == grid.lambdas.front() && best.step == 1);
+bool is_unended(const NoisyTrial& trial, const SearchState& best) {
+    const auto amount = [](const SearchState& s) { return s.value * s.step; };
+    const auto [least, most] = std::ranges::minmax_element(trial.states, {}, amount);
+    return best.step > 0 && (amount(best) <= amount(*least) || amount(best) >= amount(*most));
 }
 
 NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids) {

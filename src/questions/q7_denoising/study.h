@@ -115,8 +115,8 @@ DenoisingGrid denoising_grid(SharedMesh clean, const QuestionSettings& settings)
 /// volume), "–" (the noise does not move the surface).
 std::string verdict_on(const NoisyTrial& trial);
 inline constexpr double volume_to_keep = 0.85;
-/// Whether the best lies at an end of the grid. The smallest λ is no end while t can grow: more of its steps do the same.
-bool is_unended(const DenoisingGrid& grid, const SearchState& best);
+/// Whether the best lies at an end of the amounts λt tried: less or more smoothing may gain more.
+bool is_unended(const NoisyTrial& trial, const SearchState& best);
 
 /// Which noise separates the cases in which the distance to the surface is halved. Levels that differ by rounding are one. [mean edges]
 struct NoiseSplit {

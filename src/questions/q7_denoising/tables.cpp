@@ -34,7 +34,7 @@ report::Table result_table(const Grids& grids) {
 report::Table measure_table(const Grids& grids) {
     const std::vector<Case> cases = cases_of(grids);
     const report::Column gain{.unit = "×", .rounding = Rounding::down, .heat = Heat{1, 8}};
-    const auto unended = std::ranges::count_if(cases, [](const Case& c) { return is_unended(c.whole, c.part.found.by_shape); });
+    const auto unended = std::ranges::count_if(cases, [](const Case& c) { return is_unended(c.part, c.part.found.by_shape); });
     auto measured = table("q7_measures", words.line("measures.table", "unended"_a = unended), cases);
     measured.column("mesh", [](auto& c) { return c.whole.name(); }).column("σ", {.unit = "% of box", .digits = 2}, [](auto& c) {
         return 100 * c.part.relative;
@@ -70,14 +70,16 @@ report::Table remains_table(const Grids& grids) {
 
 report::Plot mode_plot(const Reasons& reasons) {
     const ModeBands& bands = reasons.bands;
+    report::Facts facts = facts_of(*reasons.grid, reasons.grid->pictured());
+    facts.push_back("amount"_a = readable(reasons.parts.best_lambda * reasons.parts.best_step, 2));
     report::Plot plot{.id = "q7_modes",
-                      .caption = words.line("modes", facts_of(*reasons.grid, reasons.grid->pictured())),
+                      .caption = words.line("modes", facts),
                       .x_label = words.line("modes.x"),
                       .y_label = words.line("modes.y"),
                       .log_x = true,
                       .log_y = true};
     plot.series = {{.name = words.line("modes.shape"), .x = bands.mu, .y = bands.shape, .style = report::Series::Style::line_and_points},
-                   {.name = words.line("modes.noise"), .x = bands.mu, .y = bands.noise, .style = report::Series::Style::line_and_points},
+                   {.name = words.line("modes.noise"), .x = bands.mu, .y = bands.noise, .style = report::Series::Style::points},
                    {.name = words.line("modes.kept"), .x = bands.mu, .y = bands.kept, .style = report::Series::Style::dashed}};
     return plot;
 }

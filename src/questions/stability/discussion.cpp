@@ -164,14 +164,17 @@ report::Facts result_facts(const Planes& planes) {
             names_where(planes, [=](auto& maps) { return std::ranges::any_of((maps.*map).inverted, [](double x) { return x > 0; }); }));
     };
     double least = infinity;
+    std::string least_mesh;
     for (const SmoothingMaps& maps : planes)
-        for (const double size : maps.implicit_map.size) least = std::min(least, size);   // NaN is left out
+        for (const double size : maps.implicit_map.size)
+            if (size < least) least = size, least_mesh = maps.name();   // NaN is left out
     return {"neither"_a = named(Nearest::neither),
             "by_explicit"_a = named(Nearest::explicit_steps),
             "by_implicit"_a = named(Nearest::implicit_steps),
             "by_both"_a = named(Nearest::both),
             "turned_explicit"_a = turned(&SmoothingMaps::explicit_map),
             "turned_implicit"_a = turned(&SmoothingMaps::implicit_map),
+            "least_mesh"_a = least_mesh,
             "least"_a = least < 1e-6 ? "" : readable_percent(least, 2)};
 }
 

@@ -18,8 +18,11 @@ TableBuilder<std::vector<const Estimator*>> table_of_estimators(std::string id, 
         .column("estimator", &Estimator::name);
 }
 
-/// ● second order or exact, ◐ less, ○ not converging.
-std::string sign_of(const Order& order) { return !order.converges() ? "○" : order.exponent < 1.5 ? "◐" : "●"; }
+/// ● second order or exact, ◐ less, ○ not converging, – too few levels to tell.
+std::string sign_of(const Order& order) {
+    if (std::isnan(order.exponent) && !order.exact) return "–";
+    return !order.converges() ? "○" : order.exponent < 1.5 ? "◐" : "●";
+}
 
 /// A sign for every surface, and the largest of the errors.
 std::string behaviour_on(const GroundTruth& truth, MeshKind kind, const Estimator& estimator) {

@@ -16,17 +16,22 @@ DenoisingGrid grid_on(const TriangleMesh& mesh, const std::string& name) {
     return denoising_grid(library_mesh(mesh, name), quick_settings());
 }
 
+ModeBands bands_of(const DenoisingGrid& grid, const NoisyTrial& trial) { return mode_bands(grid, trial, error_parts(grid, trial.noisy)); }
+
 }   // namespace
 
 TEST(DenoisingReasons, NoiseIsAsStrongInEveryModeAndShapeIsNot) {
     const DenoisingGrid grid = grid_on(icosphere(3), "ball_modes");   // 642 vertices
-    const ModeBands bands = mode_bands(grid, grid.trials.back());
+    const ModeBands bands = bands_of(grid, grid.trials.back());
     EXPECT_TRUE(bands.all);
     EXPECT_EQ(bands.modes, 641);
     for (const double noise : bands.noise) EXPECT_NEAR(noise, 1, 0.35) << "rms over 24 numbers at least";
     EXPECT_GT(bands.shape.front(), 10);
     EXPECT_LT(bands.shape.back(), 0.1);
     ASSERT_TRUE(bands.crosses());
+    const auto after = std::ranges::upper_bound(bands.mu, bands.crossing) - bands.mu.begin();   // the bands beside the crossing
+    EXPECT_GE(bands.shape[after - 1], 1);
+    EXPECT_LT(bands.shape[after], 1);
     EXPECT_GT(bands.wavelength(), 2) << "of mean edges: no wave is shorter";
     for (std::size_t i = 1; i < bands.mu.size(); ++i) {
         EXPECT_GT(bands.mu[i], bands.mu[i - 1]);
@@ -39,7 +44,7 @@ TEST(DenoisingReasons, TheUnitIsTheNoiseOfOneMode) {
     const DenoisingGrid grid = grid_on(cube_mesh(8), "cube_modes");
     NoisyTrial doubled = grid.trials.front();
     doubled.sigma *= 2;   // the same noise, told as twice as much
-    const ModeBands one = mode_bands(grid, grid.trials.front()), half = mode_bands(grid, doubled);
+    const ModeBands one = bands_of(grid, grid.trials.front()), half = bands_of(grid, doubled);
     for (std::size_t i = 0; i < one.noise.size(); ++i) EXPECT_NEAR(half.noise[i], one.noise[i] / 2, 1e-12);
 }
 
@@ -55,6 +60,7 @@ TEST(DenoisingReasons, TheErrorIsTheNoiseLeftAndTheShapeLost) {
         EXPECT_LE(parts.total.error[i], parts.noise.error[i] + parts.shape.error[i] + 1e-12) << "the triangle inequality";
     }
     EXPECT_GT(parts.shape.error.back(), parts.noise.error.back()) << "in the end";
+    EXPECT_NEAR(parts.best_lambda * parts.best_step, parts.total.amount[parts.total.least()], 1e-12) << "what the plot of the modes shows";
 }
 
 // Each λ but the smallest counts from its third step on, and only where smaller ones have not come.
