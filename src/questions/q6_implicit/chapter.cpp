@@ -32,7 +32,8 @@ report::Table grid_table(const Studies& studies) {
         .column("size, implicit", {.unit = "% of input"}, [](auto& r) { return 100 * r.cell.kept; })
         .column("faces turned", {.digits = 6}, [](auto& r) { return cell_of(r.cell.inverted_faces, !r.cell.collapsed()); })
         .column("blew up in", {.unit = "iteration", .digits = 6},
-                [](auto& r) { return cell_of(r.cell.explicit_blow_up, r.cell.explicit_blow_up > 0); });
+                [](auto& r) { return cell_of(r.cell.explicit_blow_up, r.cell.explicit_blow_up > 0); })
+        .file_only();
 }
 
 /// What is recommended, how smooth it is, and its price.
