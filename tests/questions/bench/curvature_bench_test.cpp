@@ -32,7 +32,8 @@ TEST(CurvatureBench, OrdersAsWords) {
     EXPECT_EQ(words_of({-0.5, 0.25}), "−0.50\u202f±\u202f0.25");
     EXPECT_EQ(words_of({1.98, 0.0002}), "1.98\u202f±\u202f<\u202f0.001");
     EXPECT_EQ(words_of({1.98, 0.004}), "1.98\u202f±\u202f0.004");
-    EXPECT_EQ(words_of({std::nan(""), std::nan("")}), "exact");
+    EXPECT_EQ(words_of({std::nan(""), std::nan(""), true}), "exact");
+    EXPECT_EQ(words_of({std::nan(""), std::nan("")}), "–") << "not known, which is not exact";
 }
 
 TEST(CurvatureBench, WordsFollowTheNumbers) {
@@ -42,6 +43,8 @@ TEST(CurvatureBench, WordsFollowTheNumbers) {
     EXPECT_NE(trend({{1, 0.5, 0.25}, {1e-15, 2e-15, 1e-14}}).find("rounding"), std::string::npos);
     EXPECT_TRUE((ErrorHistory{{1, 0.5}, {0.2, 0.1}}.order().converges()));
     EXPECT_FALSE((ErrorHistory{{1, 0.5}, {0.1, 0.1}}.order().converges()));
+    EXPECT_FALSE((ErrorHistory{{1, 0.5}, {std::nan(""), 0.02}}.order().converges())) << "one error shows no order";
+    EXPECT_TRUE((ErrorHistory{{1, 0.5}, {1e-15, 1e-15}}.order().converges())) << "rounding";
 }
 
 TEST(CurvatureBench, NormalPartOfTheUniformLaplacianIsExactAtAnyPointsOfASphere) {

@@ -142,7 +142,7 @@ TEST(Q1, TheTextFollowsTheData) {
     EXPECT_TRUE(says(sheet, "flat with symmetric inner rings"));
     EXPECT_TRUE(says(sheet, "1.000 full turns"));
     EXPECT_FALSE(says(ball, "is flat"));
-    EXPECT_TRUE(says(ball, "at the 12 vertices whose valence is not six"));
+    EXPECT_TRUE(says(ball, "at the 12 vertices with other than six edges"));
     EXPECT_TRUE(says(ball, "The area makes the difference"));
     EXPECT_EQ(ball.figures[0].panels.back().marked_vertices.size(), 12u);
 }

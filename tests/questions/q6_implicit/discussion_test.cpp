@@ -47,14 +47,14 @@ TEST(ImplicitDiscussion, PayingIsStrongOrTooFarByTheSizeThatIsLeft) {
     ASSERT_TRUE(with_prices().break_even());
     const std::string gentle = told(leaving(0.97)), strong = told(leaving(0.6)), gone = told(leaving(0.4));
     EXPECT_TRUE(has(gentle, "Implicit steps pay on cube_told6 while 95\u202f% of the size is still left")) << gentle;
-    EXPECT_TRUE(has(strong, "Implicit steps pay only for strong smoothing")) << strong;
+    EXPECT_TRUE(has(strong, "Implicit steps pay only beyond the amount we recommend")) << strong;
     EXPECT_TRUE(has(strong, "60\u202f% of the size is left")) << strong;
     EXPECT_TRUE(has(gone, "Implicit steps pay on cube_told6 only where smoothing goes too far")) << gone;
     for (const std::string& text : {gentle, strong}) EXPECT_FALSE(has(text, "too far")) << text;
-    EXPECT_FALSE(has(gone, "pay only for strong")) << gone;
+    EXPECT_FALSE(has(gone, "pay only beyond")) << gone;
     const std::string some = told(Studies{leaving(0.97), leaving(0.6)});
     EXPECT_TRUE(has(some, "They pay only for stronger smoothing on cube_told6")) << some;
-    EXPECT_FALSE(has(some, "Implicit steps pay only for strong")) << some;
+    EXPECT_FALSE(has(some, "Implicit steps pay only beyond")) << some;
 }
 
 TEST(ImplicitDiscussion, TheAnswerIsOneSentence) {
@@ -62,11 +62,11 @@ TEST(ImplicitDiscussion, TheAnswerIsOneSentence) {
     never.prices.implicit_step = 1e9;
     uncounted.prices.implicit_step = 0;
     const std::string always = answered({leaving(0.97)}), strong = answered({leaving(0.6)}), some = answered({leaving(0.97), leaving(0.6)});
-    EXPECT_TRUE(has(always, "50 λ_crit, and can cost less than explicit smoothing.")) << always;
-    EXPECT_TRUE(has(strong, "only for strong smoothing.")) << strong;
+    EXPECT_TRUE(has(always, "(50 λ_crit tried), and keeping 95\u202f% of the size it can be cheaper.")) << always;
+    EXPECT_TRUE(has(strong, "only beyond the amount we recommend.")) << strong;
     EXPECT_TRUE(has(some, "on 1 of 2 meshes")) << some;
     EXPECT_TRUE(has(answered({never}), "costs more than explicit smoothing at every amount tried.")) << answered({never});
-    EXPECT_TRUE(answered({uncounted}).ends_with("up to 50 λ_crit.")) << answered({uncounted});
+    EXPECT_TRUE(answered({uncounted}).ends_with("(50 λ_crit tried).")) << answered({uncounted});
     for (const std::string& answer : {always, strong, some, answered({never})}) EXPECT_LE(std::ranges::count(answer, ' '), 25) << answer;
     EXPECT_FALSE(has(told(uncounted), "pay.")) << told(uncounted);
     EXPECT_TRUE(has(told(never), "On cube_told6 they pay at no amount tried")) << told(never);
@@ -101,12 +101,12 @@ TEST(ImplicitDiscussion, SaysWhereTheShapeGivesWay) {
 
 TEST(ImplicitDiscussion, WhatAStepTooLargeDoesIsMeasured) {
     ImplicitStudy study = implicit_study(cube, quick_settings());
-    EXPECT_TRUE(has(told(study), "sharp edges of cube_told6 lie inside")) << told(study);
+    EXPECT_TRUE(has(told(study), "sharp edges of cube_told6 are pulled in")) << told(study);
     SmoothingCell& first = first_too_large(study);
     first.explicit_X = study.subject.mesh().X;   // the edges are where they were
     first.explicit_energy = 3;
-    EXPECT_FALSE(has(told(study), "lie inside")) << told(study);
-    EXPECT_TRUE(has(told(study), "The energy of cube_told6 is higher than before")) << told(study);
+    EXPECT_FALSE(has(told(study), "pulled in")) << told(study);
+    EXPECT_TRUE(has(told(study), "The energy of cube_told6 is higher there than that of the input")) << told(study);
     first.explicit_energy = 0.5;
     EXPECT_FALSE(has(told(study), "announce")) << "nothing to see as yet: " << told(study);
 

@@ -60,7 +60,8 @@ TEST(Q7, ABestIterationThatIsTheLastIsReportedAsSuch) {
         const Answer answer = chapter_of_id("q7").answer(library_of(icosphere(2), "ball_ended"), settings, no_progress);
         return table_named(answer.section, "q7_measures").caption.find("may gain more") != std::string::npos;
     };
-    EXPECT_TRUE(is_told(0.03)) << "one step of many";
+    EXPECT_TRUE(is_told(0.3)) << "one step of the largest λ";
+    EXPECT_FALSE(is_told(0.03)) << "one step of a λ between";
     EXPECT_FALSE(is_told(1e-9)) << "none is better";
 }
 

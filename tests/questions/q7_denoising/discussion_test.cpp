@@ -205,7 +205,7 @@ TEST(DenoisingDiscussion, OtherNoiseIsComparedWithTheGainAgainstGaussianNoise) {
         return told(grid);
     };
     EXPECT_TRUE(has(with(1.2, 0.5), "is harder: it gains 2.4 at the best t of that run, where Gaussian noise gains 3.0")) << with(1.2, 0.5);
-    EXPECT_TRUE(has(with(1.2, 0.5), "at least 50\u202f% as far off"));
+    EXPECT_TRUE(has(with(1.2, 0.5), "off by at least 50\u202f% of what"));
     EXPECT_FALSE(has(with(1.2, 0.01), "spreads a spike"));
     EXPECT_FALSE(has(with(3.5, 0.5), "harder")) << with(3.5, 0.5);
 }
