@@ -25,7 +25,8 @@ report::Facts verdict_facts(const Grids& grids) {
     for (const Case& c : cases)
         if (verdict_on(c.part) == "shrinks") shrinking.push_back(c.whole.name());
     const auto rises = [](const DenoisingGrid& grid) { return grid.trials.size() > 1 && std::ranges::is_sorted(grid.trials, {}, gain_of); };
-    return {"rises"_a = std::ranges::all_of(grids, rises),
+    const bool gained = std::ranges::any_of(cases, [](const Case& c) { return gain_of(c.part) >= helps; });
+    return {"rises"_a = gained && std::ranges::all_of(grids, rises),
             "works"_a = count("works"),
             "helps"_a = count("helps"),
             "fails"_a = count("fails"),
@@ -198,7 +199,7 @@ report::Facts reason_facts(const Reasons& reasons) {
             "all"_a = reasons.bands.all,
             "exceeds"_a = reasons.bands.modes > 0 && reasons.bands.above == reasons.bands.modes,
             "sums"_a = deviation < 0.25,
-            "sum"_a = readable_percent(rounded_up(deviation, 2), 2),
+            "sum"_a = deviation < 0.005 ? "" : readable_percent(rounded_up(deviation, 2), 2),
             "later"_a = first.improved() && amount_of(last) > clearly * amount_of(first),
             "low"_a = readable(amount_of(first), 2),
             "high"_a = readable(amount_of(last), 2),
