@@ -11,7 +11,7 @@ using namespace testing_tools;
 
 namespace {
 
-Answer answer_on(const TriangleMesh& mesh, const std::string& name) {
+Answer preflight_on(const TriangleMesh& mesh, const std::string& name) {
     return chapter_of_id("certificates").answer(library_of(mesh, name), quick_settings(), no_progress);
 }
 
@@ -43,7 +43,7 @@ TEST(PreflightSection, BundledMeshesEachOnceAndSound) {
 }
 
 TEST(PreflightSection, EveryDefectHasItsRowWithWhatItBreaksAndWhatWasDone) {
-    const Answer answer = answer_on(ball_with_defects(), "pre_ball");
+    const Answer answer = preflight_on(ball_with_defects(), "pre_ball");
     expect_well_formed(answer);
     expect_checks_pass(answer.section);
     const report::Table& table = table_named(answer.section, "certificates_defects");
@@ -65,16 +65,16 @@ TEST(PreflightSection, EveryDefectHasItsRowWithWhatItBreaksAndWhatWasDone) {
 TEST(PreflightSection, SaysHowFarTheFileRounds) {
     TriangleMesh mesh = icosphere(2);
     mesh.X = ((mesh.X * 1e6).array().round() / 1e6).matrix().eval();
-    const Answer answer = answer_on(mesh, "pre_six");
+    const Answer answer = preflight_on(mesh, "pre_six");
     const double steps = numbers(table_named(answer.section, "certificates_geometry"), "steps of coordinates").front();
     EXPECT_NEAR(steps, 1e-6 / numbers(table_named(answer.section, "certificates_geometry"), "shortest edge").front(), 1e-12);
     EXPECT_NE(prose_of(answer.section).find("A file rounds its coordinates"), std::string::npos);
-    EXPECT_EQ(prose_of(answer_on(icosphere(2), "pre_full").section).find("A file rounds"), std::string::npos);
-    EXPECT_EQ(prose_of(answer_on(cube_mesh(1), "pre_grid").section).find("A file rounds"), std::string::npos);
+    EXPECT_EQ(prose_of(preflight_on(icosphere(2), "pre_full").section).find("A file rounds"), std::string::npos);
+    EXPECT_EQ(prose_of(preflight_on(cube_mesh(1), "pre_grid").section).find("A file rounds"), std::string::npos);
 }
 
 TEST(PreflightSection, SoundMeshesHaveNoTableOfDefects) {
-    const Answer answer = answer_on(icosphere(2), "pre_sound");
+    const Answer answer = preflight_on(icosphere(2), "pre_sound");
     expect_well_formed(answer);
     expect_checks_pass(answer.section);
     EXPECT_FALSE(has_table(answer.section, "certificates_defects"));
@@ -97,16 +97,16 @@ TEST(PreflightSection, AnUnreadableMeshIsReportedAndTheRestIsAnswered) {
 }
 
 TEST(PreflightSection, WordsFollowTheShapeAndTheFindings) {
-    const std::string ball = prose_of(answer_on(icosphere(2), "pre_even").section);
+    const std::string ball = prose_of(preflight_on(icosphere(2), "pre_even").section);
     EXPECT_NE(ball.find("No triangle is thin"), std::string::npos);
     EXPECT_EQ(ball.find("Some defects stay"), std::string::npos);
     TriangleMesh thin = icosphere(2);
     thin.X.col(2) *= 50;
-    EXPECT_NE(prose_of(answer_on(thin, "pre_thin").section).find("make explicit steps small"), std::string::npos);
+    EXPECT_NE(prose_of(preflight_on(thin, "pre_thin").section).find("make explicit steps small"), std::string::npos);
     TriangleMesh seam = icosphere(2);
     seam.X.row(0) = seam.X.row(1);
-    EXPECT_NE(prose_of(answer_on(seam, "pre_seam").section).find("vertices exactly on an earlier one (pre_seam 1)"), std::string::npos);
-    const Answer one = answer_on(grid_mesh(4, 4, 1, 1), "pre_sheet");
+    EXPECT_NE(prose_of(preflight_on(seam, "pre_seam").section).find("vertices exactly on an earlier one (pre_seam 1)"), std::string::npos);
+    const Answer one = preflight_on(grid_mesh(4, 4, 1, 1), "pre_sheet");
     EXPECT_NE(report::plain(one.section.answer).find("the mesh departs from"), std::string::npos);
 }
 

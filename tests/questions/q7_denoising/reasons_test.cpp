@@ -12,7 +12,7 @@ using namespace testing_tools;
 
 namespace {
 
-DenoisingGrid grid_on(const TriangleMesh& mesh, const std::string& name) {
+DenoisingGrid quick_grid_on(const TriangleMesh& mesh, const std::string& name) {
     return denoising_grid(library_mesh(mesh, name), quick_settings());
 }
 
@@ -21,7 +21,7 @@ ModeBands bands_of(const DenoisingGrid& grid, const NoisyTrial& trial) { return 
 }   // namespace
 
 TEST(DenoisingReasons, NoiseIsAsStrongInEveryModeAndShapeIsNot) {
-    const DenoisingGrid grid = grid_on(icosphere(3), "ball_modes");   // 642 vertices
+    const DenoisingGrid grid = quick_grid_on(icosphere(3), "ball_modes");   // 642 vertices
     const ModeBands bands = bands_of(grid, grid.trials.back());
     EXPECT_TRUE(bands.all);
     EXPECT_EQ(bands.modes, 641);
@@ -41,7 +41,7 @@ TEST(DenoisingReasons, NoiseIsAsStrongInEveryModeAndShapeIsNot) {
 
 // |Φᵀ M N|² over all modes is N's own square with the masses: Σ M_i |N_i|², but for the constants.
 TEST(DenoisingReasons, TheUnitIsTheNoiseOfOneMode) {
-    const DenoisingGrid grid = grid_on(cube_mesh(8), "cube_modes");
+    const DenoisingGrid grid = quick_grid_on(cube_mesh(8), "cube_modes");
     NoisyTrial doubled = grid.trials.front();
     doubled.sigma *= 2;   // the same noise, told as twice as much
     const ModeBands one = bands_of(grid, grid.trials.front()), half = bands_of(grid, doubled);
@@ -49,7 +49,7 @@ TEST(DenoisingReasons, TheUnitIsTheNoiseOfOneMode) {
 }
 
 TEST(DenoisingReasons, TheErrorIsTheNoiseLeftAndTheShapeLost) {
-    const DenoisingGrid grid = grid_on(icosphere(3), "ball_parts");
+    const DenoisingGrid grid = quick_grid_on(icosphere(3), "ball_parts");
     const ErrorParts parts = error_parts(grid, grid.trials.back().noisy);
     ASSERT_EQ(parts.total.amount, parts.noise.amount);
     EXPECT_EQ(parts.shape.error.front(), 0);
@@ -65,7 +65,7 @@ TEST(DenoisingReasons, TheErrorIsTheNoiseLeftAndTheShapeLost) {
 
 // Each λ but the smallest counts from its third step on, and only where smaller ones have not come.
 TEST(DenoisingReasons, ACurveHasEachAmountOnce) {
-    const DenoisingGrid grid = grid_on(cube_mesh(8), "cube_curve");
+    const DenoisingGrid grid = quick_grid_on(cube_mesh(8), "cube_curve");
     for (const NoisyTrial& trial : grid.trials) {
         const ErrorCurve curve = error_curve(grid, trial);
         EXPECT_NEAR(curve.error.front(), trial.found.noisy.shape / grid.mean_edge, 1e-15);
@@ -81,7 +81,7 @@ TEST(DenoisingReasons, ACurveHasEachAmountOnce) {
 }
 
 TEST(DenoisingReasons, WithoutNoiseOnlyShapeIsLost) {
-    const DenoisingGrid grid = grid_on(cube_mesh(6), "cube_clean");
+    const DenoisingGrid grid = quick_grid_on(cube_mesh(6), "cube_clean");
     const ErrorParts parts = error_parts(grid, grid.clean->mesh());
     EXPECT_EQ(*std::ranges::max_element(parts.noise.error), 0);
     EXPECT_EQ(parts.total.error, parts.shape.error);
@@ -89,7 +89,7 @@ TEST(DenoisingReasons, WithoutNoiseOnlyShapeIsLost) {
 }
 
 TEST(DenoisingReasons, TheSmallestMeshThatGainsIsShown) {
-    const std::vector<DenoisingGrid> grids{grid_on(icosphere(3), "larger"), grid_on(icosphere(2), "smaller")};
+    const std::vector<DenoisingGrid> grids{quick_grid_on(icosphere(3), "larger"), quick_grid_on(icosphere(2), "smaller")};
     EXPECT_EQ(reasons_of(grids).grid, &grids[1]);
     std::vector<DenoisingGrid> none = grids;
     for (DenoisingGrid& grid : none)
