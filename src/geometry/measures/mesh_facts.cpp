@@ -96,7 +96,8 @@ MeshFacts mesh_facts(const PreparedMesh& prepared) {
     facts.gauss_bonnet_residual = gauss_bonnet_error(deficits, facts.counts.euler_characteristic);
     if (facts.shortest_edge > 0) {
         facts.coordinate_rounding = coordinate_spacing(mesh) / facts.shortest_edge;
-        facts.written_steps = written_spacing(mesh.X) / facts.shortest_edge;
+        const bool whole = (mesh.X.array() == mesh.X.array().round()).all();
+        if (!whole) facts.written_steps = written_spacing(mesh.X) / facts.shortest_edge;
     }
     return facts;
 }

@@ -24,8 +24,8 @@ struct MeshFacts {
 
     /// Spacing of doubles at the farthest coordinate, over the shortest edge: how coarsely positions are stored. 0 with no length at all.
     double coordinate_rounding = 0;
-    /// written_spacing() over the shortest edge: how coarsely the file has rounded. 1 or more on a grid, which needs no rounding; 0 with no
-    /// length at all.
+    /// written_spacing() over the shortest edge: how coarsely the file has rounded. 1 or more on a grid, which needs no rounding; 0 of
+    /// whole numbers, likewise, and with no length at all.
     double written_steps = 0;
 
     /// Has the file rounded so that it can be seen: by more than 10⁻⁹ of the shortest edge, and on no grid?
