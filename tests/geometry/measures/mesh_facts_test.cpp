@@ -82,7 +82,7 @@ TEST(MeshFacts, WrittenSpacingIsThatOfTheFile) {
 
 TEST(MeshFacts, AGridIsNotRounded) {
     TriangleMesh block = cube_mesh(1);
-    block.X *= 7;
+    block.X *= 8;
     EXPECT_EQ(mesh_facts(prepared(block)).written_steps, 0) << "whole numbers need no rounding";
     for (const double step : {0.3, 0.05, 0.125}) {
         TriangleMesh grid = grid_mesh(5, 5, 4, 4);
