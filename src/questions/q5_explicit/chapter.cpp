@@ -174,8 +174,9 @@ void add_record(report::Section& section, const Studies& studies) {
     section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)), "all"_a = all);
 }
 
-void add_appendix(report::Section& section, const Studies& studies) {
+void add_appendix(report::Section& section, const Studies& studies, const report::Facts& facts) {
     begin_appendix(section);
+    add_words(section, words, "units", facts);
     add(section, steps_table(studies), bounds_table(studies));
     add_faces_without_area(section, studies);
 }
@@ -201,9 +202,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_frames_figure(answer, studies);
     add_words(section, words, "stop", facts);
     add_recommended_figure(answer, studies);
-    add_words(section, words, "units", facts);
     for (const ExplicitStudy& study : studies) add_checks(section, study);
-    add_appendix(section, studies);
+    add_appendix(section, studies, facts);
     add_record(section, studies);
     return answer;
 }
