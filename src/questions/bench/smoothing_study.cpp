@@ -267,10 +267,4 @@ output::ColorRange curvature_range(const std::vector<output::Panel>& inputs) {
     return output::robust_range(inputs, "diverging", smoothing_words.line("figure.colours"), "", 0.02);
 }
 
-LibraryMeshes laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
-    if (settings.laboratory) return meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section);
-    if (settings.quick) return meshes_for(library, settings, {"cube"}, section);
-    return meshes_for(library, settings, {"cube", "plane_ns"}, section);
-}
-
 }   // namespace meshfolio

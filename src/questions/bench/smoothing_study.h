@@ -42,10 +42,6 @@ FactorOperations implicit_operations_of(const SmoothingSubject& subject);
 /// The steps of the settings, else these multiples of the explicit limit; ascending, each once. [length²]
 std::vector<double> steps_of(const QuestionSettings& settings, double critical, const std::vector<double>& multiples);
 
-/// meshes_for() the sections on smoothing itself: four meshes in the laboratory, two in a report, one in a quick look.
-/// @throws InputError if one is missing or unusable
-LibraryMeshes laboratory_meshes(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section);
-
 struct SmoothingRun {
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;
     double lambda = 0;    // [length²]

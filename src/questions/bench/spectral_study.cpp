@@ -92,8 +92,7 @@ double wavelength(const SpectralStudy& study, int mode) {
 }
 
 Vector coefficient_sizes(const Spectrum& spectrum, const Vector& M, const Positions& X) {
-    const Positions c = spectrum.eigenvectors.transpose() * (M.asDiagonal() * X);
-    return c.rowwise().norm() / std::sqrt(M.sum());
+    return spectral_coefficients(spectrum, M, X).rowwise().norm() / std::sqrt(M.sum());
 }
 
 double weyl_eigenvalue(double k, double area, double boundary) {
