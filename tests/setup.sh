@@ -3,7 +3,8 @@
 clang_format=clang-format-14   # the only version that agrees with the sources
 build_packages="cmake g++ ninja-build pkg-config libeigen3-dev libspectra-dev libtinyobjloader-dev libstb-dev libglm-dev libcli11-dev
     libtbb-dev libdeflate-dev libhwy-dev nettle-dev nlohmann-json3-dev libpugixml-dev
-    libkainjow-mustache-dev libtomlplusplus-dev libqpdf-dev libarchive-dev fonts-dejavu-core fonts-dejavu-extra chromium-headless-shell"
+    libkainjow-mustache-dev libtomlplusplus-dev libqpdf-dev libarchive-dev fonts-texgyre fonts-texgyre-math fonts-inter
+    fonts-dejavu-core python3-fonttools python3-brotli chromium-headless-shell"
 # The Python module, and what its tests compare it with.
 python_packages="pybind11-dev python3-dev python3-numpy python3-scipy python3-nbclient python3-ipykernel python3-matplotlib"
 test_packages="$clang_format libgtest-dev libgmp-dev libembree-dev python3 libvalijson-dev libxml2-utils pandoc poppler-utils qpdf

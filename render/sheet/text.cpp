@@ -20,6 +20,7 @@ namespace render {
 namespace {
 
 constexpr char32_t replacement = 0xFFFD;
+constexpr double line_in_ems = 1.164;   // from ascender to descender
 
 /// Takes one character off the front of `text`; U+FFFD for each byte that is not UTF-8.
 char32_t next_character(std::string_view& text) {
@@ -89,7 +90,7 @@ Font loaded(std::string_view name) {
 }
 
 const Font& font_of(Weight weight) {
-    static const Font regular = loaded("DejaVuSans.ttf"), bold = loaded("DejaVuSans-Bold.ttf");
+    static const Font regular = loaded("sans-regular.ttf"), bold = loaded("sans-bold.ttf");
     return weight == Weight::bold ? bold : regular;
 }
 
@@ -103,7 +104,9 @@ struct Line {
     double width = 0;
 
     Line(std::string_view text, const TextStyle& style)
-        : font(font_of(style.weight)), size(style.size), scale(stbtt_ScaleForPixelHeight(&font.info, static_cast<float>(style.size))) {
+        : font(font_of(style.weight)),
+          size(style.size),
+          scale(stbtt_ScaleForMappingEmToPixels(&font.info, static_cast<float>(style.size / line_in_ems))) {
         for (const int c : code_points(text)) {
             const int glyph = stbtt_FindGlyphIndex(&font.info, c);
             if (!glyphs.empty()) width += static_cast<double>(scale) * stbtt_GetGlyphKernAdvance(&font.info, glyphs.back(), glyph);

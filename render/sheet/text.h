@@ -1,5 +1,5 @@
 /// @file
-/// Text in pictures: DejaVu Sans through stb_truetype, embedded at build time. UTF-8.
+/// Text in pictures: the sans of the pages (templates/fonts) through stb_truetype, embedded at build time. UTF-8.
 #pragma once
 
 #include <string>

@@ -91,7 +91,7 @@ class Printed(unittest.TestCase):
                 self.assertNotIn("Type 3", font)
                 self.assertRegex(font, r" yes +(yes|no) +(yes|no) +\d+ +\d+$", font)
             if name == "report.pdf":
-                self.assertIn("DejaVuMathTeXGyre", "".join(fonts))   # of the formulas
+                self.assertIn("ReportMath", "".join(fonts))   # of the formulas
 
     def test_nothing_of_this_machine_is_inside(self):
         for _, path in self.pdfs.items():
@@ -199,7 +199,7 @@ class Printed(unittest.TestCase):
             r'<word xMin="[^"]*" yMin="(?P<top>[^"]*)" xMax="[^"]*" yMax="(?P<bottom>[^"]*)">(?P<word>[+-][xyz]|above|below|undefined)</word>',
             output_of("pdftotext", "-bbox-layout", self.pdf, "-"))]
         self.assertGreaterEqual({word for _, word in heights}, {"+x", "-z"})
-        of_the_em = 1.164   # DejaVu Sans, from descender to ascender
+        of_the_em = 1.21   # of the sans, from descender to ascender
         self.assertGreaterEqual(min(heights)[0] / of_the_em, 7, min(heights))
 
 

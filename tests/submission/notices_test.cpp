@@ -39,8 +39,8 @@ TEST(Notices, NameEveryPackageThatBuildingTakes) {
     EXPECT_FALSE(has_row("libnothing-dev"));
 }
 
-/// Every library that CMakeLists.txt looks for is of a package that the notices name.
-TEST(Notices, NameEveryLibraryThatIsLookedFor) {
+/// Every library that CMakeLists.txt looks for, and every font, is of a package that the notices name.
+TEST(Notices, NameEveryLibraryAndFontThatIsLookedFor) {
     const std::map<std::string, std::string> packages{{"Eigen3", "libeigen3-dev"},
                                                       {"spectra", "libspectra-dev"},
                                                       {"tinyobjloader", "libtinyobjloader-dev"},
@@ -57,10 +57,17 @@ TEST(Notices, NameEveryLibraryThatIsLookedFor) {
                                                       {"stb_image_write.h", "libstb-dev"},
                                                       {"mustache.hpp", "libkainjow-mustache-dev"},
                                                       {"toml++/toml.h", "libtomlplusplus-dev"},
-                                                      {"DejaVuSans.ttf", "fonts-dejavu-core"},
-                                                      {"DejaVuSans-Bold.ttf", "fonts-dejavu-core"}};
+                                                      {"texgyrepagella-regular.otf", "fonts-texgyre"},
+                                                      {"texgyrepagella-italic.otf", "fonts-texgyre"},
+                                                      {"texgyrepagella-bold.otf", "fonts-texgyre"},
+                                                      {"texgyrepagella-bolditalic.otf", "fonts-texgyre"},
+                                                      {"texgyrepagella-math.otf", "fonts-texgyre-math"},
+                                                      {"Inter-Regular.otf", "fonts-inter"},
+                                                      {"Inter-Italic.otf", "fonts-inter"},
+                                                      {"Inter-SemiBold.otf", "fonts-inter"},
+                                                      {"DejaVuSansMono.ttf", "fonts-dejavu-core"}};
     const std::set<std::string> not_linked{"PkgConfig", "Threads", "Git"};
-    const std::string cmake = read_file(source + "/CMakeLists.txt");
+    const std::string cmake = read_file(source + "/CMakeLists.txt") + read_file(source + "/templates/fonts/fonts.cmake");
     const std::regex asked(
         "(?:find_package\\(|pkg_check_modules\\(\\w+ REQUIRED IMPORTED_TARGET |find_path\\(\\w+ |find_library\\(\\w+ |find_file\\(\\w+ "
         ")([^ )]+)");

@@ -7,6 +7,7 @@
 #include "base/base64.h"
 #include "base/errors.h"
 #include "base/sha256.h"
+#include "embedded_page_fonts.h"
 #include "embedded_viewer.h"
 #include "report/escape.h"
 #include "report/page/view_value.h"
@@ -25,8 +26,20 @@ const std::string& raw_text(const Templates& templates, const std::string& name)
 /// To an HTML parser style and script are raw text, to an XML parser they are markup: the CDATA section inside comments suits both.
 std::string raw_element(const std::string& text) { return "/*<![CDATA[*/\n" + text + "/*]]>*/"; }
 
-std::string joined_styles(const Templates& templates, const std::vector<std::string>& names) {
-    std::string text;
+/// fonts.css with the fonts in place of their files. Only a report has maths and enough italics to be worth their size.
+std::string font_faces(const Templates& templates, bool all) {
+    std::string css = raw_text(templates, "fonts.css");
+    for (const auto& font : meshfolio_embedded::embedded_page_fonts()) {
+        const std::string named = "url(" + std::string(font.name) + ")";
+        const std::size_t at = css.find(named);
+        const bool embedded = all || !(font.name.starts_with("math") || font.name.find("italic") != std::string_view::npos);
+        const std::string source = embedded ? "url(data:font/woff2;base64," + base64(font.bytes) + ")" : "local(none)";
+        if (at != std::string::npos) css.replace(at, named.size(), source);
+    }
+    return css;
+}
+
+std::string joined_styles(const Templates& templates, std::string text, const std::vector<std::string>& names) {
     for (const std::string& name : names) text += raw_text(templates, name);
     return raw_element(text);
 }
@@ -43,7 +56,7 @@ std::string policy_for(const std::string& style, const std::vector<std::string>&
     const auto source = [](const std::string& text) { return " 'sha256-" + base64(sha256_bytes(text)) + "'"; };
     std::string allowed;
     for (const std::string& script : scripts) allowed += source(script);
-    return "default-src 'none'; img-src 'self' data:; style-src" + source(style) + "; script-src" + allowed +
+    return "default-src 'none'; img-src 'self' data:; font-src data:; style-src" + source(style) + "; script-src" + allowed +
            "; base-uri 'none'; form-action 'none'";
 }
 
@@ -65,7 +78,9 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
     if (with_viewer && !parts.labs.empty()) styles.emplace_back("lab.css");
     if (with_viewer) scripts.emplace_back("models.js");
 
-    const std::string style = joined_styles(templates, styles), script = joined_scripts(templates, scripts);
+    const bool of_report = design == "report" || design == "print";
+    const std::string style = joined_styles(templates, font_faces(templates, of_report), styles),
+                      script = joined_scripts(templates, scripts);
     // The scheme is chosen before anything is drawn, hence a script of its own.
     const std::string scheme = on_screen ? raw_element(raw_text(templates, "page_scheme.js")) : "";
     std::vector<std::string> run = {script};   // the texts that are
