@@ -4,12 +4,13 @@
 #include <limits>
 
 #include "report/page/math_markup.h"
+#include "sans-regular.h"
 
 namespace meshfolio::report {
 
 namespace {
 
-constexpr double mean_character_width = 0.58 * font_size, clearance = 3;
+constexpr double clearance = 3;
 
 double overlap(const Box& a, const Box& b) {
     const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
@@ -28,11 +29,20 @@ double area(const Box& box) { return (box.right - box.left) * (box.bottom - box.
 
 }   // namespace
 
-std::size_t length_of(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & '\xc0') != '\x80'; }));
+double text_width(const std::string& text) {
+    constexpr double large_digit = 650;   // in place of what another font has to draw
+    double width = 0;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U; };
+        const unsigned lead = byte(i), length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+        char32_t c = length == 1 ? lead : lead & (0x7FU >> length);
+        for (unsigned k = 1; k < length; ++k) c = c << 6 | (byte(i + k) & 0x3FU);
+        const auto* known = std::ranges::lower_bound(sans_widths, c, {}, [](auto& entry) { return entry.character; });
+        width += known != std::end(sans_widths) && known->character == c ? known->width : large_digit;
+        i += length;
+    }
+    return 1e-3 * font_size * width;
 }
-
-double text_width(const std::string& text) { return mean_character_width * static_cast<double>(length_of(text)); }
 
 double text_width(const Text& text) {
     double width = 0;

@@ -10,6 +10,7 @@
 namespace meshfolio::report {
 
 constexpr double font_size = 12.5, script_size = 11;   // 7.5 and 6.6 points where a drawing is 136 mm wide
+inline constexpr const char* font_family = "'Report Sans', 'Report Math', system-ui, sans-serif";   // as in fonts.css; files stand alone
 
 struct Point {
     double x = 0, y = 0;
@@ -19,9 +20,7 @@ struct Box {
     double left = 0, top = 0, right = 0, bottom = 0;
 };
 
-/// Number of characters a reader sees (code points).
-std::size_t length_of(const std::string& text);
-/// Width in pixels, estimated on the large side for the sans-serif fonts in use.
+/// Width in pixels of a text in the regular sans of the pages.
 double text_width(const std::string& text);
 /// Of a text whose indices and exponents are smaller.
 double text_width(const Text& text);

@@ -152,10 +152,9 @@ double widest_label(const Axis& axis) {
 std::string svg_head(const std::string& id, const std::string& subject, const std::string& alt, double width, double height) {
     const std::string name = xml_escape(safe_text(id));
     return "<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(width) + " " + px(height) +
-           "\" role=\"img\" aria-labelledby=\"" + name + "-title " + name + "-desc\" fill=\"currentColor\" font-family=\"system-ui, " +
-           "-apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"" + px(font_size) + "\">\n<title id=\"" + name +
-           "-title\">" + xml_escape(safe_text(subject)) + "</title>\n<desc id=\"" + name + "-desc\">" + xml_escape(safe_text(alt)) +
-           "</desc>\n";
+           "\" role=\"img\" aria-labelledby=\"" + name + "-title " + name + "-desc\" fill=\"currentColor\" font-family=\"" + font_family +
+           "\" font-size=\"" + px(font_size) + "\">\n<title id=\"" + name + "-title\">" + xml_escape(safe_text(subject)) +
+           "</title>\n<desc id=\"" + name + "-desc\">" + xml_escape(safe_text(alt)) + "</desc>\n";
 }
 
 std::string svg_on_white(std::string svg) {

@@ -105,8 +105,7 @@ std::string svg_of(const Legend& legend) {
     return "<svg class=\"legend\" xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height + "\" viewBox=\"0 0 " +
            width + " " + height + "\" role=\"img\" aria-label=\"" +
            xml_escape(safe_text("Colours: " + legend_title(legend) + " from " + readable(legend.low) + " to " + readable(legend.high))) +
-           "\" fill=\"currentColor\" font-family=\"system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"" +
-           px(font_size) + "\">\n" + body + notes + "</svg>";
+           "\" fill=\"currentColor\" font-family=\"" + font_family + "\" font-size=\"" + px(font_size) + "\">\n" + body + notes + "</svg>";
 }
 
 }   // namespace meshfolio::report
