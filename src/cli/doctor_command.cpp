@@ -1,7 +1,5 @@
 #include <tbb/task_arena.h>
 #include <Eigen/Core>
-#include <array>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -18,17 +16,6 @@ namespace meshfolio::cli {
 
 namespace {
 
-/// Fonts of the printed report.
-constexpr std::array print_fonts{"DejaVuMathTeXGyre.ttf", "DejaVuSerifCondensed.ttf", "DejaVuSansCondensed.ttf"};
-
-bool is_installed(const std::string& font) {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    for (fs::recursive_directory_iterator it("/usr/share/fonts", error), end; !error && it != end; it.increment(error))
-        if (it->path().filename() == font) return true;
-    return false;
-}
-
 void add_pdf(nlohmann::ordered_json& json) {
     const report::EngineFinding finding = report::find_pdf_engine(report::engine_search());
     json["pdf_engine"] = nullptr;
@@ -37,8 +24,6 @@ void add_pdf(nlohmann::ordered_json& json) {
     json["pdf_engines_refused"] = finding.refused;
     json["missing"] = nlohmann::ordered_json::array();
     if (!finding.engine) json["missing"].push_back("a PDF engine: apt install chromium-headless-shell");
-    for (const char* font : print_fonts)
-        if (!is_installed(font)) json["missing"].push_back(std::string(font) + " for the PDF: apt install fonts-dejavu-extra");
 }
 
 /// The folder of the cache with its size, or the reason why there is none.
@@ -59,7 +44,7 @@ nlohmann::ordered_json findings() {
     json["commit"] = provenance.commit;
     json["compiler"] = provenance.compiler;
     json["threads"] = tbb::this_task_arena::max_concurrency();
-    json["fonts"] = "DejaVu Sans, compiled in";
+    json["fonts"] = "TeX Gyre Pagella, Inter and DejaVu Sans Mono, compiled in";
     json["viewer"] = report::viewer_program().empty() ? "not built in" : "three.js, compiled in";
     json["libraries"] = provenance.libraries;
     json["cache"] = cache_found();
