@@ -94,13 +94,20 @@ const Font& font_of(Weight weight) {
     return weight == Weight::bold ? bold : regular;
 }
 
-/// A line of glyphs with their places from the left end, in pixels. Characters the font lacks become its box.
+bool is_mark(int character) { return character >= 0x300 && character < 0x370; }
+
+struct Glyph {
+    int index;
+    double place;      // from the left end of its line, in pixels
+    double rise = 0;   // of a mark: as far as the letter below it is higher than x
+};
+
+/// A line of glyphs. Characters the font lacks become its box.
 struct Line {
     const Font& font;
     double size;
     float scale;   // pixels per font unit
-    std::vector<int> glyphs;
-    std::vector<double> places;
+    std::vector<Glyph> glyphs;
     double width = 0;
 
     Line(std::string_view text, const TextStyle& style)
@@ -109,13 +116,31 @@ struct Line {
           scale(stbtt_ScaleForMappingEmToPixels(&font.info, static_cast<float>(style.size / line_in_ems))) {
         for (const int c : code_points(text)) {
             const int glyph = stbtt_FindGlyphIndex(&font.info, c);
-            if (!glyphs.empty()) width += static_cast<double>(scale) * stbtt_GetGlyphKernAdvance(&font.info, glyphs.back(), glyph);
-            glyphs.push_back(glyph);
-            places.push_back(width);
+            if (is_mark(c) && !glyphs.empty()) {
+                glyphs.push_back(above(glyphs.back(), glyph));
+                continue;
+            }
+            if (!glyphs.empty()) width += static_cast<double>(scale) * stbtt_GetGlyphKernAdvance(&font.info, glyphs.back().index, glyph);
+            glyphs.push_back({glyph, width});
             int advance = 0, bearing = 0;
             stbtt_GetGlyphHMetrics(&font.info, glyph, &advance, &bearing);
             width += static_cast<double>(scale) * advance;
         }
+    }
+
+    /// The mark in the middle above the letter.
+    Glyph above(const Glyph& letter, int mark) const {
+        const auto [left, right, top] = extent_of(letter.index);
+        const auto [mark_left, mark_right, mark_top] = extent_of(mark);
+        const auto s = static_cast<double>(scale);
+        return {mark, letter.place + s / 2 * (left + right - mark_left - mark_right),
+                letter.rise + s * std::max(0.0, top - font.lines.x_height)};
+    }
+
+    std::array<double, 3> extent_of(int glyph) const {
+        int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+        stbtt_GetGlyphBox(&font.info, glyph, &x0, &y0, &x1, &y1);
+        return {double(x0), double(x1), double(y1)};
     }
 };
 
@@ -194,11 +219,13 @@ struct Coverage {
     }
 };
 
-/// `x` is the origin of the glyph in quarters of a pixel, so that letters keep their distances.
-void draw_glyph(Image& image, const Line& line, int glyph, double x, int baseline, Rgba color) {
+/// Its origin is rounded to quarters of a pixel, so that letters keep their distances.
+void draw_glyph(Image& image, const Line& line, const Glyph& glyph, double left, double base, Rgba color) {
+    const double x = left + glyph.place;
+    const int baseline = static_cast<int>(std::lround(base - glyph.rise));
     const double quarters = std::floor(4 * x + 0.5);
     const int column = static_cast<int>(std::floor(quarters / 4));
-    const Outline outline(line.font.info, glyph);
+    const Outline outline(line.font.info, glyph.index);
     fit_to_rows(outline, line.font, static_cast<double>(line.scale));
     const Coverage ink(outline, line.scale, static_cast<float>(quarters / 4 - column), line.size);
     for (int v = std::max(0, -(baseline + ink.y0)); v < ink.height && baseline + ink.y0 + v < image.height; ++v)
@@ -215,8 +242,7 @@ double text_width(std::string_view text, const TextStyle& style) { return Line(t
 void draw_text(Image& image, double x, double y, std::string_view text, const TextStyle& style) {
     const Line line(text, style);
     const double left = style.align == Align::left ? x : style.align == Align::right ? x - line.width : x - line.width / 2;
-    for (std::size_t i = 0; i < line.glyphs.size(); ++i)
-        draw_glyph(image, line, line.glyphs[i], left + line.places[i], static_cast<int>(std::lround(y)), style.color);
+    for (const Glyph& glyph : line.glyphs) draw_glyph(image, line, glyph, left, y, style.color);
 }
 
 std::string fit_text(std::string_view text, double width, const TextStyle& style) {

@@ -28,10 +28,8 @@ RAISED, LOWERED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ᵀᵈᵏᵖ�
 
 
 def reduce(font, kind):
-    numbers = set(map(ord, [*RAISED, *LOWERED, *"−ij"]))
-    for part in SETS[kind].split():
-        first, _, last = part.partition("-")
-        numbers |= set(range(int(first, 16), int(last or first, 16) + 1))
+    ranges = [part.split("-") for part in SETS[kind].split()]
+    numbers = {c for ends in ranges for c in range(int(ends[0], 16), int(ends[-1], 16) + 1)} | set(map(ord, [*RAISED, *LOWERED, *"−ij"]))
     subsetter = subset.Subsetter(subset.Options(layout_features=FEATURES, hinting=False, notdef_outline=True, name_IDs=[0, 13, 14],
                                                 drop_tables=[*subset.Options().drop_tables, "FFTM"]))
     subsetter.populate(unicodes=numbers)
@@ -100,6 +98,9 @@ def main(source, face, out):
     add_scripts(font)
     if "MATH" in font:
         suit_chromium(font)
+    if kind == "sans":   # Inter's ‖ touches what follows
+        bars = font.getBestCmap()[0x2016]
+        font["hmtx"][bars] = (round(1.17 * font["hmtx"][bars][0]), 0)
     rename(font, kind, style)
     for name in font.getGlyphOrder():
         font["glyf"][name].recalcBounds(font["glyf"])
@@ -109,10 +110,9 @@ def main(source, face, out):
         header.write(f"#pragma once\n// Characters and their widths in thousandths of the em.\nconstexpr struct {{ char32_t character; short width; }} "
                      f"{kind}_widths[] = {{{widths}}};\n")
     font["post"].formatType = 3
-    font["gasp"] = newTable("gasp")
-    font["gasp"].version, font["gasp"].gaspRange = 1, {0xFFFF: 15}   # smooth at every size
-    for flavor, end in ((None, ".ttf"), ("woff2", ".woff2")):
-        font.flavor = flavor
+    gasp = font["gasp"] = newTable("gasp")
+    gasp.version, gasp.gaspRange = 1, {0xFFFF: 15}   # smooth at every size
+    for font.flavor, end in ((None, ".ttf"), ("woff2", ".woff2")):
         font.save(out + end)
 
 
