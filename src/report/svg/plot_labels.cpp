@@ -37,8 +37,8 @@ double text_width(const std::string& text) {
         const unsigned lead = byte(i), length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
         char32_t c = length == 1 ? lead : lead & (0x7FU >> length);
         for (unsigned k = 1; k < length; ++k) c = c << 6 | (byte(i + k) & 0x3FU);
-        const auto* known = std::ranges::lower_bound(sans_widths, c, {}, [](auto& entry) { return entry.character; });
-        width += known != std::end(sans_widths) && known->character == c ? known->width : large_digit;
+        const auto* known = std::ranges::lower_bound(sans_regular_widths, c, {}, [](auto& entry) { return entry.character; });
+        width += known != std::end(sans_regular_widths) && known->character == c ? known->width : large_digit;
         i += length;
     }
     return 1e-3 * font_size * width;
