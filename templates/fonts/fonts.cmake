@@ -6,7 +6,6 @@ find_program(FONT_PYTHON python3 HINTS /usr/bin REQUIRED)   # the one that Debia
 find_file(PAGELLA texgyrepagella-regular.otf PATHS /usr/share/texmf/fonts/opentype/public/tex-gyre REQUIRED)
 find_file(PAGELLA_ITALIC texgyrepagella-italic.otf PATHS /usr/share/texmf/fonts/opentype/public/tex-gyre REQUIRED)
 find_file(PAGELLA_BOLD texgyrepagella-bold.otf PATHS /usr/share/texmf/fonts/opentype/public/tex-gyre REQUIRED)
-find_file(PAGELLA_BOLD_ITALIC texgyrepagella-bolditalic.otf PATHS /usr/share/texmf/fonts/opentype/public/tex-gyre REQUIRED)
 find_file(PAGELLA_MATH texgyrepagella-math.otf PATHS /usr/share/texmf/fonts/opentype/public/tex-gyre-math REQUIRED)
 find_file(INTER Inter-Regular.otf PATHS /usr/share/fonts/opentype/inter REQUIRED)
 find_file(INTER_ITALIC Inter-Italic.otf PATHS /usr/share/fonts/opentype/inter REQUIRED)
@@ -15,8 +14,8 @@ find_file(DEJAVU_MONO DejaVuSansMono.ttf PATHS /usr/share/fonts/truetype/dejavu 
 
 set(page_fonts "")
 set(picture_fonts "")
-foreach(face serif-regular=PAGELLA serif-italic=PAGELLA_ITALIC serif-bold=PAGELLA_BOLD serif-bolditalic=PAGELLA_BOLD_ITALIC math-regular=PAGELLA_MATH
-             sans-regular=INTER sans-italic=INTER_ITALIC sans-bold=INTER_BOLD mono-regular=DEJAVU_MONO)
+foreach(face serif-regular=PAGELLA serif-italic=PAGELLA_ITALIC serif-bold=PAGELLA_BOLD math-regular=PAGELLA_MATH sans-regular=INTER
+             sans-italic=INTER_ITALIC sans-bold=INTER_BOLD mono-regular=DEJAVU_MONO)
   string(REGEX MATCH "(.*)=(.*)" face ${face})
   set(made ${PROJECT_BINARY_DIR}/fonts/${CMAKE_MATCH_1})
   set(make_font ${FONT_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/subset.py ${${CMAKE_MATCH_2}} ${CMAKE_MATCH_1} ${made})

@@ -22,8 +22,8 @@ TEXT = f"20-7E A0-17F 2C6 2DC 300-304 306-308 30A 30C {GREEK} {SYMBOLS}"
 MATH = (f"20-7E A0 A7 AC AF-B4 B7 D7 F7 2C6 2C7 2D8-2DA 2DC 300-304 306-308 30A 30C 20D7 {GREEK} {SYMBOLS} 2308-230B 1D400-1D467 "
         "1D49C-1D4B5 2102 210B 2110 2112 211B 212C 2130 2131 2133 2115 211A 211D 2124 1D53C 1D6A8-1D71B")
 SETS = {"serif": TEXT, "sans": TEXT, "math": MATH, "mono": "20-7E A0-FF 2013 2014 2018 2019 201C 201D 2026 2190-2193 2212 2264 2265 25B4 25BE 25D0 2713 2715 2717"}
-FEATURES = ["kern", "liga", "ccmp", "mark", "mkmk", "tnum", "lnum", "ssty", "dtls"]
-STYLES = {"regular": "Regular", "italic": "Italic", "bold": "Bold", "bolditalic": "Bold Italic"}
+FEATURES = ["kern", "liga", "ccmp", "mark", "mkmk", "tnum", "lnum"]
+STYLES = {"regular": "Regular", "italic": "Italic", "bold": "Bold"}
 RAISED, LOWERED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ᵀᵈᵏᵖᵗ", "0123456789+−()Tdkpt")), dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ᵢⱼ", "0123456789+−ij"))
 
 

@@ -60,7 +60,6 @@ TEST(Notices, NameEveryLibraryAndFontThatIsLookedFor) {
                                                       {"texgyrepagella-regular.otf", "fonts-texgyre"},
                                                       {"texgyrepagella-italic.otf", "fonts-texgyre"},
                                                       {"texgyrepagella-bold.otf", "fonts-texgyre"},
-                                                      {"texgyrepagella-bolditalic.otf", "fonts-texgyre"},
                                                       {"texgyrepagella-math.otf", "fonts-texgyre-math"},
                                                       {"Inter-Regular.otf", "fonts-inter"},
                                                       {"Inter-Italic.otf", "fonts-inter"},

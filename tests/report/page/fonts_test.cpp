@@ -16,7 +16,6 @@
 #include "sans-italic.h"
 #include "sans-regular.h"
 #include "serif-bold.h"
-#include "serif-bolditalic.h"
 #include "serif-italic.h"
 #include "serif-regular.h"
 #include "source_dir.h"
@@ -98,7 +97,6 @@ TEST(Fonts, HoldTheSameLettersInEveryFace) {
     };
     const Characters serif = letters(held_by(serif_regular_widths)), sans = letters(held_by(sans_regular_widths));
     EXPECT_EQ(without(serif, held_by(serif_bold_widths)) + without(serif, held_by(serif_italic_widths)), "");
-    EXPECT_EQ(without(serif, held_by(serif_bolditalic_widths)), "");
     EXPECT_EQ(without(sans, held_by(sans_bold_widths)) + without(sans, held_by(sans_italic_widths)), "");
     const Characters least = characters_of("Az09éñąΔλφ×·²⁻⁵₀½–“”…");
     EXPECT_EQ(without(least, serif) + without(least, sans), "");
@@ -111,7 +109,7 @@ TEST(Fonts, TakeFourHundredKilobytesAtMost) {
         EXPECT_NE(Templates()["fonts.css"].find("url(" + std::string(font.name) + ")"), std::string::npos) << font.name;
         bytes += font.bytes.size();
     }
-    EXPECT_EQ(meshfolio_embedded::embedded_page_fonts().size(), 9U);
+    EXPECT_EQ(meshfolio_embedded::embedded_page_fonts().size(), 8U);
     EXPECT_LE(bytes, 400'000U);
 }
 
