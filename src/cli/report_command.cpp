@@ -14,7 +14,6 @@
 #include "report/page/volumes.h"
 #include "run/arguments.h"
 #include "run/console.h"
-#include "run/cover.h"
 #include "run/earlier_report.h"
 #include "run/kept_sections.h"
 #include "run/lab/report_labs.h"
@@ -48,23 +47,20 @@ ReportSettings with_kept(ReportSettings settings, const KeptSections& kept) {
     return settings;
 }
 
-report::Document document_of(const ReportSettings& settings, const std::vector<QuestionResult>& results,
-                             const std::optional<Cover>& cover) {
+report::Document document_of(const ReportSettings& settings, const std::vector<QuestionResult>& results) {
     report::Document document;
     document.title = settings.title;
     document.author = settings.author;
     document.course = settings.course;
     document.provenance = provenance_of(described(settings), settings.seed);
     for (const QuestionResult& result : results) document.sections.push_back(result.section());
-    if (cover) document.cover = cover->figure(results);
     return document;
 }
 
-std::vector<output::FigureRequest> requests_of(const std::vector<QuestionResult>& results, const std::optional<Cover>& cover) {
+std::vector<output::FigureRequest> requests_of(const std::vector<QuestionResult>& results) {
     std::vector<output::FigureRequest> requests;
     for (const QuestionResult& result : results)
         requests.insert(requests.end(), result.answer.figures.begin(), result.answer.figures.end());
-    if (cover && cover->request) requests.push_back(*cover->request);
     return requests;
 }
 
@@ -119,27 +115,25 @@ ExitCode run_report(const ReportFlags& flags) {
     {
         ProgressDisplay display(stderr_is_terminal(), plan.seconds());
         const Clock::time_point whole = Clock::now();
-        std::vector<QuestionResult> results = run_questions(meshes, settings, cache ? &*cache : nullptr, kept.answers, display);
-        const auto again = [&](const std::string& id) { return run_question(id, meshes, settings, display); };
-        const std::optional<Cover> cover = chosen_cover(results, again);
-        document = document_of(with_kept(settings, kept), results, cover);
+        const std::vector<QuestionResult> results = run_questions(meshes, settings, cache ? &*cache : nullptr, kept.answers, display);
+        document = document_of(with_kept(settings, kept), results);
         kept.tell_efforts(document.provenance.settings);
         submission::cite(document, own_source());
         document.timings.push_back({"all questions", seconds_since(whole)});
         const Clock::time_point drawing_began = Clock::now();
         const fs::path& folder = publication.folder();
         display.step("drawing");
-        const std::vector<output::FigureRequest> requests = requests_of(results, cover);
+        const std::vector<output::FigureRequest> requests = requests_of(results);
         std::optional<Printing> appendix;   // begins while the other figures are drawn, for it takes longest
         output::DrawEvents events;
         events.progress = [&](double share) { display.advance(0.7 + 0.25 * share); };
         events.early = report::figures_in(document, report::Volume::appendix);
         events.early_drawn = [&](report::DrawnFigures of_appendix) {
-            add_stored_figures(results, cover, of_appendix);
+            add_stored_figures(results, of_appendix);
             appendix.emplace(paper.begin(report::Volume::appendix, document, std::move(of_appendix), store.get(), folder));
         };
         report::DrawnFigures figures = output::draw_figures(requests, folder, draw_settings(settings), events);
-        add_stored_figures(results, cover, figures);
+        add_stored_figures(results, figures);
         display.milestone(std::to_string(requests.size()) + " figures drawn");
         document.timings.push_back({"drawing", seconds_since(drawing_began)});
         document.timings.push_back({"up to writing", seconds_since(whole)});
@@ -154,7 +148,7 @@ ExitCode run_report(const ReportFlags& flags) {
             },
             [&] { write_file(folder / "src.txt", own_source().text()); });
         notes = {own_paper.warning(), appendix->warning()};
-        const auto digests = stored_and_kept(results, figures, cover, store.get(), cache ? &*cache : nullptr);
+        const auto digests = stored_and_kept(results, figures, store.get(), cache ? &*cache : nullptr);
         published = publish_report(publication, document, digests, settings, flags.junit);
         display.milestone("report written in " + plain_text(seconds_since(whole), 3) + " s");
     }

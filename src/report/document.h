@@ -249,18 +249,9 @@ struct Provenance {
     bool operator==(const Provenance&) const = default;
 };
 
-/// A picture for the first page, and what it is preferred by: reports that are joined have one.
-struct Cover : Figure {
-    std::string section = {};   // whose figure it is
-    bool turnable = false;
-    double worth = 0;   // 1 + how much its mesh is bent [rad]
-    bool operator==(const Cover&) const = default;
-};
-
 struct Document {
     std::string title, author, course;
     Provenance provenance;
-    std::optional<Cover> cover;
     std::vector<Section> sections;   // in order of the questions
     std::vector<Timing> timings;     // of the run as a whole
     bool operator==(const Document&) const = default;

@@ -23,9 +23,8 @@ constexpr std::uintmax_t largest_results = std::uintmax_t{256} << 20;
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;
 
 /// Is the file copied unchanged? The others are written anew.
-bool is_taken_over(const std::string& file, bool with_cover) {
+bool is_taken_over(const std::string& file) {
     if (file == "src.txt") return true;
-    if (!with_cover && file.starts_with("images/cover")) return false;
     const bool in_folder = file.find('/') != std::string::npos;
     return in_folder && !file.starts_with("tables/") && !(file.starts_with("images/") && file.ends_with(".svg"));
 }
@@ -88,10 +87,10 @@ void EarlierReport::restore_figures() {
         if (!is_whole[i]) figures.erase(ids[i]);
 }
 
-std::vector<std::string> EarlierReport::copy_to(const fs::path& target, bool with_cover, output::Publication::Digests& digests) const {
+std::vector<std::string> EarlierReport::copy_to(const fs::path& target, output::Publication::Digests& digests) const {
     std::vector<std::string> files, missing;
     for (const auto& [file_of_it, sum] : sums_)
-        if (is_taken_over(file_of_it, with_cover)) files.push_back(file_of_it);
+        if (is_taken_over(file_of_it)) files.push_back(file_of_it);
     for (const std::string& one : files) output::make_folder(inside(target, one).parent_path());
     std::vector<char> is_there(files.size());
     for_each_task(files.size(), [&](std::size_t i) {

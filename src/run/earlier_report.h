@@ -35,9 +35,8 @@ public:
     /// Nothing where the file is missing. @throws InputError for one that is not what it was
     std::optional<std::string> bytes_of(const std::string& path) const;
 
-    /// Every file that a report rendered again takes over as it is. @param with_cover  the picture of the first page, too
-    /// @return the names of those that are missing
-    std::vector<std::string> copy_to(const std::filesystem::path& target, bool with_cover, output::Publication::Digests& digests) const;
+    /// Every file that a report rendered again takes over as it is. @return the names of those that are missing
+    std::vector<std::string> copy_to(const std::filesystem::path& target, output::Publication::Digests& digests) const;
 
     /// Of the live laboratory: results.json does not hold it, the page does; one that has been changed since is not asked.
     std::vector<report::Lab> labs() const;
@@ -54,10 +53,9 @@ struct JoinedReport {
     report::Document document;
     report::DrawnFigures figures;
     std::vector<report::Lab> labs;
-    std::size_t cover = 0;   // the part that has the picture of the first page
 };
 
-/// Each section from the first part that has it; of the covers, the one that a run of all would have chosen.
+/// Each section from the first part that has it.
 /// @param parts  at least one; their figures are moved from
 /// @throws InputError naming two parts, and what they do not have in common: inputs, settings, program, or what both say of one section
 JoinedReport joined(std::vector<EarlierReport>& parts);

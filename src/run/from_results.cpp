@@ -64,8 +64,8 @@ ExitCode report_from_results(const ReportFlags& flags) {
     output::Publication publication(settings.out);
     output::Publication::Digests digests;
     std::vector<std::string> missing;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        for (std::string& file : parts[i].copy_to(publication.folder(), i == whole.cover, digests)) missing.push_back(std::move(file));
+    for (const EarlierReport& part : parts)
+        for (std::string& file : part.copy_to(publication.folder(), digests)) missing.push_back(std::move(file));
     settings.timings = parts.size() == 1 && parts.front().timings && !flags.no_timings;   // those of parts add up to nothing
     const report::WriteOptions options{
         .timings = settings.timings, .plot_files = true, .design = words.page.design, .labs = std::move(whole.labs)};

@@ -11,7 +11,6 @@
 #include "questions/core/section_tools.h"
 #include "run/arguments.h"
 #include "run/provenance.h"
-#include "run/question_cache.h"
 #include "run/settings/report_settings.h"
 
 namespace meshfolio::run {
@@ -83,19 +82,6 @@ void take_sections(report::Document& whole, const EarlierReport& first, const Ea
     });
 }
 
-void take_cover(JoinedReport& whole, const EarlierReport& part, std::size_t number) {
-    const auto& cover = part.document.cover;
-    auto& best = whole.document.cover;
-    if (!cover) return;
-    const auto offer = [](const report::Cover& c) { return CoverOffer{c.turnable, c.worth, c.alt}; };
-    const auto place = [&](const report::Cover& c) {
-        return std::ranges::find(whole.document.sections, c.section, &Section::id) - whole.document.sections.begin();
-    };
-    const bool is_better =
-        !best || offer(*cover).beats(offer(*best)) || (!offer(*best).beats(offer(*cover)) && place(*cover) < place(*best));
-    if (is_better) best = cover, whole.cover = number;
-}
-
 /// Returns the sections that were asked for; without the setting, those of the report.
 std::vector<std::string> asked_for(const report::Document& document) {
     std::vector<std::string> ids;
@@ -133,19 +119,16 @@ std::vector<report::Lab> joined_labs(const std::vector<EarlierReport>& parts) {
 
 JoinedReport joined(std::vector<EarlierReport>& parts) {
     const EarlierReport& first = parts.front();
-    JoinedReport whole{first.document, {}, joined_labs(parts), 0};
+    JoinedReport whole{first.document, {}, joined_labs(parts)};
     std::vector<std::string> ids = asked_for(first.document);
     for (std::size_t i = 1; i < parts.size(); ++i) {
         require_alike(first, parts[i]);
         take_sections(whole.document, first, parts[i]);
         std::ranges::copy(asked_for(parts[i].document), std::back_inserter(ids));
-        take_cover(whole, parts[i], i);
     }
     set_only(whole.document, ids);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        for (auto& [id, figure] : parts[i].figures)
-            if (id != "cover" || i == whole.cover) whole.figures.try_emplace(id, std::move(figure));
-    }
+    for (EarlierReport& part : parts)
+        for (auto& [id, figure] : part.figures) whole.figures.try_emplace(id, std::move(figure));
     return whole;
 }
 

@@ -74,19 +74,9 @@ report::DrawnFigures figures_of(const EarlierReport& earlier, const std::string&
     return figures;
 }
 
-/// The first page's picture, if it is of a section that is kept.
-void keep_cover(const std::shared_ptr<const EarlierReport>& earlier, KeptSections& kept, const fs::path& folder) {
-    const auto& cover = earlier->document.cover;
-    const auto of = cover ? kept.answers.find(cover->section) : kept.answers.end();
-    const auto figure = earlier->figures.find("cover");
-    if (of == kept.answers.end() || figure == earlier->figures.end() || !earlier->bytes_of(figure->second.sheet)) return;
-    of->second.cover = {cover->turnable, cover->worth, cover->alt};
-    of->second.find_cover = [earlier, figure = *figure, folder] { return placed(*earlier, {}, {figure}, folder); };
-}
-
-std::shared_ptr<const EarlierReport> earlier_at(const fs::path& out, std::string& note) try {
+std::unique_ptr<const EarlierReport> earlier_at(const fs::path& out, std::string& note) try {
     if (!may_be_there(out / "results.json")) return nullptr;
-    return std::make_shared<const EarlierReport>(out / "results.json");
+    return std::make_unique<const EarlierReport>(out / "results.json");
 } catch (const InputError& error) {   // of another version, perhaps
     note = error.what();
     return nullptr;
@@ -119,7 +109,6 @@ KeptSections kept_sections(const ReportSettings& settings, const MeshLibrary& me
                   [&](std::size_t i) { answers[i] = placed(*earlier, *sections[i], figures_of(*earlier, sections[i]->id), folder); });
     for (StoredAnswer& answer : answers) kept.answers[answer.section.id] = std::move(answer);
     kept.settings = earlier->document.provenance.settings;
-    keep_cover(earlier, kept, folder);
     return kept;
 }
 

@@ -76,8 +76,6 @@ void restore(report::DrawnFigure& figure, const json& stored, output::ResultCach
     for (std::size_t m = 0; m < figure.models.size(); ++m) figure.models[m].glb = bytes_of(stored.at("models").at(m), store);
 }
 
-std::string cover_key(const std::string& answer_key) { return output::KeyMaker().add("cover").add(answer_key).key(); }
-
 /// Puts every file in its place, or none.
 bool place_files(const std::map<std::string, std::string>& digests, output::ResultCache& store, const fs::path& folder) {
     std::vector<std::pair<std::string, std::string>> files(digests.begin(), digests.end());
@@ -153,7 +151,6 @@ std::optional<StoredAnswer> QuestionCache::read(const std::string& key) const tr
     if (!bytes) return {};
     const json stored = json::parse(*bytes);
     StoredAnswer answer;
-    answer.find_cover = [this, key] { return read(cover_key(key)); };
     const std::string text = bytes_of(stored.at("section"), store_);
     report::ReadReport read = report::read_json(text, "cache");
     answer.section = std::move(read.document.sections.at(0));
@@ -161,7 +158,6 @@ std::optional<StoredAnswer> QuestionCache::read(const std::string& key) const tr
     for (auto& [id, figure] : answer.figures) restore(figure, stored.at("figures").at(id), store_);
     answer.digests = stored.at("files").get<std::map<std::string, std::string>>();
     for (const auto& [file, digest] : answer.digests) report::require_inner_path(file, {});
-    answer.cover = {stored.at("cover").at(0), stored.at("cover").at(1), stored.at("cover").at(2)};
     if (!place_files(answer.digests, store_, folder_)) return {};
     return answer;
 } catch (const json::exception&) {
@@ -173,8 +169,8 @@ std::optional<StoredAnswer> QuestionCache::read(const std::string& key) const tr
 }
 
 std::map<std::string, std::string> QuestionCache::keep(const report::Section& section, const report::DrawnFigures& figures,
-                                                       const CoverOffer& cover, const std::vector<MeshLookup>& lookups) const try {
-    auto digests = write(answer_key(section.id, lookups), section, figures, cover);
+                                                       const std::vector<MeshLookup>& lookups) const try {
+    auto digests = write(answer_key(section.id, lookups), section, figures);
     store_.put(question_key(section.id, !lookups.empty()), json_of(lookups).dump());
     return digests;
 } catch (const json::exception&) {   // a name that is no UTF-8: not kept
@@ -182,7 +178,7 @@ std::map<std::string, std::string> QuestionCache::keep(const report::Section& se
 }
 
 std::map<std::string, std::string> QuestionCache::write(const std::string& key, const report::Section& section,
-                                                        const report::DrawnFigures& figures, const CoverOffer& cover) const {
+                                                        const report::DrawnFigures& figures) const {
     std::map<std::string, std::string> digests;
     for (const std::string& file : files_of(section, figures)) digests[file];
     std::vector<std::pair<const std::string, std::string>*> slots;
@@ -192,20 +188,12 @@ std::map<std::string, std::string> QuestionCache::write(const std::string& key, 
     report::Document document;
     document.sections = {section};
     document.sections[0].timings.clear();   // of that run
-    if (figures.contains("cover")) document.cover = report::Cover{{"cover", "", ""}};
     const std::string text = report::write_json(document, figures);
     if (text.find("\uFFFD") != std::string::npos) return {};   // words that are no UTF-8 would not come back
     json stored = {{"section", store_.keep(text)}, {"files", digests}, {"figures", json::object()}};
     for (const auto& [id, figure] : figures) stored["figures"][id] = json_of(figure, store_);
-    stored["cover"] = {cover.turnable, cover.worth, cover.alt};
     store_.put(key, stored.dump());
     return digests;
-}
-
-std::map<std::string, std::string> QuestionCache::keep_cover(const std::string& answer_key, const report::DrawnFigure& cover) const {
-    report::Section none;
-    none.id = "nothing";   // not that of its figure
-    return write(cover_key(answer_key), none, {{"cover", cover}}, {});
 }
 
 std::uintmax_t cache_limit() {

@@ -174,8 +174,4 @@ std::vector<QuestionResult> run_questions(const MeshLibrary& meshes, const Repor
     return results;
 }
 
-QuestionResult run_question(const std::string& id, const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display) {
-    return Runner(meshes, settings, nullptr, {}, display).result(chapter_of_id(id));
-}
-
 }   // namespace meshfolio::run

@@ -29,7 +29,4 @@ struct QuestionResult {
 std::vector<QuestionResult> run_questions(const MeshLibrary& meshes, const ReportSettings& settings, const QuestionCache* cache,
                                           const std::map<std::string, StoredAnswer>& kept, ProgressDisplay& display);
 
-/// One of them, without the cache.
-QuestionResult run_question(const std::string& id, const MeshLibrary& meshes, const ReportSettings& settings, ProgressDisplay& display);
-
 }   // namespace meshfolio::run

@@ -42,28 +42,23 @@ std::set<std::string> stored_sections(const std::vector<QuestionResult>& results
     return ids;
 }
 
-void add_stored_figures(const std::vector<QuestionResult>& results, const std::optional<Cover>& cover, report::DrawnFigures& figures) {
+void add_stored_figures(const std::vector<QuestionResult>& results, report::DrawnFigures& figures) {
     for (const QuestionResult& result : results)
         if (result.stored) figures.insert(result.stored->figures.begin(), result.stored->figures.end());
-    if (cover && cover->stored) figures.insert(cover->stored->figures.begin(), cover->stored->figures.end());
 }
 
 output::Publication::Digests stored_and_kept(const std::vector<QuestionResult>& results, const report::DrawnFigures& figures,
-                                             const std::optional<Cover>& cover, output::ResultCache* store, const QuestionCache* cache) {
+                                             output::ResultCache* store, const QuestionCache* cache) {
     output::Publication::Digests digests;
     const auto add = [&](const std::map<std::string, std::string>& some) { digests.insert(some.begin(), some.end()); };
     for (const QuestionResult& result : results)
         if (result.stored) add(result.stored->digests);
-    if (cover && cover->stored) add(cover->stored->digests);
     if (store == nullptr) return digests;
     bool is_changed = false;
     try {
-        for (std::size_t i = 0; i < results.size(); ++i) {
-            const QuestionResult& result = results[i];
+        for (const QuestionResult& result : results) {
             if (!is_worth_keeping(result)) continue;
-            add(cache->keep(result.section(), figures_of(result.answer, figures), offer_of(result.answer), result.lookups));
-            const bool is_cover = cover && cover->request && cover->result == i;
-            if (is_cover) add(cache->keep_cover(cache->answer_key(result.section().id, result.lookups), figures.at("cover")));
+            add(cache->keep(result.section(), figures_of(result.answer, figures), result.lookups));
             is_changed = true;
         }
         if (is_changed) store->trim();

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "output/publish/publish.h"
-#include "run/cover.h"
 #include "run/run_questions.h"
 
 namespace meshfolio::run {
@@ -20,11 +19,11 @@ std::vector<const Answer*> answers_of(const std::vector<QuestionResult>& results
 
 std::set<std::string> stored_sections(const std::vector<QuestionResult>& results);
 
-void add_stored_figures(const std::vector<QuestionResult>& results, const std::optional<Cover>& cover, report::DrawnFigures& figures);
+void add_stored_figures(const std::vector<QuestionResult>& results, report::DrawnFigures& figures);
 
 /// Keeps the answers of this run, whose files have all been written, and trims the cache; one that cannot be written to is warned of.
 /// @return what is known of the digests of files in the report's folder
 output::Publication::Digests stored_and_kept(const std::vector<QuestionResult>& results, const report::DrawnFigures& figures,
-                                             const std::optional<Cover>& cover, output::ResultCache* store, const QuestionCache* cache);
+                                             output::ResultCache* store, const QuestionCache* cache);
 
 }   // namespace meshfolio::run

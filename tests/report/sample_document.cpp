@@ -185,7 +185,6 @@ Document sample_document() {
     Section appendix;
     appendix.id = "ground_truth";
     appendix.title = "Ground truth";
-    document.cover = Cover{{"cover", "", "Mean curvature of a bunny"}, "q1", true, 12.5};
     document.sections = {answered(), failed, skipped, appendix};
     document.timings = {{"everything", 12.3}};
     return document;
@@ -211,11 +210,9 @@ DrawnFigures sample_figures() {
     DrawnFigure drawn{.sheet = "images/q1_plane_h_sheet.png", .in_a_line = 2};
     drawn.panels = {panel_with_views("λ = 0.1", "q1_plane_h"), panel_with_views("λ = 1", "q1_plane_k")};
     drawn.legend = Legend{"mean curvature H", "1/length", -2, 3, {"#004c9e", "#eeeeee", "#93232b"}, 0.02, 0, "#e1bee7", {0.25, 0.75}};
-    DrawnFigure cover{.sheet = "images/cover_sheet.png"};
-    cover.panels = {{"", {picture("", 20, 680, 700, "", "cover")}}};
     DrawnFigure compared{.sheet = "images/q1_before_after_sheet.png", .in_a_line = 3};
     for (const char* panel : {"before", "after", "moved"}) compared.panels.push_back({panel, {picture("", 20, 560, 500, "", panel)}});
-    return {{"q1_plane_h", drawn}, {"q1_before_after", compared}, {"cover", cover}};
+    return {{"q1_plane_h", drawn}, {"q1_before_after", compared}};
 }
 
 DrawnFigures sample_layouts() {

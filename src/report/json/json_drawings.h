@@ -179,12 +179,4 @@ void describe(Fields& fields, part_of<FigureEntry> auto& entry) {
     fields.optional("models", entry.drawn.models, {}, "meshes that readers of the page can turn");
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<CoverEntry> auto& cover) {
-    describe(fields, cover.drawn);
-    fields.optional("section", cover.section, {}, "whose figure it is");
-    fields.optional("turnable", cover.turnable, false, "readers of the page can turn its mesh");
-    fields.optional("worth", cover.worth, 0, "1 + the magnitudes of the angle deficits of its mesh [rad]; the largest is taken");
-}
-
 }   // namespace meshfolio::report

@@ -40,14 +40,6 @@ struct FigureEntry {
     DrawnFigure drawn;
 };
 
-/// The picture of the first page, likewise.
-struct CoverEntry {
-    FigureEntry drawn;
-    std::string section;
-    bool turnable = false;
-    double worth = 0;
-};
-
 /// One entry of an EntryList, with the kind it shares with the others.
 struct NumberedEntry {
     std::string kind;
@@ -125,7 +117,6 @@ struct ReportEntry {
     int version = schema_version;
     std::string title, author, course;
     ProvenanceEntry provenance;
-    std::optional<CoverEntry> cover;
     std::vector<SectionEntry> questions, supporting;
     std::optional<std::vector<Timing>> timings;
 };

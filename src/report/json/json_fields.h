@@ -208,7 +208,6 @@ void describe(Fields& fields, part_of<ReportEntry> auto& report) {
     fields("author", report.author);
     fields("course", report.course);
     fields("provenance", report.provenance);
-    fields.optional("cover", report.cover, "the picture of the first page");
     fields("questions", report.questions);
     fields("supporting", report.supporting);
     fields.optional("timings", report.timings, timings_note);

@@ -162,11 +162,6 @@ ReadReport report_of(ReportEntry entry) {
     document.provenance = std::move(entry.provenance.provenance);
     document.timings = entry.timings.value_or(std::vector<Timing>());
     Ids ids;
-    if (auto& cover = entry.cover) {
-        ids.add(cover->drawn.figure.id, {&root, "cover"});
-        document.cover = Cover{std::move(cover->drawn.figure), cover->section, cover->turnable, cover->worth};
-        if (cover->drawn.is_drawn) read.figures[document.cover->id] = std::move(cover->drawn.drawn);
-    }
     add_sections(entry.questions, true, "questions", ids, read);
     add_sections(entry.supporting, false, "supporting", ids, read);
     if (input_meshes(document.sections) != entry.provenance.inputs) {

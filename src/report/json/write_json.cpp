@@ -99,7 +99,6 @@ std::string write_json(const Document& document, const DrawnFigures& figures, co
     entry.author = document.author;
     entry.course = document.course;
     entry.provenance = {document.provenance, input_meshes(document.sections)};
-    if (const auto& cover = document.cover) entry.cover = {entry_of(*cover, figures), cover->section, cover->turnable, cover->worth};
     for (const Section& section : document.sections)
         (is_question(section.id) ? entry.questions : entry.supporting).push_back(entry_of(section, figures, options.timings));
     if (options.timings) entry.timings = document.timings;

@@ -37,7 +37,6 @@ Document specimen(const Templates& templates) {
                       EntryList{"Entry", {{"entry", {}, {{}}}}}};
     Document document;
     document.provenance.libraries = document.provenance.settings = {{"", ""}};
-    document.cover = Cover{{"cover", "", ""}};
     document.sections = {section};
     document.timings.emplace_back();
     return document;
@@ -52,6 +51,7 @@ nlohmann::json documented_model() {
     matrix.columns = matrix.rows = {""};
     matrix.panels = {{.label = "", .pictures = {{}}}};
     drawn.models.emplace_back();
+    drawn.legend.emplace();
     nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}, {"matrix", matrix}}, templates, {.table_rows = rows_shown});
     add_design(model, templates, "report", {true, "viewer", {{"q1", "data"}}});
     BatchRow row;

@@ -158,21 +158,17 @@ void enter_pictures(json& view, const Figure& figure, const DrawnFigure& drawn, 
     enter_list(view, "blocks", "panels that are seen from six directions as well", std::move(blocks));
 }
 
-json cover_view(const Figure& cover, const ViewContext& context) {
-    const auto it = context.figures.find(cover.id);
-    const bool is_drawn = it != context.figures.end() && !it->second.panels.empty() && !it->second.panels[0].pictures.empty();
-    const DrawnFigure drawn = is_drawn ? it->second : DrawnFigure{.panels = {{.pictures = {{}}}}};
-    const PictureOf of{cover, drawn, context};
-    const DrawnPicture& picture = drawn.panels[0].pictures[0];
-    return view_of({{"alt", "the picture in words", safe_text(cover.alt)},
-                    {"is_drawn", "there is a picture", is_drawn},
+json cover_view(const Figure& figure, const ViewContext& context) {
+    const DrawnFigure& drawn = context.figures.at(figure.id);
+    const DrawnPanel& panel = drawn.panels.front();
+    const DrawnPicture& picture = panel.pictures.front();
+    return view_of({{"alt", "the picture in words", safe_text(panel.label.empty() ? drawn.legend->quantity : panel.label)},
                     {"sheet", "its file, relative to the report", url_path(drawn.sheet)},
-                    {"source", "what an <img> shows", of.source(0, 0)},
+                    {"source", "what an <img> shows", PictureOf{figure, drawn, context}.source(0, 0)},
                     {"has_size", "width and height are known", picture.width > 0 && picture.height > 0},
                     {"width", "of the picture [pixels]", std::to_string(picture.width)},
                     {"height", "of the picture [pixels]", std::to_string(picture.height)},
-                    {"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend) : ""},
-                    {"has_legend", "there are colours", drawn.legend.has_value()}});
+                    {"legend", "what the colours mean: SVG", svg_of(*drawn.legend)}});
 }
 
 }   // namespace meshfolio::report

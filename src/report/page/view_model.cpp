@@ -267,6 +267,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
     json score = score_view(total);
     enter(score, {{"is_complete", "the lists of checks hold those that passed, too", options.passed_checks},
                   {"lists_checks", "some check is listed", options.passed_checks || total.passed < total.total()}});
+    const Figure* cover = options.volume == Volume::report ? cover_figure(document, context.figures) : nullptr;
     json model =
         view_of({{"title", "title of the report", safe_text(document.title)},
                  {"author", "who made it", safe_text(document.author)},
@@ -276,7 +277,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
                  {"is_report", "this is the volume of the questions", options.volume == Volume::report},
                  {"is_appendix", "this is the volume of what they rest on", options.volume == Volume::appendix},
                  {"other_page", "file of the other volume", url_path(options.other_page)},
-                 {"cover", "picture of the first page; false: none", document.cover ? cover_view(*document.cover, context) : json(false)},
+                 {"cover", "picture of the first page; false: none", cover == nullptr ? json(false) : cover_view(*cover, context)},
                  {"provenance", "what made this report", provenance_view(document)},
                  {"score", "checks of the whole report", std::move(score)},
                  {"used", "the meshes, for the first page", meshes_used(document)},

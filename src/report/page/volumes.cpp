@@ -55,12 +55,24 @@ std::string further_id(const Section& section) { return section.id + "-further";
 
 std::set<std::string> figures_in(const Document& document, Volume volume) {
     std::set<std::string> ids;
-    if (document.cover && volume == Volume::report) ids.insert(document.cover->id);
     for (const Section& section : document.sections) {
         for (const Block& block : blocks_in(section, volume))
             if (const auto* figure = std::get_if<Figure>(&block)) ids.insert(figure->id);
     }
     return ids;
+}
+
+const Figure* cover_figure(const Document& document, const DrawnFigures& figures) {
+    for (const Section& section : document.sections) {
+        for (const Block& block : blocks_in(section, Volume::report)) {
+            const auto* figure = std::get_if<Figure>(&block);
+            const auto drawn = figure == nullptr ? figures.end() : figures.find(figure->id);
+            if (drawn == figures.end() || !drawn->second.legend || drawn->second.panels.empty()) continue;
+            const std::vector<DrawnPicture>& pictures = drawn->second.panels.front().pictures;
+            if (!pictures.empty() && pictures.front().view.empty()) return figure;
+        }
+    }
+    return nullptr;
 }
 
 void mark_elsewhere(const Document& document, Volume volume, const std::string& page, Numbering& numbering) {

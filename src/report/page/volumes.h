@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "report/bibliography.h"
+#include "report/drawn_figure.h"
 #include "report/numbering.h"
 #include "report/writers.h"
 
@@ -22,8 +23,12 @@ bool has_section(const Section& section, Volume volume);
 /// The id of a question's section in the appendix: "q4-further".
 std::string further_id(const Section& section);
 
-/// Ids of the figures shown, the cover included.
+/// Ids of the figures shown.
 std::set<std::string> figures_in(const Document& document, Volume volume);
+
+/// Returns the figure that lends the first page its first picture: the first one of the report that shows values from three quarters; null:
+/// none.
+const Figure* cover_figure(const Document& document, const DrawnFigures& figures);
 
 /// Marks in the numbering what the other volume contains. @param page  file of that volume; empty: no link leads there
 void mark_elsewhere(const Document& document, Volume volume, const std::string& page, Numbering& numbering);

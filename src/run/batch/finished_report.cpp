@@ -7,6 +7,7 @@
 #include "output/draw/finished_picture.h"
 #include "output/publish/publish.h"
 #include "png/png.h"
+#include "report/page/volumes.h"
 #include "run/arguments.h"
 #include "run/earlier_report.h"
 #include "run/provenance.h"
@@ -20,19 +21,19 @@ namespace {
 /// Small enough that the page can hold hundreds.
 std::optional<report::BatchRow::Picture> thumbnail(const EarlierReport& report) {
     constexpr int side = 192, quality = 80;   // pixels; of JPEG
-    const auto figure = report.figures.find("cover");
-    if (!report.document.cover || figure == report.figures.end()) return {};
-    if (figure->second.panels.empty() || figure->second.panels.front().pictures.empty()) return {};
-    const auto bytes = report.bytes_of(figure->second.sheet);
+    const report::Figure* figure = report::cover_figure(report.document, report.figures);
+    if (figure == nullptr) return {};
+    const report::DrawnFigure& drawn = report.figures.at(figure->id);
+    const auto bytes = report.bytes_of(drawn.sheet);
     const auto sheet = bytes ? render::decode_png(*bytes) : std::nullopt;
-    const report::DrawnPicture& place = figure->second.panels.front().pictures.front();
+    const report::DrawnPicture& place = drawn.panels.front().pictures.front();
     if (!sheet || place.left < 0 || place.top < 0 || place.width > sheet->width - place.left || place.height > sheet->height - place.top)
         return {};
     render::Image picture = output::part_of(*sheet, place.left, place.top, place.width, place.height);
     const double scale = std::min(1.0, static_cast<double>(side) / std::max(picture.width, picture.height));
     const auto scaled = [&](int pixels) { return std::max(1, static_cast<int>(scale * pixels)); };
     if (scale < 1) picture = render::shrink(picture, scaled(picture.width), scaled(picture.height));
-    return report::BatchRow::Picture{render::encode_jpeg(picture, quality), report.document.cover->alt, picture.width, picture.height};
+    return report::BatchRow::Picture{render::encode_jpeg(picture, quality), figure->alt, picture.width, picture.height};
 }
 
 report::BatchRow row_of(const BatchMesh& mesh, const EarlierReport& report, const std::string& folder) {
