@@ -63,11 +63,6 @@ bool EarlierReport::restore(report::DrawnFigure& figure) const {
     if (!bytes) return false;
     const auto sheet = render::decode_png(*bytes);
     if (!sheet) throw InputError({figure.sheet}, "is not a PNG that can be read", "make the report anew");
-    if (figure.panels.empty()) {   // of an earlier version, which did not say where its pictures are
-        report::DrawnPicture& whole = figure.panels.emplace_back().pictures.emplace_back();
-        whole.width = sheet->width;
-        whole.height = sheet->height;
-    }
     if (!output::cut_pictures(*sheet, figure))
         throw InputError({figure.sheet}, "is smaller than results.json says", "make the report anew");
     for (report::DrawnModel& model : figure.models) {

@@ -97,8 +97,7 @@ struct SectionEntry {
     std::optional<std::vector<Timing>> timings;   // none: written without them
 };
 
-/// Raised whenever a reader of the earlier one would misread what is written, with a step in upgrade_json.cpp; keys that are added do not
-/// raise it.
+/// Raised whenever a reader of the earlier one would misread what is written; keys that are added do not raise it. Others are refused.
 inline constexpr int schema_version = 4;
 
 struct MeshDigest {

@@ -165,10 +165,6 @@ private:
     static void require_sound(const Value&, const JsonPlace&) {}
 };
 
-/// Brings results.json of an earlier version to the present one, from version to version. What is not as it should be is left to the
-/// reader. @throws JsonProblem for what is no results.json, or of a version that cannot be brought up
-void upgrade_json(Json& results);
-
 /// @throws JsonProblem
 template <class Value>
 Value read_value(const Json& json, const JsonPlace& place) {

@@ -151,6 +151,18 @@ void add_sections(std::vector<SectionEntry>& entries, bool questions, const char
     }
 }
 
+void require_this_version(const Json& results) {
+    const JsonPlace root;
+    if (!results.is_object() || !results.contains("schema_version"))
+        throw JsonProblem(root, "is no results.json", "name the results.json of a report");
+    const Json& version = results.at("schema_version");
+    if (version != schema_version)
+        throw JsonProblem(
+            {&root, "schema_version"},
+            "is " + in_quotes(version.dump(-1, ' ', true, Json::error_handler_t::replace)) + ", not " + std::to_string(schema_version),
+            "make the report anew, or take the meshfolio that made it");
+}
+
 ReadReport report_of(ReportEntry entry) {
     const JsonPlace root;
     ReadReport read;
@@ -179,8 +191,8 @@ ReadReport read_json(std::string_view text, const std::string& file) {
                          "take a results.json as meshfolio writes it");
     }
     try {
-        Json json = Json::parse(text);
-        upgrade_json(json);
+        const Json json = Json::parse(text);
+        require_this_version(json);
         return report_of(read_value<ReportEntry>(json, {}));
     } catch (const JsonProblem& problem) {
         const std::string where = problem.path.empty() ? "" : problem.path + " ";

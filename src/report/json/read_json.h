@@ -16,7 +16,7 @@ struct ReadReport {
     bool timings = true;    // it was written with them
 };
 
-/// The inverse of write_json(), also for earlier versions (upgrade_json.cpp). It is strict: it refuses missing keys, wrong types, values
+/// The inverse of write_json(). It is strict: it refuses other versions, missing keys, wrong types, values
 /// out of range, duplicate ids and dangling references. It ignores unknown keys.
 /// @param file  what messages call it
 /// @throws InputError naming the line and the place ("questions[0].tables[2].rows[1]")

@@ -197,58 +197,6 @@ TEST(ReadJson, ReadsFilesWhoseColumnsHaveNoIds) {
     EXPECT_EQ(write_json(read.document, read.figures), write_json(sample_document(), sample_figures()));
 }
 
-/// As version 2 wrote it, by hand: checks have no status, sections findings in place of an answer, figures no places in their sheets.
-constexpr const char* of_version_2 = R"({
- "schema_version": 2, "title": "Old", "author": "A. Student", "course": "",
- "provenance": {"program": "meshfolio", "version": "0.1.0", "commit": "1a2b3c4", "compiler": "GCC 12.2.0", "build_type": "Release",
-                "libraries": {}, "settings": {"size": "512"}, "seed": 1, "inputs": []},
- "questions": [{"id": "q5", "title": "Explicit", "asked": "Is it stable?", "status": "ok", "extent": "one mesh", "inputs": [],
-  "parameters": {"λ": "0.0012"}, "code": [],
-  "blocks": [{"kind": "heading", "title": "Results"}, {"kind": "table", "id": "q5_limits"}, {"kind": "figure", "id": "q5_cube"}],
-  "tables": [{"id": "q5_limits", "caption": "Limits.", "file": "tables/q5_limits.csv", "columns": [{"name": "λ_crit", "unit": "length²", "digits": 3}],
-              "rows": [[0.25], [null]]}],
-  "plots": [], "maps": [],
-  "figures": [{"id": "q5_cube", "caption": "A cube.", "alt": "A cube.", "sheet": "images/q5_cube_sheet.png",
-               "views": [{"label": "+x", "file": "images/q5_cube_px.png"}]}],
-  "checks": [{"name": "falls", "kind": "at_most", "expected": 1.0, "measured": 0.5, "tolerance": 0.0, "passed": true},
-             {"name": "rises", "kind": "at_least", "expected": 1.0, "measured": 0.5, "tolerance": 0.0, "passed": false}],
-  "findings": [{"runs": ["A trifle."], "text": "A trifle.", "weight": 1},
-               {"runs": ["It is, up to ", {"math": "λ_crit"}, "."], "text": "It is, up to λ_crit.", "weight": 50}],
-  "warnings": [], "output_meshes": [], "timings": []}],
- "supporting": [], "timings": [{"what": "everything", "seconds": 12.5}]})";
-
-TEST(ReadJson, EarlierVersionsAreBroughtUp) {
-    const ReadReport old = read(of_version_2);
-    const Section& section = old.document.sections.at(0);
-    EXPECT_EQ(section.answer, text("It is, up to ", math("λ_crit"), ".")) << "the finding of most weight";
-    EXPECT_TRUE(section.checks.at(0).passed());
-    EXPECT_TRUE(section.checks.at(1).failed());
-    EXPECT_EQ(section.parameters.at("λ"), Parameter("0.0012")) << "no number is made up from words";
-    EXPECT_EQ(old.figures.at("q5_cube").sheet, "images/q5_cube_sheet.png");
-    const std::string now = write_json(old.document, old.figures);
-    const ReadReport back = read(now);
-    EXPECT_EQ(without_nan(back.document), without_nan(old.document));
-    EXPECT_EQ(write_json(back.document, back.figures), now);
-    const Json written = Json::parse(now);
-    EXPECT_EQ(written["schema_version"], 4);
-    const Json& q5 = written["questions"][0];
-    EXPECT_EQ(q5["checks"][1]["id"], "q5-rises");
-    EXPECT_EQ(q5["tables"][0]["columns"][0]["id"], "q5_limits-lambda-crit");
-    EXPECT_EQ(q5["parameter_values"][0]["id"], "q5-parameter-lambda");
-}
-
-TEST(ReadJson, OfVersion3TheStatusIsKept) {
-    Json json = Json::parse(of_version_2);
-    json["schema_version"] = 3;
-    Json& checks = json["questions"][0]["checks"];
-    EXPECT_THROW(read(json.dump()), InputError);   // without it
-    checks[0].update({{"status", "undecided"}, {"passed", nullptr}, {"note", "rounding"}});
-    checks[1]["status"] = "failed";
-    const ReadReport old = read(json.dump());
-    EXPECT_EQ(old.document.sections.at(0).checks.at(0).status, Check::Status::undecided);
-    EXPECT_FALSE(old.document.sections.at(0).answer.empty());
-}
-
 /// Changes some bytes at random: either it is still a report, which can be written again, or it is refused.
 void expect_read_or_refused(const std::string& whole, int changes) {
     std::mt19937 random(7);
@@ -263,19 +211,6 @@ void expect_read_or_refused(const std::string& whole, int changes) {
     }
 }
 
-TEST(ReadJson, DamageOfEarlierVersionsIsRefusedOrHarmless) {
-    const std::string whole = of_version_2;
-    expect_read_or_refused(whole, 2);
-    const auto refuses = [&](const char* pointer, const Json& value) {
-        Json json = Json::parse(whole);
-        json[Json::json_pointer(pointer)] = value;
-        EXPECT_THROW(read(json.dump()), InputError) << pointer;
-    };
-    for (const char* pointer : {"/questions", "/questions/0", "/questions/0/checks", "/questions/0/checks/0"}) refuses(pointer, 7);
-    refuses("/questions/0/checks/0/passed", "yes");
-    refuses("/questions/0/findings/1/runs", 7);
-}
-
 TEST(ReadJson, RefusesWhatIsMissing) {
     EXPECT_TRUE(says(refusal([](Json& d) { d.erase("author"); }), "has no 'author'"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["columns"][0].erase("digits"); }), "columns[0] has no 'digits'"));
@@ -285,8 +220,8 @@ TEST(ReadJson, RefusesWhatIsMissing) {
 }
 
 TEST(ReadJson, RefusesOtherVersions) {
-    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 5; }), "schema_version is '5', not 2 to 4"));
-    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 1; }), "schema_version is '1', not 2 to 4: it holds no text"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 5; }), "schema_version is '5', not 4"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 3; }), "schema_version is '3', not 4"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = "4"; }), "schema_version"));
     EXPECT_TRUE(says(refusal([](Json& d) { d.erase("schema_version"); }), "is no results.json"));
     EXPECT_TRUE(says(refusal([](Json& d) { d = Json::array(); }), "is no results.json"));
