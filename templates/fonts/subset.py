@@ -23,7 +23,6 @@ MATH = (f"20-7E A0 A7 AC AF-B4 B7 D7 F7 2C6 2C7 2D8-2DA 2DC 300-304 306-308 30A 
         "1D49C-1D4B5 2102 210B 2110 2112 211B 212C 2130 2131 2133 2115 211A 211D 2124 1D53C 1D6A8-1D71B")
 SETS = {"serif": TEXT, "sans": TEXT, "math": MATH, "mono": "20-7E A0-FF 2013 2014 2018 2019 201C 201D 2026 2190-2193 2212 2264 2265 25B4 25BE 25D0 2713 2715 2717"}
 FEATURES = ["kern", "liga", "ccmp", "mark", "mkmk", "tnum", "lnum"]
-STYLES = {"regular": "Regular", "italic": "Italic", "bold": "Bold"}
 RAISED, LOWERED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ᵀᵈᵏᵖᵗ", "0123456789+−()Tdkpt")), dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ᵢⱼ", "0123456789+−ij"))
 
 
@@ -78,12 +77,12 @@ def suit_chromium(font):
 
 
 def rename(font, kind, style):
-    family, style = f"Report {kind.title()}", STYLES[style]
+    family, style = f"Report {kind.title()}", style.title()
     names = {1: family, 2: style, 3: f"{family} {style}", 4: f"{family} {style}", 5: "Version 1.0", 6: f"{family}-{style}".replace(" ", "")}
     font["name"].names = [entry for entry in font["name"].names if entry.platformID == 3]
     for number, text in names.items():
         font["name"].setName(text, number, 3, 1, 0x409)
-    bold, italic = "Bold" in style, "Italic" in style
+    bold, italic = style == "Bold", style == "Italic"
     font["OS/2"].usWeightClass = 400 + 300 * bold
     font["OS/2"].fsSelection = font["OS/2"].fsSelection & 0x80 | (0x20 * bold + italic or 0x40)
     font["head"].macStyle = bold + 2 * italic
@@ -98,8 +97,9 @@ def main(source, face, out):
     add_scripts(font)
     if "MATH" in font:
         suit_chromium(font)
-    if kind == "sans":   # Inter's ‖ touches what follows
+    if kind == "sans":   # Inter's ‖ is taller than its parentheses, and touches what follows
         bars = font.getBestCmap()[0x2016]
+        font["glyf"][bars].coordinates.scale((1, 0.8))
         font["hmtx"][bars] = (round(1.17 * font["hmtx"][bars][0]), 0)
     rename(font, kind, style)
     for name in font.getGlyphOrder():
@@ -110,8 +110,8 @@ def main(source, face, out):
         header.write(f"#pragma once\n// Characters and their widths in thousandths of the em.\nconstexpr struct {{ char32_t character; short width; }} "
                      f"{kind}_{style}_widths[] = {{{widths}}};\n")
     font["post"].formatType = 3
-    gasp = font["gasp"] = newTable("gasp")
-    gasp.version, gasp.gaspRange = 1, {0xFFFF: 15}   # smooth at every size
+    font["gasp"] = newTable("gasp")
+    font["gasp"].__dict__.update(version=1, gaspRange={0xFFFF: 15})   # smooth at every size
     for font.flavor, end in ((None, ".ttf"), ("woff2", ".woff2")):
         font.save(out + end)
 
