@@ -59,33 +59,29 @@ std::vector<int> code_points(std::string_view text) {
 struct Font {
     stbtt_fontinfo info;
     FontLines lines;
+    double scale;   // pixels per font unit, at a size of 1
 };
 
-/// Lowest and highest point of a character.
-std::pair<int, int> heights_of(const stbtt_fontinfo& font, int character) {
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-    stbtt_GetCodepointBox(&font, character, &x0, &y0, &x1, &y1);
-    return {y0, y1};
+struct Box {
+    double left, low, right, high;
+};
+
+Box box_of(const stbtt_fontinfo& font, int glyph) {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;   // of a glyph without ink
+    stbtt_GetGlyphBox(&font, glyph, &x0, &y0, &x1, &y1);
+    return {double(x0), double(y0), double(x1), double(y1)};
 }
 
 FontLines lines_of(const stbtt_fontinfo& font) {
-    FontLines lines;
-    lines.descender = heights_of(font, 'p').first;
-    lines.x_height = heights_of(font, 'x').second;
-    lines.capital = heights_of(font, 'H').second;
-    lines.ascender = heights_of(font, 'd').second;
-    lines.overshoot = -heights_of(font, 'o').first;
-    return lines;
+    const auto box = [&](char c) { return box_of(font, stbtt_FindGlyphIndex(&font, c)); };
+    return {box('p').low, box('x').high, box('H').high, box('d').high, -box('o').low};
 }
 
 Font loaded(std::string_view name) {
-    for (const auto& file : meshfolio_embedded::embedded_fonts()) {
-        Font font;
-        const auto* bytes = reinterpret_cast<const unsigned char*>(file.bytes.data());
-        if (file.name != name || stbtt_InitFont(&font.info, bytes, stbtt_GetFontOffsetForIndex(bytes, 0)) == 0) continue;
-        font.lines = lines_of(font.info);
-        return font;
-    }
+    Font font{};
+    for (const auto& file : meshfolio_embedded::embedded_fonts())
+        if (file.name == name && stbtt_InitFont(&font.info, reinterpret_cast<const unsigned char*>(file.bytes.data()), 0) != 0)
+            return {font.info, lines_of(font.info), double(stbtt_ScaleForMappingEmToPixels(&font.info, 1)) / line_in_ems};
     throw std::runtime_error("text: the font " + std::string(name) + " is not embedded");
 }
 
@@ -93,8 +89,6 @@ const Font& font_of(Weight weight) {
     static const Font regular = loaded("sans-regular.ttf"), bold = loaded("sans-bold.ttf");
     return weight == Weight::bold ? bold : regular;
 }
-
-bool is_mark(int character) { return character >= 0x300 && character < 0x370; }
 
 struct Glyph {
     int index;
@@ -105,42 +99,30 @@ struct Glyph {
 /// A line of glyphs. Characters the font lacks become its box.
 struct Line {
     const Font& font;
-    double size;
-    float scale;   // pixels per font unit
+    double size, scale;   // the latter in pixels per font unit
     std::vector<Glyph> glyphs;
     double width = 0;
 
-    Line(std::string_view text, const TextStyle& style)
-        : font(font_of(style.weight)),
-          size(style.size),
-          scale(stbtt_ScaleForMappingEmToPixels(&font.info, static_cast<float>(style.size / line_in_ems))) {
+    Line(std::string_view text, const TextStyle& style) : font(font_of(style.weight)), size(style.size), scale(font.scale * size) {
         for (const int c : code_points(text)) {
             const int glyph = stbtt_FindGlyphIndex(&font.info, c);
-            if (is_mark(c) && !glyphs.empty()) {
+            if (c >= 0x300 && c < 0x370 && !glyphs.empty()) {   // it adds nothing to the width
                 glyphs.push_back(above(glyphs.back(), glyph));
                 continue;
             }
-            if (!glyphs.empty()) width += static_cast<double>(scale) * stbtt_GetGlyphKernAdvance(&font.info, glyphs.back().index, glyph);
+            if (!glyphs.empty()) width += scale * stbtt_GetGlyphKernAdvance(&font.info, glyphs.back().index, glyph);
             glyphs.push_back({glyph, width});
             int advance = 0, bearing = 0;
             stbtt_GetGlyphHMetrics(&font.info, glyph, &advance, &bearing);
-            width += static_cast<double>(scale) * advance;
+            width += scale * advance;
         }
     }
 
-    /// The mark in the middle above the letter.
+    /// A mark in the middle above a letter.
     Glyph above(const Glyph& letter, int mark) const {
-        const auto [left, right, top] = extent_of(letter.index);
-        const auto [mark_left, mark_right, mark_top] = extent_of(mark);
-        const auto s = static_cast<double>(scale);
-        return {mark, letter.place + s / 2 * (left + right - mark_left - mark_right),
-                letter.rise + s * std::max(0.0, top - font.lines.x_height)};
-    }
-
-    std::array<double, 3> extent_of(int glyph) const {
-        int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-        stbtt_GetGlyphBox(&font.info, glyph, &x0, &y0, &x1, &y1);
-        return {double(x0), double(x1), double(y1)};
+        const Box below = box_of(font.info, letter.index), box = box_of(font.info, mark);
+        return {mark, letter.place + scale / 2 * (below.left + below.right - box.left - box.right),
+                letter.rise + scale * std::max(0.0, below.high - font.lines.x_height)};
     }
 };
 
@@ -191,14 +173,11 @@ struct Coverage {
 
     Coverage(const Outline& outline, float scale, float shift, double size) {
         double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
-        const auto include = [&](int x, int y) {
-            left = std::min<double>(left, x), right = std::max<double>(right, x);
-            low = std::min<double>(low, y), high = std::max<double>(high, y);
-        };
-        for (const stbtt_vertex& v : outline.all()) {
-            include(v.x, v.y);
-            if (v.type == STBTT_vcurve) include(v.cx, v.cy);
-        }
+        for (const stbtt_vertex& v : outline.all())
+            for (const auto& [x, y] : {std::pair(v.x, v.y), v.type == STBTT_vcurve ? std::pair(v.cx, v.cy) : std::pair(v.x, v.y)}) {
+                left = std::min<double>(left, x), right = std::max<double>(right, x);
+                low = std::min<double>(low, y), high = std::max<double>(high, y);
+            }
         if (!(left < right) || !(low < high)) return;
         const auto s = static_cast<double>(scale), dx = static_cast<double>(shift);
         x0 = static_cast<int>(std::floor(s * left + dx)), y0 = static_cast<int>(std::floor(1e-3 - s / fine * high));
@@ -221,13 +200,11 @@ struct Coverage {
 
 /// Its origin is rounded to quarters of a pixel, so that letters keep their distances.
 void draw_glyph(Image& image, const Line& line, const Glyph& glyph, double left, double base, Rgba color) {
-    const double x = left + glyph.place;
-    const int baseline = static_cast<int>(std::lround(base - glyph.rise));
-    const double quarters = std::floor(4 * x + 0.5);
-    const int column = static_cast<int>(std::floor(quarters / 4));
+    const double quarters = std::floor(4 * (left + glyph.place) + 0.5);
+    const int column = static_cast<int>(std::floor(quarters / 4)), baseline = static_cast<int>(std::lround(base - glyph.rise));
     const Outline outline(line.font.info, glyph.index);
-    fit_to_rows(outline, line.font, static_cast<double>(line.scale));
-    const Coverage ink(outline, line.scale, static_cast<float>(quarters / 4 - column), line.size);
+    fit_to_rows(outline, line.font, line.scale);
+    const Coverage ink(outline, static_cast<float>(line.scale), static_cast<float>(quarters / 4 - column), line.size);
     for (int v = std::max(0, -(baseline + ink.y0)); v < ink.height && baseline + ink.y0 + v < image.height; ++v)
         for (int u = std::max(0, -(column + ink.x0)); u < ink.width && column + ink.x0 + u < image.width; ++u) {
             Rgba& pixel = image.at(column + ink.x0 + u, baseline + ink.y0 + v);
@@ -247,24 +224,16 @@ void draw_text(Image& image, double x, double y, std::string_view text, const Te
 
 std::string fit_text(std::string_view text, double width, const TextStyle& style) {
     if (text_width(text, style) <= width) return std::string(text);
-    static constexpr std::string_view ellipsis = "…";
-    std::vector<std::size_t> ends{0};   // of the first 0, 1, 2 … characters
+    std::string fitted;
     for (std::string_view rest = text; !rest.empty();) {
         next_character(rest);
-        ends.push_back(text.size() - rest.size());
-    }
-    const auto shortened = [&](std::size_t count) {
-        std::string_view kept = text.substr(0, ends[count]);
+        std::string_view kept = text.substr(0, text.size() - rest.size());
         while (kept.ends_with(' ')) kept.remove_suffix(1);
-        return std::string(kept) + std::string(ellipsis);
-    };
-    std::size_t fits = 0, too_long = ends.size();   // bisection; widths grow with the number of characters
-    while (too_long - fits > 1) {
-        const std::size_t middle = (fits + too_long) / 2;
-        (text_width(shortened(middle), style) <= width ? fits : too_long) = middle;
+        const std::string longer = std::string(kept) + "…";
+        if (text_width(longer, style) > width) break;
+        fitted = longer;
     }
-    const std::string result = shortened(fits);
-    return text_width(result, style) <= width ? result : "";
+    return fitted;
 }
 
 }   // namespace render

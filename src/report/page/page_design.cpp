@@ -26,20 +26,16 @@ const std::string& raw_text(const Templates& templates, const std::string& name)
 /// To an HTML parser style and script are raw text, to an XML parser they are markup: the CDATA section inside comments suits both.
 std::string raw_element(const std::string& text) { return "/*<![CDATA[*/\n" + text + "/*]]>*/"; }
 
-/// fonts.css with the fonts in place of their files. Only a report has maths and enough italics to be worth their size.
-std::string font_faces(const Templates& templates, bool all) {
-    std::string css = raw_text(templates, "fonts.css");
+/// Puts the fonts in place of their files in fonts.css, and the other sheets behind it. Only a report has maths and enough italics to be
+/// worth their size.
+std::string joined_styles(const Templates& templates, const std::vector<std::string>& names, bool is_report) {
+    std::string text = raw_text(templates, "fonts.css");
     for (const auto& font : meshfolio_embedded::embedded_page_fonts()) {
-        const std::string named = "url(" + std::string(font.name) + ")";
-        const std::size_t at = css.find(named);
-        const bool embedded = all || !(font.name.starts_with("math") || font.name.find("italic") != std::string_view::npos);
-        const std::string source = embedded ? "url(data:font/woff2;base64," + base64(font.bytes) + ")" : "local(none)";
-        if (at != std::string::npos) css.replace(at, named.size(), source);
+        const std::string file = "url(" + std::string(font.name) + ")";
+        const bool left_out = !is_report && (font.name.starts_with("math") || font.name.find("italic") != std::string_view::npos);
+        const std::string source = left_out ? "local(none)" : "url(data:font/woff2;base64," + base64(font.bytes) + ")";
+        if (const std::size_t at = text.find(file); at != std::string::npos) text.replace(at, file.size(), source);
     }
-    return css;
-}
-
-std::string joined_styles(const Templates& templates, std::string text, const std::vector<std::string>& names) {
     for (const std::string& name : names) text += raw_text(templates, name);
     return raw_element(text);
 }
@@ -78,8 +74,7 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
     if (with_viewer && !parts.labs.empty()) styles.emplace_back("lab.css");
     if (with_viewer) scripts.emplace_back("models.js");
 
-    const bool of_report = design == "report" || design == "print";
-    const std::string style = joined_styles(templates, font_faces(templates, of_report), styles),
+    const std::string style = joined_styles(templates, styles, design == "report" || !on_screen),
                       script = joined_scripts(templates, scripts);
     // The scheme is chosen before anything is drawn, hence a script of its own.
     const std::string scheme = on_screen ? raw_element(raw_text(templates, "page_scheme.js")) : "";

@@ -30,16 +30,15 @@ double area(const Box& box) { return (box.right - box.left) * (box.bottom - box.
 }   // namespace
 
 double text_width(const std::string& text) {
-    constexpr double large_digit = 650;   // in place of what another font has to draw
     double width = 0;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U; };
-        const unsigned lead = byte(i), length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+    for (std::size_t i = 0, length = 1; i < text.size(); i += length) {
+        const auto lead = static_cast<unsigned char>(text[i]);
+        length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
         char32_t c = length == 1 ? lead : lead & (0x7FU >> length);
-        for (unsigned k = 1; k < length; ++k) c = c << 6 | (byte(i + k) & 0x3FU);
+        for (std::size_t k = i + 1; k < std::min(i + length, text.size()); ++k) c = c << 6 | (static_cast<unsigned char>(text[k]) & 0x3FU);
         const auto* known = std::ranges::lower_bound(sans_regular_widths, c, {}, [](auto& entry) { return entry.character; });
-        width += known != std::end(sans_regular_widths) && known->character == c ? known->width : large_digit;
-        i += length;
+        width +=
+            known != std::end(sans_regular_widths) && known->character == c ? known->width : 650;   // in another font: as a large digit
     }
     return 1e-3 * font_size * width;
 }
