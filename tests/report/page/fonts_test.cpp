@@ -24,7 +24,7 @@ namespace meshfolio::report {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path source = MESHFOLIO_SOURCE_DIR;
+const fs::path root = MESHFOLIO_SOURCE_DIR;
 
 using Characters = std::set<char32_t>;
 
@@ -55,12 +55,12 @@ Characters characters_of(const std::string& text) {
 /// All files below a folder of the source that end so, without the comments of C++.
 std::string texts_below(const std::string& folder, const std::set<std::string>& ends) {
     std::string text;
-    for (const auto& entry : fs::recursive_directory_iterator(source / folder))
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder))
         if (ends.contains(entry.path().extension().string())) text += read_file(entry.path());
     return ends.contains(".cpp") ? std::regex_replace(text, std::regex("//[^\n]*"), "") : text;
 }
 
-std::string without(const Characters& characters, const Characters& held) {
+std::string missing_from(const Characters& characters, const Characters& held) {
     std::ostringstream missing;
     for (const char32_t c : characters)
         if (!held.contains(c)) missing << "U+" << std::hex << static_cast<std::uint32_t>(c) << " ";
@@ -72,19 +72,19 @@ TEST(Fonts, HoldEveryCharacterOfOurWords) {
     const std::string words = texts_below("templates", {".md", ".html", ".css", ".js", ".json"}) + texts_below("src", {".cpp", ".h"});
     for (Characters held : {held_by(serif_regular_widths), held_by(sans_regular_widths)}) {
         held.insert(others.begin(), others.end());
-        EXPECT_EQ(without(characters_of(words), held), "");
-        EXPECT_NE(without(characters_of("\u4e2d"), held), "");
+        EXPECT_EQ(missing_from(characters_of(words), held), "");
+        EXPECT_NE(missing_from(characters_of("\u4e2d"), held), "");
     }
 }
 
 TEST(Fonts, HoldEveryCharacterOfTheFormulas) {
-    EXPECT_EQ(without(characters_of(read_file(source / "templates/formulas.json")), held_by(math_regular_widths, serif_regular_widths)),
+    EXPECT_EQ(missing_from(characters_of(read_file(root / "templates/formulas.json")), held_by(math_regular_widths, serif_regular_widths)),
               "");
 }
 
 TEST(Fonts, HoldEveryCharacterOfAPictureInBothWeights) {
     const Characters drawn = characters_of(texts_below("render", {".cpp", ".h"}) + texts_below("src/output/draw", {".cpp", ".h"}));
-    EXPECT_EQ(without(drawn, held_by(sans_regular_widths)) + without(drawn, held_by(sans_bold_widths)), "");
+    EXPECT_EQ(missing_from(drawn, held_by(sans_regular_widths)) + missing_from(drawn, held_by(sans_bold_widths)), "");
 }
 
 // A bold or italic word is not set in two fonts.
@@ -96,10 +96,10 @@ TEST(Fonts, HoldTheSameLettersInEveryFace) {
         return few;
     };
     const Characters serif = letters(held_by(serif_regular_widths)), sans = letters(held_by(sans_regular_widths));
-    EXPECT_EQ(without(serif, held_by(serif_bold_widths)) + without(serif, held_by(serif_italic_widths)), "");
-    EXPECT_EQ(without(sans, held_by(sans_bold_widths)) + without(sans, held_by(sans_italic_widths)), "");
+    EXPECT_EQ(missing_from(serif, held_by(serif_bold_widths)) + missing_from(serif, held_by(serif_italic_widths)), "");
+    EXPECT_EQ(missing_from(sans, held_by(sans_bold_widths)) + missing_from(sans, held_by(sans_italic_widths)), "");
     const Characters least = characters_of("Az09éñąΔλφ×·²⁻⁵₀½–“”…");
-    EXPECT_EQ(without(least, serif) + without(least, sans), "");
+    EXPECT_EQ(missing_from(least, serif) + missing_from(least, sans), "");
 }
 
 TEST(Fonts, TakeFourHundredKilobytesAtMost) {
