@@ -68,7 +68,7 @@ TEST(Notices, NameEveryLibraryAndFontThatIsLookedFor) {
     const std::set<std::string> not_linked{"PkgConfig", "Threads", "Git"};
     const std::string cmake = read_file(source + "/CMakeLists.txt") + read_file(source + "/templates/fonts/fonts.cmake");
     const std::regex asked(
-        "(?:find_package\\(|pkg_check_modules\\(\\w+ REQUIRED IMPORTED_TARGET |find_path\\(\\w+ |find_library\\(\\w+ |find_file\\(\\w+ "
+        "(?:find_package\\(|pkg_check_modules\\(\\w+ REQUIRED IMPORTED_TARGET |find_path\\(\\w+ |find_library\\(\\w+ |make_font\\([\\w-]+ "
         ")([^ )]+)");
     std::size_t count = 0;
     for (std::sregex_iterator it(cmake.begin(), cmake.end(), asked), end; it != end; ++it) {
