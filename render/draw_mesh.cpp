@@ -14,6 +14,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/vec2.hpp>
 #include <limits>
@@ -38,14 +39,17 @@ void check(const Surface& surface, const DrawOptions& options) {
     if (options.width < 1 || options.height < 1 || options.width > 16384 || options.height > 16384)
         throw std::invalid_argument("draw_views: a picture has 1 to 16384 pixels on a side, not " + std::to_string(options.width) + "x" +
                                     std::to_string(options.height));
-    if (options.samples != 1 && options.samples != 4) throw std::invalid_argument("draw_views: samples must be 1 or 4");
+    const std::array possible{0, 1, 4, 16};
+    if (std::ranges::find(possible, options.samples) == possible.end())
+        throw std::invalid_argument("draw_views: samples must be 1, 4 or 16");
     if (!surface.values.empty() && surface.values.size() != surface.positions.size())
         throw std::invalid_argument("draw_views: " + std::to_string(surface.values.size()) + " values for " +
                                     std::to_string(surface.positions.size()) + " vertices");
 }
 
-DrawOptions completed(const DrawOptions& wanted) {
+DrawOptions completed(const DrawOptions& wanted, std::size_t views) {
     DrawOptions options = wanted;
+    if (options.samples == 0) options.samples = views == 1 ? 16 : 4;
     if (options.range.colormap == nullptr) options.range.colormap = &colormap_named("viridis");
     if (options.face_colors_from_id) options.samples = 1, options.shading = false;   // numbers cannot be averaged
     options.occlusion = options.occlusion && options.shading;
@@ -117,9 +121,9 @@ public:
     PictureMaker(const DrawOptions& options, bool has_values)
         : options_(options),
           has_values_(has_values),
-          openness_(options.occlusion ? options.width : 0, options.occlusion ? options.height : 0) {}
+          room_{HeightField(width(), height()), ByteField(width(), height()), ByteField(width(), height())} {}
 
-    HeightField& openness() { return openness_; }
+    FinishingRoom& room() { return room_; }
 
     std::vector<std::unique_ptr<ViewPicture>> empty_pictures(const Projection& projection) {
         const bool with_buffers = options_.occlusion || !options_.marked_vertices.empty();
@@ -134,10 +138,13 @@ public:
     }
 
 private:
+    int width() const { return options_.occlusion ? options_.width : 0; }
+    int height() const { return options_.occlusion ? options_.height : 0; }
+
     const DrawOptions& options_;
     bool has_values_;
     std::vector<std::unique_ptr<ViewBuffers>> buffers_;
-    HeightField openness_;
+    FinishingRoom room_;
 };
 
 constexpr Rgba mark_color{0, 0, 0, 255}, mark_rim{255, 255, 255, 255};   // black: no colour map has it
@@ -202,7 +209,7 @@ std::vector<Image> draw_framed(const Surface& surface, std::span<const View> vie
         const ProjectionPainter painter(scenes[p], boundary, options, palette, pictures);
         tbb::parallel_for(0, lists.columns() * lists.rows(), [&](int tile) { painter.paint(lists, p, tile, places.local()); });
         for (const auto& picture : pictures) {
-            picture->finish(maker.openness());
+            picture->finish(maker.room());
             draw_marks(scenes[p], options.marked_vertices, *picture);
             images[picture->placement().view] = std::move(picture->image());
         }
@@ -219,7 +226,7 @@ double ValueRange::position(double value) const {
 
 std::vector<Image> draw_views(const Surface& surface, std::span<const View> views, const DrawOptions& wanted) {
     check(surface, wanted);
-    const DrawOptions options = completed(wanted);
+    const DrawOptions options = completed(wanted, views.size());
     if (options.frame) return draw_framed(surface, views, *options.frame, options);
     std::vector<View> along_axes;
     for (const View& view : views)

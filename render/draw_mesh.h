@@ -37,8 +37,8 @@ struct DrawOptions {
     double fill = 0.92;                // share of the shorter side taken by the largest extent
     std::optional<Frame> frame = {};   // default: views along the axes share one, any other has its own, fitted with `fill`
     ValueRange range = {};
-    Rgba surface_color{220, 222, 226, 255};      // where there are no values
-    Rgba undefined_color{225, 190, 231, 255};    // where a value is NaN
+    Rgba surface_color{238, 237, 234, 255};      // where there are no values
+    Rgba undefined_color{204, 204, 204, 255};    // where a value is NaN; hatched with shading
     Rgba background{255, 255, 255, 255};         // alpha 0: transparent
     bool shading = true;                         // smooth, two-sided; false: flat colours
     bool face_colors_from_id = false;            // triangle number + 1 as R·65536 + G·256 + B, modulo 2²⁴, unshaded (for checks)
@@ -47,7 +47,7 @@ struct DrawOptions {
     double isoline_spacing = 0;                  // thin lines where the value is a multiple of this; 0: none
     std::span<const int> marked_vertices = {};   // ringed where they are seen
     bool backface_tint = true;                   // the back of an open surface is told apart
-    int samples = 4;                             // per pixel: 1 or 4
+    int samples = 0;                             // per pixel: 1, 4 or 16; 0: 16 for one view, 4 for several
 };
 
 /// Large triangles cover each other so often that drawing them would take minutes or gigabytes.

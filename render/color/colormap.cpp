@@ -21,9 +21,10 @@ struct Definition {
 };
 
 /// viridis and magma: ten colours of the maps of van der Walt and Smith (2015, CC0); cividis: of Nuñez, Anderton and Renslow
-/// (2018). pale, parula-like, diverging and grey: drawn up here in CIELAB, with equal steps of lightness. cyclic: a closed curve in CIELAB
-/// (three harmonics) found by climbing towards equal steps of CIEDE2000, equal lightness of t and 1 − t, and the largest distance
-/// between any two places in normal and each kind of colour-blind sight.
+/// (2018). parula-like and grey: drawn up here in CIELAB, with equal steps of lightness. pale and diverging: likewise, then their colours
+/// moved along the curve to equal steps of CAM02-UCS (tests/render/color/equal_steps.py), so that a colour can be read as a number; report's
+/// map_scale.cpp has them, too. cyclic: a closed curve in CIELAB (three harmonics) found by climbing towards equal steps of CIEDE2000, equal
+/// lightness of t and 1 − t, and the largest distance between any two places in normal and each kind of colour-blind sight.
 const std::vector<Definition>& definitions() {
     static const std::vector<Definition> table{
         {"viridis",
@@ -33,7 +34,7 @@ const std::vector<Definition>& definitions() {
         {"pale",
          "sequential",
          "cream, green, blue, navy; for distances and errors: zero is pale, and the form of what is right stays visible",
-         {0xf1eee4, 0xd4d7b6, 0x9bc6a5, 0x5eb1ab, 0x3397ac, 0x117da8, 0x09629c, 0x1e4983, 0x253261}},
+         {0xf1eee4, 0xcfd5b3, 0x9dc7a5, 0x6fb7a9, 0x44a3ac, 0x2089ab, 0x066ca2, 0x1c4d88, 0x253261}},
         {"parula-like",
          "sequential",
          "blue, teal, yellow; for comparison with earlier reports",
@@ -41,7 +42,7 @@ const std::vector<Definition>& definitions() {
         {"diverging",
          "diverging",
          "blue, white, red, of equal lightness on both sides; for signed values centred on zero",
-         {0x004c9e, 0x0368c1, 0x4b88d6, 0x80a8e3, 0xadc5ea, 0xd5dfef, 0xeeeeee, 0xefdad1, 0xe9b9a8, 0xde937f, 0xcc6a59, 0xb4413d,
+         {0x004c9e, 0x0b6ac3, 0x4a87d6, 0x79a4e2, 0xa5c0e9, 0xcedaee, 0xeeeeee, 0xeed3c7, 0xe6af9c, 0xdb8a76, 0xca6656, 0xb4413d,
           0x93232b}},
         {"magma",
          "sequential",

@@ -20,6 +20,9 @@ struct Neighbours {
     int count;
 };
 
+/// Samples of a pixel this far apart, in pixels, see two surfaces.
+inline constexpr float largest_step = 8;
+
 /// Row m: the numbers of the bits that are set in m, in their order, then the others.
 inline constexpr auto kept_first = [] {
     std::array<std::array<std::uint8_t, 8>, 256> rows{};
@@ -137,8 +140,11 @@ void CollectHeights(const SampleTile& tile, int block_row, bool from_below, floa
                 const FloatVector beside = hn::Shuffle2301(height), upper = hn::Max(height, beside), lower = hn::Min(height, beside);
                 const FloatVector other_upper = hn::Shuffle1032(upper), other_lower = hn::Shuffle1032(lower);
                 const FloatVector first = hn::Max(upper, other_upper);
-                const FloatVector second = hn::Max(hn::Min(upper, other_upper), hn::Max(lower, other_lower));
+                const FloatVector inner = hn::Min(upper, other_upper), outer = hn::Max(lower, other_lower);
+                const FloatVector second = hn::Max(inner, outer), third = hn::Min(inner, outer);
                 height = hn::IfThenElse(hn::Lt(second, hn::Set(f, -1e37F)), first, second);
+                const auto one_surface = hn::Lt(hn::Sub(second, third), hn::Set(f, largest_step));
+                height = hn::IfThenElse(one_surface, hn::Mul(hn::Set(f, 0.5F), hn::Add(second, third)), height);
             }
             hn::Store(height, f, nearest.data() + s);
         }
@@ -154,6 +160,10 @@ void CollectHeights(const SampleTile& tile, int block_row, bool from_below, floa
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+
+#include <algorithm>
+#include <bit>
+#include <limits>
 
 namespace render {
 
@@ -177,6 +187,48 @@ Neighbours neighbours_in(const SamplePattern& pattern) {
     return n;
 }
 
+/// A pixel of 16 samples. Sums are whole numbers, so their order does not matter.
+void collect_pixel(const std::array<std::int32_t, block_samples>& seen, int pixel, float left, float top, Fragments& fragments) {
+    const SamplePattern& pattern = sixteen_samples;
+    for (unsigned rest = (1U << block_samples) - 1; rest != 0;) {
+        const std::int32_t id = seen[static_cast<std::size_t>(std::countr_zero(rest))];
+        unsigned same = 0;
+        for (std::size_t s = 0; s < block_samples; ++s) same |= (seen[s] == id ? 1U : 0U) << s;
+        rest &= ~same;
+        if (id == no_triangle) continue;
+        int x = 0, y = 0;
+        for (std::size_t s = 0; s < block_samples; ++s) {
+            const int mask = -static_cast<int>(same >> s & 1U);
+            x += mask & pattern.x[s], y += mask & pattern.y[s];
+        }
+        const auto count = static_cast<float>(std::popcount(same));
+        const std::size_t i = fragments.count++;
+        fragments.triangle[i] = id, fragments.pixel[i] = pixel, fragments.weight[i] = count / block_samples;
+        fragments.x[i] = left + static_cast<float>(x) / count, fragments.y[i] = top - static_cast<float>(y) / count;
+    }
+}
+
+/// The mean of the nearest samples if these are at least half of all, else of what lies behind them.
+float height_of_pixel(const std::array<float, block_samples>& depths, float scale) {
+    constexpr float none = -std::numeric_limits<float>::infinity();
+    float nearest = none, behind = none, sum = 0, sum_behind = 0;
+    int count = 0, count_behind = 0;
+    for (const float depth : depths) nearest = std::max(nearest, scale * depth);
+    for (const float depth : depths) {
+        const float height = scale * depth;
+        const bool is_near = height > nearest - largest_step;
+        sum += is_near ? height : 0, count += is_near ? 1 : 0;
+        behind = std::max(behind, is_near ? none : height);
+    }
+    if (2 * count >= block_samples || behind == none) return nearest == none ? none : sum / static_cast<float>(count);
+    for (const float depth : depths) {
+        const float height = scale * depth;
+        if (height > nearest - largest_step || height <= behind - largest_step) continue;
+        sum_behind += height, ++count_behind;
+    }
+    return sum_behind / static_cast<float>(count_behind);
+}
+
 }   // namespace
 
 void collect_fragments(const SampleTile& tile, int block_row, int width, int height, bool from_below, Fragments& fragments) {
@@ -185,11 +237,22 @@ void collect_fragments(const SampleTile& tile, int block_row, int width, int hei
     const auto left = static_cast<float>(tile.x() * subpixels - width * half_pixel);
     const auto top = static_cast<float>(height * half_pixel - (tile.y() + block_row * pattern.block_side) * subpixels);
     fragments.count = 0;
+    if (pattern.per_pixel == block_samples) {
+        for (int x = 0; x < tile_side; ++x) {
+            const SampleBlock& block = tile.row(block_row)[x];
+            collect_pixel(from_below ? block.bottom : block.top, x, left + static_cast<float>(x * subpixels), top, fragments);
+        }
+        return;
+    }
     HWY_DYNAMIC_DISPATCH(CollectRow)(pattern.per_pixel == 1 ? of_one : of_four, tile, block_row, left, top, from_below, fragments);
 }
 
 void collect_heights(const SampleTile& tile, int block_row, bool from_below, std::span<float, std::size_t{tile_side} * 4> heights) {
-    HWY_DYNAMIC_DISPATCH(CollectHeights)(tile, block_row, from_below, heights.data());
+    if (tile.pattern().per_pixel < block_samples) return HWY_DYNAMIC_DISPATCH(CollectHeights)(tile, block_row, from_below, heights.data());
+    for (std::size_t x = 0; x < tile_side; ++x) {
+        const SampleBlock& block = tile.row(block_row)[x];
+        heights[x] = height_of_pixel(from_below ? block.lowest : block.highest, (from_below ? -1.0F : 1.0F) / subpixels);
+    }
 }
 
 }   // namespace render

@@ -13,7 +13,7 @@ namespace render {
 /// Fragments of one row of blocks, a column a property, so that shading takes a vector of them at a time. A fragment stands for the
 /// samples of one pixel that see the same triangle and is shaded at their middle, which by convexity lies in it.
 struct alignas(64) Fragments {
-    static constexpr std::size_t largest_count = std::size_t{tile_side} * 2 * 4;
+    static constexpr std::size_t largest_count = std::size_t{tile_side} * block_samples;
     template <class T>
     using Column = std::array<T, largest_count + block_samples>;   // vectors may write beyond the last fragment
 
@@ -38,9 +38,9 @@ struct alignas(64) Fragments {
 /// @param from_below  what the opposite view sees
 void collect_fragments(const SampleTile& tile, int block_row, int width, int height, bool from_below, Fragments& fragments);
 
-/// How high the visible surface lies above the picture plane, towards the viewer, in pixels: of the samples of a pixel the second nearest,
-/// so that on a silhouette the side with more samples decides; the nearest where there is but one, −∞ where there is none. @param heights
-/// of the row of blocks: row · tile_side + column
+/// How high the visible surface lies above the picture plane, towards the viewer, in pixels: at the middle of a pixel where its samples see
+/// one surface; on a silhouette the side with more samples decides; −∞ where there is none. @param heights  of the row of blocks:
+/// row · tile_side + column
 void collect_heights(const SampleTile& tile, int block_row, bool from_below, std::span<float, std::size_t{tile_side} * 4> heights);
 
 }   // namespace render

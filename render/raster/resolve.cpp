@@ -55,7 +55,7 @@ std::size_t Pack(std::span<const LinearColor> surfaces, Layer* layers) {
     return i;
 }
 
-std::size_t Unpack(std::span<const Layer> layers, const float* openness, float strength, LinearColor* surfaces) {
+std::size_t Unpack(std::span<const Layer> layers, const float* light, LinearColor* surfaces) {
     const hn::CappedTag<float, 16> f;
     const hn::RebindToSigned<decltype(f)> d;
     const hn::Rebind<std::uint16_t, decltype(f)> u16;
@@ -65,10 +65,9 @@ std::size_t Unpack(std::span<const Layer> layers, const float* openness, float s
     for (; i + hn::Lanes(f) <= layers.size(); i += hn::Lanes(f)) {
         hn::Vec<decltype(u16)> r, g, b, a;
         hn::LoadInterleaved4(u16, &layers[i].r, r, g, b, a);
-        const auto shade = hn::Mul(hn::Set(f, strength), hn::Sub(hn::Set(f, 1), hn::LoadU(f, openness + i)));
-        const auto light = hn::Mul(unit, hn::Sub(hn::Set(f, 1), shade));
-        hn::StoreInterleaved4(hn::Mul(light, unpacked(r)), hn::Mul(light, unpacked(g)), hn::Mul(light, unpacked(b)),
-                              hn::Mul(unit, unpacked(a)), f, &surfaces[i].r);
+        const auto lit = hn::Mul(unit, hn::LoadU(f, light + i));
+        hn::StoreInterleaved4(hn::Mul(lit, unpacked(r)), hn::Mul(lit, unpacked(g)), hn::Mul(lit, unpacked(b)), hn::Mul(unit, unpacked(a)),
+                              f, &surfaces[i].r);
     }
     return i;
 }
@@ -123,13 +122,13 @@ void pack(std::span<const LinearColor> surfaces, std::span<Layer> layers) {
     std::copy_n(packed.begin(), surfaces.size() - done, layers.begin() + static_cast<std::ptrdiff_t>(done));
 }
 
-void unpack(std::span<const Layer> layers, std::span<const float> openness, float strength, std::span<LinearColor> surfaces) {
-    const std::size_t done = HWY_DYNAMIC_DISPATCH(Unpack)(layers, openness.data(), strength, surfaces.data());
+void unpack(std::span<const Layer> layers, std::span<const float> light, std::span<LinearColor> surfaces) {
+    const std::size_t done = HWY_DYNAMIC_DISPATCH(Unpack)(layers, light.data(), surfaces.data());
     if (done == layers.size()) return;
     const auto rest = padded(layers.subspan(done));
-    const auto open = padded(openness.subspan(done));
+    const auto rest_of_light = padded(light.subspan(done));
     std::array<LinearColor, most_lanes> unpacked;
-    HWY_DYNAMIC_DISPATCH(Unpack)(rest, open.data(), strength, unpacked.data());
+    HWY_DYNAMIC_DISPATCH(Unpack)(rest, rest_of_light.data(), unpacked.data());
     std::copy_n(unpacked.begin(), layers.size() - done, surfaces.begin() + static_cast<std::ptrdiff_t>(done));
 }
 

@@ -12,12 +12,12 @@ namespace render {
 /// pixels[i] = surfaces[i] over `background`, in 8-bit sRGB.
 void resolve(std::span<const LinearColor> surfaces, Rgba background, std::span<Rgba> pixels);
 
-/// Linear light times coverage, in 1/65535: what is kept of a pixel until its occlusion is known.
+/// Linear light times coverage, in 1/65535: what is kept of a pixel until its occlusion and lines are known.
 struct Layer {
     std::uint16_t r = 0, g = 0, b = 0, coverage = 0;
 };
 void pack(std::span<const LinearColor> surfaces, std::span<Layer> layers);
-/// All three of one length. surfaces[i] = layers[i] with its light times 1 − strength · (1 − openness[i]).
-void unpack(std::span<const Layer> layers, std::span<const float> openness, float strength, std::span<LinearColor> surfaces);
+/// All three of one length. surfaces[i] = layers[i] with its light times light[i].
+void unpack(std::span<const Layer> layers, std::span<const float> light, std::span<LinearColor> surfaces);
 
 }   // namespace render

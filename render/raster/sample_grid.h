@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -12,7 +13,7 @@ namespace render {
 inline constexpr int subpixels = 256;
 inline constexpr int half_pixel = subpixels / 2;
 
-/// Samples are kept in blocks of this many, whatever the number per pixel: 2 × 2 pixels of 4 samples or 4 × 4 pixels of 1. A block
+/// Samples are kept in blocks of this many, whatever the number per pixel: 1 pixel of 16, 2 × 2 pixels of 4 or 4 × 4 pixels of 1. A block
 /// is one cache line of depths, one of triangle numbers, and one vector of the widest instruction set.
 inline constexpr int block_samples = 16;
 
@@ -24,8 +25,8 @@ struct SamplePattern {
     std::array<std::int32_t, block_samples> x, y;   // from the upper left corner of the block
     std::array<std::int32_t, 2> columns_of_rows;    // of eight by eight lines, which repeat: bit 8 r + c where row r, column c has a sample
 
-    constexpr int block_shift() const { return block_side == 2 ? 9 : 10; }   // log2 of its side in grid steps
-    constexpr int pitch_shift() const { return pitch == 64 ? 6 : 8; }
+    constexpr int block_shift() const { return std::bit_width(static_cast<unsigned>(block_side)) + 7; }   // log2 of its side in grid steps
+    constexpr int pitch_shift() const { return std::bit_width(static_cast<unsigned>(pitch)) - 1; }
 };
 
 /// The middle of every pixel.
@@ -55,10 +56,25 @@ inline constexpr SamplePattern four_samples = [] {
     return p;
 }();
 
-/// @param samples  per pixel, 1 or 4
-inline const SamplePattern& pattern_of(int samples) { return samples == 1 ? one_sample : four_samples; }
+/// A rotated grid in each quarter of the pixel, mirrored from quarter to quarter.
+inline constexpr SamplePattern sixteen_samples = [] {
+    constexpr std::array<int, 4> row_of_column{1, 3, 0, 2};
+    SamplePattern p{16, 1, 16, 32, {}, {}, {}};
+    std::array<std::uint32_t, 2> columns{};
+    for (int i = 0; i < block_samples; ++i) {
+        const int c = i % 4, r = row_of_column[static_cast<std::size_t>(c)];
+        const int column = i / 4 % 2 == 0 ? c : 7 - c, row = i / 8 == 0 ? r : 7 - r;
+        p.x[static_cast<std::size_t>(i)] = 16 + 32 * column, p.y[static_cast<std::size_t>(i)] = 16 + 32 * row;
+        columns[static_cast<std::size_t>(row / 4)] |= 1U << (8 * (row % 4) + column);
+    }
+    for (std::size_t half = 0; half < 2; ++half) p.columns_of_rows[half] = static_cast<std::int32_t>(columns[half]);
+    return p;
+}();
 
-/// Pixels on the side of a tile: what one thread draws at a time, small enough for its cache (256 KiB at 4 samples).
+/// @param samples  per pixel: 1, 4 or 16
+inline const SamplePattern& pattern_of(int samples) { return samples == 1 ? one_sample : samples == 4 ? four_samples : sixteen_samples; }
+
+/// Pixels on the side of a tile: what one thread draws at a time, small enough for its cache (256 KiB at 4 samples, 1 MiB at 16).
 inline constexpr int tile_side = 64;
 
 }   // namespace render

@@ -18,6 +18,11 @@ namespace render {
 /// α + β (sum of sines) up to here is not darkened: the folds between the triangles of a coarse mesh.
 inline constexpr float least_bend = 0.2F;
 
+/// sin² of the angle from which on a crease or a contour is drawn, 25°, and from which on in full, 50°.
+inline constexpr float least_crease = 0.18F, full_crease = 0.59F;
+/// Of linear light: as black of 35 % in sRGB.
+inline constexpr float silhouette_ink = 0.62F, crease_ink = 0.9F;
+
 }   // namespace render
 #endif
 
@@ -85,6 +90,48 @@ void Smooth(const float* heights, const float* openness, std::ptrdiff_t pitch, s
     }
 }
 
+/// sin² of the angle by which the surface bends at a pixel, 1 beyond a right angle; 0 beside what shows nothing. The sine comes from the
+/// cross product of the directions to either side.
+template <class D>
+HWY_INLINE hn::Vec<D> bend(D d, const float* at, std::ptrdiff_t step) {
+    const auto one = hn::Set(d, 1), before = hn::LoadU(d, at - step), here = hn::LoadU(d, at), after = hn::LoadU(d, at + step);
+    const auto a = hn::Sub(here, before), b = hn::Sub(after, here), across = hn::Sub(b, a), along = hn::Add(one, hn::Mul(a, b));
+    const auto lengths = hn::Mul(hn::Add(one, hn::Mul(a, a)), hn::Add(one, hn::Mul(b, b)));
+    const auto sine = hn::IfThenElse(hn::Lt(along, hn::Zero(d)), one, hn::Div(hn::Mul(across, across), lengths));
+    return hn::IfThenElseZero(hn::Gt(hn::Min(before, after), hn::Set(d, HeightField::nothing / 2)), sine);
+}
+
+void Creases(const float* heights, std::ptrdiff_t pitch, std::size_t count, float* creases) {
+    const hn::CappedTag<float, 16> d;
+    for (std::size_t x = 0; x < count; x += hn::Lanes(d)) {
+        const auto is_seen = hn::Gt(hn::LoadU(d, heights + x), hn::Set(d, HeightField::nothing / 2));
+        const auto bent = hn::Max(bend(d, heights + x, 1), bend(d, heights + x, pitch));
+        const auto above = hn::Mul(hn::Sub(bent, hn::Set(d, least_crease)), hn::Set(d, 1 / (full_crease - least_crease)));
+        hn::StoreU(hn::IfThenElseZero(is_seen, hn::Min(hn::Max(above, hn::Zero(d)), hn::Set(d, 1))), d, creases + x);
+    }
+}
+
+/// Coverage falls off from a pixel to those beside it on a silhouette; creases are spread over three pixels, or they would have steps.
+void Lines(const std::uint8_t* coverage, const std::uint8_t* creases, std::ptrdiff_t pitch, std::size_t count, float* lines) {
+    const hn::CappedTag<float, 16> d;
+    const hn::RebindToSigned<decltype(d)> ints;
+    const hn::Rebind<std::uint16_t, decltype(d)> words;
+    const hn::Rebind<std::uint8_t, decltype(d)> bytes;
+    for (std::size_t x = 0; x < count; x += hn::Lanes(d)) {
+        const auto at = [&](const std::uint8_t* field, std::ptrdiff_t step) HWY_ATTR { return hn::LoadU(bytes, field + x + step); };
+        const auto least = hn::Min(hn::Min(at(coverage, -1), at(coverage, 1)), hn::Min(at(coverage, -pitch), at(coverage, pitch)));
+        const auto row = [&](std::ptrdiff_t step) HWY_ATTR {
+            const auto wide = [&](std::ptrdiff_t beside) HWY_ATTR { return hn::PromoteTo(words, at(creases, step + beside)); };
+            return hn::Add(hn::Add(wide(-1), wide(1)), hn::ShiftLeft<1>(wide(0)));
+        };
+        const auto spread = hn::Add(hn::Add(row(-pitch), row(pitch)), hn::ShiftLeft<1>(row(0)));
+        const auto falling = hn::Xor(least, hn::Set(bytes, 255));
+        const auto outside = hn::Mul(hn::ConvertTo(d, hn::PromoteTo(ints, falling)), hn::Set(d, silhouette_ink / 255));
+        const auto inside = hn::Mul(hn::ConvertTo(d, hn::PromoteTo(ints, spread)), hn::Set(d, crease_ink / (255 * 16)));
+        hn::StoreU(hn::Min(hn::Add(outside, inside), hn::Set(d, silhouette_ink)), d, lines + x);
+    }
+}
+
 }   // namespace render::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -99,6 +146,8 @@ namespace render {
 
 HWY_EXPORT(Openness);
 HWY_EXPORT(Smooth);
+HWY_EXPORT(Creases);
+HWY_EXPORT(Lines);
 
 namespace {
 
@@ -167,6 +216,24 @@ void smooth(const HeightField& heights, const HeightField& openness, int x, int 
         const int from = x + static_cast<int>(begin);
         HWY_DYNAMIC_DISPATCH(Smooth)
         (heights.place(from, y), openness.place(from, y), heights.pitch(), count, 4.0F / static_cast<float>(heights.reach()), found);
+    });
+}
+
+void find_creases(const HeightField& heights, int x, int y, std::span<std::uint8_t> creases) {
+    std::array<float, 1024> found;
+    for (std::size_t begin = 0; begin < creases.size(); begin += found.size() - 16) {
+        const std::size_t count = std::min(found.size() - 16, creases.size() - begin);
+        HWY_DYNAMIC_DISPATCH(Creases)(heights.place(x + static_cast<int>(begin), y), heights.pitch(), count, found.data());
+        std::transform(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count),
+                       creases.begin() + static_cast<std::ptrdiff_t>(begin),
+                       [](float crease) { return static_cast<std::uint8_t>(255 * crease + 0.5F); });
+    }
+}
+
+void draw_lines(const ByteField& coverage, const ByteField& creases, int x, int y, std::span<float> lines) {
+    in_whole_vectors(lines, [&](std::size_t begin, std::size_t count, float* found) {
+        const int from = x + static_cast<int>(begin);
+        HWY_DYNAMIC_DISPATCH(Lines)(coverage.place(from, y), creases.place(from, y), creases.pitch(), count, found);
     });
 }
 

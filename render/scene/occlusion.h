@@ -1,9 +1,11 @@
 /// @file
-/// Ambient occlusion from the heights of a picture: how much of the sky each pixel sees.
+/// What the heights of a picture say of form: how much of the sky each pixel sees (ambient occlusion), and where lines run.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "scene/large_array.h"
@@ -62,5 +64,25 @@ private:
 
 /// The mean of `openness` round pixels from (x, y) on, over what lies about as high: looks are few, and single ones leave streaks.
 void smooth(const HeightField& heights, const HeightField& openness, int x, int y, std::span<float> smoothed);
+
+/// 0 to 255 a pixel, with a margin of one round the picture, which is 0.
+class ByteField {
+public:
+    ByteField(int width, int height) : pitch_(width + 18), bytes_(static_cast<std::size_t>(pitch_ * (height + 2)), std::uint8_t{0}) {}
+    std::uint8_t* place(int x, int y) { return bytes_.data() + (y + 1) * pitch_ + 1 + x; }
+    const std::uint8_t* place(int x, int y) const { return bytes_.data() + (y + 1) * pitch_ + 1 + x; }
+    std::ptrdiff_t pitch() const { return pitch_; }
+    void clear() { std::fill(bytes_.begin(), bytes_.end(), std::uint8_t{0}); }
+
+private:
+    std::ptrdiff_t pitch_;
+    LargeArray<std::uint8_t> bytes_;
+};
+
+/// For pixels from (x, y) on: 255 where the surface has a crease or one part ends before another.
+void find_creases(const HeightField& heights, int x, int y, std::span<std::uint8_t> creases);
+
+/// The share of the light that silhouettes and creases take from pixels from (x, y) on: lines of 1 to 1.5 pixels.
+void draw_lines(const ByteField& coverage, const ByteField& creases, int x, int y, std::span<float> lines);
 
 }   // namespace render

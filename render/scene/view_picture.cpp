@@ -9,8 +9,8 @@ namespace render {
 
 namespace {
 
-/// How much of the light an occluded part loses; values keep more, so that they can be read off the colour bar.
-constexpr float occlusion_on_plain = 0.9F, occlusion_on_values = 0.75F;
+/// How much of the light an occluded part loses; values keep nearly all, so that they can be read off the colour bar.
+constexpr float occlusion_on_plain = 0.9F, occlusion_on_values = 0.035F;
 
 }   // namespace
 
@@ -74,22 +74,28 @@ void ViewPicture::set_heights(const SampleTile& tile, int block_row) {
     }
 }
 
-void ViewPicture::finish(HeightField& openness) {
+void ViewPicture::finish(FinishingRoom& room) {
     if (!with_occlusion_) return;
     const Sky sky(buffers_->heights);
+    room.coverage.clear(), room.creases.clear();
     for_each_stretch([&](int x, int y, std::span<const Layer> row_layers) {
         std::array<float, tile_side> open;
         const std::span row_open = std::span(open).first(row_layers.size());
         sky.openness(x, y, row_open);
-        openness.set(x, y, row_open);
+        room.openness.set(x, y, row_open);
+        find_creases(buffers_->heights, x, y, {room.creases.place(x, y), row_open.size()});
+        std::transform(row_layers.begin(), row_layers.end(), room.coverage.place(x, y),
+                       [](const Layer& layer) { return static_cast<std::uint8_t>(layer.coverage >> 8); });
     });
     for_each_stretch([&](int x, int y, std::span<const Layer> row_layers) {
-        std::array<float, tile_side> open;
+        std::array<float, tile_side> light, lines;
         std::array<LinearColor, tile_side> colors;
-        const std::span row_open = std::span(open).first(row_layers.size());
+        const std::span row_light = std::span(light).first(row_layers.size()), row_lines = std::span(lines).first(row_layers.size());
         const std::span row_colors = std::span(colors).first(row_layers.size());
-        smooth(buffers_->heights, openness, x, y, row_open);
-        unpack(row_layers, row_open, occlusion_strength_, row_colors);
+        smooth(buffers_->heights, room.openness, x, y, row_light);
+        draw_lines(room.coverage, room.creases, x, y, row_lines);
+        for (std::size_t i = 0; i < row_light.size(); ++i) light[i] = (1 - occlusion_strength_ * (1 - light[i])) * (1 - lines[i]);
+        unpack(row_layers, row_light, row_colors);
         resolve(row_colors, background_, {&image_.at(x, y), row_colors.size()});
     });
 }

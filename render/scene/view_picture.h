@@ -22,6 +22,12 @@ struct ViewBuffers {
     ViewBuffers(const DrawOptions& options);
 };
 
+/// What views have room in to be finished, one after the other; whatever it holds counts for nothing.
+struct FinishingRoom {
+    HeightField openness;
+    ByteField coverage, creases;
+};
+
 class ViewPicture {
 public:
     /// @param buffers  nullptr where neither occlusion nor heights are wanted
@@ -33,8 +39,8 @@ public:
     /// Rows of a tile show nothing. Every row of every tile is either added or left empty: what the buffers hold of another view goes.
     void leave_empty(int left, int top, int rows);
 
-    /// Darkens what is occluded, where that is wanted. @param openness  to work with; whatever it holds counts for nothing
-    void finish(HeightField& openness);
+    /// Darkens what is occluded and draws silhouettes and creases, where that is wanted.
+    void finish(FinishingRoom& room);
 
     const Placement& placement() const { return placement_; }
     const HeightField& heights() const { return buffers_->heights; }

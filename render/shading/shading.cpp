@@ -205,6 +205,22 @@ HWY_INLINE Vector3 base_color(const ShadingStyle& style, const Fragments& fragme
             hn::IfThenElse(known, hn::GatherIndex(f, palette.blue.data(), step), set(palette.undefined.b))};
 }
 
+/// Thin slanting lines over what is undefined and, the other way, over the backs of what has values: its colours can be read between them.
+HWY_INLINE FloatVector hatch_ink(const ShadingStyle& style, const Fragments& fragments, std::size_t i) {
+    const Floats f;
+    const FloatMask undefined = hn::IsNaN(hn::Load(f, fragments.map_position.data() + i));
+    const FloatMask is_back = hn::Gt(hn::Load(f, fragments.back.data() + i), set(0));
+    if (hn::AllFalse(f, hn::Or(undefined, is_back))) return set(0);
+    const FloatVector x = hn::Mul(set(style.slant), hn::Load(f, fragments.x.data() + i)), y = hn::Load(f, fragments.y.data() + i);
+    const auto lines = [&](FloatVector across) HWY_ATTR {
+        constexpr float spacing = hatch_spacing * subpixels * 1.41421356F;
+        const FloatVector u = hn::Mul(across, set(1 / spacing));
+        return line_ink(hn::Mul(hn::Abs(hn::Sub(u, hn::Round(u))), set(hatch_spacing)));
+    };
+    const FloatVector over_undefined = hn::IfThenElseZero(undefined, hn::Mul(set(undefined_hatch), lines(hn::Sub(x, y))));
+    return hn::IfThenElse(is_back, hn::Max(over_undefined, hn::Mul(set(back_hatch), lines(hn::Add(x, y)))), over_undefined);
+}
+
 /// Step 2 for the fragments from i on.
 HWY_INLINE void light(const ShadingStyle& style, Fragments& fragments, std::size_t i) {
     const Floats f;
@@ -215,10 +231,7 @@ HWY_INLINE void light(const ShadingStyle& style, Fragments& fragments, std::size
         const auto tinted = [&](FloatVector channel, float tint)
                                 HWY_ATTR { return hn::Mul(hn::Mul(channel, strength), hn::Sub(set(1), hn::Mul(back, set(1 - tint)))); };
         color = {tinted(color.x, darkening.r), tinted(color.y, darkening.g), tinted(color.z, darkening.b)};
-        if (style.has_values) {
-            const FloatVector sheen = hn::Mul(set(sheen_on_values), hn::Mul(strength, hn::Mul(strength, strength)));
-            color = sum(color, {sheen, sheen, sheen});
-        }
+        if (style.has_values && style.options.backface_tint) color = scaled(hn::Sub(set(1), hatch_ink(style, fragments, i)), color);
     }
     const FloatVector ink = hn::Load(f, fragments.ink.data() + i);
     color = sum(scaled(hn::Sub(set(1), ink), color), scaled(ink, {set(ink_color.r), set(ink_color.g), set(ink_color.b)}));

@@ -35,7 +35,11 @@ Palette::Palette(const DrawOptions& options) : plain(linear_rgb(options.surface_
 }
 
 ShadingStyle::ShadingStyle(const Scene& scene, const DrawOptions& drawn, const Palette& colors, const Placement& placement)
-    : options(drawn), palette(colors), has_values(!scene.map_positions.empty()), towards_viewer(placement.from_below ? -1.0F : 1.0F) {
+    : options(drawn),
+      palette(colors),
+      has_values(!scene.map_positions.empty()),
+      towards_viewer(placement.from_below ? -1.0F : 1.0F),
+      slant(placement.mirrored_x == placement.mirrored_y ? 1.0F : -1.0F) {
     const glm::vec3 axes(placement.mirrored_x ? -1 : 1, placement.mirrored_y ? -1 : 1, towards_viewer);
     for (std::size_t l = 0; l < lights.size(); ++l) lights[l] = axes * light_directions[l];
     set_isolines(options, *this);

@@ -11,20 +11,21 @@
 
 namespace render {
 
-/// Soft: each light reaches a little beyond its horizon. With the ambient part they add up to about 1 where all of them reach, so no
-/// colour of a map is driven to white, and being neutral they shift no hue.
-inline constexpr std::array<float, 3> light_strength{0.52F, 0.09F, 0.38F};
-inline constexpr float ambient = 0.02F, wrap = 0.1F;
+/// Soft: each light reaches a little beyond its horizon. With the ambient part they add up to 0.95 where the key light falls straight, so
+/// no colour is driven to white, and being neutral they shift no hue. Clay has an L* of 92 there, 87 facing the viewer and 45 in the shade.
+inline constexpr std::array<float, 3> light_strength{0.78F, 0.12F, 0.18F};
+inline constexpr float ambient = 0.05F, wrap = 0.1F;
 
 /// Twice the area (square grid steps) from which on the rounded normal of a triangle can be trusted: an eighth of a pixel wide.
 inline constexpr float trusted_area = 32 * 32;
 
-/// Values are lit more, so that what faces the viewer is about as light as the colour bar, and only so much of the lighting shows on them.
-/// Where the light is full a little of it is added, neutral, so that form is seen at the dark end of a map too.
-inline constexpr float exposure_of_values = 1.15F, light_on_values = 0.76F, sheen_on_values = 0.018F;
+/// Values are lit more, so that what faces the viewer is as light as the colour bar, and hardly any of the lighting shows on them: with
+/// all occlusion a colour keeps 0.88 of its luminance, so that it can be read as a number. Outlines show the form.
+inline constexpr float exposure_of_values = 1.1F, light_on_values = 0.09F;
 
-/// The back of plain surfaces is a pale ochre. Values look the same on both sides: a colour stands for one value.
-inline constexpr glm::vec3 back_tint{0.94F, 0.82F, 0.66F};
+/// The back of plain surfaces is blue-grey, of those with values hatched.
+inline constexpr glm::vec3 back_tint{0.58F, 0.68F, 0.85F};
+inline constexpr float hatch_spacing = 5, back_hatch = 0.45F, undefined_hatch = 0.35F;   // pixels; of the light
 
 inline constexpr glm::vec3 ink_color{0.012F, 0.012F, 0.016F};
 inline constexpr float line_half_width = 0.45F;   // pixels on either side
@@ -53,6 +54,7 @@ struct ShadingStyle {
     bool has_values;
     std::array<glm::vec3, 3> lights;               // directions along the axes of the projection
     float towards_viewer;                          // +1 or −1 along the depth axis
+    float slant;                                   // of hatches: −1 in a mirrored picture
     float isoline_scale = 0, isoline_offset = 0;   // isolines where map position · scale + offset is whole; scale 0: none
 
     ShadingStyle(const Scene& scene, const DrawOptions& options, const Palette& palette, const Placement& placement);

@@ -12,9 +12,9 @@ namespace {
 using Rgb = std::array<double, 3>;
 
 /// The maps "pale" and "diverging" of the renderer, which this layer does not see.
-constexpr std::array<unsigned, 9> sequential{0xf1eee4, 0xd4d7b6, 0x9bc6a5, 0x5eb1ab, 0x3397ac, 0x117da8, 0x09629c, 0x1e4983, 0x253261};
-constexpr std::array<unsigned, 13> diverging{0x004c9e, 0x0368c1, 0x4b88d6, 0x80a8e3, 0xadc5ea, 0xd5dfef, 0xeeeeee,
-                                             0xefdad1, 0xe9b9a8, 0xde937f, 0xcc6a59, 0xb4413d, 0x93232b};
+constexpr std::array<unsigned, 9> sequential{0xf1eee4, 0xcfd5b3, 0x9dc7a5, 0x6fb7a9, 0x44a3ac, 0x2089ab, 0x066ca2, 0x1c4d88, 0x253261};
+constexpr std::array<unsigned, 13> diverging{0x004c9e, 0x0b6ac3, 0x4a87d6, 0x79a4e2, 0xa5c0e9, 0xcedaee, 0xeeeeee,
+                                             0xeed3c7, 0xe6af9c, 0xdb8a76, 0xca6656, 0xb4413d, 0x93232b};
 
 Rgb rgb_of(unsigned hex) { return {double(hex >> 16 & 255), double(hex >> 8 & 255), double(hex & 255)}; }
 
