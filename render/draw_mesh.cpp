@@ -47,12 +47,16 @@ void check(const Surface& surface, const DrawOptions& options) {
                                     std::to_string(surface.positions.size()) + " vertices");
 }
 
-DrawOptions completed(const DrawOptions& wanted, std::size_t views) {
+DrawOptions completed(const DrawOptions& wanted) {
     DrawOptions options = wanted;
-    if (options.samples == 0) options.samples = views == 1 ? 16 : 4;
     if (options.range.colormap == nullptr) options.range.colormap = &colormap_named("viridis");
     if (options.face_colors_from_id) options.samples = 1, options.shading = false;   // numbers cannot be averaged
     options.occlusion = options.occlusion && options.shading;
+    return options;
+}
+
+DrawOptions sampled(DrawOptions options, int by_itself) {
+    if (options.samples == 0) options.samples = by_itself;
     return options;
 }
 
@@ -226,20 +230,24 @@ double ValueRange::position(double value) const {
 
 std::vector<Image> draw_views(const Surface& surface, std::span<const View> views, const DrawOptions& wanted) {
     check(surface, wanted);
-    const DrawOptions options = completed(wanted, views.size());
-    if (options.frame) return draw_framed(surface, views, *options.frame, options);
+    const DrawOptions options = completed(wanted);
     std::vector<View> along_axes;
     for (const View& view : views)
         if (view.is_along_axis()) along_axes.push_back(view);
     std::vector<Image> images;
     if (!along_axes.empty()) {
-        const Frame shared = frame_of(bounds_of(surface.positions, surface.triangles), options.width, options.height, options.fill);
-        images = draw_framed(surface, along_axes, shared, options);
+        const Frame shared = options.frame
+                                 ? *options.frame
+                                 : frame_of(bounds_of(surface.positions, surface.triangles), options.width, options.height, options.fill);
+        images = draw_framed(surface, along_axes, shared, sampled(options, 4));
     }
     for (std::size_t i = 0; i < views.size(); ++i) {
         if (views[i].is_along_axis()) continue;
-        const Frame own = frame_of(surface.positions, surface.triangles, views[i], options.width, options.height, options.fill);
-        images.insert(images.begin() + static_cast<std::ptrdiff_t>(i), draw_framed(surface, views.subspan(i, 1), own, options).front());
+        const Frame own = options.frame
+                              ? *options.frame
+                              : frame_of(surface.positions, surface.triangles, views[i], options.width, options.height, options.fill);
+        images.insert(images.begin() + static_cast<std::ptrdiff_t>(i),
+                      draw_framed(surface, views.subspan(i, 1), own, sampled(options, 16)).front());
     }
     return images;
 }

@@ -47,7 +47,7 @@ struct DrawOptions {
     double isoline_spacing = 0;                  // thin lines where the value is a multiple of this; 0: none
     std::span<const int> marked_vertices = {};   // ringed where they are seen
     bool backface_tint = true;                   // the back of an open surface is told apart
-    int samples = 0;                             // per pixel: 1, 4 or 16; 0: 16 for one view, 4 for several
+    int samples = 0;                             // per pixel: 1, 4 or 16; 0: 4 along the axes, where views come in sixes, else 16
 };
 
 /// Large triangles cover each other so often that drawing them would take minutes or gigabytes.

@@ -34,7 +34,7 @@ const std::vector<Definition>& definitions() {
         {"pale",
          "sequential",
          "cream, green, blue, navy; for distances and errors: zero is pale, and the form of what is right stays visible",
-         {0xf1eee4, 0xcfd5b3, 0x9dc7a5, 0x6fb7a9, 0x44a3ac, 0x2089ab, 0x066ca2, 0x1c4d88, 0x253261}},
+         {0xf1eee4, 0xcfd5b3, 0x9cc6a5, 0x6db7a9, 0x42a2ac, 0x1e88ab, 0x066ba1, 0x1c4d88, 0x253261}},
         {"parula-like",
          "sequential",
          "blue, teal, yellow; for comparison with earlier reports",

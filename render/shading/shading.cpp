@@ -231,7 +231,10 @@ HWY_INLINE void light(const ShadingStyle& style, Fragments& fragments, std::size
         const auto tinted = [&](FloatVector channel, float tint)
                                 HWY_ATTR { return hn::Mul(hn::Mul(channel, strength), hn::Sub(set(1), hn::Mul(back, set(1 - tint)))); };
         color = {tinted(color.x, darkening.r), tinted(color.y, darkening.g), tinted(color.z, darkening.b)};
-        if (style.has_values && style.options.backface_tint) color = scaled(hn::Sub(set(1), hatch_ink(style, fragments, i)), color);
+        if (style.has_values && style.options.backface_tint) {   // dark on light colours and light on dark ones
+            const FloatVector ink = hatch_ink(style, fragments, i), dark = hn::IfThenElseZero(hn::Lt(color.y, set(0.12F)), set(0.4F));
+            color = sum(scaled(hn::Sub(set(1), ink), color), scaled(ink, {dark, dark, dark}));
+        }
     }
     const FloatVector ink = hn::Load(f, fragments.ink.data() + i);
     color = sum(scaled(hn::Sub(set(1), ink), color), scaled(ink, {set(ink_color.r), set(ink_color.g), set(ink_color.b)}));

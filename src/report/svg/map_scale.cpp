@@ -12,7 +12,7 @@ namespace {
 using Rgb = std::array<double, 3>;
 
 /// The maps "pale" and "diverging" of the renderer, which this layer does not see.
-constexpr std::array<unsigned, 9> sequential{0xf1eee4, 0xcfd5b3, 0x9dc7a5, 0x6fb7a9, 0x44a3ac, 0x2089ab, 0x066ca2, 0x1c4d88, 0x253261};
+constexpr std::array<unsigned, 9> sequential{0xf1eee4, 0xcfd5b3, 0x9cc6a5, 0x6db7a9, 0x42a2ac, 0x1e88ab, 0x066ba1, 0x1c4d88, 0x253261};
 constexpr std::array<unsigned, 13> diverging{0x004c9e, 0x0b6ac3, 0x4a87d6, 0x79a4e2, 0xa5c0e9, 0xcedaee, 0xeeeeee,
                                              0xeed3c7, 0xe6af9c, 0xdb8a76, 0xca6656, 0xb4413d, 0x93232b};
 

@@ -43,15 +43,15 @@ TEST(Resolve, IsTheSurfaceOverTheBackgroundForEveryLength) {
 
 TEST(Resolve, LayersComeBackDarkenedByWhatIsHiddenForEveryLength) {
     const std::vector<LinearColor> all = random_surfaces(70);
-    std::vector<float> open(all.size());
-    for (std::size_t i = 0; i < open.size(); ++i) open[i] = static_cast<float>(i) / 69;
+    std::vector<float> lights(all.size());
+    for (std::size_t i = 0; i < lights.size(); ++i) lights[i] = 0.4F + 0.6F * static_cast<float>(i) / 69;
     for (std::size_t count = 0; count <= all.size(); ++count) {
         std::vector<Layer> layers(count + 1, Layer{7, 7, 7, 7});
         std::vector<LinearColor> surfaces(count + 1, LinearColor{9, 9, 9, 9});
         render::pack(std::span(all).first(count), std::span(layers).first(count));
-        render::unpack(std::span(layers).first(count), std::span(open).first(count), 0.6F, std::span(surfaces).first(count));
+        render::unpack(std::span(layers).first(count), std::span(lights).first(count), std::span(surfaces).first(count));
         for (std::size_t i = 0; i < count; ++i) {
-            const double light = 1 - 0.6 * (1 - double(open[i]));
+            const double light = double(lights[i]);
             ASSERT_NEAR(double(surfaces[i].r), light * double(all[i].r), 1e-5) << i << " of " << count;
             ASSERT_NEAR(double(surfaces[i].b), light * double(all[i].b), 1e-5);
             ASSERT_NEAR(double(surfaces[i].a), double(all[i].a), 1e-5);
@@ -68,7 +68,7 @@ TEST(Resolve, CoverageSurvivesPacking) {
         std::vector<Layer> layers(5);
         std::vector<LinearColor> out(5);
         render::pack(in, layers);
-        render::unpack(layers, std::vector<float>(5, 1.0F), 1, out);
+        render::unpack(layers, std::vector<float>(5, 1.0F), out);
         for (const LinearColor& c : out) EXPECT_EQ(c.a, a);
     }
 }
