@@ -82,7 +82,8 @@ export class View {
     /// The direction of the picture.
     placeCamera() {
         const a = heroAzimuth * Math.PI / 180, e = heroElevation * Math.PI / 180;
-        this.camera.position.set(Math.cos(e) * Math.sin(a), Math.sin(e), Math.cos(e) * Math.cos(a)).multiplyScalar(10);
+        const usual = [Math.cos(e) * Math.sin(a), Math.sin(e), Math.cos(e) * Math.cos(a)];
+        this.camera.position.set(...(this.models[0]?.frame?.from ?? usual)).multiplyScalar(10);
         this.camera.lookAt(0, 0, 0);
     }
 

@@ -113,11 +113,6 @@ std::string view_file(const Panel& panel, const render::View& view) {
     return "images/" + panel.name + "_" + std::string(view.name) + ".png";
 }
 
-std::vector<render::View> views_of(const FigureRequest& request) {
-    if (has_six_views(request)) return views_in_reading_order();
-    return {render::three_quarter_view()};
-}
-
 bool has_view_files(const FigureRequest& request, const DrawSettings& settings) {
     return settings.view_files || (request.view_files && !settings.sheets_only);
 }
@@ -130,11 +125,12 @@ bool has_undefined(const FigureRequest& request) {
 void draw_view_files(const FigureJob& job, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
     const Panel& panel = request.panels[index];
-    const std::vector<render::View> directions = views_of(request);
+    const render::View& hero = job.three_quarters[index].view;
+    const std::vector<render::View> directions = has_six_views(request) ? views_in_reading_order() : std::vector{hero};
     render::DrawOptions options = options_of(request, panel);
     options.width = settings.width;
     options.height = settings.height;
-    options.frame = full_frame(request, index, !has_six_views(request), options.width, options.height);
+    options.frame = full_frame(request, index, has_six_views(request) ? nullptr : &hero, options.width, options.height);
     std::vector<render::Image> views = drawn_views(surface_in(request, panel), directions, options);
     for_each_task(views.size(), [&](std::size_t i) {
         label_view(views[i], directions[i].name);
@@ -151,8 +147,8 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
     render::DrawOptions options = options_of(request, panel);
     PanelPictures& pictures = job.pictures[index];
 
-    const std::array hero{render::three_quarter_view()};
     const PictureFrame& large = job.three_quarters[index];
+    const std::array hero{large.view};
     options.width = large.width;
     options.height = large.height;
     options.frame = large.frame;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "output/draw/surface_of.h"
+#include "scene/hero.h"
 
 namespace meshfolio::output {
 
@@ -77,6 +78,8 @@ render::Frame own_frame(const TriangleMesh& mesh, const render::View& view, int 
     return render::frame_of(surface.positions, surface.triangles, view, width, height, fill);
 }
 
+bool has_own_frames(const FigureRequest& request) { return request.layout == Layout::multiples || request.states > 1; }
+
 /// The mesh of which a panel shows a state.
 const TriangleMesh& first_state(const FigureRequest& request, std::size_t panel) {
     return *request.panels[panel - panel % static_cast<std::size_t>(request.states)].mesh;
@@ -84,15 +87,23 @@ const TriangleMesh& first_state(const FigureRequest& request, std::size_t panel)
 
 }   // namespace
 
+render::View hero_of(const FigureRequest& request, std::size_t panel) {
+    if (has_own_frames(request) && request.panels[panel].mesh) return render::hero_view(surface_of(first_state(request, panel)));
+    for (std::size_t p = 0; p < request.panels.size(); ++p)
+        if (request.panels[p].mesh && is_framed(request, p)) return render::hero_view(surface_of(*request.panels[p].mesh));
+    return render::three_quarter_view();
+}
+
 std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side) {
-    const render::View view = render::three_quarter_view();
-    const bool own = request.layout == Layout::multiples || request.states > 1;
-    const render::Frame common = own ? render::Frame{} : common_frame(request, view, side, side, share_framed);
+    const bool own = has_own_frames(request);
+    const render::View shared = own ? render::View{} : hero_of(request, 0);
+    const render::Frame common = own ? render::Frame{} : common_frame(request, shared, side, side, share_framed);
     std::vector<PictureFrame> frames(request.panels.size());
     std::optional<render::Bounds> box;
     for (std::size_t p = 0; p < frames.size(); ++p) {
         if (!request.panels[p].mesh) continue;
         const TriangleMesh& mesh = *request.panels[p].mesh;
+        const render::View view = frames[p].view = own ? hero_of(request, p) : shared;
         frames[p].frame = own ? own_frame(first_state(request, p), view, side, side, share_framed) : common;
         const render::Bounds one = within_square(seen(mesh, view, frames[p].frame), side);
         box = box ? render::Bounds{glm::min(box->low, one.low), glm::max(box->high, one.high)} : one;
@@ -100,7 +111,7 @@ std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int
     const render::Bounds shown = box.value_or(render::Bounds{});
     const glm::dvec3 extent = shown.high - shown.low, middle = 0.5 * (shown.low + shown.high);
     for (PictureFrame& frame : frames) {
-        frame.frame.centre += (middle.x * view.right() + middle.y * view.up) / frame.frame.pixels_per_unit;
+        frame.frame.centre += (middle.x * frame.view.right() + middle.y * frame.view.up) / frame.frame.pixels_per_unit;
         frame.width = picture_length(extent.x, side);
         frame.height = picture_length(extent.y, side);
     }
@@ -108,7 +119,7 @@ std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int
 }
 
 FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X) {
-    const render::View view = render::three_quarter_view();
+    const render::View view = render::hero_view(surface_of(mesh));
     const render::Frame frame = own_frame(mesh, view, 1, 1, share_framed);   // a picture one pixel wide
     const render::Bounds box = seen(moved_to(mesh, X), view, frame);
     const glm::dvec3 reach = glm::max(glm::abs(box.low), glm::abs(box.high));
@@ -141,13 +152,12 @@ SixFrames six_frames(const FigureRequest& request, int side) {
     return six;
 }
 
-render::Frame full_frame(const FigureRequest& request, std::size_t panel, bool three_quarters, int width, int height) {
+render::Frame full_frame(const FigureRequest& request, std::size_t panel, const render::View* hero, int width, int height) {
     const double fill = render::DrawOptions{}.fill;
-    const render::View view = render::three_quarter_view();
-    if (!three_quarters)
+    if (hero == nullptr)
         return render::frame_of(joined_box(request, [&](std::size_t p) { return is_framed(request, p); }), width, height, fill);
-    if (request.layout == Layout::multiples || request.states > 1) return own_frame(first_state(request, panel), view, width, height, fill);
-    return common_frame(request, view, width, height, fill);
+    if (has_own_frames(request)) return own_frame(first_state(request, panel), *hero, width, height, fill);
+    return common_frame(request, *hero, width, height, fill);
 }
 
 }   // namespace meshfolio::output

@@ -13,7 +13,11 @@ namespace meshfolio::output {
 struct PictureFrame {
     render::Frame frame;
     int width = 0, height = 0;   // [pixels]
+    render::View view = render::three_quarter_view();
 };
+
+/// The direction of a panel from three quarters: of the mesh in it where each has a frame of its own, else of the one that is framed.
+render::View hero_of(const FigureRequest& request, std::size_t panel);
 
 /// From three quarters, a frame a panel, all of one size: each mesh in the middle of its own (Layout::multiples), or all in one. What is
 /// framed takes `side` pixels in width or in height; other meshes are cut off at that square.
@@ -35,7 +39,8 @@ struct FittedPositions {
 };
 FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X);
 
-/// The frame of a view file in full size: as in the other pictures, but not cropped.
-render::Frame full_frame(const FigureRequest& request, std::size_t panel, bool three_quarters, int width, int height);
+/// The frame of a view file in full size: as in the other pictures, but not cropped. @param hero  the view from three quarters; null: along
+/// axes
+render::Frame full_frame(const FigureRequest& request, std::size_t panel, const render::View* hero, int width, int height);
 
 }   // namespace meshfolio::output

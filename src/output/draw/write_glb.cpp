@@ -14,6 +14,7 @@
 #include "mesh/io/mesh_encoders.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
+#include "scene/hero.h"
 
 namespace meshfolio::output {
 
@@ -198,7 +199,9 @@ std::string write_glb(const TriangleMesh& mesh, const Vector& values, const std:
         if (has_undefined) writer.write_mask(values);
         extras["value"] = extras_of_values(*range, has_undefined, look.undefined_color);
     }
-    extras["frame"] = {{"centre", numbers(frame.centre)}, {"radius", frame.radius}};
+    const render::View hero = render::hero_view(surface_of(mesh));
+    const auto axis = [](const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); };
+    extras["frame"] = {{"centre", numbers(frame.centre)}, {"radius", frame.radius}, {"from", axis(hero.from)}, {"up", axis(hero.up)}};
     Json json;
     json["asset"] = {{"version", "2.0"}, {"generator", "meshfolio"}};
     json["extensionsUsed"] = json["extensionsRequired"] = Json::array({"KHR_mesh_quantization"});

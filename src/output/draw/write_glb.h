@@ -9,7 +9,9 @@
 /// and the mesh's `extras` hold
 ///   value     {attribute, quantity, unit, range: [low, high], logarithmic, colormap, colors: ["#rrggbb", …] equally spaced over the
 ///              range (over its logarithm), defined: the mask's attribute or null, undefined_color}; absent without values
-///   frame     {centre: [x, y, z], radius}: the ball that pictures of the mesh are framed on, in the model's units
+///   frame     {centre: [x, y, z], radius, from, up}: the ball that pictures of the mesh are framed on, in the model's units, and the
+///   direction
+///              that a picture from three quarters is seen from
 #pragma once
 
 #include <optional>

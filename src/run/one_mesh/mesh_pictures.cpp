@@ -13,6 +13,7 @@
 #include "output/draw/figure_request.h"
 #include "output/draw/surface_of.h"
 #include "run/arguments.h"
+#include "scene/hero.h"
 
 namespace meshfolio::run {
 
@@ -64,6 +65,13 @@ std::vector<render::Image> pictures_of(const PreparedMesh& prepared, const Field
     if (!draw.frame && std::ranges::all_of(views, &render::View::is_along_axis))   // what draw_views would find by itself
         draw.frame = render::frame_of({{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}}, draw.width, draw.height, draw.fill);
     return output::drawn_views(output::surface_of(prepared.mesh, sheet.range ? &field.values : nullptr), views, draw);
+}
+
+/// With the direction that shows this mesh best where one from three quarters is asked for.
+std::vector<render::View> directed(std::vector<render::View> views, const TriangleMesh& mesh) {
+    for (render::View& view : views)
+        if (!view.is_along_axis()) view = render::hero_view(output::surface_of(mesh));
+    return views;
 }
 
 TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
@@ -121,7 +129,7 @@ std::pair<double, double> value_limits(double low, double high, const std::strin
 
 MeshPictures draw_pictures(const PreparedMesh& prepared, const Field& field, const PictureRequest& request) {
     MeshPictures drawn = sheet_for(request, {panel_of(prepared, field)}, field);
-    drawn.sheet.pictures = pictures_of(prepared, field, drawn, request.draw, request.views);
+    drawn.sheet.pictures = pictures_of(prepared, field, drawn, request.draw, directed(request.views, prepared.mesh));
     drawn.sheet.subtitle = counts_of(prepared);
     for (const render::View& view : request.views) drawn.sheet.view_names.emplace_back(view.name);
     return drawn;
@@ -135,7 +143,7 @@ MeshPictures draw_pair(const PairedMesh& left, const PairedMesh& right, const Pi
     drawn.sheet.subtitle = "left: " + counts_of(left.prepared) + "; right: " + counts_of(right.prepared);
     drawn.sheet.columns = request.views.size() > 1 ? 4 : 2;
     const TriangleMesh whole = joined(left.prepared.mesh, right.prepared.mesh);
-    for (const render::View& view : request.views) {
+    for (const render::View& view : directed(request.views, left.prepared.mesh)) {
         render::DrawOptions draw = request.draw;
         draw.frame = frame_of(whole, view, draw);
         for (const PairedMesh* one : {&left, &right}) {
