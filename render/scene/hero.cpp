@@ -30,24 +30,53 @@ struct Cell {
     std::int64_t x = 0, y = 0, z = 0, area = 0;
 };
 
+/// To −1 … 1 along the longest side of a box.
+struct Unit {
+    glm::dvec3 centre;
+    double scale;
+
+    explicit Unit(const Bounds& box) : centre(0.5 * box.low + 0.5 * box.high), scale(1) {
+        const glm::dvec3 half = 0.5 * box.high - 0.5 * box.low;
+        scale = 1 / std::max({half.x, half.y, half.z, 1e-300});
+    }
+    glm::dvec3 operator()(const glm::dvec3& p) const { return (p - centre) * scale; }
+};
+
+/// Some thousand vertices of a large mesh, or all: which, depends on where they lie.
+std::vector<char> chosen_vertices(std::span<const glm::dvec3> positions, const Unit& unit) {
+    constexpr std::size_t wanted = 3000;
+    const std::uint64_t one_in = std::max<std::size_t>(1, positions.size() / wanted);
+    std::vector<char> chosen(positions.size(), one_in == 1 ? 1 : 0);
+    if (one_in == 1) return chosen;
+    const std::uint64_t limit = ~std::uint64_t{0} / one_in;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const glm::dvec3 p = unit(positions[i]) * double(1 << 20);   // fine: neighbours get unlike numbers
+        if (!(std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < 1e12)) continue;
+        const auto bits = [](double v) { return static_cast<std::uint64_t>(std::llrint(v)); };
+        std::uint64_t hash = (bits(p.x) * 0x9e3779b97f4a7c15U ^ bits(p.y)) * 0xbf58476d1ce4e5b9U ^ bits(p.z);
+        hash = (hash ^ hash >> 31) * 0x94d049bb133111ebU;
+        chosen[i] = hash < limit ? 1 : 0;
+    }
+    return chosen;
+}
+
 std::vector<Patch> patches_of(const Surface& surface, const Bounds& box) {
-    const glm::dvec3 half = 0.5 * box.high - 0.5 * box.low, centre = 0.5 * box.low + 0.5 * box.high;
-    const double scale = 1 / std::max({half.x, half.y, half.z, 1e-300});
+    const Unit unit(box);
+    const std::vector<char> chosen = chosen_vertices(surface.positions, unit);
     std::vector<Cell> cells(std::size_t{side} * side * side);
     const auto cell_of = [&](const glm::dvec3& p) {
         const auto along = [](double v) { return static_cast<std::size_t>(std::clamp((v + 1) * (side / 2.0), 0.0, side - 1.0)); };
         return (along(p.z) * side + along(p.y)) * side + along(p.x);
     };
+    const auto is_chosen = [&](int v) { return static_cast<std::size_t>(v) < chosen.size() && chosen[index(v)] != 0; };
     for (const glm::ivec3& t : surface.triangles) {
-        if (!can_be_drawn(t, surface.positions)) continue;
-        const auto at = [&](int k) { return (surface.positions[index(t[k])] - centre) * scale; };
-        const glm::dvec3 a = at(0), b = at(1), c = at(2), n = glm::cross(b - a, c - a);
-        const double length = glm::length(n);
-        if (!(length > 0)) continue;
+        if (!(is_chosen(t.x) || is_chosen(t.y) || is_chosen(t.z)) || !can_be_drawn(t, surface.positions)) continue;
+        const glm::dvec3 a = unit(surface.positions[index(t.x)]), b = unit(surface.positions[index(t.y)]),
+                         c = unit(surface.positions[index(t.z)]), n = glm::cross(b - a, c - a);
         Cell& cell = cells[cell_of((a + b + c) / 3.0)];
-        const double unit = 1 << 30;
-        cell.x += std::llrint(unit * n.x), cell.y += std::llrint(unit * n.y), cell.z += std::llrint(unit * n.z),
-            cell.area += std::llrint(unit * length);
+        const double scale = std::int64_t{1} << 40;
+        cell.x += std::llrint(scale * n.x), cell.y += std::llrint(scale * n.y), cell.z += std::llrint(scale * n.z);
+        cell.area += std::llrint(scale * glm::length(n));
     }
     std::vector<Patch> patches;
     for (int i = 0; i < side * side * side; ++i) {
