@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 #include <vector>
 
 #include "rounding.h"
@@ -29,6 +30,14 @@ struct Patch {
 struct Cell {
     std::int64_t x = 0, y = 0, z = 0, area = 0;
 };
+
+/// Of all finite positions: it need not be the box of the triangles.
+Bounds box_of(std::span<const glm::dvec3> positions) {
+    Bounds box{glm::dvec3(std::numeric_limits<double>::max()), glm::dvec3(std::numeric_limits<double>::lowest())};
+    for (const glm::dvec3& p : positions)
+        if (std::isfinite(p.x + p.y + p.z)) box = {glm::min(box.low, p), glm::max(box.high, p)};
+    return box.low.x <= box.high.x ? box : Bounds{};
+}
 
 /// To −1 … 1 along the longest side of a box.
 struct Unit {
@@ -131,7 +140,7 @@ double symmetry(const std::vector<Patch>& patches, int axis) {
 }   // namespace
 
 View hero_view(const Surface& surface) {
-    const Bounds box = bounds_of(surface.positions, surface.triangles);
+    const Bounds box = box_of(surface.positions);
     const std::vector<Patch> patches = patches_of(surface, box);
     const glm::dvec3 extent = box.high - box.low;
     const double along_y = symmetry(patches, 1), along_z = symmetry(patches, 2);
