@@ -38,7 +38,7 @@ struct DrawOptions {
     std::optional<Frame> frame = {};   // default: views along the axes share one, any other has its own, fitted with `fill`
     ValueRange range = {};
     Rgba surface_color{238, 237, 234, 255};      // where there are no values
-    Rgba undefined_color{204, 204, 204, 255};    // where a value is NaN; hatched with shading
+    Rgba undefined_color{198, 198, 198, 255};    // where a value is NaN; hatched with shading
     Rgba background{255, 255, 255, 255};         // alpha 0: transparent
     bool shading = true;                         // smooth, two-sided; false: flat colours
     bool face_colors_from_id = false;            // triangle number + 1 as R·65536 + G·256 + B, modulo 2²⁴, unshaded (for checks)

@@ -118,6 +118,9 @@ void draw_notes(Image& image, const ColorBar& bar, const BarBox& e, double em, R
         fill_rectangle(image, x, y, x + box, y + box, ink);
         fill_rectangle(image, x + 1, y + 1, x + box - 1, y + box - 1,
                        {bar.undefined_color.r, bar.undefined_color.g, bar.undefined_color.b, 255});
+        for (const double part : {0.4, 1.0, 1.6})   // hatched, as in the picture
+            draw_line(image, {x + std::max(1.0, (part - 1) * box), y + std::min(box - 1.0, part * box)},
+                      {x + std::min(box - 1.0, part * box), y + std::max(1.0, (part - 1) * box)}, 1, {0, 0, 0, 90});
         draw_text(image, left + 1.1 * em, baseline, text, style);
     }
     style.align = Align::right;

@@ -19,7 +19,7 @@ struct ColorBar {
     double clipped_below = 0;    // share of the values outside the range, printed when > 0
     double clipped_above = 0;
     bool has_undefined = false;   // adds a swatch for NaN in `undefined_color`
-    Rgba undefined_color{225, 190, 231, 255};
+    Rgba undefined_color{198, 198, 198, 255};
     /// Shares of the values in equal bins over [low, high], drawn above the bar with heights as their square roots, so that a rare
     /// value stays visible beside a frequent one; empty: none.
     std::vector<double> histogram = {};

@@ -81,6 +81,7 @@ std::string legend_notes(const Legend& legend, double baseline) {
         const double left = legend_width / 2 - 40;
         svg += rectangle_element({left, baseline - 10, left + 11, baseline + 1},
                                  "fill=\"" + xml_escape(safe_text(legend.undefined)) + "\" stroke=\"currentColor\"");
+        svg += "<path d=\"M" + px(left) + " " + px(baseline - 5) + "l5-5m0 11l6-6m0-5l-11 11\" stroke=\"#000\" stroke-opacity=\"0.35\"/>\n";
         svg += text_element({left + 17, baseline}, "start", "undefined");
     }
     return svg;

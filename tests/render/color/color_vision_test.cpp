@@ -14,6 +14,7 @@
 
 #include "color/colormap.h"
 #include "color/srgb.h"
+#include "draw_mesh.h"
 #include "render/color_difference.h"
 
 namespace {
@@ -115,6 +116,20 @@ TEST(ColorVision, CyclicMapsTellEveryPhase) {
         EXPECT_GE(least_distance(at, 1 / 6.0, true), 14);
         EXPECT_GE(least_distance(at, 1 / 16.0, true), 5);
     });
+}
+
+// Neutral and quiet, and yet no value looks like it; for readers without S cones the light blues of pale come nearest, and its hatch tells.
+TEST(ColorVision, WhatIsUndefinedLooksLikeNoValue) {
+    const Rgba undefined = render::DrawOptions().undefined_color;
+    EXPECT_LT(std::hypot(lab_of(undefined).y, lab_of(undefined).z), 1);
+    for (const char* name : {"diverging", "pale"})
+        for (const Sight& sight : sights) {
+            const Curve at = curve_of(render::colormap_named(name), sight);
+            const glm::dvec3 seen = lab_of(seen_with(sight, undefined));
+            double least = 1e9;
+            for (int i = 0; i <= 200; ++i) least = std::min(least, delta_e_2000(seen, at(i / 200.0)));
+            EXPECT_GE(least, sight.name == "tritanopia" ? 3.5 : 6.5) << name << " with " << sight.name;
+        }
 }
 
 // The laws above are able to fail: a rainbow is not safe, nor are green and red of one lightness.
