@@ -30,7 +30,7 @@ double luminance(Rgba c) {
     return 0.2126 * double(render::linear_of(c.r)) + 0.7152 * double(render::linear_of(c.g)) + 0.0722 * double(render::linear_of(c.b));
 }
 
-std::vector<Image> six_pictures(const Mesh& mesh, const DrawOptions& options) {
+std::vector<Image> drawn_along_axes(const Mesh& mesh, const DrawOptions& options) {
     return render::draw_views(mesh.surface(), render::six_views, options);
 }
 
@@ -50,7 +50,7 @@ Mesh crumpled(double value) {
 
 TEST(Clay, IsAsLightAs92WhereTheKeyLightFallsAndHasFormBelow) {
     std::vector<double> seen;
-    for (const Rgba p : six_pictures(clay_pebble(), {.width = 300, .height = 300, .occlusion = false})[4].pixels)
+    for (const Rgba p : drawn_along_axes(clay_pebble(), {.width = 300, .height = 300, .occlusion = false})[4].pixels)
         if (p != white) seen.push_back(lightness(p));
     std::sort(seen.begin(), seen.end());
     const auto share = [&](double s) { return seen[static_cast<std::size_t>(s * static_cast<double>(seen.size() - 1))]; };
@@ -61,7 +61,7 @@ TEST(Clay, IsAsLightAs92WhereTheKeyLightFallsAndHasFormBelow) {
 
 // Black of 35 % over the edge of what is nearly white: 3 : 1 and more of contrast between line and page.
 TEST(Outlines, ASheetThatFacesTheViewerDoesNotDissolveOnWhite) {
-    const Image image = six_pictures(grid(2), {.width = 100, .height = 100})[4];
+    const Image image = drawn_along_axes(grid(2), {.width = 100, .height = 100})[4];
     const int left = 4;   // 0.92 of the width: from 4 to 96
     double darkest = 1;
     int dark = 0;
@@ -104,7 +104,9 @@ TEST(Outlines, CreasesAreDrawnAndPlanesAndSpheresHaveNone) {
     const Image without = hero(ball);
     for (int y = 0; y < 200; ++y)
         for (int x = 0; x < 200; ++x)
-            if (std::hypot(x - 99.5, y - 99.5) < 89) ASSERT_NEAR(with.at(x, y).g, without.at(x, y).g, 3) << x << " " << y;
+            if (std::hypot(x - 99.5, y - 99.5) < 89) {
+                ASSERT_NEAR(with.at(x, y).g, without.at(x, y).g, 3) << x << " " << y;
+            }
 }
 
 // Light and occlusion together leave 0.88 of the luminance of a colour, so that L* differs by 5 at most and it can be read as a number.
@@ -115,14 +117,14 @@ TEST(Values, KeepTheLuminanceOfTheirColourWhereverTheyLie) {
             DrawOptions options{.width = 160, .height = 160, .range = {&render::colormap_named(name), 0, 1}};
             const double full = luminance(render::color_at(*options.range.colormap, value)), rounding = 0.004;
             std::vector<double> shares;
-            for (const Image& image : six_pictures(crumpled(value), options))
+            for (const Image& image : drawn_along_axes(crumpled(value), options))
                 for (const Rgba p : image.pixels)
                     if (p != white) shares.push_back(luminance(p) / full);
             std::sort(shares.begin(), shares.end());
             EXPECT_LE(shares[shares.size() * 9 / 10], 1 + rounding / full) << name << value;   // the rest is the silhouette's
             options.occlusion = false;                                                         // light alone, and no lines
             std::vector<double> lit;
-            for (const Image& image : six_pictures(crumpled(value), options))
+            for (const Image& image : drawn_along_axes(crumpled(value), options))
                 for (int y = 1; y < 159; ++y)
                     for (int x = 1; x < 159; ++x) {
                         const bool inside = image.at(x - 1, y) != white && image.at(x + 1, y) != white && image.at(x, y - 1) != white &&
@@ -141,22 +143,22 @@ TEST(Values, KeepTheLuminanceOfTheirColourAtTheBottomOfAHollow) {
     const double full = luminance(render::color_at(*options.range.colormap, 0.5));
     const auto floor_of = [&](bool occlusion) {
         options.occlusion = occlusion;
-        return luminance(six_pictures(well, options)[4].at(200, 200));
+        return luminance(drawn_along_axes(well, options)[4].at(200, 200));
     };
     EXPECT_GE(floor_of(true), 0.88 * full);
     EXPECT_LT(floor_of(true), 0.995 * floor_of(false));
 }
 
 TEST(Backs, OfClayAreBluerAndOfValuesHatched) {
-    const Rgba front = six_pictures(grid(3), {.width = 60, .height = 60})[4].at(30, 30),
-               back = six_pictures(grid(3), {.width = 60, .height = 60})[5].at(30, 30);
+    const Rgba front = drawn_along_axes(grid(3), {.width = 60, .height = 60})[4].at(30, 30),
+               back = drawn_along_axes(grid(3), {.width = 60, .height = 60})[5].at(30, 30);
     EXPECT_LT(lab_of(back).z, lab_of(front).z - 5);
     EXPECT_GT(render::delta_e_2000(lab_of(front), lab_of(back)), 8);
     for (const double value : {0.0, 0.5, 1.0}) {
         Mesh sheet = grid(3);
         sheet.values.assign(sheet.positions.size(), value);
         DrawOptions options{.width = 60, .height = 60, .range = {&render::colormap_named("viridis"), 0, 1}};
-        const auto pictures = six_pictures(sheet, options);
+        const auto pictures = drawn_along_axes(sheet, options);
         int as_in_front = 0, hatched = 0;
         for (int y = 20; y < 40; ++y)
             for (int x = 20; x < 40; ++x) {
@@ -173,9 +175,9 @@ TEST(Undefined, IsNeutralAndHatchedTheOtherWay) {
     Mesh sheet = grid(3);
     sheet.values.assign(sheet.positions.size(), 0.5);
     const DrawOptions options{.width = 80, .height = 80, .range = {&render::colormap_named("pale"), 0, 1}};
-    const Image back = six_pictures(sheet, options)[5];
+    const Image back = drawn_along_axes(sheet, options)[5];
     sheet.values.assign(sheet.positions.size(), std::numeric_limits<double>::quiet_NaN());
-    const Image front = six_pictures(sheet, options)[4];
+    const Image front = drawn_along_axes(sheet, options)[4];
     const auto along = [](const Image& image, int slope) {   // mean difference along a diagonal
         double sum = 0;
         for (int y = 30; y < 50; ++y)
@@ -200,7 +202,7 @@ TEST(Samples, TheHeroHasSixteenthsOfCoverageAndTheSixViewsHaveQuarters) {
         return std::count(seen.begin(), seen.end(), true);
     };
     EXPECT_GE(levels(render::draw_views(mesh.surface(), std::array{render::three_quarter_view()}, options)[0], 16), 15);
-    EXPECT_EQ(levels(six_pictures(mesh, options)[4], 4), 5);
+    EXPECT_EQ(levels(drawn_along_axes(mesh, options)[4], 4), 5);
 }
 
 }   // namespace

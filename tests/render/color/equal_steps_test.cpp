@@ -12,10 +12,12 @@
 #include "color/colormap.h"
 #include "color/srgb.h"
 
-namespace {
+namespace cam02 {
 
 using glm::dvec3;
 using render::Rgba;
+
+namespace {
 
 /// As printed, row by row.
 dvec3 times(const std::array<dvec3, 3>& rows, const dvec3& v) { return {glm::dot(rows[0], v), glm::dot(rows[1], v), glm::dot(rows[2], v)}; }
@@ -107,3 +109,5 @@ TEST(EqualSteps, UnevenMapsAreFoundOut) {
 }
 
 }   // namespace
+
+}   // namespace cam02
