@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "report/page/mathml.h"
 
 namespace meshfolio::report {
 
@@ -24,7 +25,10 @@ auto read_json(const Templates& templates, const std::string& name, Read read) {
 std::map<std::string, FormulaForms> formulas_of(const Templates& templates) {
     return read_json(templates, "formulas.json", [](const nlohmann::json& json) {
         std::map<std::string, FormulaForms> formulas;
-        for (const auto& [name, forms] : json.items()) formulas[name] = {forms.at("tex"), forms.at("mathml"), forms.at("plain")};
+        for (const auto& [name, forms] : json.items()) {
+            const std::string tex = forms.at("tex"), plain = forms.at("plain");
+            formulas[name] = {tex, forms.contains("mathml") ? std::string(forms.at("mathml")) : display_mathml(name, tex, plain), plain};
+        }
         return formulas;
     });
 }

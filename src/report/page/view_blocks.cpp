@@ -4,6 +4,7 @@
 
 #include "report/escape.h"
 #include "report/page/math_markup.h"
+#include "report/page/mathml.h"
 #include "report/page/page_design.h"
 #include "report/page/view_value.h"
 
@@ -21,6 +22,7 @@ json math_view(const std::string& math) {
         return view_of({{"text", "its letters", part.text},
                         {"is_upright", "operators, digits, names", part.kind == MathPart::Kind::upright},
                         {"is_variable", "italic in print", part.kind == MathPart::Kind::variable},
+                        {"is_vector", "bold in print", part.kind == MathPart::Kind::vector},
                         {"is_subscript", "lowered", part.kind == MathPart::Kind::subscript},
                         {"is_superscript", "raised", part.kind == MathPart::Kind::superscript}});
     });
@@ -32,12 +34,13 @@ json run_view(const Run& run, const Reference& target) {
     return view_of(
         {{"text", "words of the piece", safe_text(is_reference ? target.label : run.content)},
          {"href", "where a link leads, in this page or that of the other volume", target.page + "#" + url_path(target.anchor)},
+         {"mathml", "mathematics for browsers", run.kind == Run::Kind::math ? inline_mathml(safe_text(run.content)) : ""},
          {"parts", "pieces of mathematics; empty in other pieces", run.kind == Run::Kind::math ? math_view(run.content) : json::array()},
          {"is_plain", "words as they are", run.kind == Run::Kind::plain || (is_reference && !is_link)},
          {"is_strong", "bold", run.kind == Run::Kind::strong},
          {"is_emphasis", "italic", run.kind == Run::Kind::emphasis},
          {"is_code", "a name from the program", run.kind == Run::Kind::code},
-         {"is_math", "mathematics: print the parts", run.kind == Run::Kind::math},
+         {"is_math", "mathematics: print mathml, or the parts", run.kind == Run::Kind::math},
          {"is_link", "a link to `href`", is_link},
          {"is_elsewhere", "what it names is in the other volume, and no page can be linked to (print.html only)",
           is_reference && !is_link && target.elsewhere}});
@@ -52,8 +55,7 @@ json formula_view(const Formula& formula, const ViewContext& context) {
                     {"number", number_meaning, numbered ? context.numbering.resolve(formula.id).number : ""},
                     {"mathml", "the equation for browsers", forms->second.mathml},
                     {"tex", "for Markdown", forms->second.tex},
-                    {"plain", "in words", forms->second.plain},
-                    {"has_mathml", "the reader of the page knows MathML", !context.options.plain_formulas}});
+                    {"plain", "in words", forms->second.plain}});
 }
 
 /// The labels of a plot.
@@ -175,7 +177,9 @@ json block_view(const Block& block, const std::string& section_number, int& head
     const auto text = [&](const Text& words) { return text_view(words, context.numbering); };
     if (const auto* heading = std::get_if<Heading>(&block)) {
         const std::string number = section_number + "." + std::to_string(++headings);
-        view = view_of({{"title", "of a heading", prose_view(heading->title)},
+        json title = prose_view(heading->title);
+        enter(title, {{"has_mathml", "false: outlines and contents know letters alone", false}});
+        view = view_of({{"title", "of a heading", std::move(title)},
                         {"number", number_meaning, number},
                         {"anchor", "of a heading", "section-" + number}});
     } else if (const auto* paragraph = std::get_if<Paragraph>(&block)) {

@@ -284,6 +284,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
                  {"answers", "how many questions of the assignment were answered", answered_view(document)},
                  {"attempted", "one a section of both volumes, with what `sections` has of heads", std::move(attempted)},
                  {"sections", "of this volume, in order", std::move(sections)},
+                 {"has_mathml", "the reader of the page knows MathML", !options.plain_formulas},
                  {"has_page_numbers", "the page is printed with their numbers in the contents (print.html only)", options.page_numbers}});
     enter_list(model, "works", "works that this volume cites",
                list_of(works, [&](const CitedWork& work) { return work_view(work, numbering); }));

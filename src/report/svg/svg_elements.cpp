@@ -20,6 +20,7 @@ std::string span(const MathPart& part, double& shift) {
     std::string attributes;
     if (wanted != shift) attributes += " dy=\"" + px(wanted - shift) + "\"";
     if (wanted != 0) attributes += " font-size=\"" + px(script_size) + "\"";
+    if (part.kind == Kind::vector) attributes += " font-weight=\"bold\"";
     if (part.kind == Kind::variable) attributes += " font-style=\"italic\"";
     shift = wanted;
     const std::string text = xml_escape(safe_text(part.text));

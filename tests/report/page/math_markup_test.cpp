@@ -5,7 +5,7 @@
 namespace meshfolio::report {
 namespace {
 
-/// λ_crit → "<λ>_(crit)": variables in <>, indices in _(), exponents in ^().
+/// λ_crit → "<λ>_(crit)": variables in <>, vectors in **, indices in _(), exponents in ^().
 std::string sketch(const std::string& math) {
     std::string text;
     for (const MathPart& part : math_parts(math)) {
@@ -15,6 +15,9 @@ std::string sketch(const std::string& math) {
                 break;
             case MathPart::Kind::variable:
                 text += "<" + part.text + ">";
+                break;
+            case MathPart::Kind::vector:
+                text += "*" + part.text + "*";
                 break;
             case MathPart::Kind::subscript:
                 text += "_(" + part.text + ")";
@@ -29,7 +32,7 @@ std::string sketch(const std::string& math) {
 
 TEST(MathMarkup, IndicesAndExponents) {
     EXPECT_EQ(sketch("λ_crit = 2/μ_max"), "<λ>_(crit) = 2/<μ>_(max)");
-    EXPECT_EQ(sketch("h^2 + x_{i,j}"), "<h>^(2) + <x>_(i,j)");
+    EXPECT_EQ(sketch("h^2 + x_{i,j}"), "<h>^(2) + *x*_(i,j)");
     EXPECT_EQ(sketch("k^−1/2"), "<k>^(−1)/2");
     EXPECT_EQ(sketch("ΔX"), "Δ<X>");
 }
@@ -44,19 +47,46 @@ TEST(MathMarkup, OddInputsKeepTheirCharacters) {
     EXPECT_EQ(sketch("_"), "_");
     EXPECT_EQ(sketch("_a"), "_<a>");
     EXPECT_EQ(sketch("a_"), "<a>_");
-    EXPECT_EQ(sketch("x_ y"), "<x>_ <y>");
-    EXPECT_EQ(sketch("x^{open"), "<x>^(open)");
+    EXPECT_EQ(sketch("x_ y"), "*x*_ <y>");
+    EXPECT_EQ(sketch("x^{open"), "*x*^(open)");
     EXPECT_EQ(sketch("φ_λ"), "<φ>_(λ)");
 }
 
-TEST(MathMarkup, OnlyGreekLettersWithAnIndexAreSymbolsInProse) {
-    const Text runs = prose("growth at 1.01 λ_crit on fandisk_ns");
-    ASSERT_EQ(runs.size(), 3u);
-    EXPECT_EQ(runs[1].kind, Run::Kind::math);
-    EXPECT_EQ(runs[1].content, "λ_crit");
-    EXPECT_EQ(runs[2].content, " on fandisk_ns");
-    EXPECT_EQ(prose("λ_ and μ").size(), 1u);
+TEST(MathMarkup, VectorsAreThoseByName) {
+    EXPECT_EQ(sketch("Lx ≈ −2Hn"), "<L>*x* ≈ −2<H>*n*");
+    EXPECT_EQ(sketch("−p·n"), "−*p*·*n*");
+    EXPECT_EQ(sketch("p"), "<p>");
+    EXPECT_EQ(sketch("h̄²"), "<h̄>²");
+}
+
+/// Symbols between ⟨ and ⟩.
+std::string marked(const std::string& words) {
+    std::string text;
+    for (const Run& run : prose(words)) text += run.kind == Run::Kind::math ? "⟨" + run.content + "⟩" : run.content;
+    return text;
+}
+
+TEST(MathMarkup, SymbolsInProse) {
+    EXPECT_EQ(marked("growth at 1.01 λ_crit on fandisk_ns"), "growth at 1.01 ⟨λ_crit⟩ on fandisk_ns");
+    EXPECT_EQ(marked("uniform H and K, where θ is"), "uniform ⟨H⟩ and ⟨K⟩, where ⟨θ⟩ is");
+    EXPECT_EQ(marked("½‖Δx‖ times 4/h²"), "½‖⟨Δx⟩‖ times 4/⟨h²⟩");
+    EXPECT_EQ(marked("the mean edge h̄: λt/h̄²"), "the mean edge ⟨h̄⟩: ⟨λt⟩/⟨h̄²⟩");
+    EXPECT_EQ(marked("(a, 0, 0), a cap"), "(⟨a⟩, 0, 0), a cap");
+    EXPECT_EQ(prose("λ_ and μ").size(), 3u);
+}
+
+TEST(MathMarkup, NamesUnitsAndLabelsAreNoSymbols) {
+    for (const std::string words : {"along y, +x and ±z", "9.8 s, 23 B, 4 m", "b: explicit. c: implicit", "S1, x-ray.k, b.obj, C++",
+                                    "e.g. i.e.", "the cow's", "k-means is e.V", "M. Desbrun", "A mesh. I say a word", "q4_modes"})
+        EXPECT_EQ(prose(words).size(), 1u) << marked(words);
     EXPECT_EQ(plain(prose("κ_n over θ, \xff_x")), "κ_n over θ, \xff_x");
+    EXPECT_EQ(marked("k = n gives"), "⟨k⟩\u00a0=\u00a0n gives");
+}
+
+TEST(MathMarkup, NoLineBreaksAtRelationsOrBeforeUnits) {
+    EXPECT_EQ(plain(prose("an ellipsoid, a = 1.70, in 9.8 s or 5 %")), "an ellipsoid, a\u00a0=\u00a01.70, in 9.8\u00a0s or 5\u00a0%");
+    EXPECT_EQ(plain(prose("K × edge − 1 < 2 · 3")), "K\u00a0×\u00a0edge\u00a0−\u00a01\u00a0<\u00a02\u00a0·\u00a03");
+    EXPECT_EQ(plain(prose("of 5 shapes = ")), "of 5 shapes\u00a0=\u00a0");
 }
 
 }   // namespace

@@ -151,7 +151,9 @@ TEST(WriteHtml, AnUndecidedCheckHasItsWordAndItsReasonAndIsNoFailure) {
     const std::size_t row = page.find("<tr class=\"undecided\">");
     ASSERT_NE(row, std::string::npos);
     const std::string text = page.substr(row, page.find("</tr>", row) - row);
-    EXPECT_NE(text.find("count below σ<span class=\"note\">rounding is larger than the gap</span>"), std::string::npos) << text;
+    EXPECT_NE(text.find("count below <math><mi>σ</mi></math><span class=\"note\">rounding is larger than the gap</span>"),
+              std::string::npos)
+        << text;
     EXPECT_NE(text.find("<td class=\"numeric\">–</td>"), std::string::npos) << "no number: " << text;
     EXPECT_NE(text.find("<span class=\"badge warn\">undecided</span>"), std::string::npos) << "told in a word, not by its colour";
     EXPECT_EQ(count_of(page, "<tr class=\"not-passed\">"), 2u);
@@ -173,7 +175,7 @@ TEST(WriteHtml, UndecidedChecksAloneShowNeitherFailureNorAllPassed) {
 }
 
 TEST(WriteHtml, TheAnswerStandsInTheOpeningTableAndFirstInItsSection) {
-    const std::string page = body_of(sample_page()), answer = "H of the sphere is <strong>0.88 %</strong> off";
+    const std::string page = body_of(sample_page()), answer = "<math><mi>H</mi></math> of the sphere is <strong>0.88 %</strong> off";
     const auto positions =
         positions_of(page, {"<ol class=\"attempted\">", answer, "id=\"q1\"", "<p class=\"answer\">" + answer, ">Method</h3>"});
     EXPECT_TRUE(std::is_sorted(positions.begin(), positions.end()));
@@ -214,8 +216,9 @@ TEST(WriteHtml, PicturesHaveAltTextAndSizeAndLinks) {
 
 TEST(WriteHtml, EveryWordOfAFigureIsText) {
     const std::string page = sample_page();
-    for (const char* words : {"λ = 0.1</", "λ = 1</", "<p class=\"view-name\">+x</p>", "mean curvature H [1/length]</text>",
-                              ">undefined</text>", " below</text>"})
+    for (const char* words :
+         {"<mi>λ</mi></math>\u00a0=\u00a00.1</", "<mi>λ</mi></math>\u00a0=\u00a01</", "<p class=\"view-name\">+x</p>",
+          "mean curvature <tspan font-style=\"italic\">H</tspan> [1/length]</text>", ">undefined</text>", " below</text>"})
         EXPECT_NE(page.find(words), std::string::npos) << words;
     EXPECT_EQ(count_of(page, "<p class=\"view-name\">"), 12u);
 }
