@@ -2,19 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace meshfolio::report {
 
 namespace {
 
-template <std::size_t n>
-bool is_in(std::string_view word, const std::array<std::string_view, n>& words) {
-    return std::ranges::find(words, word) != words.end();
-}
-
 bool is_variable(std::string_view word) { return word.size() <= 3 && !is_function(word) && word != "or"; }
-bool is_capital_greek(std::string_view c) { return c.size() == 2 && c >= "\u0391" && c <= "\u03a9"; }
-bool is_word_character(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
 /// What an index or exponent at `at` holds: a {group}, or a sign with the word or number behind it, or one character.
 std::string script_at(const std::string& s, std::size_t& at) {
@@ -55,83 +49,6 @@ void append_variable(std::vector<MathPart>& parts, const std::string& word, cons
     if (is_vector) append(parts, MathPart::Kind::vector, word.substr(word.size() - 1));
 }
 
-/// Where a symbol's index, exponents and primes end.
-std::size_t scripts_end(const std::string& s, std::size_t end) {
-    static constexpr std::array<std::string_view, 20> scripts{"₀", "₁", "₂", "ᵢ", "ⱼ", "⁰", "¹", "²", "³", "⁴",
-                                                              "⁵", "⁶", "⁷", "⁸", "⁹", "⁻", "ᵀ", "ᵗ", "ᵖ", "'"};
-    for (;;) {
-        std::size_t next = end + math_character(s, end);
-        if (s.compare(end, 1, "_") == 0) {
-            while (next < s.size() && (is_letter(s[next]) || is_digit(s[next]))) ++next;
-            if (next == end + 1) return end;
-        } else if (!is_in(std::string_view(s).substr(end, next - end), scripts)) {
-            return end;
-        }
-        if (s[end] == '\'' && next < s.size() && is_letter(s[next])) return end;   // a genitive
-        end = next;
-    }
-}
-
-/// Whether the word from `at` to `end` is a Latin symbol, or a product of some.
-bool is_latin_symbol(std::string_view s, std::size_t at, std::size_t end) {
-    static constexpr std::array<std::string_view, 6> products{"Lx", "MX", "LX", "CX", "du", "dv"};
-    const std::string_view word = s.substr(at, end - at), before = s.substr(0, at), behind = s.substr(end);
-    if (word.size() > 1) return is_in(word, products);
-    if (scripts_end(std::string(behind), 0) > 0) return true;
-    const auto after = [&](auto... marks) { return (before.ends_with(marks) || ...); };
-    const auto follows = [&](auto... marks) { return (behind.starts_with(marks) || ...); };
-    const auto goes_on = [&](std::size_t i) { return i < behind.size() && is_word_character(behind[i]); };
-    const bool relates = follows(" =", " <", " >"), starts = before.empty() || after(". ");
-    const bool is_label = follows(":") || (starts && !relates && (word[0] >= 'a' || follows(".")));
-    const bool is_unit = at > 1 && s[at - 1] == ' ' && is_digit(s[at - 2]);
-    const bool in_name = goes_on(0) || (follows(".") && goes_on(1)) || follows("+", "’") || after(".", "-", "’", "'");
-    if (is_label || is_unit || in_name) return false;
-    if (word == "a") return relates || !(behind.empty() || follows(" "));
-    if (word == "A") return after("/", "√", "Σ ", "area ");
-    if (word == "x") return after("‖", "·") || follows("·", "‖");
-    if (word == "n") return !after("= ", "over ");
-    return std::string_view("BIyz").find(word) == std::string_view::npos;
-}
-
-/// Where the symbol that begins at `at` ends; `at` if none does.
-std::size_t symbol_end(const std::string& s, std::size_t at) {
-    std::size_t end = at;
-    for (std::size_t next; (next = end + math_character(s, end)) > end; end = next) {
-        const std::string_view c = std::string_view(s).substr(end, next - end), letter = c.substr(0, 2);
-        if (!is_small_greek(letter) && !(is_capital_greek(letter) && letter != "Σ") && c != "ĉ" && !(is_letter(c[0]) && c.size() > 1))
-            break;
-    }
-    const std::size_t greek = end;
-    while (end < s.size() && is_letter(s[end]) && math_character(s, end) == 1) ++end;
-    if (greek > at) return scripts_end(s, end - greek <= 2 ? end : greek);
-    if (end == at || (at > 0 && is_word_character(s[at - 1]))) return at;
-    return is_latin_symbol(s, at, end) ? scripts_end(s, end) : at;
-}
-
-/// Blanks around relations and before units no longer break lines.
-std::string kept_together(const std::string& words) {
-    static constexpr std::array<std::string_view, 12> signs{"=", "<", ">", "≤", "≥", "≈", "±", "×", "·", "−", "+", "∝"};
-    static constexpr std::array<std::string_view, 11> units{"s", "ms", "min", "h", "mm", "px", "MB", "KB", "GB", "kB", "%"};
-    std::string kept;
-    for (std::size_t at = 0; at < words.size(); ++at) {
-        if (words[at] != ' ') {
-            kept += words[at];
-            continue;
-        }
-        const std::size_t next = at + 1, sign = next + math_character(words, next);
-        std::size_t word = next;
-        while (word < words.size() && (is_letter(words[word]) || words[word] == '%')) ++word;
-        const bool is_sign = words.compare(sign, 1, " ") == 0 && is_in(std::string_view(words).substr(next, sign - next), signs);
-        const bool is_unit = at > 0 && is_digit(words[at - 1]) && is_in(std::string_view(words).substr(next, word - next), units);
-        kept += is_sign || is_unit ? "\u00a0" : " ";
-        if (is_sign) {
-            kept += words.substr(next, sign - next) + "\u00a0";
-            at = sign;
-        }
-    }
-    return kept;
-}
-
 /// Operators, digits and names as TeX.
 std::string upright_tex(const std::string& text) {
     std::string tex;
@@ -156,7 +73,17 @@ std::string upright_tex(const std::string& text) {
 bool is_function(std::string_view word) {
     static constexpr std::array<std::string_view, 15> names{"sin", "cos", "tan", "cot", "arctan", "log", "ln", "exp",
                                                             "min", "max", "sup", "inf", "rms",    "det", "tr"};
-    return is_in(word, names);
+    return std::ranges::find(names, word) != names.end();
+}
+
+const std::string& unicode_script(std::string_view c) {
+    static const std::string none;
+    static const std::map<std::string_view, std::string> scripts{{"⁰", "^0"}, {"¹", "^1"}, {"²", "^2"}, {"³", "^3"},      {"⁴", "^4"},
+                                                                 {"⁵", "^5"}, {"⁶", "^6"}, {"⁷", "^7"}, {"⁸", "^8"},      {"⁹", "^9"},
+                                                                 {"⁻", "^−"}, {"ᵗ", "^t"}, {"ᵖ", "^p"}, {"ᵀ", "^\\top "}, {"₀", "_0"},
+                                                                 {"₁", "_1"}, {"₂", "_2"}, {"ᵢ", "_i"}, {"ⱼ", "_j"}};
+    const auto script = scripts.find(c);
+    return script == scripts.end() ? none : script->second;
 }
 
 std::size_t math_character(std::string_view text, std::size_t at) {
@@ -215,29 +142,6 @@ std::string tex_of(const std::string& math, int depth) {
         }
     }
     return tex;
-}
-
-Text prose(const std::string& words) {
-    Text runs;
-    std::string plain;
-    const auto flush = [&] {
-        if (!plain.empty()) runs.push_back({Run::Kind::plain, kept_together(plain)});
-        plain.clear();
-    };
-    for (std::size_t at = 0; at < words.size();) {
-        const std::size_t end = symbol_end(words, at);
-        if (end > at) {
-            flush();
-            runs.push_back(math(words.substr(at, end - at)));
-            at = end;
-        } else {
-            const std::size_t length = math_character(words, at);
-            plain += words.substr(at, length);
-            at += length;
-        }
-    }
-    flush();
-    return runs;
 }
 
 }   // namespace meshfolio::report

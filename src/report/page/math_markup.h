@@ -16,6 +16,8 @@ inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_small_greek(std::string_view c) { return c.size() == 2 && c >= "\u03b1" && c <= "\u03c9"; }
 /// sin, max and others, which are upright and have an argument.
 bool is_function(std::string_view word);
+/// "²" as "^2", "ⱼ" as "_j"; empty for what is no such character.
+const std::string& unicode_script(std::string_view c);
 /// Bytes of the character at `at` with its accents (U+0300 to U+036F); 0 at the end.
 std::size_t math_character(std::string_view text, std::size_t at);
 
@@ -33,10 +35,11 @@ std::vector<MathPart> math_parts(const std::string& math);
 /// The same as TeX: "\\mathbf{x}_{i}". @param depth  of scripts around it, where letters are no vectors
 std::string tex_of(const std::string& math, int depth = 0);
 
-/// Finds symbols in prose, and keeps together what no line may break: "a = 1.70", "9.8 s". Symbols are Greek letters, letters with an
-/// accent, single Latin letters and a few products, each with its index and exponents. No symbols are the words "a" and "I", the axes x, y
-/// and z, units ("9.8 s"), labels ("b: …") and parts of names ("x-ray.b", "S1"). A vector is x with an index, and n unless it is a count
-/// ("k = n").
+/// Finds mathematics in prose, "½‖Δx‖ times 4/h²", and keeps together what no line may break: "K × edge", "9.8 s". A formula is what stands
+/// around a symbol without a blank, and what relations and signs join to it: "a = 1.70", "1 − λμ". Symbols are Greek letters, letters with
+/// an accent, single Latin letters and a few products, each with its index and exponents. No symbols are the words "a" and "I", the axes
+/// x, y and z, units ("9.8 s"), labels ("b: …") and parts of names ("b.obj", "S1"); x is one where it is a vector, and n where it is no
+/// count.
 Text prose(const std::string& words);
 
 }   // namespace meshfolio::report

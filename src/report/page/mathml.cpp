@@ -29,13 +29,10 @@ const std::map<std::string_view, std::string> symbols{{"\\alpha", "α"},      {"
                                                       {"\\langle", "⟨"},     {"\\rangle", "⟩"},    {"\\Leftrightarrow", "⇔"},
                                                       {"\\lVert", "‖"},      {"\\rVert", "‖"},     {"\\backslash", "∖"},
                                                       {"\\lambda", "λ"},     {"\\in", "∈"}};
-const std::map<std::string_view, std::string> spaces{{"\\,", "0.167"}, {"\\;", "0.278"}, {"~", "0.167"}, {"\\quad", "1"}, {"\\qquad", "2"}};
+const std::map<std::string_view, std::string> spaces{{"\\,", "0.167"},    {"\\;", "0.278"}, {"~", "0.167"},
+                                                     {"\u202f", "0.167"}, {"\\quad", "1"},  {"\\qquad", "2"}};
 const std::map<std::string_view, std::string> accents{{"\\hat", "^"},  {"\\tilde", "~"}, {"\\bar", "¯"},
                                                       {"\u0302", "^"}, {"\u0303", "~"},  {"\u0304", "¯"}};   // behind their letter
-const std::map<std::string_view, std::string> scripts{
-    {"⁰", "^0"}, {"¹", "^1"}, {"²", "^2"}, {"³", "^3"},      {"⁴", "^4"}, {"⁵", "^5"}, {"⁶", "^6"}, {"⁷", "^7"}, {"⁸", "^8"}, {"⁹", "^9"},
-    {"⁻", "^−"}, {"ᵗ", "^t"}, {"ᵖ", "^p"}, {"ᵀ", "^\\top "}, {"₀", "_0"}, {"₁", "_1"}, {"₂", "_2"}, {"ᵢ", "_i"}, {"ⱼ", "_j"}};
-
 struct Atom {
     enum class Kind { ordinary, function, sign, relation, comma, large, fence, space, blank, none };
     Kind kind = Kind::ordinary;
@@ -157,12 +154,10 @@ private:
         std::string below, above;
         for (;;) {
             const std::string mark = token_;
-            if (const auto unicode = scripts.find(mark); unicode != scripts.end()) {
-                const char side = unicode->second[0];
-                std::string inside;
-                for (auto c = unicode; c != scripts.end() && c->second[0] == side; advance(), c = scripts.find(token_))
-                    inside += c->second.substr(1);
-                inside = "{" + inside + "}";
+            if (const char side = unicode_script(mark)[0]; side != 0) {
+                std::string inside = "{";
+                for (; unicode_script(token_)[0] == side; advance()) inside += unicode_script(token_).substr(1);
+                inside += "}";
                 (side == '_' ? below : above) += Writer(inside, name_).script();
                 continue;
             }

@@ -68,9 +68,12 @@ std::string marked(const std::string& words) {
 
 TEST(MathMarkup, SymbolsInProse) {
     EXPECT_EQ(marked("growth at 1.01 λ_crit on fandisk_ns"), "growth at 1.01 ⟨λ_crit⟩ on fandisk_ns");
+    EXPECT_EQ(marked("K = a²/(b²c²), k = 5 of 9"), "⟨K = a²/(b²c²)⟩, ⟨k = 5⟩ of 9");
+    EXPECT_EQ(marked("as (1 + λμ)^−t, 2π − Σθ (where σ = 0.2\u202f% is)"), "as ⟨(1 + λμ)^−t⟩, ⟨2π − Σθ⟩ (where ⟨σ = 0.2\u202f%⟩ is)");
+    EXPECT_EQ(marked("(u, v) to cos θ; |Σ A n|, χ = V − edges"), "(⟨u⟩, ⟨v⟩) to ⟨cos θ⟩; |Σ ⟨A⟩ ⟨n⟩|, ⟨χ = V⟩\u00a0−\u00a0edges");
     EXPECT_EQ(marked("uniform H and K, where θ is"), "uniform ⟨H⟩ and ⟨K⟩, where ⟨θ⟩ is");
-    EXPECT_EQ(marked("½‖Δx‖ times 4/h²"), "½‖⟨Δx⟩‖ times 4/⟨h²⟩");
-    EXPECT_EQ(marked("the mean edge h̄: λt/h̄²"), "the mean edge ⟨h̄⟩: ⟨λt⟩/⟨h̄²⟩");
+    EXPECT_EQ(marked("½‖Δx‖ times 4/h²"), "⟨½‖Δx‖⟩ times ⟨4/h²⟩");
+    EXPECT_EQ(marked("the mean edge h̄: λt/h̄²"), "the mean edge ⟨h̄⟩: ⟨λt/h̄²⟩");
     EXPECT_EQ(marked("(a, 0, 0), a cap"), "(⟨a⟩, 0, 0), a cap");
     EXPECT_EQ(prose("λ_ and μ").size(), 3u);
 }
@@ -84,7 +87,7 @@ TEST(MathMarkup, NamesUnitsAndLabelsAreNoSymbols) {
 }
 
 TEST(MathMarkup, NoLineBreaksAtRelationsOrBeforeUnits) {
-    EXPECT_EQ(plain(prose("an ellipsoid, a = 1.70, in 9.8 s or 5 %")), "an ellipsoid, a\u00a0=\u00a01.70, in 9.8\u00a0s or 5\u00a0%");
+    EXPECT_EQ(plain(prose("the size = 1.70, in 9.8 s or 5 %")), "the size\u00a0=\u00a01.70, in 9.8\u00a0s or 5\u00a0%");
     EXPECT_EQ(plain(prose("K × edge − 1 < 2 · 3")), "K\u00a0×\u00a0edge\u00a0−\u00a01\u00a0<\u00a02\u00a0·\u00a03");
     EXPECT_EQ(plain(prose("of 5 shapes = ")), "of 5 shapes\u00a0=\u00a0");
 }

@@ -217,7 +217,7 @@ TEST(WriteHtml, PicturesHaveAltTextAndSizeAndLinks) {
 TEST(WriteHtml, EveryWordOfAFigureIsText) {
     const std::string page = sample_page();
     for (const char* words :
-         {"<mi>λ</mi></math>\u00a0=\u00a00.1</", "<mi>λ</mi></math>\u00a0=\u00a01</", "<p class=\"view-name\">+x</p>",
+         {"<mi>λ</mi><mo form=\"infix\">=</mo><mn>0.1</mn></math></", "=</mo><mn>1</mn></math></", "<p class=\"view-name\">+x</p>",
           "mean curvature <tspan font-style=\"italic\">H</tspan> [1/length]</text>", ">undefined</text>", " below</text>"})
         EXPECT_NE(page.find(words), std::string::npos) << words;
     EXPECT_EQ(count_of(page, "<p class=\"view-name\">"), 12u);

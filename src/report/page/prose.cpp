@@ -1,0 +1,190 @@
+// Mathematics in texts that do not mark it: captions, heads, names of checks, and the words between marked formulas.
+#include <algorithm>
+#include <array>
+
+#include "report/page/math_markup.h"
+
+namespace meshfolio::report {
+
+namespace {
+
+template <std::size_t n>
+bool is_in(std::string_view word, const std::array<std::string_view, n>& words) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+bool is_capital_greek(std::string_view c) { return c.size() == 2 && c >= "\u0391" && c <= "\u03a9"; }
+bool is_word_character(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
+/// Where a symbol's index, exponents and primes end.
+std::size_t scripts_end(const std::string& s, std::size_t end) {
+    for (;;) {
+        std::size_t next = end + math_character(s, end);
+        if (s.compare(end, 1, "_") == 0) {
+            while (next < s.size() && (is_letter(s[next]) || is_digit(s[next]))) ++next;
+            if (next == end + 1) return end;
+        } else if (s.compare(end, 1, "'") != 0 && unicode_script(std::string_view(s).substr(end, next - end)).empty()) {
+            return end;
+        }
+        if (s[end] == '\'' && next < s.size() && is_letter(s[next])) return end;   // a genitive
+        end = next;
+    }
+}
+
+/// Whether the word from `at` to `end` is a Latin symbol, or a product of some.
+bool is_latin_symbol(std::string_view s, std::size_t at, std::size_t end) {
+    static constexpr std::array<std::string_view, 6> products{"Lx", "MX", "LX", "CX", "du", "dv"};
+    const std::string_view word = s.substr(at, end - at), before = s.substr(0, at), behind = s.substr(end);
+    if (word.size() > 1) return is_in(word, products);
+    if (scripts_end(std::string(behind), 0) > 0) return true;
+    const auto after = [&](auto... marks) { return (before.ends_with(marks) || ...); };
+    const auto follows = [&](auto... marks) { return (behind.starts_with(marks) || ...); };
+    const auto goes_on = [&](std::size_t i) { return i < behind.size() && is_word_character(behind[i]); };
+    const bool alone = before.empty() && behind.empty();   // the head of a column
+    const bool relates = follows(" =", " <", " >") || alone, starts = before.empty() || after(". ");
+    const bool is_label = follows(":") || (starts && !relates && (word[0] >= 'a' || follows(".")));
+    const bool is_unit = at > 1 && s[at - 1] == ' ' && is_digit(s[at - 2]);
+    const bool in_name = goes_on(0) || (follows(".") && goes_on(1)) || follows("+", "’") || after(".", "-", "’", "'");
+    if (is_label || is_unit || in_name) return false;
+    if (word == "a") return relates || !(behind.empty() || follows(" "));
+    if (word == "A") return after("/", "√", "Σ ", "area ");
+    if (word == "x") return after("‖", "·") || follows("·", "‖");
+    if (word == "n") return !after("= ", "over ");
+    return std::string_view("BIyz").find(word) == std::string_view::npos;
+}
+
+/// Where the symbol that begins at `at` ends; `at` if none does.
+std::size_t symbol_end(const std::string& s, std::size_t at) {
+    std::size_t end = at;
+    for (std::size_t next; (next = end + math_character(s, end)) > end; end = next) {
+        const std::string_view c = std::string_view(s).substr(end, next - end), letter = c.substr(0, 2);
+        if (!is_small_greek(letter) && !(is_capital_greek(letter) && letter != "Σ") && c != "ĉ" && !(is_letter(c[0]) && c.size() > 1))
+            break;
+    }
+    const std::size_t greek = end;
+    while (end < s.size() && is_letter(s[end]) && math_character(s, end) == 1) ++end;
+    if (greek > at) return scripts_end(s, end - greek <= 2 ? end : greek);
+    if (end == at || (at > 0 && is_word_character(s[at - 1]))) return at;
+    if (is_function(std::string_view(s).substr(at, end - at)) && s.compare(end, 1, " ") == 0) {
+        const std::size_t argument = symbol_end(s, end + 1);
+        if (argument > end + 1) return argument;
+    }
+    return is_latin_symbol(s, at, end) ? scripts_end(s, end) : at;
+}
+
+constexpr std::array<std::string_view, 11> signs{"=", "<", ">", "≤", "≥", "≈", "±", "×", "·", "−", "+"};
+
+/// Where symbols, numbers, fences and operators end that follow each other without a blank.
+std::size_t formula_end(const std::string& s, std::size_t at) {
+    static constexpr std::string_view marks = "/^()[]|‖√½Σ∑∞∇∫°";
+    for (std::size_t end; at < s.size(); at = end) {
+        end = symbol_end(s, at);
+        if (end > at) continue;
+        while (end < s.size() && is_letter(s[end])) ++end;
+        if (end > at && is_function(std::string_view(s).substr(at, end - at))) {
+            end += s.compare(end, 1, " ") == 0 && symbol_end(s, end + 1) > end + 1;
+            continue;
+        }
+        end = at + math_character(s, at);
+        const std::string_view c = std::string_view(s).substr(at, end - at);
+        const bool in_number = at > 0 && is_digit(s[at - 1]) && end < s.size() && (is_digit(s[end]) || s[end] == '%');
+        const bool is_percent = c == "%" && at > 2 && s.compare(at - 3, 3, "\u202f") == 0;
+        if (is_digit(c[0]) || is_in(c, signs) || marks.find(c) != std::string_view::npos || scripts_end(s, at) > at) continue;
+        if (!is_percent && !(in_number && (c == "." || c == "\u202f"))) return at;
+    }
+    return at;
+}
+
+/// Whether every fence has its partner.
+bool is_balanced(std::string_view formula) {
+    long depth = 0, bars = 0;
+    for (const char c : formula) {
+        depth += (c == '(' || c == '[') - (c == ')' || c == ']');
+        bars += c == '|';
+        if (depth < 0) return false;
+    }
+    std::size_t norms = 0;
+    for (std::size_t at = 0; (at = formula.find("‖", at)) != std::string_view::npos; ++at) ++norms;
+    return depth == 0 && bars % 2 == 0 && norms % 2 == 0;
+}
+
+/// The formula around the symbol from `begin` to `end`, after `from`: "½‖Δx‖", "K = 0", "1 − λμ"; the symbol where its fences do not match.
+std::string_view formula_around(const std::string& s, std::size_t from, std::size_t begin, std::size_t end) {
+    const std::string_view all = s, symbol = all.substr(begin, end - begin);
+    std::size_t first = std::max(from, s.find_last_of(' ', begin) + 1);
+    while (first < begin && formula_end(s, first) < begin) first += math_character(s, first);
+    while (first > from + 2 && s[first - 1] == ' ') {
+        const std::size_t blank = s.find_last_of(' ', first - 2);
+        if (blank == std::string::npos || blank <= from || !is_in(all.substr(blank + 1, first - blank - 2), signs)) break;
+        const std::size_t before = std::max(from, s.find_last_of(' ', blank - 1) + 1);
+        if (before == blank || formula_end(s, before) != blank) break;
+        first = before;
+    }
+    std::size_t last = formula_end(s, begin);
+    for (;;) {
+        const std::size_t sign = last + 1, blank = sign + math_character(s, sign);
+        if (all.substr(last, 1) != " " || all.substr(blank, 1) != " " || !is_in(all.substr(sign, blank - sign), signs)) break;
+        const std::size_t next = formula_end(s, blank + 1);
+        if (next == blank + 1 || !is_balanced(all.substr(blank + 1, next - blank - 1)) || (next < s.size() && is_word_character(s[next])))
+            break;
+        last = next;
+    }
+    while (first < begin && (!is_balanced(all.substr(first, last - first)) || s[first] == '/' || s[first] == ' '))
+        first += math_character(s, first);
+    while (last > end && !is_balanced(all.substr(first, last - first))) {
+        --last;
+        while ((s[last] & '\xc0') == '\x80') --last;
+    }
+    while (last > end && std::string_view("/ =<>").find(s[last - 1]) != std::string_view::npos) --last;
+    return is_balanced(all.substr(first, last - first)) ? all.substr(first, last - first) : symbol;
+}
+
+/// Blanks around relations and before units no longer break lines.
+std::string kept_together(const std::string& words) {
+    static constexpr std::array<std::string_view, 11> units{"s", "ms", "min", "h", "mm", "px", "MB", "KB", "GB", "kB", "%"};
+    std::string kept;
+    for (std::size_t at = 0; at < words.size(); ++at) {
+        if (words[at] != ' ') {
+            kept += words[at];
+            continue;
+        }
+        const std::size_t next = at + 1, sign = next + math_character(words, next);
+        std::size_t word = next;
+        while (word < words.size() && (is_letter(words[word]) || words[word] == '%')) ++word;
+        const bool is_sign = words.compare(sign, 1, " ") == 0 && is_in(std::string_view(words).substr(next, sign - next), signs);
+        const bool is_unit = at > 0 && is_digit(words[at - 1]) && is_in(std::string_view(words).substr(next, word - next), units);
+        kept += is_sign || is_unit ? "\u00a0" : " ";
+        if (is_sign) {
+            kept += words.substr(next, sign - next) + "\u00a0";
+            at = sign;
+        }
+    }
+    return kept;
+}
+
+}   // namespace
+
+Text prose(const std::string& words) {
+    Text runs;
+    std::size_t from = 0;
+    const auto add_plain = [&](std::size_t end) {
+        if (end > from) runs.push_back({Run::Kind::plain, kept_together(words.substr(from, end - from))});
+    };
+    for (std::size_t at = 0; at < words.size();) {
+        const std::size_t end = symbol_end(words, at);
+        if (end == at) {
+            at += math_character(words, at);
+            continue;
+        }
+        const std::string_view formula = formula_around(words, from, at, end);
+        const auto begin = static_cast<std::size_t>(formula.data() - words.data());
+        add_plain(begin);
+        runs.push_back(math(std::string(formula)));
+        from = begin + formula.size();
+        at = from;
+    }
+    add_plain(words.size());
+    return runs;
+}
+
+}   // namespace meshfolio::report
