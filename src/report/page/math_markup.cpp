@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <sstream>
 
 namespace meshfolio::report {
 
@@ -76,12 +76,16 @@ bool is_function(std::string_view word) {
     return std::ranges::find(names, word) != names.end();
 }
 
-const std::string& unicode_script(std::string_view c) {
+Pairs pairs_in(const char* list) {
+    std::istringstream in(list);
+    Pairs pairs;
+    for (std::string from, to; in >> from >> to;) pairs[from] = to;
+    return pairs;
+}
+
+const std::string& unicode_script(const std::string& c) {
     static const std::string none;
-    static const std::map<std::string_view, std::string> scripts{{"⁰", "^0"}, {"¹", "^1"}, {"²", "^2"}, {"³", "^3"},      {"⁴", "^4"},
-                                                                 {"⁵", "^5"}, {"⁶", "^6"}, {"⁷", "^7"}, {"⁸", "^8"},      {"⁹", "^9"},
-                                                                 {"⁻", "^−"}, {"ᵗ", "^t"}, {"ᵖ", "^p"}, {"ᵀ", "^\\top "}, {"₀", "_0"},
-                                                                 {"₁", "_1"}, {"₂", "_2"}, {"ᵢ", "_i"}, {"ⱼ", "_j"}};
+    static const Pairs scripts = pairs_in("⁰ ^0 ¹ ^1 ² ^2 ³ ^3 ⁴ ^4 ⁵ ^5 ⁶ ^6 ⁷ ^7 ⁸ ^8 ⁹ ^9 ⁻ ^− ᵗ ^t ᵖ ^p ᵀ ^⊤ ₀ _0 ₁ _1 ₂ _2 ᵢ _i ⱼ _j");
     const auto script = scripts.find(c);
     return script == scripts.end() ? none : script->second;
 }

@@ -2,6 +2,7 @@
 /// Splits mathematics in a sentence, "λ_crit = 2/μ_max", into letters, indices and exponents, and finds it in prose.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,8 +17,11 @@ inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_small_greek(std::string_view c) { return c.size() == 2 && c >= "\u03b1" && c <= "\u03c9"; }
 /// sin, max and others, which are upright and have an argument.
 bool is_function(std::string_view word);
+using Pairs = std::map<std::string, std::string>;
+/// "a b c d": a to b and c to d.
+Pairs pairs_in(const char* list);
 /// "²" as "^2", "ⱼ" as "_j"; empty for what is no such character.
-const std::string& unicode_script(std::string_view c);
+const std::string& unicode_script(const std::string& c);
 /// Bytes of the character at `at` with its accents (U+0300 to U+036F); 0 at the end.
 std::size_t math_character(std::string_view text, std::size_t at);
 

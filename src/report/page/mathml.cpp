@@ -1,7 +1,6 @@
 #include "report/page/mathml.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -16,23 +15,13 @@ namespace {
 constexpr long longest_unbroken = 25;   // characters
 constexpr std::size_t deepest = 40;     // fences in each other
 
-const std::map<std::string_view, std::string> symbols{{"\\alpha", "α"},      {"\\beta", "β"},      {"\\Delta", "Δ"},
-                                                      {"\\varepsilon", "ε"}, {"\\theta", "θ"},     {"\\kappa", "κ"},
-                                                      {"\\mu", "μ"},         {"\\pi", "π"},        {"\\sigma", "σ"},
-                                                      {"\\Phi", "Φ"},        {"\\varphi", "φ"},    {"\\chi", "χ"},
-                                                      {"\\cdot", "·"},       {"\\times", "×"},     {"\\pm", "±"},
-                                                      {"\\cap", "∩"},        {"\\ni", "∋"},        {"\\le", "≤"},
-                                                      {"\\ge", "≥"},         {"\\ne", "≠"},        {"\\approx", "≈"},
-                                                      {"\\sim", "∼"},        {"\\succ", "≻"},      {"\\top", "⊤"},
-                                                      {"\\circ", "°"},       {"\\emptyset", "∅"},  {"\\dots", "…"},
-                                                      {"\\sum", "∑"},        {"\\leftarrow", "←"}, {"\\Rightarrow", "⇒"},
-                                                      {"\\langle", "⟨"},     {"\\rangle", "⟩"},    {"\\Leftrightarrow", "⇔"},
-                                                      {"\\lVert", "‖"},      {"\\rVert", "‖"},     {"\\backslash", "∖"},
-                                                      {"\\lambda", "λ"},     {"\\in", "∈"}};
-const std::map<std::string_view, std::string> spaces{{"\\,", "0.167"},    {"\\;", "0.278"}, {"~", "0.167"},
-                                                     {"\u202f", "0.167"}, {"\\quad", "1"},  {"\\qquad", "2"}};
-const std::map<std::string_view, std::string> accents{{"\\hat", "^"},  {"\\tilde", "~"}, {"\\bar", "¯"},
-                                                      {"\u0302", "^"}, {"\u0303", "~"},  {"\u0304", "¯"}};   // behind their letter
+const Pairs symbols =
+    pairs_in(R"(\alpha α \beta β \Delta Δ \varepsilon ε \theta θ \kappa κ \mu μ \pi π \sigma σ \Phi Φ \varphi φ \chi χ \cdot · \times ×
+    \pm ± \cap ∩ \ni ∋ \le ≤ \ge ≥ \ne ≠ \approx ≈ \sim ∼ \succ ≻ \top ⊤ \circ ° \emptyset ∅ \dots … \sum ∑ \leftarrow ←
+    \Rightarrow ⇒ \langle ⟨ \rangle ⟩ \Leftrightarrow ⇔ \lVert ‖ \rVert ‖ \backslash ∖ \lambda λ \in ∈ \gamma γ \delta δ \rho ρ \tau τ \omega ω \nabla ∇ \partial ∂ \infty ∞ \to → \propto ∝ \int ∫)");
+const Pairs spaces = pairs_in("\\, 0.167 \\; 0.278 ~ 0.167 \u202f 0.167 \\quad 1 \\qquad 2");
+const Pairs accents = pairs_in("\\hat ^ \\tilde ~ \\bar ¯ \u0302 ^ \u0303 ~ \u0304 ¯");   // the last three behind their letter
+
 struct Atom {
     enum class Kind { ordinary, function, sign, relation, comma, large, fence, space, blank, none };
     Kind kind = Kind::ordinary;
@@ -57,16 +46,10 @@ Kind kind_of(std::string_view c) {
 std::string element(const std::string& name, const std::string& inside, const std::string& attributes = "") {
     return "<" + name + attributes + ">" + inside + "</" + name + ">";
 }
+bool is_tall(const Row& atoms) { return std::ranges::any_of(atoms, &Atom::tall); }
+bool is_operator(Kind kind) { return kind == Kind::sign || kind == Kind::relation || kind == Kind::comma; }
+bool is_letter_like(Kind kind) { return kind == Kind::ordinary || kind == Kind::fence || kind == Kind::large; }
 std::string space(const std::string& width) { return "<mspace width=\"" + width + "em\"/>"; }
-
-/// The letter that lies `offset` behind the first of a mathematical alphabet, U+1D400 and further.
-std::string letter_of(unsigned alphabet, int offset) {
-    const unsigned code = alphabet + static_cast<unsigned>(offset);
-    std::string utf8;
-    for (const unsigned byte : {0xf0 | code >> 18, 0x80 | (code >> 12 & 63), 0x80 | (code >> 6 & 63), 0x80 | (code & 63)})
-        utf8 += static_cast<char>(byte);
-    return utf8;
-}
 
 /// Goes through TeX once and writes what it reads.
 class Writer {
@@ -145,9 +128,9 @@ private:
 
     std::string script() {
         ++depth_;
-        const std::string xml = argument().xml;
+        const Atom inside = argument();
         --depth_;
-        return xml;
+        return inside.xml;
     }
 
     Atom scripted(Atom base) {
@@ -166,8 +149,7 @@ private:
             (mark == "_" ? below : above) += mark == "'" ? "<mo>′</mo>" : script();
         }
         if (below.empty() && above.empty()) return base;
-        if (base.kind == Kind::sign || base.kind == Kind::relation || base.kind == Kind::comma)
-            base = {Kind::ordinary, element("mo", base.xml)};
+        if (is_operator(base.kind)) base = {Kind::ordinary, element("mo", base.xml)};
         static constexpr const char* names[2][3] = {{"msub", "msup", "msubsup"}, {"munder", "mover", "munderover"}};
         const std::string name = names[base.limits][below.empty() ? 1 : above.empty() ? 0 : 2];
         return {base.kind, element(name, base.xml + below + above), base.tall || base.limits, base.limits};
@@ -212,16 +194,13 @@ private:
 
     /// A letter of another alphabet, since browsers know no mathvariant but "normal".
     std::string styled(const std::string& style) {
-        std::string letter = words();
-        if (const auto symbol = symbols.find(letter); symbol != symbols.end()) letter = symbol->second;
-        const int last = letter.empty() ? 0 : static_cast<unsigned char>(letter.back());
+        const std::string letter = words();
         if (style == "\\mathrm") return element("mi", xml_escape(letter), letter.size() == 1 ? " mathvariant=\"normal\"" : "");
-        if (style == "\\boldsymbol" && is_small_greek(letter))
-            return element("mi", letter_of(0x1d736, letter[0] == '\xce' ? last - 0xb1 : last - 0x80 + 15));
-        if (letter.size() != 1 || !is_letter(letter[0]) || style == "\\boldsymbol" || (style == "\\mathcal" && letter != "N"))
-            fail("'" + style + "' has no '" + letter + "'");
-        if (style == "\\mathcal") return element("mi", letter_of(0x1d49c, last - 'A'));
-        return element("mi", letter_of(0x1d400, last < 'a' ? last - 'A' : last - 'a' + 26));
+        if (style == "\\mathcal" && letter == "N") return "<mi>𝒩</mi>";
+        if (style == "\\boldsymbol" && letter == "\\varepsilon") return "<mi>𝜺</mi>";
+        if (style != "\\mathbf" || letter.size() != 1 || !is_letter(letter[0])) fail("'" + style + "' has no '" + letter + "'");
+        const int place = letter[0] < 'a' ? letter[0] - 'A' : letter[0] - 'a' + 26;   // behind U+1D400
+        return element("mi", std::string("\xf0\x9d\x90") + static_cast<char>(0x80 + place));
     }
 
     static Atom accented(const std::string& base, const std::string& accent) {
@@ -249,8 +228,7 @@ private:
             return {Kind::ordinary, element("mtext", xml_escape(text))};
         }
         if (name == "\\operatorname") return {Kind::function, element("mi", xml_escape(words()))};
-        if (name == "\\mathbf" || name == "\\mathcal" || name == "\\boldsymbol" || name == "\\mathrm")
-            return {Kind::ordinary, styled(name)};
+        if (name.starts_with("\\math") || name == "\\boldsymbol") return {Kind::ordinary, styled(name)};
         if (is_function(std::string_view(name).substr(1)))
             return {Kind::function, element("mi", name.substr(1)), false, name == "\\max" || name == "\\min"};
         if (name.size() != 2 || is_letter(name[1])) fail("'" + name + "' is not known");
@@ -258,10 +236,7 @@ private:
     }
 
     Atom atom() {
-        if (token_ == "{") {
-            const Row inside = group();
-            return {Kind::ordinary, element("mrow", joined(inside)), is_tall(inside)};
-        }
+        if (token_ == "{") return argument();
         if ((opens(token_) || is_bar(token_)) && open_.size() < deepest) return fence();
         const std::string c = token_;
         if (c.empty() || c == "}") fail("something is missing behind a command or a script");
@@ -269,18 +244,15 @@ private:
         if (const auto width = spaces.find(c); width != spaces.end()) return {c == "~" ? Kind::blank : Kind::space, space(width->second)};
         if (c == "√" || c == "\\sqrt") return root();
         if (c.starts_with('\\') && !closes(c)) return command(c);
-        if (c == "∑" || c == "Σ") return {Kind::large, "<mo>∑</mo>", false, true};
+        if (c == "∑" || c == "Σ" || c == "∫") return {Kind::large, element("mo", c == "Σ" ? "∑" : c), false, c != "∫"};
         if (is_digit(c[0]) || c == "½") return {Kind::ordinary, element("mn", c)};
         if (kind_of(c) != Kind::ordinary) return {kind_of(c), c == "-" ? "−" : xml_escape(c)};
         if (c == "ĉ") return accented("<mi>c</mi>", "^");
-        if (c.size() > 2 && accents.contains(std::string_view(c).substr(c.size() - 2)))
-            return accented(element("mi", c.substr(0, c.size() - 2)), accents.at(std::string_view(c).substr(c.size() - 2)));
+        if (c.size() > 2 && accents.contains(c.substr(c.size() - 2)))
+            return accented(element("mi", c.substr(0, c.size() - 2)), accents.at(c.substr(c.size() - 2)));
         const bool variable = is_letter(c[0]) || is_small_greek(c);
-        return {Kind::ordinary,
-                element("mi", xml_escape(c.starts_with('\\') ? c.substr(1) : c), variable ? "" : " mathvariant=\"normal\"")};
+        return {Kind::ordinary, element("mi", xml_escape(c.substr(c.starts_with('\\'))), variable ? "" : " mathvariant=\"normal\"")};
     }
-
-    static bool is_tall(const Row& atoms) { return std::ranges::any_of(atoms, &Atom::tall); }
 
     /// Puts atoms beside each other, each as its neighbours want it.
     std::string joined(const Row& atoms, bool broken = false) const {
@@ -296,30 +268,18 @@ private:
         return xml;
     }
 
-    static bool is_letter_like(Kind kind) { return kind == Kind::ordinary || kind == Kind::fence || kind == Kind::large; }
-
     std::string written(const Atom& atom, Kind before, Kind left, Kind right) const {
-        switch (atom.kind) {
-            case Kind::sign:
-            case Kind::relation:
-            case Kind::comma: {
-                const bool binds = atom.kind == Kind::sign && (!is_letter_like(before) || before == Kind::large);
-                const bool tight = !binds && (depth_ > 0 || atom.xml == "/");
-                return element("mo", atom.xml,
-                               (binds ? " form=\"prefix\"" : " form=\"infix\"") + std::string(tight ? " lspace=\"0\" rspace=\"0\"" : ""));
-            }
-            case Kind::function: {
-                const std::string gap = left != Kind::space && (before == Kind::ordinary || before == Kind::fence) ? space("0.167") : "";
-                if (right == Kind::none || (!is_letter_like(right) && right < Kind::space && right != Kind::function))
-                    return gap + atom.xml;
-                const bool closed_up = right == Kind::fence || right == Kind::space;
-                return gap + atom.xml + element("mo", "\u2061", closed_up ? "" : " rspace=\"0.167em\"");
-            }
-            case Kind::blank:
-                return is_letter_like(left) && is_letter_like(right) ? atom.xml : "";
-            default:
-                return atom.xml;
+        if (atom.kind == Kind::blank) return is_letter_like(left) && is_letter_like(right) ? atom.xml : "";
+        if (is_operator(atom.kind)) {
+            const bool binds = atom.kind == Kind::sign && (!is_letter_like(before) || before == Kind::large);
+            const std::string tight = !binds && (depth_ > 0 || atom.xml == "/") ? " lspace=\"0\" rspace=\"0\"" : "";
+            return element("mo", atom.xml, (binds ? " form=\"prefix\"" : " form=\"infix\"") + tight);
         }
+        if (atom.kind != Kind::function) return atom.xml;
+        const std::string gap = left != Kind::space && (before == Kind::ordinary || before == Kind::fence) ? space("0.167") : "";
+        if (right == Kind::none || is_operator(right)) return gap + atom.xml;
+        const bool is_apart = right == Kind::fence || right == Kind::space;
+        return gap + atom.xml + element("mo", "\u2061", is_apart ? "" : " rspace=\"0.167em\"");
     }
 };
 

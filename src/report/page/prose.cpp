@@ -23,7 +23,7 @@ std::size_t scripts_end(const std::string& s, std::size_t end) {
         if (s.compare(end, 1, "_") == 0) {
             while (next < s.size() && (is_letter(s[next]) || is_digit(s[next]))) ++next;
             if (next == end + 1) return end;
-        } else if (s.compare(end, 1, "'") != 0 && unicode_script(std::string_view(s).substr(end, next - end)).empty()) {
+        } else if (s.compare(end, 1, "'") != 0 && unicode_script(s.substr(end, next - end)).empty()) {
             return end;
         }
         if (s[end] == '\'' && next < s.size() && is_letter(s[next])) return end;   // a genitive
@@ -97,14 +97,13 @@ std::size_t formula_end(const std::string& s, std::size_t at) {
 
 /// Whether every fence has its partner.
 bool is_balanced(std::string_view formula) {
-    long depth = 0, bars = 0;
-    for (const char c : formula) {
-        depth += (c == '(' || c == '[') - (c == ')' || c == ']');
-        bars += c == '|';
-        if (depth < 0) return false;
+    long depth = 0, bars = 0, norms = 0;
+    for (std::size_t at = 0, length; depth >= 0 && (length = math_character(formula, at)) > 0; at += length) {
+        const std::string_view c = formula.substr(at, length);
+        depth += (c == "(" || c == "[") - (c == ")" || c == "]");
+        bars += c == "|";
+        norms += c == "‖";
     }
-    std::size_t norms = 0;
-    for (std::size_t at = 0; (at = formula.find("‖", at)) != std::string_view::npos; ++at) ++norms;
     return depth == 0 && bars % 2 == 0 && norms % 2 == 0;
 }
 
@@ -140,26 +139,18 @@ std::string_view formula_around(const std::string& s, std::size_t from, std::siz
 }
 
 /// Blanks around relations and before units no longer break lines.
-std::string kept_together(const std::string& words) {
+std::string kept_together(std::string words) {
     static constexpr std::array<std::string_view, 11> units{"s", "ms", "min", "h", "mm", "px", "MB", "KB", "GB", "kB", "%"};
-    std::string kept;
-    for (std::size_t at = 0; at < words.size(); ++at) {
-        if (words[at] != ' ') {
-            kept += words[at];
-            continue;
-        }
+    for (std::size_t at = 0; (at = words.find(' ', at)) != std::string::npos; ++at) {
         const std::size_t next = at + 1, sign = next + math_character(words, next);
-        std::size_t word = next;
-        while (word < words.size() && (is_letter(words[word]) || words[word] == '%')) ++word;
+        std::size_t unit = next;
+        while (unit < words.size() && (is_letter(words[unit]) || words[unit] == '%')) ++unit;
         const bool is_sign = words.compare(sign, 1, " ") == 0 && is_in(std::string_view(words).substr(next, sign - next), signs);
-        const bool is_unit = at > 0 && is_digit(words[at - 1]) && is_in(std::string_view(words).substr(next, word - next), units);
-        kept += is_sign || is_unit ? "\u00a0" : " ";
-        if (is_sign) {
-            kept += words.substr(next, sign - next) + "\u00a0";
-            at = sign;
-        }
+        const bool is_unit = at > 0 && is_digit(words[at - 1]) && is_in(std::string_view(words).substr(next, unit - next), units);
+        if (is_sign) words.replace(sign, 1, "\u00a0");
+        if (is_sign || is_unit) words.replace(at, 1, "\u00a0");
     }
-    return kept;
+    return words;
 }
 
 }   // namespace
