@@ -45,21 +45,25 @@ void draw_tip(Image& image, const BarBox& e, int base, int direction, Rgba color
 void draw_colors(Image& image, const ColorBar& bar, const BarBox& e) {
     const Colormap& map = bar.range.colormap != nullptr ? *bar.range.colormap : colormap_named("viridis");
     for (int x = e.x0; x < e.x1; ++x) fill_rectangle(image, x, e.top, x + 1, e.bottom, color_at(map, (x + 0.5 - e.x0) / (e.x1 - e.x0)));
+    if (bar.isoline_spacing > 0) {   // fewer than 4 pixels apart they would hide the colours
+        const double from = std::ceil(bar.range.low / bar.isoline_spacing), to = std::floor(bar.range.high / bar.isoline_spacing);
+        for (double k = from; k <= to && (to - from) * 4 < e.x1 - e.x0; ++k) {
+            const int x = rounded(e.x_of(bar.range, k * bar.isoline_spacing));
+            if (x > e.x0 && x < e.x1) fill_rectangle(image, x, e.top, x + 1, e.bottom, {34, 34, 40, 255});
+        }
+    }
     if (bar.clipped_below > 0) draw_tip(image, e, e.x0, -1, color_at(map, 0));
     if (bar.clipped_above > 0) draw_tip(image, e, e.x1, 1, color_at(map, 1));
 }
 
-/// Square root of the share at t in [0, 1], linear between the middles of the bins.
+/// Square root of the share of the bin at t in [0, 1].
 double root_share(const std::vector<double>& histogram, double t) {
-    const auto root = [&](double bin) {
-        const double share = histogram[static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(histogram.size()) - 1))];
-        return is_share(share) ? std::sqrt(share) : 0;
-    };
-    const double at = t * static_cast<double>(histogram.size()) - 0.5, below = std::floor(at);
-    return root(below) + (at - below) * (root(below + 1) - root(below));
+    const double bin = std::clamp(t * static_cast<double>(histogram.size()), 0.0, static_cast<double>(histogram.size()) - 1);
+    const double share = histogram[static_cast<std::size_t>(bin)];
+    return is_share(share) ? std::sqrt(share) : 0;
 }
 
-/// A profile over the colours of its values: pale below a thin line. It stands on the row `bottom`.
+/// Columns over the colours of their values: pale below a thin line. They stand on the row `bottom`.
 void draw_histogram(Image& image, const ColorBar& bar, const BarBox& e, int bottom, double height, double thickness, Rgba ink) {
     double highest = 0;
     for (const double share : bar.histogram)
@@ -67,12 +71,14 @@ void draw_histogram(Image& image, const ColorBar& bar, const BarBox& e, int bott
     const Rgba pale{ink.r, ink.g, ink.b, 48}, line{ink.r, ink.g, ink.b, 144};
     const auto reach_at = [&](double x) { return height * root_share(bar.histogram, (x - e.x0) / (e.x1 - e.x0)) / highest; };
     for (int x = std::max(0, e.x0); x < std::min(e.x1, image.width); ++x) {
-        const double reach = reach_at(x + 0.5), steepness = std::hypot(1, reach_at(x + 1) - reach_at(x));
+        const double reach = reach_at(x + 0.5), before = x > e.x0 ? reach_at(x - 0.5) : 0, after = x + 1 < e.x1 ? reach_at(x + 1.5) : 0;
+        const double foot = std::min({reach, before, after});   // the side of the column, where it is higher than its neighbours
         for (int y = std::max(0, bottom - static_cast<int>(height + thickness)); y < std::min(bottom, image.height); ++y) {
             const double above = bottom - (y + 0.5) - reach;
             Rgba& pixel = image.at(x, y);
             pixel = inked(pixel, pale, static_cast<float>(std::clamp(0.5 - above, 0.0, 1.0)));
-            pixel = inked(pixel, line, static_cast<float>(std::clamp(thickness / 2 + 0.5 - std::abs(above) / steepness, 0.0, 1.0)));
+            const double off = std::max(above, foot - reach - above);   // from what the line covers in this column
+            pixel = inked(pixel, line, static_cast<float>(std::clamp(thickness / 2 + 0.5 - off, 0.0, 1.0)));
         }
     }
 }
@@ -127,7 +133,36 @@ void draw_notes(Image& image, const ColorBar& bar, const BarBox& e, double em, R
     if (bar.clipped_above > 0) draw_text(image, e.x1, baseline, fit_text(share_text(bar.clipped_above) + " above", third, style), style);
 }
 
+/// What stands at both ends of a small bar.
+struct SmallBar {
+    explicit SmallBar(const ColorBar& bar) {
+        const double beyond = bar.clipped_below + bar.clipped_above;
+        low = number_text(bar.range.low);
+        high = number_text(bar.range.high) + (bar.unit.empty() ? "" : "\u00a0" + bar.unit) +
+               (beyond > 0 ? ", " + share_text(beyond) + " beyond" : "");
+    }
+    std::string low, high;
+};
+
+constexpr double small_bar = 7, small_gap = 0.9;   // in em: the colours, and what is free beside them, also for the tips
+
 }   // namespace
+
+double small_bar_width(const ColorBar& bar, double em) {
+    const SmallBar words(bar);
+    return text_width(words.low, {em}) + text_width(words.high, {em}) + (small_bar + 2 * small_gap) * em;
+}
+
+void draw_small_bar(Image& image, const ColorBar& bar, double left, double middle, double em, Rgba ink) {
+    const SmallBar words(bar);
+    const TextStyle style{em, ink};
+    const double baseline = middle + 0.27 * em;
+    draw_text(image, left, baseline, words.low, style);
+    const int x0 = rounded(left + text_width(words.low, style) + small_gap * em), x1 = x0 + rounded(small_bar * em);
+    const int half = rounded(0.34 * em), row = rounded(middle);
+    draw_colors(image, bar, {x0, x1, row - half, row + half});
+    draw_text(image, x1 + small_gap * em, baseline, words.high, style);
+}
 
 int color_bar_height(const ColorBar& bar, double em) {
     return histogram_rows(bar, em) + rounded((title_height + bar_height + ticks_height + (has_notes(bar) ? notes_height : 0)) * em);

@@ -6,6 +6,11 @@
 
 namespace render {
 
+/// The bar of one panel, in the line of its label: low end, colours, high end with the unit, the share beyond.
+double small_bar_width(const ColorBar& bar, double em);
+/// Draws from `left` on, round the row `middle`.
+void draw_small_bar(Image& image, const ColorBar& bar, double left, double middle, double em, Rgba ink);
+
 /// Height of the legend for text of size `em`.
 int color_bar_height(const ColorBar& bar, double em);
 

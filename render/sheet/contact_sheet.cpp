@@ -26,7 +26,8 @@ struct Grid {
     int columns = 1;
     int cell_width = 400, cell_height = 0;   // of a sheet of words only
     double em = 16;                          // text size
-    int gap = 0, names = 0;                  // height of the view names, below the pictures
+    int group = 1;                           // pictures of one view
+    int gap = 0, heads = 0, names = 0;       // heights of the lines above the first pictures, and of the view names below
 
     explicit Grid(const ContactSheet& sheet) {
         const int count = static_cast<int>(sheet.pictures.size());
@@ -37,13 +38,17 @@ struct Grid {
             cell_width = std::max(1, rounded(scale * width));
             cell_height = std::max(1, rounded(scale * height));
         }
-        em = std::max(13.0, std::min(columns * cell_width / 74.0, cell_width / 13.0));
+        em = sheet.em > 0 ? sheet.em : std::max(13.0, std::min(columns * cell_width / 74.0, cell_width / 13.0));
         gap = rounded(0.5 * em);
+        group = std::max(1, static_cast<int>(sheet.heads.size()));
+        heads = sheet.heads.empty() ? 0 : rounded((sheet.subheads.empty() ? 1.6 : 2.9) * em);
         names = sheet.view_names.empty() ? 0 : rounded(view_label_height(0.95 * em) + 0.1 * em);
     }
-    int left(int place) const { return place % columns * (cell_width + gap); }
-    int top(int place) const { return place / columns * (cell_height + names + gap); }
-    int width() const { return columns * cell_width + (columns - 1) * gap; }
+    /// Between groups the gap is three times that within.
+    int left(int place) const { return place % columns * (cell_width + gap) + (group > 1 ? place % columns / group * 2 * gap : 0); }
+    int top(int place) const { return heads + place / columns * (cell_height + names + gap); }
+    int width() const { return left(columns - 1) + cell_width; }
+    int group_width() const { return left(group - 1) + cell_width; }
 };
 
 /// +x +y +z over −x −y −z when these six are there, in the reading order otherwise.
@@ -75,8 +80,15 @@ Image compose(const ContactSheet& sheet) {
             fits ? std::shared_ptr<const Image>(std::shared_ptr<void>(), &picture)   // the sheet's, which outlives the figure
                  : std::make_shared<const Image>(shrink(picture, grid.cell_width, grid.cell_height));
         figure.pictures.push_back({shared, left, top});
-        const std::string name = i < sheet.view_names.size() ? sheet.view_names[i] : "";
-        if (grid.names > 0) figure.words.push_back({name, left, top + grid.cell_height, grid.cell_width, grid.names});
+        if (grid.names > 0 && place % grid.group == 0) {
+            const std::string name = i < sheet.view_names.size() ? sheet.view_names[i] : "";
+            figure.words.push_back({name, left, top + grid.cell_height, grid.group_width(), grid.names});
+        }
+        if (place >= grid.columns || grid.heads == 0) continue;
+        const auto mesh = static_cast<std::size_t>(place % grid.group);
+        const int line = rounded(1.3 * grid.em);
+        figure.words.push_back({sheet.heads[mesh], left, 0, grid.cell_width, line});
+        if (mesh < sheet.subheads.size()) figure.words.push_back({sheet.subheads[mesh], left, line, grid.cell_width, line});
     }
     return compose(figure).image;
 }

@@ -39,7 +39,14 @@ SheetBody body_of(const FigureSheet& sheet) {
 
 void draw_words(Image& image, const FigureSheet::Words& words, int left, int top, double em, Rgba ink) {
     const double middle = top + words.top + words.height / 2.0, width = words.width;
-    if (words.is_centred) {
+    if (words.bar) {
+        const TextStyle style{0.95 * em, ink};
+        const double bar = small_bar_width(*words.bar, style.size), between = words.text.empty() ? 0 : 1.5 * em;
+        const std::string text = fit_text(words.text, std::max(0.0, width - bar - between), style);
+        const double x = left + words.left + std::max(0.0, (width - bar - between - text_width(text, style)) / 2);
+        draw_text(image, x, middle + 0.27 * style.size, text, style);
+        draw_small_bar(image, *words.bar, x + text_width(text, style) + between, middle, style.size, ink);
+    } else if (words.is_centred) {
         draw_view_label(image, left + words.left + width / 2, middle, fit_text(words.text, width, {0.95 * em}), 0.95 * em, ink);
     } else {
         const TextStyle style{em, ink};

@@ -18,11 +18,13 @@ struct FigureSheet {
         std::shared_ptr<const Image> image;
         int left = 0, top = 0;
     };
-    /// A line in the middle of a box or at its left; the name of one of the six views gets its tripod.
+    /// A line in the middle of a box or at its left, perhaps with a small colour bar behind it; the name of one of the six views gets its
+    /// tripod.
     struct Words {
         std::string text;
         int left = 0, top = 0, width = 0, height = 0;
         bool is_centred = true;
+        std::optional<ColorBar> bar = {};
     };
     std::string title = {}, subtitle = {};
     std::vector<Picture> pictures = {};

@@ -48,6 +48,8 @@ std::string fixed(double x, int decimals) {
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::fixed, decimals);
     std::string text(buffer.data(), end.ptr);
     const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+    const std::size_t point = std::min(text.find('.'), text.size()), sign = text.front() == '-' ? 1 : 0;
+    if (point - sign == 5) text.insert(point - 3, "\u202f");   // as elsewhere; more digits have a power of ten
     if (text.front() == '-') text.replace(0, 1, is_zero ? "" : "\u2212");
     return text;
 }
@@ -109,6 +111,13 @@ TickLabels tick_labels(const std::vector<double>& ticks) {
     for (const double m : mantissas) labels.text.push_back(fixed(m, decimals));
     if (!plain) labels.power = "10" + superscript(exponent);
     return labels;
+}
+
+std::string number_text(double x) {
+    if (x == 0 || !std::isfinite(x)) return x == 0 ? "0" : "";
+    const int last = static_cast<int>(std::floor(std::log10(std::abs(x)))) - 2;
+    const TickLabels label = tick_labels({scaled(std::round(scaled(x, -last)), last)});
+    return label.text.front() + (label.power.empty() ? "" : "\u202f×\u202f" + label.power);
 }
 
 std::string share_text(double share) {

@@ -18,6 +18,9 @@ std::vector<double> decade_ticks(double low, double high);
 /// @param ticks  ascending, as round_ticks and decade_ticks make them
 TickLabels tick_labels(const std::vector<double>& ticks);
 
+/// A number for people, with at most three digits: "0.05", "2.5 × 10⁻⁷".
+std::string number_text(double x);
+
 /// A share for people: "1.9 %", "< 0.1 %".
 std::string share_text(double share);
 

@@ -41,7 +41,11 @@ std::string with_hyphen(std::string_view name) {
     return name.starts_with(minus) ? "-" + std::string(name.substr(minus.size())) : std::string(name);
 }
 
-std::string with_minus(std::string_view name) { return name.starts_with('-') ? "\u2212" + std::string(name.substr(1)) : std::string(name); }
+/// As people read it.
+std::string shown_name(std::string_view name) {
+    if (name == three_quarter_view().name) return "three-quarter view";
+    return name.starts_with('-') ? "\u2212" + std::string(name.substr(1)) : std::string(name);
+}
 
 const View* known_view(std::string_view name) {
     const auto found = std::find_if(six_views.begin(), six_views.end(), [&](const View& v) { return v.name == with_hyphen(name); });
@@ -95,7 +99,7 @@ void draw_tripod(Image& image, glm::dvec2 middle, const View& view, const Tripod
 }   // namespace
 
 double view_label_width(std::string_view view, double em) {
-    const double name = text_width(with_minus(view), {em});
+    const double name = text_width(shown_name(view), {em});
     return known_view(view) != nullptr ? name + (side + gap) * em : name;
 }
 
@@ -107,7 +111,7 @@ void draw_view_label(Image& image, double x, double y, std::string_view view, do
         draw_tripod(image, {left + side * em / 2, y}, *known, axes_for(ink), em);
         left += (side + gap) * em;
     }
-    draw_text(image, left, y + 0.27 * em, with_minus(view), {em, ink});
+    draw_text(image, left, y + 0.27 * em, shown_name(view), {em, ink});
 }
 
 }   // namespace render

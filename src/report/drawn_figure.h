@@ -15,14 +15,9 @@ struct DrawnPicture {
     int left = 0, top = 0, width = 0, height = 0;   // in the sheet [pixels]
     std::string file = {};                          // of its own in full size; empty: none
     std::string jpeg = {};                          // bytes, cut out of the sheet
+    /// The direction as people read it: "−x".
+    std::string direction() const { return view.starts_with('-') ? "\u2212" + view.substr(1) : view; }
     bool operator==(const DrawnPicture&) const = default;
-};
-
-/// One mesh, from three quarters or from six directions or both.
-struct DrawnPanel {
-    std::string label = {};
-    std::vector<DrawnPicture> pictures = {};   // the one from three quarters first; none: an empty cell, the label says why
-    bool operator==(const DrawnPanel&) const = default;
 };
 
 /// What the colours of a figure mean.
@@ -35,6 +30,16 @@ struct Legend {
     std::vector<double> histogram = {};            // share of the values in equal bins
     bool log = false;                              // equal ratios are equally far apart
     bool operator==(const Legend&) const = default;
+};
+
+/// One mesh, from three quarters or from six directions or both.
+struct DrawnPanel {
+    std::string label = {};
+    std::vector<DrawnPicture> pictures = {};   // the one from three quarters first; none: an empty cell, the label says why
+    std::optional<Legend> legend = {};         // of its own instead of the figure's
+    /// Flat among meshes seen from six directions: only its front is shown.
+    bool is_flat() const { return pictures.size() == 1 && !pictures[0].view.empty(); }
+    bool operator==(const DrawnPanel&) const = default;
 };
 
 /// A mesh that readers of the page can turn.
@@ -51,7 +56,7 @@ struct DrawnFigure {
     std::string sheet = {};                             // "images/q1_plane_h_sheet.png"
     std::vector<std::string> columns = {}, rows = {};   // heads of a matrix; both empty: it is none
     std::vector<DrawnPanel> panels = {};                // line by line
-    int in_a_line = 1;                                  // panels
+    int in_a_line = 1, states = 1;                      // panels; those that show one mesh, one after another
     std::optional<Legend> legend = {};
     std::vector<DrawnModel> models = {};   // one, or before and after with linked cameras; empty: cannot be turned
     bool is_matrix() const { return !columns.empty() || !rows.empty(); }

@@ -5,13 +5,17 @@
 #include <memory>
 #include <utility>
 
+#include "output/draw/framing.h"
+#include "output/draw/surface_of.h"
+#include "report/drawn_figure.h"
 #include "sheet/view_label.h"
 
 namespace meshfolio::output {
 
 namespace {
 
-constexpr std::size_t most_large = 12, in_a_line = 4, in_a_gallery_line = 6, blocks_in_a_line = 2, views_in_a_line = 3;
+constexpr std::size_t most_large = 12, in_a_line = 4, in_a_gallery_line = 6;
+constexpr int flat_in_a_line = 3;
 
 class Arranger {
 public:
@@ -49,12 +53,21 @@ private:
     void say(std::string words, int left, int top, int width, bool is_centred = true) {
         if (!words.empty()) sheet_.words.push_back({std::move(words), left, top, width, line_, is_centred});
     }
+    /// The label of a panel, with its small bar in the same line or in the next.
+    void label(std::size_t p, int left, int top, int width, bool in_one_line = true) {
+        const Panel& panel = request_.panels[p];
+        if (!in_one_line || !panel.range) say(panel.label, left, top, width);
+        if (panel.range)
+            sheet_.words.push_back(
+                {in_one_line ? panel.label : "", left, in_one_line ? top : top + line_, width, line_, true, small_bar_of(*panel.range)});
+    }
 
     /// The pictures from three quarters, named below, or between the heads of a matrix.
     void grid() {
         const bool matrix = !request_.columns.empty() || !request_.rows.empty();
         const auto columns = static_cast<std::size_t>(panels_in_a_line(request_));
-        int width = 6 * line_, height = 0;
+        const bool bars = std::ranges::any_of(request_.panels, [](const Panel& panel) { return panel.range.has_value(); });
+        int width = (bars ? 16 : 6) * line_, height = 0;
         for (const PanelPictures& panel : panels_) {
             if (panel.empty()) continue;
             width = std::max(width, panel[0].width);
@@ -62,11 +75,11 @@ private:
         }
         const int left = request_.rows.empty() ? 0 : 6 * line_, top = request_.columns.empty() ? 0 : line_;
         const bool named = panels_.size() > 1 && !matrix;
-        const int across = width + gap_, down = height + gap_ + (named ? line_ : 0);
+        const int across = width + gap_, down = height + gap_ + (named ? line_ : 0) + (bars ? line_ : 0);
         for (std::size_t p = 0; p < panels_.size(); ++p) {
             const int x = left + static_cast<int>(p % columns) * across, y = top + static_cast<int>(p / columns) * down;
             if (!panels_[p].empty()) place(p, 0, x + (width - panels_[p][0].width) / 2, y);
-            if (named) say(request_.panels[p].label, x, y + height, width);
+            if (named || bars) label(p, x, y + height, width, false);
             if (panels_[p].empty()) say(request_.panels[p].label, x, y + height / 2 - line_ / 2, width);
         }
         for (std::size_t c = 0; c < request_.columns.size(); ++c) say(request_.columns[c], left + static_cast<int>(c) * across, 0, width);
@@ -74,47 +87,59 @@ private:
             say(request_.rows[r], 0, top + static_cast<int>(r) * down + height / 2 - line_ / 2, left - gap_, false);
     }
 
-    /// Each panel's picture from three quarters, and beside it its views in two lines.
+    /// A panel alone: its picture from three quarters, and beside it its views in two lines. Several: a line each; flat ones share lines.
     void blocks() {
-        int width = 0, height = 2 * views_height();
+        int width = 0, height = lines_of_views() * views_height();
         for (const PanelPictures& panel : panels_) {
-            width = std::max(width, panel[0].width + 2 * gap_ + views_width(panel));
+            width = std::max(width, panel[0].width + (is_flat(panel) ? 0 : 2 * gap_ + views_width(panel)));
             height = std::max(height, panel[0].height);
         }
-        const int columns = panels_in_a_line(request_);
-        for (int p = 0; p < static_cast<int>(panels_.size()); ++p) {
-            const auto panel = static_cast<std::size_t>(p);
-            const render::Image& large = panels_[panel][0];
-            const int x = p % columns * (width + 3 * gap_), y = p / columns * (height + gap_ + line_);
-            place(panel, 0, x, y + (height - large.height) / 2);
-            views(panel, x + large.width + 2 * gap_, y + (height - 2 * views_height()) / 2);
-            if (panels_.size() > 1) say(request_.panels[panel].label, x, y + height, width);
+        const bool named = panels_.size() > 1, any_flat = std::ranges::any_of(panels_, is_flat);
+        if (any_flat) width = std::max(width, (named ? 3 : 1) * 13 * line_);
+        const int down = height + gap_ + (named ? line_ : 0) + (any_flat ? line_ : 0);
+        int x = 0, y = -down;
+        for (std::size_t p = 0; p < panels_.size(); ++p) {
+            const render::Image& large = panels_[p][0];
+            const bool flat = is_flat(panels_[p]);
+            const int cell = flat && named ? width / flat_in_a_line : width;
+            const bool in_group = p % static_cast<std::size_t>(request_.states) != 0;
+            if (p == 0 || !flat || x + cell > width || !is_flat(panels_[p - 1])) x = 0, y += down + (p == 0 || in_group ? 0 : gap_);
+            place(p, 0, flat ? x + (cell - large.width) / 2 : x, y + (height - large.height) / 2);
+            if (!flat) views(p, x + large.width + 2 * gap_, y + (height - lines_of_views() * views_height()) / 2);
+            int below = y + height;
+            if (named) label(p, x, std::exchange(below, below + line_), cell);
+            if (flat) say(words_of_flat(*view_of_flat(*request_.panels[p].mesh)), x, below, cell);
+            x += cell;
         }
     }
+
+    static bool is_flat(const PanelPictures& panel) { return panel.size() == 1; }
+    int lines_of_views() const { return panels_.size() == 1 ? 2 : 1; }
+    std::size_t views_in_a_line() const { return panels_.size() == 1 ? 3 : 6; }
 
     int views_height() const {
         int height = 0;
         for (const PanelPictures& panel : panels_)
             for (std::size_t i = 1; i < panel.size(); ++i) height = std::max(height, panel[i].height);
-        return height + line_ + gap_;
+        return height == 0 ? 0 : height + line_ + gap_;
     }
 
     int view_width(const render::Image& view) const { return std::max(view.width, 3 * line_); }
     int views_width(const PanelPictures& panel) const {
         int width = 0;
-        for (std::size_t i = 1; i < panel.size() && i <= views_in_a_line; ++i) width += view_width(panel[i]) + gap_;
+        for (std::size_t i = 1; i < panel.size() && i <= views_in_a_line(); ++i) width += view_width(panel[i]) + gap_;
         return width;
     }
 
-    /// The six views of a panel in two lines, each with its name below.
+    /// The six views of a panel, each with its name below.
     void views(std::size_t panel, int left, int top) {
         const std::vector<render::View> directions = views_in_reading_order();
         const int height = views_height() - line_ - gap_;
         int x = left;
         for (std::size_t i = 0; i < directions.size(); ++i) {
-            if (i % views_in_a_line == 0) x = left;
+            if (i % views_in_a_line() == 0) x = left;
             const render::Image& image = panels_[panel][1 + i];
-            const int y = top + static_cast<int>(i / views_in_a_line) * views_height(), width = view_width(image);
+            const int y = top + static_cast<int>(i / views_in_a_line()) * views_height(), width = view_width(image);
             place(panel, 1 + i, x + (width - image.width) / 2, y + (height - image.height) / 2);
             say(std::string(directions[i].name), x, y + height, width);
             x += width + gap_;
@@ -129,6 +154,10 @@ std::vector<render::View> views_in_reading_order() {
     return {six[0], six[2], six[4], six[1], six[3], six[5]};
 }
 
+std::string words_of_flat(const render::View& view) {
+    return "seen from " + report::DrawnPicture{std::string(view.name)}.direction() + "; its other views are edge-on";
+}
+
 bool is_gallery(const FigureRequest& request) {
     return request.layout != Layout::six_views && request.panels.size() > most_large && request.columns.empty() && request.rows.empty();
 }
@@ -137,7 +166,7 @@ int panels_in_a_line(const FigureRequest& request) {
     const std::size_t panels = request.panels.size();
     if (!request.columns.empty()) return static_cast<int>(request.columns.size());
     if (!request.rows.empty()) return static_cast<int>(panels / request.rows.size());
-    if (request.layout == Layout::six_views) return static_cast<int>(std::min(panels, blocks_in_a_line));
+    if (request.layout == Layout::six_views) return 1;
     if (request.in_a_line > 0) return request.in_a_line;
     const std::size_t most = is_gallery(request) ? in_a_gallery_line : in_a_line, lines = (panels + most - 1) / most;
     return static_cast<int>((panels + lines - 1) / lines);   // lines about equally full

@@ -2,6 +2,7 @@
 /// Arranges the pictures of a figure in its sheet.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "output/draw/figure_request.h"
@@ -21,6 +22,9 @@ using PanelPictures = std::vector<render::Image>;
 render::FigureSheet arranged(const FigureRequest& request, std::vector<PanelPictures> panels, double em);
 
 int panels_in_a_line(const FigureRequest& request);
+
+/// What the label of a flat panel adds: "seen from +z; its other views are edge-on".
+std::string words_of_flat(const render::View& view);
 
 /// Has the figure so many small multiples that they are drawn small, six in a line?
 bool is_gallery(const FigureRequest& request);

@@ -3,9 +3,9 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -34,15 +34,14 @@ namespace {
 struct FigureJob {
     const FigureRequest* request = nullptr;
     std::vector<PictureFrame> three_quarters;   // a panel
-    std::optional<SixFrames> six;
-    std::vector<PanelPictures> pictures;   // a panel
+    std::vector<SixFrames> six;                 // likewise, where there are six views
+    std::vector<PanelPictures> pictures;        // a panel
     std::atomic<int> panels_left = 0;
     report::DrawnFigure drawn;
 };
 
 /// Sizes of pictures in sheets [pixels]: twice to three times what they take on paper and about what they take on the page.
-constexpr int leading = 600, leading_a_block = 420, in_a_strip = 400, line_of_pictures = 1280, smallest_in_a_line = 192, small = 216,
-              small_in_a_block = 151;
+constexpr int leading = 600, beside_leading = 270, in_a_row = 216, in_a_strip = 400, line_of_pictures = 1280, smallest_in_a_line = 192;
 
 bool has_six_views(const FigureRequest& request) { return request.layout == Layout::six_views; }
 
@@ -50,9 +49,8 @@ double scale_of(const DrawSettings& settings) { return std::min({1.0, settings.w
 int scaled(int side, const DrawSettings& settings) { return std::max(8, static_cast<int>(std::lround(side * scale_of(settings)))); }
 
 int three_quarter_side(const FigureRequest& request) {
-    if (is_gallery(request)) return small;
     if (request.panels.size() == 1) return leading;
-    if (has_six_views(request)) return leading_a_block;
+    if (is_gallery(request) || has_six_views(request)) return in_a_row;
     if (request.panels.size() > 8) return smallest_in_a_line;   // line below line
     return std::clamp(line_of_pictures / panels_in_a_line(request), smallest_in_a_line, in_a_strip);
 }
@@ -91,7 +89,7 @@ void require_good_names(std::span<const FigureRequest> requests) {
 /// Triangles below which a shape cannot be seen without its edges.
 constexpr Eigen::Index coarse_mesh = 3000;
 bool shows_edges(const FigureRequest& request, const Panel& panel) {
-    const bool plain = panel.values.size() == 0 || !request.range;
+    const bool plain = panel.values.size() == 0 || request.range_of(panel) == nullptr;
     const bool coarse = panel.mesh->face_count() < coarse_mesh;
     return request.edges || (coarse && (request.coarse_edges || (plain && !has_six_views(request))));
 }
@@ -101,36 +99,52 @@ render::DrawOptions options_of(const FigureRequest& request, const Panel& panel)
     options.edges = shows_edges(request, panel);
     options.isoline_spacing = request.isoline_spacing;
     options.marked_vertices = panel.marked_vertices;
-    if (request.range) options.range = value_range(*request.range);
+    if (const ColorRange* range = request.range_of(panel)) options.range = value_range(*range);
     return options;
 }
 
 render::Surface surface_in(const FigureRequest& request, const Panel& panel) {
-    return surface_of(*panel.mesh, panel.values.size() > 0 && request.range ? &panel.values : nullptr);
+    return surface_of(*panel.mesh, panel.values.size() > 0 && request.range_of(panel) != nullptr ? &panel.values : nullptr);
 }
 
 std::string view_file(const Panel& panel, const render::View& view) {
     return "images/" + panel.name + "_" + std::string(view.name) + ".png";
 }
 
+/// The views of a panel in the order of its pictures.
+std::vector<render::View> views_of(const FigureJob& job, std::size_t index) {
+    const FigureRequest& request = *job.request;
+    const Panel& panel = request.panels[index];
+    if (!panel.mesh) return {};
+    if (const auto front = has_six_views(request) ? view_of_flat(*panel.mesh) : std::nullopt) return {*front};
+    std::vector<render::View> views{job.three_quarters[index].view};
+    if (has_six_views(request)) std::ranges::copy(views_in_reading_order(), std::back_inserter(views));
+    return views;
+}
+
+/// The views that a panel may have files of: the picture from three quarters has one only where there are no others.
+std::vector<render::View> views_in_files(const FigureJob& job, std::size_t index) {
+    std::vector<render::View> views = views_of(job, index);
+    if (views.size() > 1) views.erase(views.begin());
+    return views;
+}
+
 bool has_view_files(const FigureRequest& request, const DrawSettings& settings) {
     return settings.view_files || (request.view_files && !settings.sheets_only);
 }
 
-bool has_undefined(const FigureRequest& request) {
-    return std::any_of(request.panels.begin(), request.panels.end(), [](const Panel& panel) { return panel.values.array().isNaN().any(); });
-}
+bool has_undefined(const Panel& panel) { return panel.values.array().isNaN().any(); }
 
 /// Draws each view as a file in full size, labelled in a corner.
 void draw_view_files(const FigureJob& job, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
     const Panel& panel = request.panels[index];
-    const render::View& hero = job.three_quarters[index].view;
-    const std::vector<render::View> directions = has_six_views(request) ? views_in_reading_order() : std::vector{hero};
+    const std::vector<render::View> directions = views_in_files(job, index);
     render::DrawOptions options = options_of(request, panel);
     options.width = settings.width;
     options.height = settings.height;
-    options.frame = full_frame(request, index, has_six_views(request) ? nullptr : &hero, options.width, options.height);
+    options.frame =
+        full_frame(request, index, has_six_views(request) ? nullptr : &job.three_quarters[index].view, options.width, options.height);
     std::vector<render::Image> views = drawn_views(surface_in(request, panel), directions, options);
     for_each_task(views.size(), [&](std::size_t i) {
         label_view(views[i], directions[i].name);
@@ -147,23 +161,22 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
     render::DrawOptions options = options_of(request, panel);
     PanelPictures& pictures = job.pictures[index];
 
-    const PictureFrame& large = job.three_quarters[index];
-    const std::array hero{large.view};
-    options.width = large.width;
-    options.height = large.height;
-    options.frame = large.frame;
-    pictures = drawn_views(surface, hero, options);
-    if (job.six) {
-        const PictureFrame whole = job.six->covering_all();
-        options.width = whole.width;
-        options.height = whole.height;
-        options.frame = job.six->frame;
-        const std::vector<render::View> directions = views_in_reading_order();
-        const std::vector<render::Image> views = drawn_views(surface, directions, options);
-        for (std::size_t i = 0; i < views.size(); ++i) {
-            const PictureFrame& size = job.six->of(directions[i]);
+    const auto draw = [&](std::span<const render::View> views, const PictureFrame& frame) {
+        options.width = frame.width;
+        options.height = frame.height;
+        options.frame = frame.frame;
+        return drawn_views(surface, views, options);
+    };
+    const std::vector<render::View> views = views_of(job, index);
+    const std::size_t large = views[0].is_along_axis() ? 0 : 1;
+    if (large > 0) pictures = draw(std::span(views).first(large), job.three_quarters[index]);
+    if (!job.six.empty()) {
+        const std::span directions = std::span(views).subspan(large);
+        const std::vector<render::Image> drawn = draw(directions, job.six[index].covering_all());
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            const PictureFrame& size = job.six[index].of(directions[i]);
             pictures.push_back(
-                part_of(views[i], (views[i].width - size.width) / 2, (views[i].height - size.height) / 2, size.width, size.height));
+                part_of(drawn[i], (drawn[i].width - size.width) / 2, (drawn[i].height - size.height) / 2, size.width, size.height));
         }
     }
     if (has_view_files(request, settings)) draw_view_files(job, index, folder, settings);
@@ -171,35 +184,35 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
 
 /// The bar of the sheet, and the legend of the page.
 void set_legend(FigureJob& job, render::FigureSheet& sheet) {
-    const ColorRange& range = *job.request->range;
-    sheet.color_bar = color_bar_of(range, has_undefined(*job.request), render::DrawOptions().undefined_color);
+    const std::vector<Panel>& panels = job.request->panels;
+    render::DrawOptions drawn;
+    drawn.isoline_spacing = job.request->isoline_spacing;
+    sheet.color_bar = color_bar_of(*job.request->range, std::ranges::any_of(panels, has_undefined), drawn);
     // of these panels: several figures may share a range
-    if (!range.relative) sheet.color_bar->histogram = histogram_of(finite_values(job.request->panels), sheet.color_bar->range);
+    sheet.color_bar->histogram = histogram_of(finite_values(panels), sheet.color_bar->range);
     job.drawn.legend = legend_of(*sheet.color_bar);
-}
-
-std::size_t pictures_of(const FigureRequest& request, std::size_t panel) {
-    return !request.panels[panel].mesh ? 0 : has_six_views(request) ? 7 : 1;
 }
 
 /// Where the pictures are on the sheet.
 void name_pictures(FigureJob& job, const render::FigureSheet& sheet, const render::ComposedFigure& composed, const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
-    const std::vector<render::View> directions = views_in_reading_order();
     std::size_t next = 0;
     for (std::size_t p = 0; p < request.panels.size(); ++p) {
         report::DrawnPanel& panel = job.drawn.panels.emplace_back();
         panel.label = request.panels[p].label;
-        for (std::size_t i = 0; i < pictures_of(request, p); ++i) {
+        if (request.panels[p].range) panel.legend = legend_of(small_bar_of(*request.panels[p].range));
+        const std::vector<render::View> views = views_of(job, p);
+        if (views.size() == 1 && views[0].is_along_axis())
+            panel.label += (panel.label.empty() ? "" : " ") + ("(" + words_of_flat(views[0]) + ")");
+        for (std::size_t i = 0; i < views.size(); ++i) {
             const render::FigureSheet::Picture& placed = sheet.pictures[next++];
             report::DrawnPicture& picture = panel.pictures.emplace_back();
-            picture.view = i == 0 ? "" : std::string(directions[i - 1].name);
+            picture.view = views[i].is_along_axis() ? std::string(views[i].name) : "";
             picture.left = composed.left + placed.left;
             picture.top = composed.top + placed.top;
             picture.width = placed.image->width;
             picture.height = placed.image->height;
-            const bool has_file = has_view_files(request, settings) && (i > 0 || !has_six_views(request));
-            if (has_file) picture.file = view_file(request.panels[p], i == 0 ? render::three_quarter_view() : directions[i - 1]);
+            if (has_view_files(request, settings) && (i > 0 || views.size() == 1)) picture.file = view_file(request.panels[p], views[i]);
         }
     }
 }
@@ -209,10 +222,11 @@ void finish_figure(FigureJob& job, const std::filesystem::path& folder, const Dr
     job.drawn.columns = request.columns;
     job.drawn.rows = request.rows;
     job.drawn.in_a_line = panels_in_a_line(request);
+    job.drawn.states = request.states;
     render::FigureSheet sheet = arranged(request, std::move(job.pictures), std::max(13.0, 21 * scale_of(settings)));
     sheet.title = request.title;
     sheet.subtitle = request.subtitle;
-    if (request.range && !request.range->quantity.empty()) set_legend(job, sheet);
+    if (request.range) set_legend(job, sheet);
     const render::ComposedFigure composed = render::compose(sheet);
     name_pictures(job, sheet, composed, settings);
     job.drawn.sheet = "images/" + request.id + "_sheet.png";
@@ -228,7 +242,11 @@ struct Piece {
 void prepare(FigureJob& job, const FigureRequest& request, const DrawSettings& settings) {
     job.request = &request;
     job.three_quarters = three_quarter_frames(request, scaled(three_quarter_side(request), settings));
-    if (has_six_views(request)) job.six = six_frames(request, scaled(request.panels.size() == 1 ? small : small_in_a_block, settings));
+    const bool alone = request.panels.size() == 1;
+    for (std::size_t p = 0; has_six_views(request) && p < request.panels.size(); ++p) {
+        const int side = !alone ? in_a_row : view_of_flat(*request.panels[p].mesh) ? leading : beside_leading;
+        job.six.push_back(six_frames(request, p, scaled(side, settings)));
+    }
     job.pictures.resize(request.panels.size());
     job.panels_left = static_cast<int>(request.panels.size());
 }

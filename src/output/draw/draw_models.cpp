@@ -47,10 +47,10 @@ std::vector<report::DrawnModel> models_of(const FigureRequest& request) {
     const Ball frame = frame_of(request, panels);
     std::vector<report::DrawnModel> models;
     for (const Panel& panel : panels) {
-        const bool colored = request.range && panel.values.size() > 0;
+        const ColorRange* range = panel.values.size() > 0 ? request.range_of(panel) : nullptr;
         report::DrawnModel model{panels.size() > 1 ? panel.label : "", "models/" + panel.name + ".glb", "", ""};
-        model.glb = write_glb(*panel.mesh, panel.values, colored ? request.range : std::nullopt, frame);
-        if (colored) model.quantity = request.range->quantity + (request.range->unit.empty() ? "" : " [" + request.range->unit + "]");
+        model.glb = write_glb(*panel.mesh, panel.values, range != nullptr ? std::optional(*range) : std::nullopt, frame);
+        if (range != nullptr) model.quantity = range->quantity + (range->unit.empty() ? "" : " [" + range->unit + "]");
         models.push_back(std::move(model));
     }
     return models;

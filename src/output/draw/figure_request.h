@@ -1,5 +1,5 @@
 /// @file
-/// What a question asks to be drawn. All panels of a figure share camera, scale and colour range.
+/// What a question asks to be drawn. All panels of a figure share camera, scale and, unless they have their own, colour range.
 #pragma once
 
 #include <memory>
@@ -12,6 +12,15 @@
 
 namespace meshfolio::output {
 
+struct ColorRange {
+    std::string colormap;   // "pale"
+    double low = 0, high = 1;
+    std::string quantity, unit;                    // for the colour bar
+    bool logarithmic = false;                      // equal ratios are equally far apart; low > 0
+    double clipped_below = 0, clipped_above = 0;   // share of the finite values outside
+    std::vector<double> sample = {};               // of the finite values, evenly through their order, for the histogram
+};
+
 /// One mesh with values, drawn from all six views: images/<name>_<view>.png.
 struct Panel {
     std::string name;                           // "q5_cube_lambda0.1", unique; [a-zA-Z0-9_.-]
@@ -19,20 +28,11 @@ struct Panel {
     std::shared_ptr<const TriangleMesh> mesh;   // null in a matrix: an empty cell, and the label says why
     Vector values = {};                         // one a vertex, NaN where undefined; empty: plain surface
     std::vector<int> marked_vertices = {};      // ringed where they are seen
-};
-
-struct ColorRange {
-    std::string colormap;   // "pale"
-    double low = 0, high = 1;
-    std::string quantity, unit;                    // for the colour bar; no quantity: none, as another figure of the section has it
-    bool logarithmic = false;                      // equal ratios are equally far apart; low > 0
-    double clipped_below = 0, clipped_above = 0;   // share of the finite values outside
-    std::vector<double> sample = {};               // of the finite values, evenly through their order, for the histogram
-    bool relative = false;                         // values are in percent of each panel's own range: one histogram of all means nothing
+    std::optional<ColorRange> range = {};       // its own instead of the figure's: its label has a small bar
 };
 
 enum class Layout {
-    six_views,   // each panel from three quarters, and beside it, smaller, from the six directions
+    six_views,   // each panel from three quarters and from the six directions, but a flat one from its front alone
     multiples,   // one picture a panel, from three quarters, each in its own frame; beyond twelve at half the size, six in a line
     one_frame    // the same in one frame, that of `frame_panel`, for one mesh in several states: sizes can be compared
 };
@@ -52,8 +52,10 @@ struct FigureRequest {
     std::vector<std::string> columns = {}, rows = {};   // heads of a matrix of panels, which are given row by row (one_frame, multiples)
     bool view_files = false;     // each view is a file of full size as well, for what the assignment asks to be handed in
     bool coarse_edges = false;   // edges of the meshes so coarse that their shape is not seen without
-    int states =
-        1;   // panels in groups of so many, each one mesh in several states: from three quarters it fills the frame as the first does
+    /// Panels in groups of so many, each one mesh in several states: from three quarters it fills the frame as the first does.
+    int states = 1;
+
+    const ColorRange* range_of(const Panel& panel) const { return panel.range ? &*panel.range : range ? &*range : nullptr; }
 };
 
 /// Robust range of the finite values of all panels: percentiles [clip, 1 − clip]; for a diverging map symmetric about 0 and at least 1.25

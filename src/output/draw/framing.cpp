@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
 #include "scene/hero.h"
 
@@ -15,7 +16,13 @@ namespace {
 constexpr double share_framed = 0.94;        // of the side of a picture; the rest is margin
 constexpr double narrowest_picture = 0.12;   // of the side: a surface seen from its edge stays a picture
 
-bool is_framed(const FigureRequest& request, std::size_t panel) {
+std::size_t first_of_group(const FigureRequest& request, std::size_t panel) {
+    return panel - panel % static_cast<std::size_t>(request.states);
+}
+
+/// Does the picture of panel `of` show this panel whole?
+bool is_framed(const FigureRequest& request, std::size_t panel, std::size_t of = 0) {
+    if (request.states > 1) return panel == first_of_group(request, of);
     return request.frame_panel < 0 || panel == static_cast<std::size_t>(request.frame_panel);
 }
 
@@ -82,7 +89,7 @@ bool has_own_frames(const FigureRequest& request) { return request.layout == Lay
 
 /// The mesh of which a panel shows a state.
 const TriangleMesh& first_state(const FigureRequest& request, std::size_t panel) {
-    return *request.panels[panel - panel % static_cast<std::size_t>(request.states)].mesh;
+    return *request.panels[first_of_group(request, panel)].mesh;
 }
 
 }   // namespace
@@ -118,6 +125,18 @@ std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int
     return frames;
 }
 
+std::optional<render::View> view_of_flat(const TriangleMesh& mesh) {
+    constexpr double thin = 0.01;   // of the largest extent: two pixels of a small picture
+    const render::Bounds box = bounds_of(mesh);
+    const glm::dvec3 extent = box.high - box.low;
+    const double most = std::max({extent.x, extent.y, extent.z});
+    const auto is_thin = [&](int axis) { return extent[axis] <= thin * most; };
+    if (is_thin(0) + is_thin(1) + is_thin(2) != 1) return {};
+    const int axis = is_thin(0) ? 0 : is_thin(1) ? 1 : 2;
+    const bool faces_back = face_normals(mesh).col(axis).sum() < 0;
+    return render::six_views[static_cast<std::size_t>(2 * axis + (faces_back ? 1 : 0))];
+}
+
 FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X) {
     const render::View view = render::hero_view(surface_of(mesh));
     const render::Frame frame = own_frame(mesh, view, 1, 1, share_framed);   // a picture one pixel wide
@@ -139,10 +158,12 @@ PictureFrame SixFrames::covering_all() const {
     return all;
 }
 
-SixFrames six_frames(const FigureRequest& request, int side) {
+SixFrames six_frames(const FigureRequest& request, std::size_t panel, int side) {
     SixFrames six;
-    six.frame = render::frame_of(joined_box(request, [&](std::size_t p) { return is_framed(request, p); }), side, side, share_framed);
-    const render::Bounds all = joined_box(request, [](std::size_t) { return true; });
+    six.frame =
+        render::frame_of(joined_box(request, [&](std::size_t p) { return is_framed(request, p, panel); }), side, side, share_framed);
+    const render::Bounds all = joined_box(
+        request, [&](std::size_t p) { return request.states == 1 || first_of_group(request, p) == first_of_group(request, panel); });
     const double scale = six.frame.pixels_per_unit;
     const render::Bounds shown = within_square({(all.low - six.frame.centre) * scale, (all.high - six.frame.centre) * scale}, side);
     const glm::dvec3 extent = shown.high - shown.low;
@@ -155,7 +176,7 @@ SixFrames six_frames(const FigureRequest& request, int side) {
 render::Frame full_frame(const FigureRequest& request, std::size_t panel, const render::View* hero, int width, int height) {
     const double fill = render::DrawOptions{}.fill;
     if (hero == nullptr)
-        return render::frame_of(joined_box(request, [&](std::size_t p) { return is_framed(request, p); }), width, height, fill);
+        return render::frame_of(joined_box(request, [&](std::size_t p) { return is_framed(request, p, panel); }), width, height, fill);
     if (has_own_frames(request)) return own_frame(first_state(request, panel), *hero, width, height, fill);
     return common_frame(request, *hero, width, height, fill);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "output/draw/figure_request.h"
@@ -23,14 +24,17 @@ render::View hero_of(const FigureRequest& request, std::size_t panel);
 /// framed takes `side` pixels in width or in height; other meshes are cut off at that square.
 std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side);
 
-/// The six directions: one frame, and the sizes of the pictures along x, y and z. A flat mesh is slim from the side.
+/// The six directions: one frame for all panels, or for those that show one mesh, and the sizes of the pictures along x, y and z.
 struct SixFrames {
     render::Frame frame;
     std::array<PictureFrame, 3> along;
     PictureFrame covering_all() const;
     const PictureFrame& of(const render::View& view) const { return along[view.from.x != 0 ? 0 : view.from.y != 0 ? 1 : 2]; }
 };
-SixFrames six_frames(const FigureRequest& request, int side);
+SixFrames six_frames(const FigureRequest& request, std::size_t panel, int side);
+
+/// The view along an axis that shows the front of a flat mesh, which is a line in the others; nothing if the mesh is not flat.
+std::optional<render::View> view_of_flat(const TriangleMesh& mesh);
 
 /// Positions that fit into the three-quarter picture of `mesh`: unchanged, or scaled down about the middle if they would be cut off.
 struct FittedPositions {

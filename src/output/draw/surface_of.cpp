@@ -9,6 +9,7 @@
 #include "base/in_quotes.h"
 #include "base/joined.h"
 #include "base/nearest_word.h"
+#include "base/number_text.h"
 #include "output/draw/figure_request.h"
 
 namespace meshfolio::output {
@@ -60,18 +61,25 @@ std::vector<double> histogram_of(const std::vector<double>& values, const render
     return histogram(logarithms, std::log(range.low), std::log(range.high));
 }
 
-render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, render::Rgba undefined_color) {
+render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, const render::DrawOptions& drawn) {
     render::ColorBar bar;
     bar.range = value_range(range);
     bar.quantity = range.quantity;
+    if (const double spacing = bar.isoline_spacing = drawn.isoline_spacing; spacing > 0) {
+        const double first = std::ceil(range.low / spacing) * spacing + 0.0;   // + 0: no −0
+        if (first <= range.high)
+            bar.quantity += first + spacing > range.high ? ", a line at " + readable(first) : ", a line every " + readable(spacing);
+    }
     bar.unit = range.unit;
     bar.clipped_below = range.clipped_below;
     bar.clipped_above = range.clipped_above;
     bar.has_undefined = has_undefined;
-    bar.undefined_color = undefined_color;
-    if (!range.relative) bar.histogram = histogram_of(range.sample, bar.range);
+    bar.undefined_color = drawn.undefined_color;
+    bar.histogram = histogram_of(range.sample, bar.range);
     return bar;
 }
+
+render::ColorBar small_bar_of(const ColorRange& range) { return color_bar_of(range, false, render::DrawOptions()); }
 
 std::string hex_of(render::Rgba color) {
     constexpr char digits[] = "0123456789abcdef";

@@ -29,8 +29,11 @@ render::ValueRange value_range(const ColorRange& range);
 /// histogram() over the range of the colours.
 std::vector<double> histogram_of(const std::vector<double>& values, const render::ValueRange& range);
 
-/// With the histogram of the range's own sample.
-render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, render::Rgba undefined_color);
+/// With the histogram of the range's own sample, and with the isolines in its words.
+render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, const render::DrawOptions& drawn);
+
+/// Of a panel with a range of its own, in the line of its label.
+render::ColorBar small_bar_of(const ColorRange& range);
 
 /// "#1f9e89"
 std::string hex_of(render::Rgba color);

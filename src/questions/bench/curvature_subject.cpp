@@ -113,21 +113,17 @@ double rank_correlation(const Vector& a, const Vector& b) {
     return size > 0 ? ra.dot(rb) / size : 0;
 }
 
-output::Panel relative_panel(const CurvatureSubject& subject, std::string name, std::string label, const Vector& values, double range) {
+output::Panel unit_ball_panel(const CurvatureSubject& subject, std::string name, std::string label, Vector values) {
     TriangleMesh mesh = subject.mesh();
     mesh.X.rowwise() -= bounding_box(mesh).centre().transpose();
     const double radius = mesh.X.rowwise().norm().maxCoeff();
     if (radius > 0) mesh.X /= radius;
-    return {std::move(name), std::move(label), std::make_shared<const TriangleMesh>(std::move(mesh)), 100 / range * values};
+    return {std::move(name), std::move(label), std::make_shared<const TriangleMesh>(std::move(mesh)), std::move(values)};
 }
 
-output::ColorRange relative_range(std::string quantity) {
-    return {.colormap = "diverging",
-            .low = -100,
-            .high = 100,
-            .quantity = std::move(quantity),
-            .unit = curvature_words.line("own_range"),
-            .relative = true};
+void set_own_range(output::Panel& panel, double end, std::string quantity, std::string unit) {
+    const output::ColorRange range{"diverging", -end, end, std::move(quantity), std::move(unit)};
+    panel.range = range_for(range, {panel});
 }
 
 double share_beyond(const Vector& values, double range) {
@@ -137,11 +133,6 @@ double share_beyond(const Vector& values, double range) {
         beyond += std::abs(v) > range ? 1 : 0;
     }
     return finite > 0 ? double(beyond) / finite : 0;
-}
-
-std::string beyond_words(const Vector& values, double range) {
-    const double share = share_beyond(values, range);
-    return share > 0 ? curvature_words.line("beyond", "share"_a = readable_percent(share, 2)) : "";
 }
 
 SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector& values) {
@@ -159,16 +150,7 @@ SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector&
 
 output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels) {
     output::ColorRange range = shared;
-    double below = 0, above = 0, finite = 0;
-    for (const output::Panel& panel : panels) {
-        for (const double v : panel.values) {
-            finite += std::isfinite(v) ? 1 : 0;
-            below += v < range.low ? 1 : 0;
-            above += v > range.high ? 1 : 0;
-        }
-    }
-    range.clipped_below = finite > 0 ? below / finite : 0;
-    range.clipped_above = finite > 0 ? above / finite : 0;
+    output::enter_clipped(range, output::finite_values(panels));
     return range;
 }
 

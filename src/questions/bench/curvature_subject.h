@@ -42,13 +42,12 @@ double roughness(const Vector& values, const MeshTopology& topology);
 /// Spearman's rank correlation over the vertices where both are finite; 0 where one is constant.
 double rank_correlation(const Vector& a, const Vector& b);
 
-/// Values of a mesh in percent of ± `range`, as a panel that fits into one frame with meshes of any size: in the unit ball.
-output::Panel relative_panel(const CurvatureSubject& subject, std::string name, std::string label, const Vector& values, double range);
-/// The diverging range ±100 % of figures of such panels. Each label says what is clipped: beyond_words().
-output::ColorRange relative_range(std::string quantity);
-/// The share of the finite values beyond ± `range`; for labels ", 4.1 % beyond", or nothing where none is.
+/// A panel that fits into one frame with meshes of any size: in the unit ball.
+output::Panel unit_ball_panel(const CurvatureSubject& subject, std::string name, std::string label, Vector values);
+/// Gives the panel diverging colours of its own, from −`end` to `end`: values of meshes are not compared.
+void set_own_range(output::Panel& panel, double end, std::string quantity, std::string unit);
+/// The share of the finite values beyond ± `range`.
 double share_beyond(const Vector& values, double range);
-std::string beyond_words(const Vector& values, double range);
 
 /// Shares of the finite values above and below 0, by the distance of the vertices from the box centre.
 struct SignsByDistance {

@@ -103,9 +103,9 @@ Diagram::Panel area_panel(const FlatRing& ring, AreaForm form) {
     return panel;
 }
 
-/// A quantity on a range of its own, for values of meshes are not compared.
 struct Shown {
     std::string key;   // the end of its panel's name, and the beginning of its label
+    std::string quantity, unit;
     Vector values;
     double floor;   // of the range
     double least;   // below it all is 0 but for rounding
@@ -113,16 +113,17 @@ struct Shown {
 
 std::array<Shown, 2> H_and_K_of(const MeshCurvature& c) {
     const double area = c.subject.diagonal * c.subject.diagonal;
-    return {{{"h", 100 / c.subject.mean_edge * c.length, 0.1, 100 * visible}, {"k", c.K, 0.1 / area, 0.01 / area}}};
+    return {{{"h", "½‖Δx‖ (signed)", "% of h̄", 100 / c.subject.mean_edge * c.length, 0.1, 100 * visible},
+             {"k", "K", "/length²", c.K, 0.1 / area, 0.01 / area}}};
 }
 
-/// Colours the mesh in percent of its own range, which its label states.
 output::Panel panel_of(const Shown& shown, const MeshCurvature& c) {
-    const double range = diverging_range(shown.values, shown.floor), most = largest_magnitude(shown.values);
+    const double most = largest_magnitude(shown.values);
     const std::string label =
-        words.line(shown.key + (most > shown.least ? ".label" : ".label.zero"), "mesh"_a = c.name(), "most"_a = readable(most, 2),
-                   "range"_a = readable(range, 2), "beyond"_a = beyond_words(shown.values, range));
-    return relative_panel(c.subject, "q1_" + c.name() + "_" + shown.key, label, shown.values, range);
+        words.line(shown.key + (most > shown.least ? ".label" : ".label.zero"), "mesh"_a = c.name(), "most"_a = readable(most, 2));
+    output::Panel panel = unit_ball_panel(c.subject, "q1_" + c.name() + "_" + shown.key, label, shown.values);
+    set_own_range(panel, diverging_range(shown.values, shown.floor), shown.quantity, shown.unit);
+    return panel;
 }
 
 /// H and K of these meshes side by side. Irregular vertices that the text speaks of are ringed.
@@ -130,11 +131,12 @@ void add_H_and_K(Answer& answer, const std::vector<const MeshCurvature*>& meshes
                  output::Layout layout) {
     output::FigureRequest figure{.id = id,
                                  .title = words.line(key + ".title"),
-                                 .range = relative_range(words.line("quantity")),
                                  .frame_panel = -1,
                                  .layout = layout,
                                  .turnable = layout == output::Layout::six_views,
-                                 .view_files = layout == output::Layout::six_views};
+                                 .in_a_line = 2,
+                                 .view_files = layout == output::Layout::six_views,
+                                 .states = 2};
     UndefinedVertices masked;
     Names ringed;
     for (const MeshCurvature* c : meshes) {
@@ -186,7 +188,7 @@ Diagram::Panel patch_panel(double kappa_1, double kappa_2, const std::string& ti
     const DiagramPoint tip = seen({0, 0, 0.8});
     panel.paths.push_back(path_through({seen({0, 0, 0}), tip}, Style::line));
     panel.paths.back().arrow = true;
-    panel.labels.push_back({.x = tip[0], .y = tip[1], .words = text(math("n")), .side = Side::right});
+    panel.labels.push_back({.x = tip[0], .y = tip[1], .words = text(math("n")), .side = Side::above});
     return panel;
 }
 
@@ -242,7 +244,7 @@ void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::stri
         if (c.subject.plane_normal || summary_of(c.H).count == 0) continue;
         const TangentialPart part = tangential_part(c);
         const std::string label = words.line("tangential.label", "mesh"_a = c.name(), "share"_a = readable_percent(part.share, 2));
-        figure.panels.push_back(relative_panel(c.subject, "q1_" + c.name() + "_tangential", label, part.shares, 1));
+        figure.panels.push_back(unit_ball_panel(c.subject, "q1_" + c.name() + "_tangential", label, 100 * part.shares));
         masked += undefined_vertices(c.subject);
     }
     figure.range =

@@ -105,12 +105,8 @@ Diagram weight_diagram() {
 double cotangent_range(const CotangentComparison& c) { return diverging_range(c.subject.mean_edge * c.cotangent, 0.01); }
 
 void add_comparison_figure(Answer& answer, const Comparisons& meshes, const Disagreements& with_jets) {
-    output::FigureRequest figure{.id = "q3_h",
-                                 .title = words.line("comparison.title"),
-                                 .range = relative_range(words.line("comparison.quantity")),
-                                 .frame_panel = -1,
-                                 .turnable = true,
-                                 .view_files = true};
+    output::FigureRequest figure{
+        .id = "q3_h", .title = words.line("comparison.title"), .frame_panel = -1, .turnable = true, .view_files = true, .states = 2};
     const bool is_short = std::ranges::count_if(meshes, is_curved) <= 2;   // so that it fits on a page
     bool has_own = false;
     UndefinedVertices masked;
@@ -119,10 +115,9 @@ void add_comparison_figure(Answer& answer, const Comparisons& meshes, const Disa
         if (!is_curved(c)) continue;
         const CurvatureSubject& s = c.subject;
         const auto add = [&](const std::string& name, const Vector& H, double range) {
-            const Vector values = s.mean_edge * H;
-            const std::string label = words.line("comparison." + name, "mesh"_a = s.name(), "range"_a = readable(range, 2),
-                                                 "beyond"_a = beyond_words(values, range));
-            figure.panels.push_back(relative_panel(s, "q3_" + s.name() + "_h_" + name, label, values, range));
+            const std::string label = words.line("comparison." + name, "mesh"_a = s.name());
+            figure.panels.push_back(unit_ball_panel(s, "q3_" + s.name() + "_h_" + name, label, s.mean_edge * H));
+            set_own_range(figure.panels.back(), range, words.line("comparison.quantity"), "");
         };
         const double range = cotangent_range(c);
         add("uniform", c.uniform, range);

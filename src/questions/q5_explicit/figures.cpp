@@ -126,7 +126,6 @@ void add_all(Answer& answer, const Studies& studies, const std::string& id) {
     report::Facts remarks = remarks_on(studies);
     remarks.push_back("frames"_a = has_frames(studies));
     add_figure(answer, std::move(figure), words.line("results.caption", remarks));
-    if (has_frames(studies)) answer.figures.back().range->quantity.clear();   // the colour bar is that of the frames
 }
 
 }   // namespace

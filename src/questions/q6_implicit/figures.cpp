@@ -125,10 +125,10 @@ void add_gap_map(Answer& answer, const Studies& studies) {
         const SmoothingCell& good = *study.good();
         figure.panels.push_back(meshfolio::panel_of(moved_to(study.subject.mesh(), good.implicit_X), "q6_gap_map_" + study.name(),
                                                     words.line("views.panel", facts_of(study, good)),
-                                                    100 / study.subject.mean_edge * study.cost->gap));
+                                                    100 / vertex_rms(study.subject.mesh().X, good.implicit_X) * study.cost->gap));
     }
     if (figure.panels.empty()) return;
-    figure.range = range_from_zero(figure.panels, "pale", words.line("gap_map.quantity"), 0.01, "% of h̄");
+    figure.range = range_from_zero(figure.panels, "pale", words.line("gap_map.quantity"), 0.01, "% of the motion");
     add_figure(answer, std::move(figure), words.line("gap_map.caption"));
 }
 

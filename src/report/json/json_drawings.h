@@ -141,6 +141,7 @@ template <class Fields>
 void describe(Fields& fields, part_of<DrawnPanel> auto& panel) {
     fields("label", panel.label);
     fields("pictures", panel.pictures, "none: an empty cell of a matrix, and the label says why");
+    fields.optional("legend", panel.legend, "of its own colours; absent: that of the figure");
 }
 
 template <class Fields>
@@ -172,6 +173,7 @@ void describe(Fields& fields, part_of<FigureEntry> auto& entry) {
     fields.file_or_null("sheet", entry.drawn.sheet, entry.is_drawn, "null: could not be drawn");
     const DrawnFigure fallback;
     fields.optional("in_a_line", entry.drawn.in_a_line, fallback.in_a_line, "panels beside each other");
+    fields.optional("states", entry.drawn.states, fallback.states, "so many panels after another show one mesh");
     fields.optional("columns", entry.drawn.columns, {}, "heads of a matrix, whose panels are given row by row");
     fields.optional("rows", entry.drawn.rows, {});
     fields.optional("panels", entry.drawn.panels, {}, "meshes, and where their pictures are in the sheet");

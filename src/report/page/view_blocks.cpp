@@ -91,7 +91,7 @@ json view_groups(const DrawnFigure& drawn) {
         json views = json::array();
         for (const DrawnPicture& picture : panel.pictures) {
             if (picture.file.empty()) continue;
-            const std::string name = picture.view.empty() ? "three quarters" : picture.view;
+            const std::string name = picture.view.empty() ? "three quarters" : picture.direction();
             views.push_back(view_of({{"name", "\"+x\"", safe_text(name)}, {"href", "link to the picture", url_path(picture.file)}}));
         }
         if (views.empty()) continue;

@@ -14,14 +14,13 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t views_in_a_line = 3;
-// Against the width of the text, on paper 59, 44, 99 and 90 mm. A block may be as high as a line.
-constexpr double highest_lead = 0.34, highest_line = 0.25, highest_figure = 0.57, highest_matrix = 0.52;
+// Against the width of a figure: on paper 59, 44, 99 and 90 mm; at least 27 mm for one of the six views of a mesh.
+constexpr double highest_lead = 0.34, highest_line = 0.25, highest_figure = 0.57, highest_matrix = 0.52, least_view = 0.155;
 constexpr double lowest_row = 0.15, highest_page = 1.25;   // of a matrix: rows are not squeezed below it while they fit on a page
 constexpr std::size_t most_across = 5;                     // of figure.css
 constexpr int tenths_of_heads = 2;                         // of the width, beside the rows of a matrix: 24 mm on paper
 
-bool has_views(const DrawnPanel& panel) { return panel.pictures.size() > 1; }
+bool has_views(const DrawnPanel& panel) { return panel.pictures.size() > 1 || panel.is_flat(); }
 
 /// Which of a figure's pictures.
 struct PictureOf {
@@ -34,7 +33,7 @@ struct PictureOf {
         const DrawnPicture& picture = drawn.panels[p].pictures[i];
         if (p == 0 && i == 0) return safe_text(figure.alt);
         const std::string label = context.numbering.resolve(figure.id).label, panel = safe_text(drawn.panels[p].label);
-        return label + (panel.empty() ? "" : ": " + panel) + (picture.view.empty() ? "" : ", seen from " + safe_text(picture.view));
+        return label + (panel.empty() ? "" : ": " + panel) + (picture.view.empty() ? "" : ", seen from " + safe_text(picture.direction()));
     }
 
     std::string source(std::size_t p, std::size_t i) const {
@@ -43,13 +42,19 @@ struct PictureOf {
         return url_path(picture.file.empty() ? drawn.sheet : picture.file);
     }
 
+    /// The small bar of a panel with colours of its own.
+    std::string bar(std::size_t p) const {
+        const std::optional<Legend>& legend = drawn.panels[p].legend;
+        return legend ? svg_of(*legend, figure.id + "-" + std::to_string(p + 1), true) : "";
+    }
+
     json view(std::size_t p, std::size_t i) const {
         const DrawnPicture& picture = drawn.panels[p].pictures[i];
         return view_of({{"source", "what an <img> shows: a picture inside the page, else a file", source(p, i)},
                         {"alt", "the picture in words", alt(p, i)},
                         {"width", "of the picture [pixels]", std::to_string(picture.width)},
                         {"height", "of the picture [pixels]", std::to_string(picture.height)},
-                        {"view", "the direction it is seen from: \"+x\"", safe_text(picture.view)},
+                        {"view", "the direction it is seen from: \"+x\"", safe_text(picture.direction())},
                         {"has_file", "it is a file of its own in full size", !picture.file.empty()},
                         {"href", "link to that file", url_path(picture.file)}});
     }
@@ -62,6 +67,7 @@ json cell_view(const PictureOf& of, std::size_t p, std::size_t across) {
                     {"picture", "seen from three quarters; false: there is none", panel.pictures.empty() ? json(false) : of.view(p, 0)},
                     {"label", "what it shows", prose_view(panel.label)},
                     {"has_label", "it has one", !panel.label.empty()},
+                    {"bar", "its own colours: SVG; empty: those of the figure", of.bar(p)},
                     {"across", "columns of a matrix that it takes", std::to_string(across)}});
 }
 
@@ -79,24 +85,27 @@ int tenths(double width, double height, double highest) {
     return std::clamp(static_cast<int>(std::floor(10 * highest * width / height)), 2, 10);
 }
 
-/// A panel's large picture and, beside it, its six views in two lines; `columns` such blocks lie beside each other.
+/// A panel's large picture and, beside it, its six views: in two lines if it is alone, else in one. So wide that the views can be seen.
 json block_view(const PictureOf& of, std::size_t p) {
     const DrawnPanel& panel = of.drawn.panels[p];
-    const int columns = of.drawn.in_a_line;
-    double views_width = 0, views_height = 0;
+    const bool alone = of.drawn.panels.size() == 1, flat = panel.is_flat();
+    const std::size_t in_a_line = alone ? 3 : 6;
+    double width = panel.pictures[0].width, side = 0;
     json lines = json::array();
     for (std::size_t i = 1; i < panel.pictures.size(); ++i) {
-        if (i <= views_in_a_line) views_width += panel.pictures[i].width;
-        views_height = std::max<double>(views_height, panel.pictures[i].height);
-        if (i % views_in_a_line == 1) lines.push_back(view_of({{"views", "pictures of a line", json::array()}}));
+        if (i <= in_a_line) width += panel.pictures[i].width;
+        side = std::max<double>({side, double(panel.pictures[i].width), double(panel.pictures[i].height)});
+        if (i % in_a_line == 1) lines.push_back(view_of({{"views", "pictures of a line", json::array()}}));
         lines.back()["views"].push_back(of.view(p, i));
     }
-    const double width = panel.pictures[0].width + views_width, height = std::max<double>(panel.pictures[0].height, 2 * views_height);
-    const double highest = columns == 1 ? highest_lead : columns * highest_line;
+    const int share = flat ? (alone ? 4 : 9) : std::clamp(static_cast<int>(std::ceil(10 * least_view * width / side)), 2, 10);
     return view_of({{"lead", "the large picture", of.view(p, 0)},
                     {"label", "of the panel", prose_view(panel.label)},
-                    {"has_label", "it has one", of.drawn.panels.size() > 1 && !panel.label.empty()},
-                    {"tenths", "of the block's width that the pictures take", std::to_string(tenths(width, height, highest))},
+                    {"has_label", "it has one", (flat || !alone) && !panel.label.empty()},
+                    {"bar", "its own colours: SVG; empty: those of the figure", of.bar(p)},
+                    {"is_flat", "seen from its front alone; the next flat ones lie beside it", flat && !alone},
+                    {"is_further", "it shows the mesh of the block before", p % static_cast<std::size_t>(of.drawn.states) != 0},
+                    {"tenths", "of the block's width that the pictures take", std::to_string(share)},
                     {"view_lines", "its views, line by line", std::move(lines)}});
 }
 
@@ -151,7 +160,7 @@ void enter_pictures(json& view, const Figure& figure, const DrawnFigure& drawn, 
                  {"lines", "panels beside each other", has_blocks ? json::array() : lines_view(of)},
                  {"column_count", "of the lines, or blocks beside each other", std::to_string(std::max(1, drawn.in_a_line))},
                  {"tenths", "of the width that the lines take", std::to_string(tenths_of_lines(drawn))},
-                 {"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend) : ""},
+                 {"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend, figure.id) : ""},
                  {"has_legend", "there are colours", drawn.legend.has_value()},
                  {"has_row_heads", "of a matrix", !drawn.rows.empty()}});
     enter_list(view, "heads", "of the columns of a matrix", std::move(heads));
@@ -168,7 +177,7 @@ json cover_view(const Figure& figure, const ViewContext& context) {
                     {"has_size", "width and height are known", picture.width > 0 && picture.height > 0},
                     {"width", "of the picture [pixels]", std::to_string(picture.width)},
                     {"height", "of the picture [pixels]", std::to_string(picture.height)},
-                    {"legend", "what the colours mean: SVG", svg_of(*drawn.legend)}});
+                    {"legend", "what the colours mean: SVG", svg_of(*drawn.legend, "cover")}});
 }
 
 }   // namespace meshfolio::report

@@ -57,7 +57,8 @@ std::string PlotPanel::svg(bool with_y_numbers, bool with_line_labels) const {
         return svg + text_element({0.5 * (frame_.left + frame_.right), 0.5 * (frame_.top + frame_.bottom)}, "middle", "no data");
     for (const PlotCurve& curve : curves_) svg += band(curve);
     svg += vertical_lines();
-    for (const PlotCurve& curve : curves_) svg += drawn(curve);
+    for (const bool lines : {false, true})   // over the points
+        for (const PlotCurve& curve : curves_) svg += curve.look.has_line == lines ? drawn(curve) : "";
     return svg + labels(with_line_labels);
 }
 
@@ -134,7 +135,7 @@ std::string PlotPanel::grid(bool with_numbers) const {
     for (const Tick& tick : y_.ticks()) {
         const double y = at_y(tick.value);
         if (tick.label.empty()) {
-            svg += line_element({frame_.left - 3, y}, {frame_.left, y}, firm);
+            if (with_numbers) svg += line_element({frame_.left - 3, y}, {frame_.left, y}, firm);
             continue;
         }
         svg += line_element({frame_.left, y}, {frame_.right, y}, faint);
@@ -182,18 +183,16 @@ std::string PlotPanel::band(const PlotCurve& curve) const {
 std::string PlotPanel::drawn(const PlotCurve& curve) const {
     const Look& look = curve.look;
     std::string path, points;
-    std::size_t count = 0;
-    const auto runs = runs_of(*curve.series);
-    for (const Stretch& run : runs) count += run.size();
-    const std::size_t stride = curve.series->style == Series::Style::line_and_points ? 1 + count / 40 : 1;
-    std::size_t index = 0;
-    for (const Stretch& run : runs) {
+    const double least = look.has_line ? 16 : 0;   // pixels between points, so that they do not hide their line
+    const double size = !look.has_line && curve.series->x.size() > 60 ? 0.6 : 1;   // of a cloud of points
+    Point last{-1e9, 0};
+    for (const Stretch& run : runs_of(*curve.series)) {
         for (std::size_t k = 0; look.has_line && run.size() > 1 && k < run.size(); ++k)
             path += (k == 0 ? "M" : "L") + px(run[k].x) + " " + px(run[k].y);
         // A value between two gaps would leave no trace in a line.
         const bool all = look.has_points || run.size() == 1;
         for (const Point& p : run)
-            if (all && index++ % stride == 0) points += point_shape(p, look.pattern, look.color);
+            if (all && std::hypot(p.x - last.x, p.y - last.y) >= least) points += point_shape(last = p, look.pattern, look.color, size);
     }
     return (path.empty() ? "" : "<path d=\"" + path + "\" " + stroke_of(look) + "/>\n") + points;
 }

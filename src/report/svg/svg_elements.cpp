@@ -85,18 +85,22 @@ Look look_of(const Series& series, std::size_t place) {
             series.style != Series::Style::points, series.style == Series::Style::points || series.style == Series::Style::line_and_points};
 }
 
-std::string point_shape(Point p, int pattern, const std::string& color) {
-    const auto at = [&](double dx, double dy) { return px(p.x + dx) + " " + px(p.y + dy); };
+std::string point_shape(Point p, int pattern, const std::string& color, double size) {
+    const auto at = [&](double dx, double dy) { return px(p.x + size * dx) + " " + px(p.y + size * dy); };
     const std::string filled = "\" fill=\"" + color + "\"/>\n",
                       drawn = "\" fill=\"none\" stroke=\"" + color + "\" stroke-width=\"1.8\"/>\n";
-    if (pattern == 1)
-        return "<path d=\"M" + at(-3.3, -3.3) + "H" + px(p.x + 3.3) + "V" + px(p.y + 3.3) + "H" + px(p.x - 3.3) + "Z" + filled;
-    if (pattern == 2) return "<path d=\"M" + at(0, -4.4) + "L" + at(4.2, 3.2) + "L" + at(-4.2, 3.2) + "Z" + filled;
-    if (pattern == 3) return "<path d=\"M" + at(0, -4.6) + "L" + at(4.6, 0) + "L" + at(0, 4.6) + "L" + at(-4.6, 0) + "Z" + filled;
-    if (pattern == 4) return "<path d=\"M" + at(-3.4, -3.4) + "L" + at(3.4, 3.4) + "M" + at(-3.4, 3.4) + "L" + at(3.4, -3.4) + drawn;
-    if (pattern == 5) return "<path d=\"M" + at(-4.2, 0) + "L" + at(4.2, 0) + "M" + at(0, -4.2) + "L" + at(0, 4.2) + drawn;
-    if (pattern == 6) return "<path d=\"M" + at(0, 4.4) + "L" + at(4.2, -3.2) + "L" + at(-4.2, -3.2) + "Z" + filled;
-    return "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"3.6" + filled;
+    const auto polygon = [&](std::initializer_list<Point> corners) {
+        std::string path;
+        for (const Point& c : corners) path += (path.empty() ? "M" : "L") + at(c.x, c.y);
+        return "<path d=\"" + path + "Z" + filled;
+    };
+    if (pattern == 1) return polygon({{-2.6, -2.6}, {2.6, -2.6}, {2.6, 2.6}, {-2.6, 2.6}});
+    if (pattern == 2) return polygon({{0, -3.5}, {3.3, 2.6}, {-3.3, 2.6}});
+    if (pattern == 3) return polygon({{0, -3.7}, {3.7, 0}, {0, 3.7}, {-3.7, 0}});
+    if (pattern == 4) return "<path d=\"M" + at(-2.8, -2.8) + "L" + at(2.8, 2.8) + "M" + at(-2.8, 2.8) + "L" + at(2.8, -2.8) + drawn;
+    if (pattern == 5) return "<path d=\"M" + at(-3.3, 0) + "L" + at(3.3, 0) + "M" + at(0, -3.3) + "L" + at(0, 3.3) + drawn;
+    if (pattern == 6) return polygon({{0, 3.5}, {3.3, -2.6}, {-3.3, -2.6}});
+    return "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"" + px(2.9 * size) + filled;
 }
 
 void NameRows::add(const std::string& name, const std::function<std::string(Point)>& sample) {

@@ -42,7 +42,7 @@ struct Look {
 Look look_of(const Series& series, std::size_t place);
 
 /// Disc, square, triangle, diamond, cross, plus or triangle on its tip, for pattern 0 to 6.
-std::string point_shape(Point p, int pattern, const std::string& color);
+std::string point_shape(Point p, int pattern, const std::string& color, double size = 1);
 
 /// Names in rows above a drawing, each once and behind a sample.
 class NameRows {

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double legend_width = 336;   // [pixels]
 constexpr double first_colour = 24, last_colour = legend_width - 24, colours_height = 12, histogram_height = 24, tip_length = 9;
+constexpr double small_length = 96, small_gap = 12;   // of the bar of one panel, in the line of its label
 
 std::string legend_title(const Legend& legend) { return legend.quantity + (legend.unit.empty() ? "" : " [" + legend.unit + "]"); }
 
@@ -35,22 +36,23 @@ std::string legend_histogram(const std::vector<double>& shares, double bottom) {
     return "<path d=\"" + path + "V" + px(bottom) + "Z\" fill-opacity=\"0.25\"/>\n";
 }
 
-std::string legend_colours(const Legend& legend, double top) {
-    const double bottom = top + colours_height, middle = 0.5 * (top + bottom);
-    std::string svg = "<g shape-rendering=\"crispEdges\">\n";
-    const double step = (last_colour - first_colour) / static_cast<double>(legend.colours.size());
+/// The colours as a gradient between two tips, for values beyond the ends. @param name  of the gradient, unique in a page
+std::string legend_colours(const Legend& legend, const Box& box, const std::string& name) {
+    const double middle = 0.5 * (box.top + box.bottom);
+    std::string svg = "<linearGradient id=\"" + name + "\">";
     for (std::size_t i = 0; i < legend.colours.size(); ++i) {
-        const double left = first_colour + static_cast<double>(i) * step;
-        svg += rectangle_element({left, top, left + step, bottom}, "fill=\"" + xml_escape(safe_text(legend.colours[i])) + "\"");
+        const double offset = (static_cast<double>(i) + 0.5) / static_cast<double>(legend.colours.size());
+        svg += "<stop offset=\"" + plain_text(offset, 4) + "\" stop-color=\"" + xml_escape(safe_text(legend.colours[i])) + "\"/>";
     }
-    svg += "</g>\n" +
-           rectangle_element({first_colour, top, last_colour, bottom}, "fill=\"none\" stroke=\"currentColor\" stroke-opacity=\"0.4\"");
+    svg += "</linearGradient>\n" +
+           rectangle_element(box, "fill=\"url(#" + name + ")\" stroke=\"currentColor\" stroke-opacity=\"0.4\" stroke-width=\"0.6\"");
     const auto tip_of = [&](double base, double out, const std::string& colour) {
-        return "<path d=\"M" + px(base) + " " + px(top) + "L" + px(base + out) + " " + px(middle) + "L" + px(base) + " " + px(bottom) +
-               "\" fill=\"" + xml_escape(safe_text(colour)) + "\" stroke=\"currentColor\" stroke-opacity=\"0.4\"/>\n";
+        return "<path d=\"M" + px(base) + " " + px(box.top) + "L" + px(base + out) + " " + px(middle) + "L" + px(base) + " " +
+               px(box.bottom) + "\" fill=\"" + xml_escape(safe_text(colour)) +
+               "\" stroke=\"currentColor\" stroke-opacity=\"0.4\" stroke-width=\"0.6\"/>\n";
     };
-    if (legend.clipped_below > 0) svg += tip_of(first_colour, -tip_length, legend.colours.front());
-    if (legend.clipped_above > 0) svg += tip_of(last_colour, tip_length, legend.colours.back());
+    if (legend.clipped_below > 0) svg += tip_of(box.left, -tip_length, legend.colours.front());
+    if (legend.clipped_above > 0) svg += tip_of(box.right, tip_length, legend.colours.back());
     return svg;
 }
 
@@ -87,26 +89,48 @@ std::string legend_notes(const Legend& legend, double baseline) {
     return svg;
 }
 
-}   // namespace
+/// The frame of both kinds of legend around `body`.
+std::string legend_svg(const Legend& legend, const char* kind, double width, double height, const std::string& body) {
+    const std::string size = px(width), rows = px(height);
+    return std::string("<svg class=\"") + kind + "\" xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" height=\"" + rows +
+           "\" viewBox=\"0 0 " + size + " " + rows + "\" role=\"img\" aria-label=\"" +
+           xml_escape(safe_text("Colours: " + legend_title(legend) + " from " + readable(legend.low) + " to " + readable(legend.high))) +
+           "\" fill=\"currentColor\" font-family=\"" + font_family + "\" font-size=\"" + px(font_size) + "\">\n" + body + "</svg>";
+}
 
-std::string svg_of(const Legend& legend) {
-    if (legend.colours.empty() || !std::isfinite(legend.low) || !std::isfinite(legend.high)) return "";
+/// Of one panel, in a line: its ends with their unit, and the share beyond.
+std::string small_bar(const Legend& legend, const std::string& id) {
+    const std::string low = readable(legend.low, 3);
+    const double beyond = legend.clipped_below + legend.clipped_above;
+    const std::string high =
+        readable(legend.high, 3) + (legend.unit.empty() ? "" : " " + legend.unit) + (beyond > 0 ? ", " + share_of(beyond) + " beyond" : "");
+    const Box box{text_width(low) + small_gap, 4, text_width(low) + small_gap + small_length, 4 + colours_height};
+    return legend_svg(legend, "legend small", box.right + small_gap + text_width(high), 20,
+                      legend_colours(legend, box, id) + text_element({box.left - small_gap, 14.5}, "end", low) +
+                          text_element({box.right + small_gap, 14.5}, "start", high));
+}
+
+std::string large_bar(const Legend& legend, const std::string& id) {
     Point below{legend_width / 2, 13};
     std::string body = title_element(below, "middle", legend_title(legend), 1.15 * legend_width);
     double y = below.y - 8;
     const std::string histogram = legend_histogram(legend.histogram, y + histogram_height);
     if (!histogram.empty()) y += histogram_height + 1;
-    body += histogram + legend_colours(legend, y);
+    body += histogram + legend_colours(legend, {first_colour, y, last_colour, y + colours_height}, id);
     y += colours_height;
     body += legend_ticks(legend, y);
     y += 21;
     const std::string notes = legend_notes(legend, y + 14);
     if (!notes.empty()) y += 18;
-    const std::string width = px(legend_width), height = px(y + 2);
-    return "<svg class=\"legend\" xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height + "\" viewBox=\"0 0 " +
-           width + " " + height + "\" role=\"img\" aria-label=\"" +
-           xml_escape(safe_text("Colours: " + legend_title(legend) + " from " + readable(legend.low) + " to " + readable(legend.high))) +
-           "\" fill=\"currentColor\" font-family=\"" + font_family + "\" font-size=\"" + px(font_size) + "\">\n" + body + notes + "</svg>";
+    return legend_svg(legend, "legend", legend_width, y + 2, body + notes);
+}
+
+}   // namespace
+
+std::string svg_of(const Legend& legend, const std::string& name, bool small) {
+    if (legend.colours.empty() || !std::isfinite(legend.low) || !std::isfinite(legend.high)) return "";
+    const std::string id = xml_escape(safe_text(name)) + "-colours";
+    return small ? small_bar(legend, id) : large_bar(legend, id);
 }
 
 }   // namespace meshfolio::report

@@ -88,7 +88,7 @@ std::string picture_of(const ItemMark& mark) {
     sheet.title = mark.item->title;
     for (const render::View& view : render::six_views) sheet.view_names.emplace_back(view.name);
     sheet.pictures = output::drawn_views(output::surface_of(*mesh, &mark.difference), render::six_views, draw);
-    sheet.color_bar = output::color_bar_of(range, !mark.difference.array().isFinite().all(), draw.undefined_color);
+    sheet.color_bar = output::color_bar_of(range, !mark.difference.array().isFinite().all(), draw);
     constexpr int quality = 85;
     return render::encode_jpeg(render::compose(sheet), quality);
 }

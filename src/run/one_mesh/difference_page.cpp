@@ -21,7 +21,8 @@ using namespace report::literals;
 namespace {
 
 constexpr report::Words words("compare");
-constexpr int view_side = 280, jpeg_quality = 85;   // pixels of a view
+constexpr int view_side = 340, jpeg_quality = 85;   // pixels of a view
+constexpr double text_size = 26;                    // a page shows the picture at half its size
 
 std::string name_of(const PreparedMesh& prepared) { return report::safe_text(std::filesystem::path(prepared.file).filename().string()); }
 
@@ -31,6 +32,7 @@ std::string pictures(const PreparedMesh& a, const PreparedMesh& b, const Surface
                 of_b = distance_field(distances.b_to_a.of_vertices, diagonal);
     PictureRequest request{.views = views_named(""), .colormap = "pale", .title = name_of(a) + ", " + name_of(b)};
     request.draw.width = request.draw.height = view_side;
+    request.em = text_size;
     return render::encode_jpeg(render::compose(draw_pair({a, of_a}, {b, of_b}, request).sheet), jpeg_quality);
 }
 

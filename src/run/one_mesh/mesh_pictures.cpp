@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <span>
 
@@ -9,6 +10,8 @@
 #include "base/in_quotes.h"
 #include "base/joined.h"
 #include "base/nearest_word.h"
+#include "base/number_text.h"
+#include "geometry/operators/vertex_areas.h"
 #include "mesh/io/polygon_list.h"
 #include "output/draw/figure_request.h"
 #include "output/draw/surface_of.h"
@@ -19,6 +22,7 @@ namespace meshfolio::run {
 
 namespace {
 
+constexpr double densest_lines = 4, densest_edges = 3;       // pixels apart, and long
 constexpr int largest_cell = 2048;                           // of a labelled sheet: to be looked at, not measured
 constexpr double narrowest_range = 1 / largest_coordinate;   // where numbers on a colour bar end
 
@@ -40,7 +44,50 @@ output::ColorRange color_range(const PictureRequest& request, const std::vector<
 }
 
 std::string counts_of(const PreparedMesh& prepared) {
-    return std::to_string(prepared.preflight.vertices_in_use) + " vertices, " + std::to_string(prepared.preflight.triangles) + " triangles";
+    return readable_count(prepared.preflight.vertices_in_use) + " vertices, " + readable_count(prepared.preflight.triangles) + " triangles";
+}
+
+/// Pixels of a unit of length in views along an axis, which share a frame.
+double scale_of(const PreparedMesh& prepared, const render::DrawOptions& draw) {
+    return draw.frame ? draw.frame->pixels_per_unit
+                      : render::frame_of(output::bounds_of(prepared.mesh), draw.width, draw.height, draw.fill).pixels_per_unit;
+}
+
+/// Edges closer than a few pixels are no longer lines but a grey veil: they are left out, and the words say so.
+std::string without_dense_edges(const PreparedMesh& prepared, render::DrawOptions& draw) {
+    const double length = draw.edges ? prepared.preflight.mean_edge * scale_of(prepared, draw) : INFINITY;
+    if (length >= densest_edges) return "";
+    draw.edges = false;
+    return "; edges left out, as they would be " + readable(length, 2) + " pixels long";
+}
+
+/// @throws UsageError if isolines would hide the colours between them
+void refuse_dense_isolines(const PreparedMesh& prepared, const Field& field, const render::DrawOptions& draw) {
+    if (draw.isoline_spacing <= 0 || field.values.size() == 0) return;
+    const TriangleMesh& mesh = prepared.mesh;
+    std::vector<double> slopes;
+    for (const auto& t : mesh.F.rowwise()) {
+        const Vector3 a = mesh.X.row(t[0]), b = mesh.X.row(t[1]), c = mesh.X.row(t[2]), normal = (b - a).cross(c - a);
+        const Vector3 turned = field.values[t[0]] * (c - b) + field.values[t[1]] * (a - c) + field.values[t[2]] * (b - a);
+        if (const double slope = turned.norm() / normal.norm(); std::isfinite(slope)) slopes.push_back(slope);
+    }
+    if (slopes.empty()) return;
+    const auto median = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
+    std::ranges::nth_element(slopes, median);
+    const double apart = draw.isoline_spacing * scale_of(prepared, draw) / *median;   // [pixels]
+    if (apart < densest_lines)
+        throw UsageError(
+            "isolines every " + plain_text(draw.isoline_spacing) + " would be " + readable(apart, 2) + " pixels apart",
+            "take " + plain_text(rounded_up(draw.isoline_spacing * densest_lines / apart, 1)) + " or more, or larger pictures");
+}
+
+/// "rms 0.12 1/length", over the area.
+std::string rms_of(const PreparedMesh& prepared, const Field& field) {
+    const Vector areas = vertex_areas(prepared.mesh, AreaForm::barycentric);
+    double sum = 0, area = 0;
+    for (int i = 0; i < field.values.size(); ++i)
+        if (std::isfinite(field.values[i])) sum += areas[i] * field.values[i] * field.values[i], area += areas[i];
+    return "rms " + readable(std::sqrt(sum / area)) + (field.unit.empty() ? "" : " " + field.unit);
 }
 
 /// What the sheets of one mesh and of two have in common.
@@ -49,11 +96,12 @@ MeshPictures sheet_for(const PictureRequest& request, const std::vector<output::
     render::ContactSheet& sheet = drawn.sheet;
     sheet.background = request.draw.background;
     sheet.title = request.title;
+    sheet.em = request.em;
     if (std::max(request.draw.width, request.draw.height) > largest_cell) sheet.cell = largest_cell;
     if (field.values.size() == 0) return drawn;
     drawn.range = color_range(request, panels, field);
     const bool has_undefined = std::ranges::any_of(panels, [](const output::Panel& panel) { return panel.values.array().isNaN().any(); });
-    sheet.color_bar = output::color_bar_of(*drawn.range, has_undefined, request.draw.undefined_color);
+    sheet.color_bar = output::color_bar_of(*drawn.range, has_undefined, request.draw);
     return drawn;
 }
 
@@ -129,8 +177,10 @@ std::pair<double, double> value_limits(double low, double high, const std::strin
 
 MeshPictures draw_pictures(const PreparedMesh& prepared, const Field& field, const PictureRequest& request) {
     MeshPictures drawn = sheet_for(request, {panel_of(prepared, field)}, field);
-    drawn.sheet.pictures = pictures_of(prepared, field, drawn, request.draw, directed(request.views, prepared.mesh));
-    drawn.sheet.subtitle = counts_of(prepared);
+    refuse_dense_isolines(prepared, field, request.draw);
+    render::DrawOptions draw = request.draw;
+    drawn.sheet.subtitle = counts_of(prepared) + without_dense_edges(prepared, draw);
+    drawn.sheet.pictures = pictures_of(prepared, field, drawn, draw, directed(request.views, prepared.mesh));
     for (const render::View& view : request.views) drawn.sheet.view_names.emplace_back(view.name);
     return drawn;
 }
@@ -140,12 +190,17 @@ MeshPictures draw_pair(const PairedMesh& left, const PairedMesh& right, const Pi
     both.is_signed = left.field.is_signed || right.field.is_signed;
     both.floor = std::max(left.field.floor, right.field.floor);
     MeshPictures drawn = sheet_for(request, {panel_of(left.prepared, left.field), panel_of(right.prepared, right.field)}, both);
-    drawn.sheet.subtitle = "left: " + counts_of(left.prepared) + "; right: " + counts_of(right.prepared);
     drawn.sheet.columns = request.views.size() > 1 ? 4 : 2;
+    for (const auto& [letter, one] : {std::pair{"A", &left}, std::pair{"B", &right}}) {
+        refuse_dense_isolines(one->prepared, one->field, request.draw);
+        drawn.sheet.heads.push_back(letter + (": " + std::filesystem::path(one->prepared.file).filename().string()));
+        drawn.sheet.subheads.push_back(one->field.values.size() == 0 ? counts_of(one->prepared) : rms_of(one->prepared, one->field));
+    }
     const TriangleMesh whole = joined(left.prepared.mesh, right.prepared.mesh);
     for (const render::View& view : directed(request.views, left.prepared.mesh)) {
         render::DrawOptions draw = request.draw;
         draw.frame = frame_of(whole, view, draw);
+        without_dense_edges(left.prepared, draw);
         for (const PairedMesh* one : {&left, &right}) {
             drawn.sheet.pictures.push_back(pictures_of(one->prepared, one->field, drawn, draw, std::span(&view, 1)).front());
             drawn.sheet.view_names.emplace_back(view.name);

@@ -23,6 +23,7 @@ struct PictureRequest {
     std::string colormap = {};                             // empty: diverging for signed values, viridis for others
     std::optional<std::pair<double, double>> range = {};   // of the colours; nothing: robust
     std::string title = {};                                // of the sheet
+    double em = 0;                                         // its text size [pixels]; 0: by its width
 };
 
 struct MeshPictures {

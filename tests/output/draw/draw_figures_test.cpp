@@ -87,15 +87,55 @@ TEST(DrawFigures, WhatThePictureWouldCutOffIsScaledAboutItsMiddleUntilItFits) {
     EXPECT_NEAR((fitted.X.row(5) - fitted.X.row(9)).norm(), fitted.scale * (spiked.row(5) - spiked.row(9)).norm(), 1e-12);
 }
 
-// In percent of a range of its own, values of one mesh are not those of another.
-TEST(DrawFigures, RelativeValuesHaveNoHistogram) {
+// Every colour can be read as a number: in a bar for the figure, or in one for each panel that has a range of its own.
+TEST(DrawFigures, TheEndsOfEveryBarAreTheRangeOfItsColours) {
     const TemporaryFolder folder;
     std::vector<FigureRequest> figures = requests();
-    figures[1].range->relative = true;
+    FigureRequest& own = figures[1];
+    for (Panel& panel : own.panels) {
+        panel.values = panel.mesh->X.col(2) * (panel.name == "q5_cube_a" ? 1 : 1000);
+        panel.range = robust_range({panel}, "diverging", "z", "length", 0);
+    }
+    own.range.reset();
     const auto drawn = draw_figures(figures, folder.path(), small_pictures);
-    EXPECT_FALSE(drawn.at("q1_ball_h").legend->histogram.empty());
-    EXPECT_TRUE(drawn.at("q5_cube").legend->histogram.empty());
-    EXPECT_FALSE(drawn.at("q5_cube").legend->colours.empty());
+    const auto expect_bar = [](const std::optional<report::Legend>& legend, const ColorRange& range) {
+        ASSERT_TRUE(legend);
+        EXPECT_EQ(legend->low, range.low);
+        EXPECT_EQ(legend->high, range.high);
+        EXPECT_EQ(legend->unit, range.unit);
+        EXPECT_FALSE(legend->colours.empty());
+    };
+    expect_bar(drawn.at("q1_ball_h").legend, *figures[0].range);
+    EXPECT_FALSE(drawn.at("q5_cube").legend);
+    for (std::size_t p = 0; p < 2; ++p) expect_bar(drawn.at("q5_cube").panels[p].legend, *own.panels[p].range);
+    EXPECT_GT(drawn.at("q5_cube").panels[1].legend->high, 100 * drawn.at("q5_cube").panels[0].legend->high);
+    const auto jpeg_of = [&](std::size_t p) { return drawn.at("q5_cube").panels[p].pictures[0].jpeg; };
+    EXPECT_NE(jpeg_of(0), jpeg_of(1)) << "the cubes differ in size";
+}
+
+TEST(DrawFigures, TheSamePictureWithAThousandfoldRangeIsTheSame) {
+    std::vector<FigureRequest> figures(1, requests()[0]);
+    figures[0].range.reset();
+    const auto jpeg_with = [&](double factor) {
+        const TemporaryFolder folder;
+        Panel& panel = figures[0].panels[0];
+        panel.values = factor * panel.mesh->X.col(2);
+        panel.range = robust_range({panel}, "diverging", "z", "", 0);
+        return draw_figures(figures, folder.path(), small_pictures).at("q1_ball_h").panels[0].pictures[0].jpeg;
+    };
+    EXPECT_EQ(jpeg_with(1), jpeg_with(1024));
+}
+
+TEST(DrawFigures, WithinAPairTheGapIsSmallerThanBetweenPairs) {
+    const TemporaryFolder folder;
+    FigureRequest request{"q5_pairs", "Pairs", "", {}, {}};
+    for (const char* name : {"a", "b", "c", "d"}) request.panels.push_back(panel_of(icosphere(1), name, false));
+    request.states = 2;
+    const auto drawn = draw_figures(std::vector{request}, folder.path(), small_pictures).at("q5_pairs");
+    const auto top = [&](std::size_t p) { return drawn.panels[p].pictures[0].top; };
+    EXPECT_EQ(drawn.states, 2);
+    EXPECT_LT(top(1) - top(0), top(2) - top(1));
+    EXPECT_EQ(top(3) - top(2), top(1) - top(0));
 }
 
 TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {
@@ -325,12 +365,43 @@ TEST(DrawFigures, ViewsAreCutToWhatIsSeenAtOneScale) {
     }
 }
 
-TEST(DrawFigures, AFlatMeshIsSlimFromTheSideAndStillAPicture) {
-    TriangleMesh plate = cube_mesh(1);
-    plate.X.col(2) *= 1e-9;
-    const auto views = views_of(plate);
-    EXPECT_EQ(views.at("+z").width, views.at("+z").height);
-    EXPECT_NEAR(views.at("+x").width, 0.12 * views.at("+x").height, 1);
+// From the side it would be a hairline.
+TEST(DrawFigures, AFlatMeshIsSeenFromItsFrontAloneWhichIsSaid) {
+    const auto flat_along = [](int axis) {
+        TriangleMesh sheet = grid_mesh(4, 4, 1, 1);   // in the plane of x and y, seen from +z
+        if (axis != 2) sheet.X.col(axis).swap(sheet.X.col(2));
+        return sheet;
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        const TemporaryFolder folder;
+        const FigureRequest request{
+            "q1_flat", "", "", {panel_of(flat_along(axis), "q1_sheet", false), panel_of(icosphere(1), "q1_ball", false)}, {}};
+        const auto drawn = draw_figures(std::vector{request}, folder.path(), small_pictures).at("q1_flat");
+        ASSERT_EQ(drawn.panels[0].pictures.size(), 1u);
+        const report::DrawnPicture& front = drawn.panels[0].pictures[0];
+        const std::string side = axis == 2 ? "+z" : axis == 1 ? "-y" : "-x";   // a swap of axes mirrors it
+        EXPECT_EQ(front.view, side);
+        EXPECT_NE(drawn.panels[0].label.find("seen from " + front.direction() + "; its other views are edge-on"), std::string::npos);
+        EXPECT_NE(front.file.find("_" + side + ".png"), std::string::npos) << front.file;
+        EXPECT_EQ(drawn.panels[1].pictures.size(), 7u);
+        EXPECT_EQ(drawn.panels[1].label, "q1_ball");
+    }
+}
+
+// Of a thin but not flat mesh no view is blank either.
+TEST(DrawFigures, NoPictureIsBlank) {
+    const TemporaryFolder folder;
+    TriangleMesh thin = icosphere(2);
+    thin.X.col(2) *= 0.02;
+    const FigureRequest request{
+        "q1_thin", "", "", {panel_of(thin, "q1_disc", false), panel_of(grid_mesh(4, 4, 1, 1), "q1_sheet", false)}, {}};
+    const auto drawn = draw_figures(std::vector{request}, folder.path(), {.view_files = true}).at("q1_thin");
+    const auto sheet = render::decode_png(read_file(folder.path() / drawn.sheet));
+    for (const report::DrawnPicture& picture : pictures_of(drawn)) {
+        const render::Image part = part_of(*sheet, picture.left, picture.top, picture.width, picture.height);
+        const auto covered = std::ranges::count_if(part.pixels, [](render::Rgba p) { return p != render::Rgba{255, 255, 255, 255}; });
+        EXPECT_GT(static_cast<double>(covered), 0.05 * static_cast<double>(part.pixels.size())) << picture.view;
+    }
 }
 
 // ---- matrices -------------------------------------------------------------------------------------------------------------

@@ -153,7 +153,7 @@ TEST(Histogram, OfTheSampleEqualsThatOfAllValues) {
     for (const auto& [low, high] : {std::pair{range.low, range.high}, {-0.2, 0.7}}) {
         range.low = low, range.high = high;   // as --range does
         const std::vector<double> all = histogram(finite_values({p}), low, high);
-        const std::vector<double> shown = color_bar_of(range, false, {}).histogram;
+        const std::vector<double> shown = color_bar_of(range, false, render::DrawOptions()).histogram;
         ASSERT_EQ(shown.size(), all.size());
         const double highest = *std::max_element(all.begin(), all.end());
         for (std::size_t i = 0; i < all.size(); ++i) EXPECT_NEAR(shown[i], all[i], 0.01 * highest + 1.0 / 8192) << i;

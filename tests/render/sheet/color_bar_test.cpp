@@ -92,8 +92,8 @@ TEST(ColorBar, EachBinStandsOverItsValuesWithTheRootOfItsShare) {
     };
     EXPECT_GT(height_over(2.5 / 8), 20);
     EXPECT_NEAR(height_over(6.5 / 8), 0.2 * height_over(2.5 / 8), 3);
-    EXPECT_NEAR(height_over(2 / 8.0), 0.5 * height_over(2.5 / 8), 3);
-    for (const double t : {0.1, 0.45, 0.7, 0.99}) EXPECT_LE(height_over(t), 3) << t;
+    for (const double t : {2.05, 2.95}) EXPECT_NEAR(height_over(t / 8), height_over(2.5 / 8), 1) << "a column, and no triangle";
+    for (const double t : {1.95 / 8, 3.05 / 8, 0.1, 0.45, 0.7, 0.99}) EXPECT_LE(height_over(t), 3) << t;
 }
 
 TEST(ColorBar, AMirroredHistogramIsDrawnMirrored) {
@@ -108,6 +108,43 @@ TEST(ColorBar, AMirroredHistogramIsDrawnMirrored) {
         for (int x = colors.x0 + 2; x < 700 - colors.x0 - 2; ++x)
             largest = std::max(largest, std::abs(image.at(x, y).r - mirrored.at(699 - x, y).r));
     EXPECT_LE(largest, 1);
+}
+
+TEST(ColorBar, IsolinesAreInTheBarWhereTheyAreInThePictures) {
+    render::ColorBar bar{{&render::colormap_named("viridis"), -1, 1}, "H", ""};
+    const Rgba ink{34, 34, 40, 255};
+    const int without = box_of(bar_image(bar, 700), ink).count;
+    bar.isoline_spacing = 0.5;
+    const int three = box_of(bar_image(bar, 700), ink).count - without;   // −0.5, 0, 0.5: the ends are edges
+    bar.isoline_spacing = 2;
+    const int one = box_of(bar_image(bar, 700), ink).count - without;
+    EXPECT_GT(one, 8);
+    EXPECT_EQ(three, 3 * one);
+}
+
+// In the line of a label: the ends in their unit, with the colours between them.
+TEST(SmallBar, ShowsTheWholeMapAndIsAsWideAsItSays) {
+    render::ColorBar bar{{&render::colormap_named("diverging"), -7.21, 7.21}, "H", "% of h̄"};
+    Image image(600, 40);
+    render::draw_small_bar(image, bar, 10, 20, 16, {0, 0, 0, 255});
+    const Box low = box_of(image, render::color_at(*bar.range.colormap, 0.5 / 112)), all = box_of(image, white);
+    EXPECT_GT(low.count, 5);
+    EXPECT_GT(low.x0, 10 + 20) << "its low end is a number";
+    int last = 0;
+    for (int x = 0; x < image.width; ++x)
+        for (int y = 0; y < image.height; ++y)
+            if (image.at(x, y) != white) last = x;
+    EXPECT_NEAR(last, 10 + render::small_bar_width(bar, 16), 3);
+    EXPECT_EQ(all.x0, 0);
+    const double without = render::small_bar_width(bar, 16);
+    bar.clipped_above = 0.03;
+    EXPECT_GT(render::small_bar_width(bar, 16), without) << "the share beyond is said";
+}
+
+TEST(NumberText, HasThreeDigitsAtMost) {
+    for (const auto& [x, text] : {std::pair{7.2135, "7.21"}, {-7.2, "\u22127.2"}, {0.0, "0"}, {0.05, "0.05"}, {12345.0, "12\u202f300"}})
+        EXPECT_EQ(render::number_text(x), text);
+    EXPECT_EQ(render::number_text(2.5e-7), "2.5\u202f×\u202f10⁻⁷");
 }
 
 TEST(ColorBar, NarrowBarsAndStrangeRangesAreDrawn) {
@@ -188,7 +225,7 @@ TEST(TickLabels, SmallAndLargeNumbersShareAPowerOfTen) {
     EXPECT_EQ(small.text, (std::vector<std::string>{"0.0", "0.5", "1.0", "1.5"}));
     EXPECT_EQ(render::tick_labels({1e30, 2e30}).power, "10³⁰");
     EXPECT_EQ(render::tick_labels({1000, 2000}).power, "");
-    EXPECT_EQ(render::tick_labels({0, 20000, 40000}).text.back(), "40000") << "below 100 000 in plain";
+    EXPECT_EQ(render::tick_labels({0, 20000, 40000}).text.back(), "40\u202f000") << "below 100 000 in plain";
     EXPECT_EQ(render::tick_labels({0, 100000}).power, "10⁵");
     EXPECT_EQ(render::tick_labels({0, 0.001}).power, "") << "from a thousandth in plain";
     EXPECT_EQ(render::tick_labels({0, 0.0005}).power, "10⁻⁴");

@@ -65,6 +65,20 @@ TEST(ContactSheet, StandsInLinesOfAsManyAsAreAskedFor) {
     }
 }
 
+// A and B of one view are a pair: half the gap within, one name below.
+TEST(ContactSheet, PicturesOfOneViewStandNearerToEachOther) {
+    ContactSheet sheet = sheet_of(60, 50);
+    sheet.columns = 4;
+    const Image plain = render::compose(sheet);
+    sheet.heads = {"A", "B"};
+    const Image image = render::compose(sheet);
+    const auto gap = [&](std::size_t left) { return box_of(image, paints[left + 1]).x0 - box_of(image, paints[left]).x1; };
+    EXPECT_LE(2 * gap(0), gap(1));
+    EXPECT_EQ(gap(2), gap(0));
+    EXPECT_GT(box_of(image, paints[0]).y0, box_of(plain, paints[0]).y0) << "the heads stand above";
+    for (const Rgba paint : paints) EXPECT_TRUE(box_of(image, paint).is_full(60, 50));
+}
+
 TEST(ContactSheet, SixViewsAreOrderedByTheirNames) {
     ContactSheet sheet = sheet_of(100, 100);
     sheet.view_names = {"-z", "+z", "-y", "+y", "-x", "+x"};

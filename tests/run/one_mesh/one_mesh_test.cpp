@@ -69,6 +69,31 @@ TEST(OneMesh, MeshesWithOtherTrianglesAreComparedAsSurfaces) {
     EXPECT_FALSE(difference_of({a.X, Faces(0, 3)}, {a.X, Faces(0, 3)}).distances.has_value());
 }
 
+TEST(OneMesh, IsolinesThatWouldHideTheColoursAreRefused) {
+    const PreparedMesh mesh = prepared_tetrahedron();
+    const Field field = field_of(mesh, "x");
+    const double width = field.values.maxCoeff() - field.values.minCoeff();
+    PictureRequest request{.views = views_named("+z")};
+    request.draw.width = request.draw.height = 200;
+    request.draw.isoline_spacing = width / 10;   // some 18 pixels
+    const MeshPictures drawn = draw_pictures(mesh, field, request);
+    EXPECT_NE(drawn.sheet.color_bar->quantity.find("a line every "), std::string::npos) << drawn.sheet.color_bar->quantity;
+    request.draw.isoline_spacing = width / 100;
+    EXPECT_THROW(draw_pictures(mesh, field, request), UsageError);
+}
+
+TEST(OneMesh, EdgesThatWouldBeAVeilAreLeftOutAndThatIsSaid) {
+    const PreparedMesh mesh = prepared_tetrahedron();
+    PictureRequest request{.views = views_named("+z")};
+    request.draw.edges = true;
+    const auto subtitle_at = [&](int side) {
+        request.draw.width = request.draw.height = side;
+        return draw_pictures(mesh, {}, request).sheet.subtitle;
+    };
+    EXPECT_EQ(subtitle_at(100).find("edges left out"), std::string::npos);
+    EXPECT_NE(subtitle_at(2).find("edges left out"), std::string::npos) << subtitle_at(2);
+}
+
 // The half-sized copy beside the mesh is as small as it is, and has the colours of the common range.
 TEST(OneMesh, APairIsDrawnAtOneScaleAndInOneColourRange) {
     const PreparedMesh whole = prepared_tetrahedron(), half = prepare_mesh({moved_to(whole.mesh, 0.5 * whole.mesh.X), "half.obj", {}, {}});
@@ -85,6 +110,8 @@ TEST(OneMesh, APairIsDrawnAtOneScaleAndInOneColourRange) {
         EXPECT_EQ(covered(pair.sheet.pictures[2 * view]), covered(alone.sheet.pictures[view]));
         EXPECT_NEAR(static_cast<double>(covered(pair.sheet.pictures[2 * view + 1])), covered(pair.sheet.pictures[2 * view]) / 4.0, 40);
     }
+    EXPECT_EQ(pair.sheet.heads, (std::vector<std::string>{"A: " + whole.file, "B: half.obj"}));
+    EXPECT_EQ(pair.sheet.subheads.size(), 2U) << "the rms of each";
     EXPECT_EQ(pair.range->sample.size(), 8U);
     EXPECT_GT(render::compose(pair.sheet).width, 4 * 60);
 }
