@@ -103,7 +103,7 @@ std::string svg_of(const Map& map);
 std::string svg_of(const Diagram& diagram);
 /// What the colours of a figure mean, in a fixed size, so that its words are as large on a phone as on paper: the quantity with its unit,
 /// the histogram of the values over their colours, numbers, and what lies beyond the colours.
-std::string svg_of(const Legend& legend, const std::string& name, bool small = false);
+std::string svg_of(const Legend& legend, bool small = false);
 
 /// The same as a file of its own, which Markdown cannot hold inline: on white, as there is no page to take a colour from.
 std::string svg_on_white(std::string svg);

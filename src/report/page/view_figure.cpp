@@ -45,7 +45,7 @@ struct PictureOf {
     /// The small bar of a panel with colours of its own.
     std::string bar(std::size_t p) const {
         const std::optional<Legend>& legend = drawn.panels[p].legend;
-        return legend ? svg_of(*legend, figure.id + "-" + std::to_string(p + 1), true) : "";
+        return legend ? svg_of(*legend, true) : "";
     }
 
     json view(std::size_t p, std::size_t i) const {
@@ -160,7 +160,7 @@ void enter_pictures(json& view, const Figure& figure, const DrawnFigure& drawn, 
                  {"lines", "panels beside each other", has_blocks ? json::array() : lines_view(of)},
                  {"column_count", "of the lines, or blocks beside each other", std::to_string(std::max(1, drawn.in_a_line))},
                  {"tenths", "of the width that the lines take", std::to_string(tenths_of_lines(drawn))},
-                 {"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend, figure.id) : ""},
+                 {"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend) : ""},
                  {"has_legend", "there are colours", drawn.legend.has_value()},
                  {"has_row_heads", "of a matrix", !drawn.rows.empty()}});
     enter_list(view, "heads", "of the columns of a matrix", std::move(heads));
