@@ -133,35 +133,30 @@ void draw_notes(Image& image, const ColorBar& bar, const BarBox& e, double em, R
     if (bar.clipped_above > 0) draw_text(image, e.x1, baseline, fit_text(share_text(bar.clipped_above) + " above", third, style), style);
 }
 
-/// What stands at both ends of a small bar.
-struct SmallBar {
-    explicit SmallBar(const ColorBar& bar) {
-        const double beyond = bar.clipped_below + bar.clipped_above;
-        low = number_text(bar.range.low);
-        high = number_text(bar.range.high) + (bar.unit.empty() ? "" : "\u00a0" + bar.unit) +
-               (beyond > 0 ? ", " + share_text(beyond) + " beyond" : "");
-    }
-    std::string low, high;
-};
+/// What stands at the ends of a small bar: "7.2 % of h", "20/length²".
+std::string low_end(const ColorBar& bar) { return number_text(bar.range.low); }
+std::string high_end(const ColorBar& bar) {
+    const double beyond = bar.clipped_below + bar.clipped_above;
+    const std::string unit = bar.unit.starts_with("1/") ? bar.unit.substr(1) : bar.unit.empty() ? "" : "\u00a0" + bar.unit;
+    return number_text(bar.range.high) + unit + (beyond > 0 ? ", " + share_text(beyond) + " beyond" : "");
+}
 
 constexpr double small_bar = 7, small_gap = 0.9;   // in em: the colours, and what is free beside them, also for the tips
 
 }   // namespace
 
 double small_bar_width(const ColorBar& bar, double em) {
-    const SmallBar words(bar);
-    return text_width(words.low, {em}) + text_width(words.high, {em}) + (small_bar + 2 * small_gap) * em;
+    return text_width(low_end(bar), {em}) + text_width(high_end(bar), {em}) + (small_bar + 2 * small_gap) * em;
 }
 
 void draw_small_bar(Image& image, const ColorBar& bar, double left, double middle, double em, Rgba ink) {
-    const SmallBar words(bar);
     const TextStyle style{em, ink};
     const double baseline = middle + 0.27 * em;
-    draw_text(image, left, baseline, words.low, style);
-    const int x0 = rounded(left + text_width(words.low, style) + small_gap * em), x1 = x0 + rounded(small_bar * em);
+    const int x0 = rounded(left + text_width(low_end(bar), style) + small_gap * em), x1 = x0 + rounded(small_bar * em);
     const int half = rounded(0.34 * em), row = rounded(middle);
+    draw_text(image, left, baseline, low_end(bar), style);
     draw_colors(image, bar, {x0, x1, row - half, row + half});
-    draw_text(image, x1 + small_gap * em, baseline, words.high, style);
+    draw_text(image, x1 + small_gap * em, baseline, high_end(bar), style);
 }
 
 int color_bar_height(const ColorBar& bar, double em) {

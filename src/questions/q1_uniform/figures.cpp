@@ -114,7 +114,7 @@ struct Shown {
 std::array<Shown, 2> H_and_K_of(const MeshCurvature& c) {
     const double area = c.subject.diagonal * c.subject.diagonal;
     return {{{"h", "½‖Δx‖ (signed)", "% of h̄", 100 / c.subject.mean_edge * c.length, 0.1, 100 * visible},
-             {"k", "K", "/length²", c.K, 0.1 / area, 0.01 / area}}};
+             {"k", "K", "1/length²", c.K, 0.1 / area, 0.01 / area}}};
 }
 
 output::Panel panel_of(const Shown& shown, const MeshCurvature& c) {

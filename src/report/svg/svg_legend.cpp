@@ -107,8 +107,11 @@ std::string legend_svg(const Legend& legend, const char* kind, double width, dou
 std::string small_bar(const Legend& legend) {
     const std::string low = readable(legend.low, 3);
     const double beyond = legend.clipped_below + legend.clipped_above;
-    const std::string high =
-        readable(legend.high, 3) + (legend.unit.empty() ? "" : " " + legend.unit) + (beyond > 0 ? ", " + share_of(beyond) + " beyond" : "");
+    const std::string high = readable(legend.high, 3) +
+                             (legend.unit.starts_with("1/") ? legend.unit.substr(1)
+                              : legend.unit.empty()         ? ""
+                                                            : " " + legend.unit) +
+                             (beyond > 0 ? ", " + share_of(beyond) + " beyond" : "");
     const Box box{text_width(low) + small_gap, 4, text_width(low) + small_gap + small_length, 4 + colours_height};
     return legend_svg(legend, "legend small", box.right + small_gap + text_width(high), 20,
                       legend_colours(legend, box) + text_element({box.left - small_gap, 14.5}, "end", low) +

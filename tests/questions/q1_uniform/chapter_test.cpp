@@ -116,7 +116,7 @@ TEST(Q1, EachMeshHasARangeOfItsOwn) {
         ASSERT_TRUE(panel.range) << panel.name;
         const output::ColorRange& range = *panel.range;
         EXPECT_EQ(range.low, -range.high);
-        EXPECT_EQ(range.unit, panel.name.ends_with("_k") ? "/length²" : "% of h̄");
+        EXPECT_EQ(range.unit, panel.name.ends_with("_k") ? "1/length²" : "% of h̄");
         const double beyond = share_beyond(panel.values, range.high);
         EXPECT_LT(beyond, 0.05) << panel.name;
         EXPECT_NEAR(range.clipped_below + range.clipped_above, beyond, 1e-12) << panel.name;
