@@ -55,7 +55,12 @@ double scale_of(const PreparedMesh& prepared, const render::DrawOptions& draw) {
 
 /// Edges closer than a few pixels are no longer lines but a grey veil: they are left out, and the words say so.
 std::string without_dense_edges(const PreparedMesh& prepared, render::DrawOptions& draw) {
-    const double length = draw.edges ? prepared.preflight.mean_edge * scale_of(prepared, draw) : INFINITY;
+    const TriangleMesh& mesh = prepared.mesh;
+    if (!draw.edges || mesh.face_count() == 0) return "";
+    double sum = 0;
+    for (const auto& t : mesh.F.rowwise())
+        for (int k = 0; k < 3; ++k) sum += (mesh.X.row(t[k]) - mesh.X.row(t[(k + 1) % 3])).norm();
+    const double length = sum / (3 * mesh.face_count()) * scale_of(prepared, draw);   // [pixels]
     if (length >= densest_edges) return "";
     draw.edges = false;
     return "; edges left out, as they would be " + readable(length, 2) + " pixels long";
@@ -67,9 +72,9 @@ void refuse_dense_isolines(const PreparedMesh& prepared, const Field& field, con
     const TriangleMesh& mesh = prepared.mesh;
     std::vector<double> slopes;
     for (const auto& t : mesh.F.rowwise()) {
-        const Vector3 a = mesh.X.row(t[0]), b = mesh.X.row(t[1]), c = mesh.X.row(t[2]), normal = (b - a).cross(c - a);
+        const Vector3 a = mesh.X.row(t[0]), b = mesh.X.row(t[1]), c = mesh.X.row(t[2]);
         const Vector3 turned = field.values[t[0]] * (c - b) + field.values[t[1]] * (a - c) + field.values[t[2]] * (b - a);
-        if (const double slope = turned.norm() / normal.norm(); std::isfinite(slope)) slopes.push_back(slope);
+        if (const double slope = turned.norm() / (b - a).cross(c - a).norm(); std::isfinite(slope)) slopes.push_back(slope);
     }
     if (slopes.empty()) return;
     const auto median = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
