@@ -196,9 +196,9 @@ class Printed(unittest.TestCase):
     def test_words_of_figures_are_seven_points_high_at_least(self):
         """Names of views and notes of legends: they are text, and a box around a word is at least as high as its font is large."""
         heights = [(float(match["bottom"]) - float(match["top"]), match["word"]) for match in re.finditer(
-            r'<word xMin="[^"]*" yMin="(?P<top>[^"]*)" xMax="[^"]*" yMax="(?P<bottom>[^"]*)">(?P<word>[+-][xyz]|above|below|undefined)</word>',
+            r'<word xMin="[^"]*" yMin="(?P<top>[^"]*)" xMax="[^"]*" yMax="(?P<bottom>[^"]*)">(?P<word>[+−][xyz]|above|below|undefined)</word>',
             output_of("pdftotext", "-bbox-layout", self.pdf, "-"))]
-        self.assertGreaterEqual({word for _, word in heights}, {"+x", "-z"})
+        self.assertGreaterEqual({word for _, word in heights}, {"+x", "−z"})
         of_the_em = 1.21   # of the sans, from descender to ascender
         self.assertGreaterEqual(min(heights)[0] / of_the_em, 7, min(heights))
 

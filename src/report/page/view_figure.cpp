@@ -177,7 +177,7 @@ json cover_view(const Figure& figure, const ViewContext& context) {
                     {"has_size", "width and height are known", picture.width > 0 && picture.height > 0},
                     {"width", "of the picture [pixels]", std::to_string(picture.width)},
                     {"height", "of the picture [pixels]", std::to_string(picture.height)},
-                    {"legend", "what the colours mean: SVG", svg_of(*drawn.legend, "cover")}});
+                    {"legend", "what the colours mean: SVG", svg_of(*drawn.legend)}});
 }
 
 }   // namespace meshfolio::report

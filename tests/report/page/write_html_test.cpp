@@ -205,7 +205,7 @@ TEST(WriteHtml, PicturesHaveAltTextAndSizeAndLinks) {
     const std::string page = sample_page();
     EXPECT_NE(page.find("alt=\"A plane from six directions, values from 0 to 1.\" width=\"480\" height=\"400\" decoding=\"async\"/>"),
               std::string::npos);
-    EXPECT_NE(page.find("alt=\"Figure 1.1: λ = 1, seen from -z\""), std::string::npos);
+    EXPECT_NE(page.find("alt=\"Figure 1.1: λ = 1, seen from \u2212z\""), std::string::npos);
     const DrawnFigure drawn = sample_figures().at("q1_plane_h");
     for (const DrawnPanel& panel : drawn.panels)
         for (const DrawnPicture& picture : panel.pictures)
@@ -225,7 +225,7 @@ TEST(WriteHtml, EveryWordOfAFigureIsText) {
 
 TEST(WriteHtml, OneMeshHasItsViewsBesideALargePicture) {
     const std::string page = write_html(sample_document(), sample_layouts(), Templates());
-    positions_of(page, {"<div class=\"lead", "<div class=\"large\"><img", "<div class=\"three\">", "<p class=\"view-name\">-z</p>"});
+    positions_of(page, {"<div class=\"lead", "<div class=\"large\"><img", "<div class=\"three\">", "<p class=\"view-name\">\u2212z</p>"});
     EXPECT_EQ(count_of(page, "<div class=\"three\">"), 2u);
 }
 
