@@ -73,7 +73,8 @@
             },
         });
         const openFromLink = () => {
-            if (!button.hidden && new RegExp(`^#lab(=|%3D)${question}(,|%2C|$)`, "i").test(location.hash)) {
+            if (button.hidden) return;
+            if (block.dataset.opens !== undefined || new RegExp(`^#lab(=|%3D)${question}(,|%2C|$)`, "i").test(location.hash)) {
                 button.click();
                 block.scrollIntoView();
             }

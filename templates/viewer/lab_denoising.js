@@ -16,6 +16,23 @@ function forEachCorner(corners, x, visit) {
     }
 }
 
+/// Pointwise mean curvature by the cotangent operator, positive where it bulges [1/length]; 0 at the border, where it is not defined.
+export function meanCurvature({ corners, vertices: n, isBorder }, x) {
+    const flow = new Float64Array(3 * n), normals = new Float64Array(3 * n), mass = new Float64Array(n);
+    forEachCorner(corners, x, (v, a, b, cotangent, area) => {
+        mass[v] += area;
+        const normal = cross(between(x, v, a), between(x, v, b));
+        for (let k = 0; k < 3; ++k) {
+            const pull = cotangent / 2 * (x[3 * b + k] - x[3 * a + k]);
+            flow[3 * a + k] += pull, flow[3 * b + k] -= pull, normals[3 * v + k] += normal[k];
+        }
+    });
+    return Float64Array.from(mass, (m, v) => {
+        const at = [3 * v, 3 * v + 1, 3 * v + 2], size = Math.hypot(...at.map((i) => flow[i])) / (2 * m);
+        return isBorder[v] || !(m > 0) ? 0 : at.reduce((sum, i) => sum + flow[i] * normals[i], 0) > 0 ? -size : size;
+    });
+}
+
 /// Each vertex its place in an order in which neighbours are near: that of Cuthill and McKee.
 function placesOf(around) {
     const place = new Int32Array(around.length).fill(-1);

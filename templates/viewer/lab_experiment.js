@@ -1,4 +1,5 @@
 // What a state of the laboratory makes of its mesh: positions, coefficients, numbers, and the error over t. No page in here.
+import { Colours } from "./lab_colours.js";
 import { CleanSurface, DenoisingRun } from "./lab_denoising.js";
 import * as lab from "./lab_math.js";
 import { normalNumbers } from "./lab_noise.js";
@@ -11,6 +12,7 @@ export class Experiment {
         Object.assign(this, { data, clean: new CleanSurface(data), run: new DenoisingRun(data) });
         this.x = new Float64Array(3 * data.vertices), this.scratch = new Float64Array(3 * data.vertices);
         this.first = { energy: lab.energy(data, data.coefficients), volume: lab.volume(data, data.positions) };
+        this.colours = new Colours(this);
     }
 
     /// @return whether the mesh before the filter is another
@@ -30,8 +32,8 @@ export class Experiment {
         const shift = sigma > 0 ? this.drawn.map((z) => z * sigma / 100 * data.diagonal) : null;
         this.start = shift ? data.positions.map((x, i) => x + shift[i]) : data.positions;
         this.coefficients = shift ? lab.withShift(data, shift) : data.coefficients;
+        this.startEnergy = lab.energy(data, this.coefficients);
         this.noisy = shift ? this.errors(this.start) : null;
-        this.top = shift ? this.topOf(this.apart(this.start)) : null;
     }
 
     /// Into `x`. @return the filter of the modes; none where each step is solved for
@@ -64,22 +66,11 @@ export class Experiment {
         return { surface: this.clean.distance(x), places: lab.rms(this.data, x), normals: this.clean.angle(x) };
     }
 
-    /// What is coloured, of positions: how far each vertex lies from the clean surface, or, without noise, from where it was [% of the box].
+    /// How far each vertex lies from where it was [% of the box].
     apart(x) {
         const { positions: p, diagonal, vertices } = this.data;
-        const far = this.noisy ? this.clean.distances(x) : Float64Array.from({ length: vertices }, (_, v) => Math.hypot(x[3 * v] - p[3 * v], x[3 * v + 1] - p[3 * v + 1], x[3 * v + 2] - p[3 * v + 2]));
+        const far = Float64Array.from({ length: vertices }, (_, v) => Math.hypot(x[3 * v] - p[3 * v], x[3 * v + 1] - p[3 * v + 1], x[3 * v + 2] - p[3 * v + 2]));
         return far.map((distance) => 100 * distance / diagonal);
-    }
-    /// The end of the colours: 98 % of the vertices are below it. At most the box, however far it has blown up.
-    topOf(apart) {
-        const high = apart.map((far) => (far < 100 ? far : 100)).sort()[Math.floor(0.98 * (apart.length - 1))];
-        return lab.roundedUp(Math.max(1e-3, high));
-    }
-
-    /// Places of the vertices in the colour map, and the end of its range. With noise that is the noisy mesh's: colours fade as the noise goes.
-    colours(x) {
-        const apart = this.apart(x), top = this.top ?? this.topOf(apart);
-        return { places: Float32Array.from(apart, (far) => (far < top ? far / top : 1)), top, isCut: !apart.every((far) => far <= top) };
     }
 
     /// Of what compute() has made.

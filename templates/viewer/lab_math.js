@@ -15,12 +15,24 @@ export function decoded(buffer) {
     at += 12 * m;
     const high = new Int8Array(buffer, at, n * count), low = new Uint8Array(buffer, at + n * count, n * count);
     data.numbers = Int16Array.from(high, (byte, i) => 256 * byte + low[i]);   // mode by mode
+    data.isBorder = borderOf(data);
     data.critical = 2 / data.largestEigenvalue;
     data.isConstant = (mu) => mu <= 1e-9 * data.largestEigenvalue;   // 0 but for rounding: one mode a component
     data.hasAllModes = count >= data.area.filter((a) => a > 0).length;
     data.totalArea = data.area.reduce((sum, a) => sum + a, 0);
     data.rounding = data.hasAllModes ? 1e-12 : data.quantisationShift;   // box diagonals: what is smaller may be that alone
     return data;
+}
+
+/// Of each vertex, whether it is at an edge of one triangle.
+function borderOf({ corners, vertices }) {
+    const open = new Set(), isBorder = new Uint8Array(vertices);
+    for (let i = 0; i < corners.length; ++i) {
+        const [a, b] = [corners[i], corners[i % 3 === 2 ? i - 2 : i + 1]], edge = Math.min(a, b) * 2 ** 26 + Math.max(a, b);
+        if (!open.delete(edge)) open.add(edge);
+    }
+    for (const edge of open) isBorder[Math.floor(edge / 2 ** 26)] = isBorder[edge % 2 ** 26] = 1;
+    return isBorder;
 }
 
 const largest = 1e150;   // so that squares are numbers: what grows beyond is not measured

@@ -1,8 +1,9 @@
-// The controls of the laboratory and the table of what is measured. What is set is told to `changed(state)`.
+// The controls of the laboratory, and what is measured: a few large numbers, and all of them in a folded table. What is set is told to
+// `changed(state)`.
 import { indexOfLeast } from "./lab_math.js";
-import { amountsOf, edgesAt, lambdaAt, largestEdges, largestLambda, largestNoise, linkOf, mostSteps, placeOf, placeOfEdges, presetsOf, sameState, schemeNames, shownSteps,
+import { amountsOf, colourNames, edgesAt, lambdaAt, largestEdges, largestLambda, largestNoise, linkOf, mostSteps, placeOf, placeOfEdges, presetsOf, sameState, schemeNames, shownSteps,
     stopsOf } from "./lab_state.js";
-import { digits } from "./lab_words.js";
+import { agreement, digits } from "./lab_words.js";
 import { button, element } from "./view.js";
 
 let count = 0;   // of labels
@@ -10,19 +11,21 @@ const subjects = { q4: "Reconstruction", q5: "Explicit smoothing", q6: "Implicit
 
 /// A slider whose places are the stops, so that few steps have as much room as many.
 const along = (stops) => ({ slider: { min: 0, max: stops.length - 1, step: 1 }, from: (place) => stops[place], to: (value) => indexOfLeast(stops.map((stop) => Math.abs(stop - value))) });
+const played = 90;   // stops on the way along a slider that has thousands
+const stillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 const rowsOf = ({ modes }) => ({
     k: { words: "modes k", unit: `of ${modes}`, ...along(stopsOf(1, modes)), number: { step: 1, min: 1, max: modes } },
     lambda: { words: "step λ", unit: "λ_crit", slider: { min: 0, max: 1, step: 0.001 }, to: placeOf, from: (place) => Number(lambdaAt(place).toPrecision(3)), number: { step: "any", min: 0, max: largestLambda } },
     edges: { words: "step λ", unit: "h̄²", slider: { min: 0, max: 1, step: 0.001 }, to: placeOfEdges, from: (place) => Number(edgesAt(place).toPrecision(3)), number: { step: "any", min: 0, max: largestEdges } },
     t: { words: "steps t", unit: "", ...along(stopsOf(0, shownSteps)), number: { step: 1, min: 0, max: mostSteps } },
-    sigma: { words: "noise σ", unit: "% of the box", slider: { min: 0, max: 2, step: 0.05 }, number: { step: "any", min: 0, max: largestNoise } },
+    sigma: { words: "noise σ", unit: "% of box", slider: { min: 0, max: 2, step: 0.05 }, number: { step: "any", min: 0, max: largestNoise } },
     seed: { words: "seed", unit: "of the noise", number: { step: 1, min: 0 } },
 });
 
-/// A slider, a number field and a unit, named alike.
+/// A slider with a button that plays it, a number field and a unit, named alike.
 class Row {
-    constructor(name, { words, unit, slider, number, to = (x) => x, from = (x) => x }, changed) {
+    constructor(name, { words, unit, slider, number, to = (x) => x, from = (x) => x }, { changed, play }) {
         const id = `lab-${name}-${++count}`;
         this.to = to;
         this.box = element("div", "lab-row");
@@ -35,15 +38,22 @@ class Row {
             this.slider = Object.assign(element("input", ""), { type: "range", name: `${name}-slider`, ...slider });
             this.slider.setAttribute("aria-label", `${[words, unit].filter(Boolean).join(", ").replace("_", " ")}, slider`);
             this.slider.addEventListener("input", () => changed({ [name]: from(Number(this.slider.value)) }));
-            this.box.append(this.slider);
+            this.short = words.split(" ").at(-1);
+            this.play = button("", () => play(name));
+            this.play.classList.add("lab-play");
+            const { min, max, step } = slider, count = Math.min(played, Math.round((max - min) / step));
+            this.stops = max - min > played ? Array.from({ length: max - min + 1 }, (_, i) => from(min + i)) : Array.from({ length: count + 1 }, (_, i) => from(Number((min + (max - min) * i / count).toFixed(3))));
+            this.box.append(this.play, this.slider);
         }
         this.box.append(this.number, units);
         this.words = [`${words} %`, unit].filter(Boolean).join(", ").replace("_", " ");
     }
-    show(exact) {
+    show(exact, isPlaying) {
         const value = Number(exact.toPrecision(10));
         if (document.activeElement !== this.number || this.number.value === "" || Number(this.number.value) !== value) this.number.value = String(value);
         if (!this.slider) return;
+        this.play.setAttribute("aria-label", `${isPlaying ? "Pause" : stillness() ? "One step of" : "Play"} ${this.short}`);
+        this.play.classList.toggle("playing", isPlaying);
         if (this.to(value) !== Number(this.slider.value)) this.slider.value = String(this.to(value));
         this.slider.setAttribute("aria-valuetext", this.words.replace("%", value));
     }
@@ -59,20 +69,16 @@ export class Panel {
         this.scheme.addEventListener("change", () => act.changed({ scheme: this.scheme.value }));
         const first = element("div", "lab-row");
         first.append(label, this.scheme);
-        this.rows = Object.fromEntries(Object.entries(rowsOf(data)).map(([name, row]) => [name, new Row(name, row, act.changed)]));
-        this.play = button("Play", act.play);
-        const lines = element("label", "lab-lines", " drift along the surface");
-        this.lines = Object.assign(element("input", ""), { type: "checkbox", name: "lines" });
-        this.lines.addEventListener("change", () => act.changed({ lines: this.lines.checked }));
-        lines.prepend(this.lines);
-        this.controls.append(first, ...Object.values(this.rows).map((row) => row.box), this.play, lines);
+        this.rows = Object.fromEntries(Object.entries(rowsOf(data)).map(([name, row]) => [name, new Row(name, row, act)]));
+        this.controls.append(first, ...Object.values(this.rows).map((row) => row.box));
+        this.makeLooks(act.changed);
         this.hasNoise = data.hasAllModes;
         this.makePresets(question, data, act.preset);
         this.table = element("table", "lab-numbers");
-        this.exactBox = element("label", "lab-lines", " six digits");
-        this.exact = Object.assign(element("input", ""), { type: "checkbox", name: "exact" });
-        this.exact.addEventListener("change", () => this.showNumbers(this.measured));
-        this.exactBox.prepend(this.exact);
+        this.tiles = element("dl", "lab-tiles");
+        this.check = element("details", "lab-check");
+        this.agrees = element("summary", "");
+        this.check.append(this.agrees, this.table, element("p", "lab-note", "“The program” is what meshfolio itself computes, stored for the settings of the report and those to try; – elsewhere."));
         this.told = element("output", "lab-told");
         this.tellsAloud(true);
     }
@@ -80,6 +86,24 @@ export class Panel {
     /// While it plays, what is told changes too often to be read out.
     tellsAloud(does) {
         this.told.setAttribute("aria-live", does ? "polite" : "off");
+    }
+
+    /// How it is drawn.
+    makeLooks(changed) {
+        this.looks = element("div", "lab-looks");
+        const colours = element("label", "lab-lines", "colours "), box = (name, words) => {
+            const label = element("label", "lab-lines", ` ${words}`), input = Object.assign(element("input", ""), { type: "checkbox", name });
+            input.addEventListener("change", () => changed({ [name]: input.checked }));
+            label.prepend(input);
+            this.looks.append(label);
+            return input;
+        };
+        this.colours = Object.assign(element("select", ""), { name: "colours" });
+        for (const [value, words] of Object.entries(colourNames)) this.colours.append(Object.assign(element("option", "", words), { value }));
+        this.colours.addEventListener("change", () => changed({ colours: this.colours.value }));
+        colours.append(this.colours);
+        this.looks.append(colours);
+        [this.wire, this.lines] = [box("wire", "edges"), box("lines", "drift along the surface")];
     }
 
     makePresets(question, data, choose) {
@@ -101,38 +125,44 @@ export class Panel {
         this.presets.append(...rows.values());
     }
 
-    show(state, isPlaying) {
+    /// @param playing  the name of the slider that runs by itself, if one does
+    show(state, playing) {
         for (const { link, state: offered } of this.links) {
             if (sameState(state, offered)) link.setAttribute("aria-current", "true");
             else link.removeAttribute("aria-current");
         }
         this.scheme.value = state.scheme;
-        const projects = state.scheme === "projection", amounts = amountsOf(state.scheme);
+        const amounts = amountsOf(state.scheme);
         for (const name of ["k", "lambda", "edges", "t"]) this.rows[name].box.hidden = !amounts.includes(name);
         this.rows.sigma.box.hidden = !this.hasNoise;
         this.rows.seed.box.hidden = state.sigma === 0;
-        this.play.hidden = projects;
-        this.play.textContent = isPlaying ? "Pause" : matchMedia("(prefers-reduced-motion: reduce)").matches ? "One step" : "Play over t";
-        this.lines.checked = state.lines;
-        for (const [name, row] of Object.entries(this.rows)) row.show(state[name]);
+        for (const name of ["lines", "wire"]) this[name].checked = state[name];
+        this.lines.parentElement.hidden = !state.lines && state.sigma === 0;
+        this.colours.value = state.colours;
+        for (const [name, row] of Object.entries(this.rows)) row.show(state[name], name === playing);
     }
 
     firstSlider() {
         return Object.values(this.rows).find(({ box }) => !box.hidden).slider;
     }
 
-    /// @param measured  [[words, unit, here, the program's; NaN: none, what is rounding], …]
-    showNumbers(measured) {
-        this.measured = measured;
-        const cell = (tag, words) => element(tag, "", words), count = this.exact.checked ? 6 : 3;
+    /// @param measured  [[words, unit, here, the program's; NaN: none, what is rounding], …]; tiles: [[number, words], …]
+    showNumbers(measured, tiles) {
+        const cell = (tag, words) => element(tag, "", words);
         const head = element("tr", "");
         head.append(cell("td", ""), ...["this page", "the program"].map((words) => Object.assign(cell("th", words), { scope: "col" })));
         const body = measured.map(([words, unit, here, program, rounding]) => {
             const row = element("tr", ""), name = Object.assign(cell("th", words), { scope: "row" });
             if (unit) name.append(" ", element("span", "unit", unit));
-            row.append(name, cell("td", digits(here, rounding, count)), cell("td", digits(program, rounding, count)));
+            row.append(name, cell("td", digits(here, rounding)), cell("td", digits(program, rounding)));
             return row;
         });
         this.table.replaceChildren(head, ...body);
+        this.agrees.textContent = agreement(measured);
+        this.tiles.replaceChildren(...tiles.map(([number, words]) => {
+            const tile = element("div", "");
+            tile.append(element("dt", "", words), element("dd", "", number));
+            return tile;
+        }));
     }
 }

@@ -29,7 +29,7 @@ function inside(...children) {
 const axis = (low, words, high) => [text(across(0), frame.height - 8, low), text(across(0.5), frame.height - 8, words, "middle"), text(across(1), frame.height - 8, high, "end")];
 
 function empty(name, ...children) {
-    const picture = svg("svg", { viewBox: `0 0 ${frame.width} ${frame.height}`, role: "img", class: "lab-plot" }, ...children);
+    const picture = svg("svg", { viewBox: `0 0 ${frame.width} ${frame.height}`, role: "img", class: "lab-plot", preserveAspectRatio: "xMinYMid meet" }, ...children);
     picture.setAttribute("aria-label", name);
     return picture;
 }
@@ -44,10 +44,10 @@ export class SpectrumPlot {
         const grid = [-6, -4, -2, 0, 2].flatMap((p) => [line(across(0), this.y(10 ** p), across(1), this.y(10 ** p), p === 0 ? "lab-one" : "lab-grid"),
             text(frame.left - 5, this.y(10 ** p) + 4, p === 0 ? "1" : `10${[..."" + p].map((c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]).join("")}`, "end")]);
         const mark = (name, sign) => svg("tspan", { class: `lab-${name}-word` }, sign);
-        const legend = svg("text", { x: frame.left, y: 14 }, mark("before", "● "), "|cᵢ| before   ", mark("after", "● "), "after   ", mark("filter", "— "), "filter |f(μ)|");
+        const legend = svg("text", { x: frame.left, y: 14 }, mark("before", "● "), "before   ", mark("after", "● "), "after   ", mark("filter", "— "), "what the filter keeps");
         this.picture = empty("Spectrum: size of the coefficient of each mode over its eigenvalue, before and after the filter, and the filter's curve",
             ...grid, before, after, inside(curve), legend,
-            ...axis("0", "μ, √ scale: coarse to fine", data.hasAllModes ? "μ_max" : `μ_${data.modes}`));
+            ...axis("0", "shape ← √μ → noise", data.hasAllModes ? "μ_max" : `μ_${data.modes}`));
     }
     /// As √μ, the frequency: by Weyl's law the modes then lie less crowded where they are coarse.
     x(mu) { return across(this.last > 0 ? Math.sqrt(Math.max(0, mu) / this.last) : 0); }

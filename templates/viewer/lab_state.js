@@ -4,14 +4,20 @@ export const schemeNames = { projection: "k smoothest modes", explicit: "explici
     denoising: "implicit, noisy mesh's operator" };
 export const mostSteps = 10000, mostSolved = 1000, shownSteps = 200, largestLambda = 1000, largestNoise = 5, largestEdges = 100;
 
+export const colourNames = { distance: "distance", curvature: "mean curvature", none: "none" };
+
 /// λ is in units of λ_crit as `lambda`, in squared mean edges h̄² as `edges`.
-const plain = { scheme: "projection", k: 15, lambda: 0.5, edges: 0.1, t: 10, sigma: 0, seed: 1, lines: false };
+const plain = { scheme: "projection", k: 15, lambda: 0.5, edges: 0.1, t: 10, sigma: 0, seed: 1, lines: false, colours: "distance", wire: false };
+const texts = { scheme: schemeNames, colours: colourNames };   // what may stand there
+const looks = ["lines", "wire"];
+/// As in the question's own figures.
+const coloursOf = (question) => (["q5", "q6"].includes(question) ? "curvature" : "distance");
 /// What says how much a scheme does.
 export const amountsOf = (scheme) => (scheme === "projection" ? ["k"] : [scheme === "denoising" ? "edges" : "lambda", "t"]);
 /// What the panel of a question opens with, and [{question, words, state}] to click: src/run/lab/lab_presets.cpp has chosen both.
-export const startOf = (data, question) => ({ ...plain, ...data.starts[question] });
+export const startOf = (data, question) => ({ ...plain, colours: coloursOf(question), ...data.starts[question] });
 export const presetsOf = (data, question) => data.presets.filter((preset) => question === "lab" || preset.question === question)
-    .map((preset) => ({ ...preset, state: { ...plain, ...preset.state } }));
+    .map((preset) => ({ ...preset, state: { ...plain, colours: coloursOf(preset.question), ...preset.state } }));
 
 const within = (value, low, high) => Math.min(high, Math.max(low, value));
 
@@ -27,14 +33,16 @@ export function held(state, modes, other = plain) {
         t: whole("t", 0, state.scheme === "denoising" ? mostSolved : mostSteps),
         sigma: number("sigma", 0, largestNoise),
         seed: whole("seed", 0, 1e9),
-        lines: Boolean(state.lines),
+        ...Object.fromEntries(looks.map((name) => [name, Boolean(state[name])])),
+        colours: Object.hasOwn(colourNames, state.colours) ? state.colours : other.colours,
     };
 }
 
 /// "#lab=q5,scheme=explicit,lambda=1.01,t=40": of a state only what matters in it.
 export function linkOf(question, state) {
     const names = ["scheme", ...amountsOf(state.scheme), "sigma", ...(state.sigma > 0 ? ["seed"] : [])];
-    return "#" + [`lab=${question}`, ...names.map((name) => `${name}=${state[name]}`), ...(state.lines ? ["lines=1"] : [])].join(",");
+    const shown = [...looks.filter((name) => state[name]).map((name) => `${name}=1`), ...(state.colours === coloursOf(question) ? [] : [`colours=${state.colours}`])];
+    return "#" + [`lab=${question}`, ...names.map((name) => `${name}=${state[name]}`), ...shown].join(",");
 }
 
 /// @return {question, change: what of a state it sets}; null for another fragment
@@ -43,9 +51,9 @@ export function readLink(fragment) {
     const parts = new Map(text.split(",").map((part) => part.split("=", 2)));
     const question = parts.get("lab");
     if (!/^\w+$/.test(question ?? "")) return null;
-    const isRead = (name) => (name === "scheme" ? Object.hasOwn(schemeNames, parts.get(name)) : parts.get(name) && Number.isFinite(Number(parts.get(name))));
+    const isRead = (name) => (name in texts ? Object.hasOwn(texts[name], parts.get(name)) : parts.get(name) && Number.isFinite(Number(parts.get(name))));
     const names = Object.keys(plain).filter((name) => parts.has(name) && isRead(name));
-    return { question, change: Object.fromEntries(names.map((name) => [name, name === "scheme" ? parts.get(name) : Number(parts.get(name))])) };
+    return { question, change: Object.fromEntries(names.map((name) => [name, name in texts ? parts.get(name) : Number(parts.get(name))])) };
 }
 
 export const sameState = (a, b) => ["scheme", "sigma", "lines", ...amountsOf(a.scheme), ...(a.sigma > 0 ? ["seed"] : [])]

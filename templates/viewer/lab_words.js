@@ -2,7 +2,7 @@
 import { finestFactor } from "./lab_math.js";
 import { schemeNames, shownSteps } from "./lab_state.js";
 
-export const longer = 10;   // lines of the drift are exaggerated that many times
+export const longer = 10, longest = 0.25;   // lines of the drift are exaggerated that many times, and cut at so many radii of the mesh
 
 /// @param rounding  what is smaller may be that alone
 export function digits(x, rounding = 0, count = 6) {
@@ -18,24 +18,65 @@ const capital = (words) => words[0].toUpperCase() + words.slice(1);
 const short = (x, count = 3) => digits(x, 0, count);
 const small = (x) => x.toExponential(1).replace("-", "−");
 
+/// What to watch, above the experiment.
+export function watchOf({ scheme, sigma }) {
+    return {
+        projection: "A mesh is a sum of waves. Drag k: fewer waves, smoother shape.",
+        explicit: "Each step pulls every vertex towards its neighbours. Drag λ past 1 λ_crit: the steps blow up.",
+        implicit: "Implicit steps never blow up. Drag λ as far as you like: the mesh only shrinks.",
+        taubin: "One step shrinks, the next one swells. Play t: bumps go, most of the volume stays.",
+        heat: "Heat flow: endlessly many tiny steps. Play λ: short waves die first, then the shape.",
+        denoising: "Noise and sharp edges are both short waves. Play t: the distance falls, then rises again.",
+    }[scheme] + (sigma > 0 && scheme !== "denoising" ? " The noise goes first, then the shape." : "");
+}
+
 /// A line for each part of the panel, and the rest.
 export function notesOf({ name, vertices, modes, hasAllModes, isDecimated, sourceVertices, quantisationShift, orthonormalityError, critical, meanEdge }, question) {
     const hasNoise = hasAllModes && ["q7", "lab"].includes(question);
     const from = isDecimated ? `, decimated from ${sourceVertices} vertices by quadrics` : "";
     return {
-        mesh: `Mesh: ${name}${from}; ${vertices} vertices, ${hasAllModes ? `all ${modes} modes` : `the lowest ${modes} modes`}.`,
-        units: hasAllModes ? `λ_crit = 2/μ_max = ${short(critical)} length², the limit of explicit steps. Mean edge h̄ = ${short(meanEdge)} length.` : "",
-        program: "“The program” is what meshfolio itself computes, stored for the settings of the report and those to try; – elsewhere.",
-        modes: "Each dot is a mode: long waves left, short ones right; the higher, the more of it the mesh has.",
+        mesh: `${name}${from}: ${vertices} vertices, ${hasAllModes ? `all ${modes} modes` : `the lowest ${modes} modes`}.`,
+        modes: "Each dot is a wave: long ones left, short ones right; the higher, the more of it the mesh has.",
         errors: "The curve falls while noise goes; it rises where smoothing takes the shape, or blows up.",
         details: [
             hasAllModes ? "" : "What finer modes hold is cut off before any filter: this is a truncation, and a step beyond λ_crit cannot be seen to blow up.",
+            hasAllModes ? `λ_crit = 2/μ_max = ${short(critical)} length², the limit of explicit steps. Mean edge h̄ = ${short(meanEdge)} length.` : "",
             `Filters use the cotangent operator of the mesh${hasNoise ? " before the noise. Question 7 denoises with the “noisy mesh's operator”; the spectrum shows its result in the modes of the clean mesh" : ""}.`,
             hasNoise ? "Gain: how many times smaller the error is than that of the noisy mesh. Three errors: distance to the clean surface, rms to the vertices' own places, and angle to the clean normals." : "",
             "In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. The shortest wave is the mode of μ_max; a negative factor flips it.",
-            `The modes are stored in 16 bits: no vertex of their sum is off by more than ${small(quantisationShift)} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${small(orthonormalityError)}.`,
+            "Mean curvature is coloured 0 at the border, where it is not defined.",
+            `The modes are stored in 16 bits or fewer: no vertex of their sum is off by more than ${small(quantisationShift)} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${small(orthonormalityError)}.`,
+            "The address of the page keeps what is set.",
         ].filter(Boolean),
     };
+}
+
+const shareOf = (x, of) => `${short(100 * x / of)} %`;
+
+/// At most four numbers that are seen at a glance: [number, words].
+export function tilesOf({ state, data, experiment }, numbers) {
+    if (experiment.hasNoStep) return [];
+    const { first, startEnergy } = experiment, tiles = [], [gain] = numbers.gains ?? [];
+    if (state.sigma > 0) tiles.push(gain < 1 ? [`${short(1 / gain)} ×`, "farther from the clean surface than the noisy mesh"] : [`${short(gain)} ×`, "nearer to the clean surface than the noisy mesh"]);
+    tiles.push([`${short(100 * numbers.rms / data.diagonal)} %`, state.sigma > 0 ? "of the box: rms to the clean vertices" : "of the box: how far vertices moved (rms)"]);
+    if (data.isClosed) tiles.push([shareOf(numbers.volume, first.volume), "of the volume is left"]);
+    tiles.push([shareOf(numbers.energy, startEnergy), "of the roughness is left (Dirichlet energy)"]);
+    if (tiles.length < 4 && !Number.isNaN(numbers.factor)) tiles.push([`× ${short(numbers.factor, 2)}`, "for the shortest wave, each step"]);
+    return tiles;
+}
+
+/// How many digits page and program share in all that the program has computed here; null: it has computed nothing here.
+export function sharedDigits(measured) {
+    const both = measured.filter(([, , , program]) => Number.isFinite(program));
+    const apart = both.map(([, , here, program, rounding = 0]) => (here === program || Math.max(Math.abs(here), Math.abs(program)) < rounding ? 0 : Math.abs(here / program - 1)));
+    return both.length > 0 ? Math.max(0, Math.min(6, Math.floor(-Math.log10(2 * Math.max(...apart, 1e-12))))) : null;
+}
+
+/// What stands on the folded table.
+export function agreement(measured) {
+    const shared = sharedDigits(measured);
+    if (shared === null) return "All numbers; the program's own stand beside them at the settings to try";
+    return shared >= 4 ? `✓ agrees with the program to ${shared} digits` : `✗ agrees with the program to ${shared} digits only`;
 }
 
 /// The limits that sliders pass: on which side of each it is, from 0 on, and what each side means. A side is named by the scheme, too.
@@ -75,7 +116,7 @@ export function told({ state, data, experiment, numbers, clamped, best }) {
     const growth = finest > 1 + 1e-12 ? ` Beyond the limit: each step multiplies the shortest wave by ${digits(finest)}.` : "";
     const rim = clamped > 0 ? ` Flown out of the view, and drawn at its rim: ${clamped} of ${data.vertices} vertices.` : "";
     const least = best === null ? "" : best === shownSteps ? ` Up to t = ${shownSteps} it comes ever nearer to the clean surface.` : ` Nearest to the clean surface at t = ${best}.`;
-    const drift = lines ? ` Lines show how far vertices lie from their place along the surface, exaggerated ${longer}×${sigma > 0 ? driftWords(experiment) : ""}.` : "";
+    const drift = lines ? ` Lines show how far vertices lie from their place along the surface, exaggerated ${longer}× and cut where they would be longer than a quarter of the mesh${sigma > 0 ? driftWords(experiment) : ""}.` : "";
     return `${set}: ${rms}.${parts}${growth}${rim}${least}${sigma > 0 ? operatorWords(state, numbers) : ""}${drift}`;
 }
 

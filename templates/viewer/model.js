@@ -6,10 +6,10 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { materialFor } from "./shader.js";
 
 // As in render/scene.cpp: a vertex is a crease where the mean normal of the triangles around, weighted by area, is shorter than this.
-const creaseBegin = 0.914, creaseEnd = 0.848;
+const crease = { begin: 0.914, end: 0.848 }, creaseOfCoarse = { begin: 0.8, end: 0.734 };   // coarse: a few hundred vertices
 
 /// How far each vertex takes the normal of the triangle instead of its own, 0 to 1.
-function sharpnessOf(geometry) {
+function sharpnessOf(geometry, { begin, end } = crease) {
     const { position } = geometry.attributes, corners = geometry.index.array;
     const sums = new Float64Array(4 * position.count);   // normals times areas, and areas
     const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
@@ -26,7 +26,7 @@ function sharpnessOf(geometry) {
     return Float32Array.from({ length: position.count }, (_, v) => {
         const [x, y, z, area] = sums.subarray(4 * v, 4 * v + 4);
         const length = area > 0 ? Math.hypot(x, y, z) / area : 0;
-        return Math.min(1, Math.max(0, (creaseBegin - length) / (creaseBegin - creaseEnd)));
+        return Math.min(1, Math.max(0, (begin - length) / (begin - end)));
     });
 }
 
@@ -86,7 +86,7 @@ export class Model {
         geometry.attributes.position.array.set(positions);
         geometry.attributes.place.array.set(places);
         geometry.computeVertexNormals();
-        geometry.attributes.sharpness.array.set(sharpnessOf(geometry));
+        geometry.attributes.sharpness.array.set(sharpnessOf(geometry, creaseOfCoarse));
         for (const name of ["position", "place", "normal", "sharpness"]) geometry.attributes[name].needsUpdate = true;
     }
 

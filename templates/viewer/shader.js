@@ -1,6 +1,21 @@
-// The look of the report's own pictures (render/shading.cpp), so that a colour means the same in both: the value is interpolated and its
-// colour looked up per pixel, soft neutral lights are fixed to the camera, backs darken.
+// The look of the report's own pictures (render/shading), so that a colour means the same in both: the value is interpolated and its
+// colour looked up per pixel, soft neutral lights are fixed to the camera, backs of plain surfaces are paler.
 import { ClampToEdgeWrapping, Color, DataTexture, DoubleSide, LinearFilter, RGBAFormat, ShaderMaterial, SRGBColorSpace } from "three";
+
+export const clay = new Color("#e8e8e8");   // surface_color of render/draw_mesh.h
+
+// As render/shading/shading_style.h.
+const lights = `
+const float ambient = 0.02, wrap = 0.1, exposure_of_values = 1.15, light_on_values = 0.76, sheen_on_values = 0.018;
+const vec3 back_tint = vec3(0.94, 0.82, 0.66);
+float one_light(vec3 n, vec3 towards, float strength) {
+    return strength * max(0.0, (dot(n, normalize(towards)) + wrap) / (1.0 + wrap));
+}
+float light_on(vec3 n) {
+    return ambient + one_light(n, vec3(-0.45, 0.62, 0.64), 0.52) + one_light(n, vec3(0.80, 0.10, 0.59), 0.09)
+                   + one_light(n, vec3(0.05, -0.35, 0.94), 0.38);
+}
+`;
 
 const vertexShader = `
 attribute float sharpness;
@@ -30,45 +45,37 @@ void main() {
 }`;
 
 const fragmentShader = `
+uniform vec3 plain;
 #ifdef HAS_VALUES
 uniform sampler2D palette;
 uniform float paletteSize;
 uniform vec3 undefinedColor;
+uniform bool isPlain;
 varying float v_place, v_known;
 #else
-uniform vec3 plain;
+const bool isPlain = true;
 #endif
 varying float v_sharp;
 varying vec3 v_smooth, v_at;
-
-const float wrap = 0.1;
-float one_light(vec3 n, vec3 towards, float strength) {
-    return strength * max(0.0, (dot(n, normalize(towards)) + wrap) / (1.0 + wrap));
-}
-float light_on(vec3 n) {
-    return min(1.0, 0.02 + one_light(n, vec3(-0.45, 0.62, 0.64), 0.52) + one_light(n, vec3(0.80, 0.10, 0.59), 0.09)
-                         + one_light(n, vec3(0.05, -0.35, 0.94), 0.38));
-}
-
+${lights}
 void main() {
     vec3 across = cross(dFdx(v_at), dFdy(v_at));
     vec3 face = length(across) > 0.0 ? normalize(across) : vec3(0.0, 0.0, 1.0);   // turned to the viewer
     vec3 n = v_sharp * face + (gl_FrontFacing ? v_smooth : -v_smooth);
     n = length(n) > 0.0 ? normalize(n) : face;
-    float light = light_on(n);
+    float light = min(1.0, (isPlain ? 1.0 : exposure_of_values) * light_on(n));
+    vec3 color = plain * light * (gl_FrontFacing ? vec3(1.0) : back_tint);
 #ifdef HAS_VALUES
-    light = 1.0 - 0.84 * (1.0 - light);
     float t = clamp(v_place / max(v_known, 1e-6), 0.0, 1.0);
-    vec3 color = v_known < 0.5 ? undefinedColor : texture2D(palette, vec2((t * (paletteSize - 1.0) + 0.5) / paletteSize, 0.5)).rgb;
-    color = color * light * (gl_FrontFacing ? 1.0 : 0.62) + 0.018 * light * light * light;
-#else
-    vec3 color = plain * light * (gl_FrontFacing ? vec3(1.0) : vec3(0.86, 0.62, 0.40));
+    vec3 looked_up = v_known < 0.5 ? undefinedColor : texture2D(palette, vec2((t * (paletteSize - 1.0) + 0.5) / paletteSize, 0.5)).rgb;
+    float shown = 1.0 - light_on_values * (1.0 - light);
+    if (!isPlain) color = looked_up * shown + sheen_on_values * shown * shown * shown;
 #endif
     gl_FragColor = vec4(min(color, 1.0), 1.0);
     #include <colorspace_fragment>
 }`;
 
-function paletteOf(colors) {
+export function paletteOf(colors) {
     const bytes = Uint8Array.from(colors.flatMap((c) => [1, 3, 5].map((at) => parseInt(c.slice(at, at + 2), 16)).concat(255)));
     const texture = new DataTexture(bytes, colors.length, 1, RGBAFormat);
     texture.colorSpace = SRGBColorSpace;
@@ -87,6 +94,7 @@ export function materialFor(value, hasUndefined, plain) {
         uniforms.palette = { value: paletteOf(value.colors) };
         uniforms.paletteSize = { value: value.colors.length };
         uniforms.undefinedColor = { value: new Color(value.undefined_color) };
+        uniforms.isPlain = { value: false };
     }
     return new ShaderMaterial({ vertexShader, fragmentShader, defines, uniforms, side: DoubleSide });
 }

@@ -3,8 +3,8 @@ import { OrthographicCamera, SRGBColorSpace, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 const heroAzimuth = 35, heroElevation = 22;   // degrees, as render/camera.cpp: the picture's own direction
-const margin = 1.04;                          // what is seen, in radii of the model
-const narrow = 520;                           // pixels; below, two models stand above each other
+const filled = 0.85;                          // of a pane's width or height, by its model
+const mostRead = 5000;                        // vertices that say how far a model reaches
 const keyTurn = Math.PI / 24, keyZoom = 1.2;
 
 /// "λ_crit" and "μ_max" with their indices set low; names of meshes keep their underscores.
@@ -124,8 +124,7 @@ export class View {
     /// Where the models are drawn, in CSS pixels from the upper left.
     cells() {
         const { clientWidth: width, clientHeight: height } = this.stage, count = this.models.length;
-        const inRows = width < narrow;
-        return this.models.map((model, i) => inRows
+        return this.models.map((model, i) => this.inRows
             ? { model, x: 0, y: i * height / count, width, height: height / count }
             : { model, x: i * width / count, y: 0, width: width / count, height });
     }
@@ -138,15 +137,35 @@ export class View {
     resize() {
         const { clientWidth: width, clientHeight: height } = this.stage;
         if (width === 0 || height === 0) return;
+        const [side, up] = this.reach(this.controls.position0), scale = (across, down) => Math.min(width / across / side, height / down / up);
+        this.inRows = scale(1, this.models.length) > scale(this.models.length, 1);   // beside each other or above, whichever shows them larger
         this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2) * this.share);
         this.renderer.setSize(width, height, false);
-        const [cell] = this.cells(), aspect = cell.width / cell.height;
-        const up = margin * Math.max(1, 1 / aspect);
-        Object.assign(this.camera, { left: -up * aspect, right: up * aspect, top: up, bottom: -up });
-        this.camera.updateProjectionMatrix();
         const labels = this.stage.querySelectorAll(".model-label");
         this.cells().forEach(({ x, y }, i) => labels[i] && Object.assign(labels[i].style, { left: `${x}px`, top: `${y}px` }));
         this.draw();
+    }
+
+    /// How far the models reach to the sides and up, seen from a place around the origin.
+    reach(place) {
+        const towards = place.clone().normalize(), side = this.camera.up.clone().cross(towards).normalize(), up = towards.clone().cross(side), reach = [0, 0];
+        for (const { mesh } of this.models.filter((model) => model.mesh.visible)) {
+            const { array, count } = mesh.geometry.attributes.position, stride = 3 * Math.ceil(count / mostRead), { elements: m } = mesh.matrixWorld;
+            const rows = [side, up].map(({ x, y, z }) => [0, 4, 8, 12].map((at) => x * m[at] + y * m[at + 1] + z * m[at + 2]));
+            for (let i = 0; i < array.length; i += stride)
+                for (let k = 0; k < 2; ++k) reach[k] = Math.max(reach[k], Math.abs(rows[k][0] * array[i] + rows[k][1] * array[i + 1] + rows[k][2] * array[i + 2] + rows[k][3]));
+        }
+        return reach;
+    }
+
+    /// Shows as much as makes the models fill their panes in the picture's own direction, and more where they reach farther now: none is cut.
+    fit() {
+        const { camera, controls } = this, [cell] = this.cells(), aspect = cell.width / cell.height;
+        const needed = [controls.position0, camera.position.clone().sub(controls.target)].map((place) => { const [side, up] = this.reach(place); return Math.max(up, side / aspect); });
+        const up = (Math.max(...needed) || 1) / filled;
+        if (up === camera.top && up * aspect === camera.right) return;
+        Object.assign(camera, { left: -up * aspect, right: up * aspect, top: up, bottom: -up });
+        camera.updateProjectionMatrix();
     }
 
     /// Once a frame, however often it is asked for.
@@ -161,6 +180,7 @@ export class View {
 
     draw() {
         const { renderer, stage } = this;
+        this.fit();
         renderer.setScissorTest(false);
         renderer.clear();
         renderer.setScissorTest(true);

@@ -4,8 +4,8 @@
 #   MESHFOLIO_VIEWER AUTO: what goes wrong is told and the program is built without; ON: it is an error; OFF: not tried
 set(viewer_folder ${PROJECT_BINARY_DIR}/viewer)
 set(viewer_program ${viewer_folder}/viewer.min.js)
-set(viewer_sources package.json package-lock.json viewer.js view.js model.js shader.js lab.js lab_denoising.js lab_experiment.js lab_math.js
-                   lab_noise.js lab_panel.js lab_plot.js lab_state.js lab_words.js)
+set(viewer_sources package.json package-lock.json viewer.js view.js model.js shader.js lab.js lab_colours.js lab_denoising.js
+                   lab_experiment.js lab_math.js lab_noise.js lab_panel.js lab_play.js lab_plot.js lab_scene.js lab_state.js lab_words.js)
 list(TRANSFORM viewer_sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 
 find_program(NPM npm)

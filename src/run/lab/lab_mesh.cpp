@@ -81,8 +81,8 @@ nlohmann::json json_of(const LabPreset& preset) {
 
 std::string header_of(const LabMesh& lab) {
     nlohmann::json readings = nlohmann::json::array(), presets = nlohmann::json::array(), starts, colors;
-    for (const render::Rgba& stop : render::colormap_named("pale").stops)
-        colors.push_back(output::hex_of(stop));   // the report's for errors
+    for (const char* map : {"pale", "diverging"})   // the report's for errors and curvature
+        for (const render::Rgba& stop : render::colormap_named(map).stops) colors[map].push_back(output::hex_of(stop));
     for (const LabReading& reading : lab.readings) readings.push_back(json_of(reading));
     for (const LabPreset& preset : lab.presets) presets.push_back(json_of(preset));
     for (const auto& [question, start] : lab.starts) starts[question] = json_of(start);
