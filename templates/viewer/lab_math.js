@@ -19,9 +19,28 @@ export function decoded(buffer) {
     data.critical = 2 / data.largestEigenvalue;
     data.isConstant = (mu) => mu <= 1e-9 * data.largestEigenvalue;   // 0 but for rounding: one mode a component
     data.hasAllModes = count >= data.area.filter((a) => a > 0).length;
+    if (!data.hasAllModes) addNeighbours(data);
     data.totalArea = data.area.reduce((sum, a) => sum + a, 0);
     data.rounding = data.hasAllModes ? 1e-12 : data.quantisationShift;   // box diagonals: what is smaller may be that alone
     return data;
+}
+
+/// Each number was written as what it differs by from the mean of those of its neighbours before it.
+function addNeighbours({ numbers, corners, vertices: n }) {
+    const before = Array.from({ length: n }, () => new Set());
+    for (let i = 0; i < corners.length; ++i) {
+        const [a, b] = [corners[i], corners[i % 3 === 2 ? i - 2 : i + 1]];
+        before[Math.max(a, b)].add(Math.min(a, b));
+    }
+    const lists = before.map((others) => Int32Array.from(others));
+    for (let mode = 0; mode < numbers.length; mode += n) {
+        for (let v = 0; v < n; ++v) {
+            const others = lists[v], count = others.length, written = numbers[mode + v];
+            let sum = 0;
+            for (let i = 0; i < count; ++i) sum += numbers[mode + others[i]];
+            numbers[mode + v] = (written >>> 1 & 0x7fff ^ -(written & 1)) + (count > 0 ? Math.floor(sum / count) : 0);   // wraps around in 16 bits
+        }
+    }
 }
 
 /// Of each vertex, whether it is at an edge of one triangle.

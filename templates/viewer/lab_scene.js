@@ -6,6 +6,7 @@ import { longer, longest } from "./lab_words.js";
 import { Model } from "./model.js";
 import { clay, paletteOf } from "./shader.js";
 
+const lightOnValues = 0.25;   // of 1, more than in the report's pictures, which have occlusion to show form
 const room = 1.25;     // radii of the mesh: what flies farther is drawn at the rim
 const above = 0.015;   // radii above the surface, where the lines of the drift lie
 
@@ -32,6 +33,7 @@ export class Scene {
         this.wires = this.models.map(({ mesh }) => {
             Object.assign(mesh.material, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
             mesh.material.uniforms.plain.value = clay;
+            mesh.material.uniforms.light_on_values.value = lightOnValues;
             mesh.material.uniforms.palette.value.dispose();
             const wire = new BufferGeometry().setAttribute("position", mesh.geometry.attributes.position).setIndex(edges);
             const lines = new LineSegments(wire, new LineBasicMaterial({ color: 0x1c1d21, transparent: true, opacity: 0.3 }));

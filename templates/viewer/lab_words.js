@@ -31,7 +31,7 @@ export function watchOf({ scheme, sigma }) {
 }
 
 /// A line for each part of the panel, and the rest.
-export function notesOf({ name, vertices, modes, hasAllModes, isDecimated, sourceVertices, quantisationShift, orthonormalityError, critical, meanEdge }, question) {
+export function notesOf({ name, vertices, modes, hasAllModes, isDecimated, sourceVertices, quantisationShift, critical, meanEdge }, question) {
     const hasNoise = hasAllModes && ["q7", "lab"].includes(question);
     const from = isDecimated ? `, decimated from ${sourceVertices} vertices by quadrics` : "";
     return {
@@ -45,7 +45,7 @@ export function notesOf({ name, vertices, modes, hasAllModes, isDecimated, sourc
             hasNoise ? "Gain: how many times smaller the error is than that of the noisy mesh. Three errors: distance to the clean surface, rms to the vertices' own places, and angle to the clean normals." : "",
             "In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. The shortest wave is the mode of μ_max; a negative factor flips it.",
             "Mean curvature is coloured 0 at the border, where it is not defined.",
-            `The modes are stored in 16 bits or fewer: no vertex of their sum is off by more than ${small(quantisationShift)} of the box diagonal, and ΦᵀMΦ differs from 1 by at most ${small(orthonormalityError)}.`,
+            `The modes are stored in 16 bits or fewer: no vertex of their sum is off by more than ${small(quantisationShift)} of the box diagonal.`,
             "The address of the page keeps what is set.",
         ].filter(Boolean),
     };

@@ -2,19 +2,21 @@
 // colour looked up per pixel, soft neutral lights are fixed to the camera, backs of plain surfaces are paler.
 import { ClampToEdgeWrapping, Color, DataTexture, DoubleSide, LinearFilter, RGBAFormat, ShaderMaterial, SRGBColorSpace } from "three";
 
-export const clay = new Color("#e8e8e8");   // surface_color of render/draw_mesh.h
+export const clay = new Color("#eeedea");   // surface_color of render/draw_mesh.h
 
-// As render/shading/shading_style.h.
-const lights = `
-const float ambient = 0.02, wrap = 0.1, exposure_of_values = 1.15, light_on_values = 0.76, sheen_on_values = 0.018;
-const vec3 back_tint = vec3(0.94, 0.82, 0.66);
+// As render/shading/shading_style.h: three lights fixed to the camera.
+const looks = `
+const float ambient = 0.05, wrap = 0.1, exposure_of_values = 1.1, silhouette = 0.62, dark_line = 0.45;
+const vec3 back_tint = vec3(0.58, 0.68, 0.85);
 float one_light(vec3 n, vec3 towards, float strength) {
-    return strength * max(0.0, (dot(n, normalize(towards)) + wrap) / (1.0 + wrap));
+    return strength / (1.0 + wrap) * max(0.0, dot(n, normalize(towards)) + wrap);
 }
 float light_on(vec3 n) {
-    return ambient + one_light(n, vec3(-0.45, 0.62, 0.64), 0.52) + one_light(n, vec3(0.80, 0.10, 0.59), 0.09)
-                   + one_light(n, vec3(0.05, -0.35, 0.94), 0.38);
+    return ambient + one_light(n, vec3(-0.45, 0.62, 0.64), 0.78) + one_light(n, vec3(0.80, 0.10, 0.59), 0.12)
+                   + one_light(n, vec3(0.05, -0.35, 0.94), 0.18);
 }
+// 1 on a thin line of a hatch, else 0; along is +1 or -1.
+float hatch(float along) { return step(mod(gl_FragCoord.x + along * gl_FragCoord.y, 6.0), 1.4); }
 `;
 
 const vertexShader = `
@@ -51,26 +53,30 @@ uniform sampler2D palette;
 uniform float paletteSize;
 uniform vec3 undefinedColor;
 uniform bool isPlain;
+uniform float light_on_values;
 varying float v_place, v_known;
 #else
 const bool isPlain = true;
 #endif
 varying float v_sharp;
 varying vec3 v_smooth, v_at;
-${lights}
+${looks}
 void main() {
     vec3 across = cross(dFdx(v_at), dFdy(v_at));
     vec3 face = length(across) > 0.0 ? normalize(across) : vec3(0.0, 0.0, 1.0);   // turned to the viewer
     vec3 n = v_sharp * face + (gl_FrontFacing ? v_smooth : -v_smooth);
     n = length(n) > 0.0 ? normalize(n) : face;
-    float light = min(1.0, (isPlain ? 1.0 : exposure_of_values) * light_on(n));
-    vec3 color = plain * light * (gl_FrontFacing ? vec3(1.0) : back_tint);
+    float light = light_on(n);
+    vec3 color = plain * min(1.0, light) * (gl_FrontFacing ? vec3(1.0) : back_tint);
 #ifdef HAS_VALUES
     float t = clamp(v_place / max(v_known, 1e-6), 0.0, 1.0);
-    vec3 looked_up = v_known < 0.5 ? undefinedColor : texture2D(palette, vec2((t * (paletteSize - 1.0) + 0.5) / paletteSize, 0.5)).rgb;
-    float shown = 1.0 - light_on_values * (1.0 - light);
-    if (!isPlain) color = looked_up * shown + sheen_on_values * shown * shown * shown;
+    vec3 looked_up = texture2D(palette, vec2((t * (paletteSize - 1.0) + 0.5) / paletteSize, 0.5)).rgb;
+    if (v_known < 0.5) looked_up = undefinedColor * (1.0 - 0.35 * hatch(-1.0));
+    else if (!gl_FrontFacing) looked_up *= 1.0 - dark_line * hatch(1.0);
+    if (!isPlain) color = looked_up * (1.0 - light_on_values * (1.0 - min(1.0, exposure_of_values * light)));
 #endif
+    float pixels = abs(n.z) / max(fwidth(n.z), 1e-6);   // from where the surface turns away
+    color *= 1.0 - silhouette * clamp(1.5 - pixels, 0.0, 1.0);
     gl_FragColor = vec4(min(color, 1.0), 1.0);
     #include <colorspace_fragment>
 }`;
@@ -95,6 +101,7 @@ export function materialFor(value, hasUndefined, plain) {
         uniforms.paletteSize = { value: value.colors.length };
         uniforms.undefinedColor = { value: new Color(value.undefined_color) };
         uniforms.isPlain = { value: false };
+        uniforms.light_on_values = { value: 0.09 };
     }
     return new ShaderMaterial({ vertexShader, fragmentShader, defines, uniforms, side: DoubleSide });
 }

@@ -37,8 +37,7 @@ describe("the panel", options, () => {
         await page.evaluate(() => history.replaceState(null, "", location.pathname));
         if (link) await page.evaluate((hash) => { location.hash = hash; }, link);
         else await block(page, question).getByRole("button", { name: "Open the live laboratory" }).click();
-        await block(page, question).locator(".lab-numbers td").first().waitFor();
-        await page.locator('.lab-panel input[name="exact"]').check();
+        await block(page, question).locator(".lab-tiles dd").first().waitFor();
         await settled(page);
         return page;
     }
@@ -72,7 +71,7 @@ describe("the panel", options, () => {
             const start = block(page, question).getByRole("button", { name: "Open the live laboratory" });
             await start.focus();
             await page.keyboard.press("Enter");
-            await page.locator(".lab-numbers td").first().waitFor();
+            await page.locator(".lab-tiles dd").first().waitFor();
             assert.equal(await page.locator(".lab-panel").count(), 1);
             assert.equal(await page.locator('.lab-panel select[name="scheme"]').inputValue(), scheme);
             const slider = page.locator(`.lab-panel input[name="${states.amountsOf(scheme)[0]}-slider"]`);
@@ -187,27 +186,90 @@ describe("the panel", options, () => {
         assert.equal(await t.inputValue(), String(best - 1));
     });
 
-    test("three digits, and six on demand", async () => {
-        const page = await opened("q5"), exact = page.locator('.lab-panel input[name="exact"]'), digitsOf = (words) => words.replace(/^[−0.]*|\D/g, "").length;
-        const long = await table(page);
-        await exact.uncheck();
-        for (const [name, cells] of Object.entries(await table(page))) cells.forEach((words, i) => {
-            if (!/^[−\d.]+$/.test(words) || Math.abs(numberIn(words)) >= 1000) return;
-            assert.ok(digitsOf(words) <= 3, `${name}: ${words}`);
-            assert.ok(Math.abs(numberIn(words) - numberIn(long[name][i])) <= 0.005 * Math.abs(numberIn(words)), `${name}: ${words} for ${long[name][i]}`);
-        });
+    test("at most four large numbers of three digits, in words, and the folded table tells how far the program agrees", async () => {
+        for (const question of ["q4", "q5", "q6", "q7"]) {
+            const page = await opened(question), tiles = await page.locator(".lab-tiles dd").allTextContents(), rows = Object.values(await table(page));
+            assert.ok(tiles.length >= 3 && tiles.length <= 4, `${question}: ${tiles}`);
+            for (const words of tiles) assert.ok(words.replace(/^[−0.× ]*|\D/g, "").length <= 3, `${question}: ${words}`);
+            assert.ok(!(await page.locator(".lab-numbers").isVisible()));
+            const apart = rows.filter(([, program]) => program !== "–" && !program.startsWith("<")).map(([here, program]) => Math.abs(numberIn(here) - numberIn(program)) / Math.abs(numberIn(program)) || 0);
+            const [, shared] = (await page.locator(".lab-check summary").textContent()).match(/^✓ agrees with the program to (\d) digits$/);
+            assert.ok(shared >= 4 && Math.max(...apart) <= 1.1 * 10 ** -shared, `${question}: ${shared} digits, ${apart}`);
+        }
+        const page = await opened("q5");
+        await set(page, "lambda", 0.123);
+        assert.match(await page.locator(".lab-check summary").textContent(), /^All numbers/, "where the program has computed nothing, nothing is claimed");
     });
 
-    test("the surface has the report's colours, and a bar says how far they reach", async () => {
-        const page = await opened("q7"), bar = page.locator(".lab-panel .model-legend");
-        assert.match(await bar.textContent(), /distance to the clean surface \[% of the box\]0(≥ )?[\d.]+$/);
-        const noisy = await bar.textContent();
+    test("the surface has the colours of the question's figures, and a bar says what they mean", async () => {
+        const bar = (page) => page.locator(".lab-panel .lab-bar").textContent(), { colors } = dataOf(reportPage, "q7");
+        assert.deepEqual([colors.pale[0], colors.pale.at(-1), colors.diverging.length % 2], ["#f1eee4", "#253261", 1]);
+        assert.match(await bar(await opened("q4")), /^distance to the original \[% of box diagonal\]0\.1110100$/);
+        for (const question of ["q5", "q6"]) assert.match(await bar(await opened(question)), /^mean curvature × mean edge−[\d.]+0[\d.]+$/);
+        const page = await opened("q7"), noisy = await bar(page);
+        assert.match(noisy, /^distance to the clean surface \[σ\]0[\d.]+$/);
         await set(page, "t", 1);
-        assert.equal((await bar.textContent()).replace("≥ ", ""), noisy.replace("≥ ", ""), "colours of one noise can be compared");
+        assert.equal(await bar(page), noisy, "colours of one noise can be compared");
         await set(page, "sigma", 0);
-        assert.match(await bar.textContent(), /moved by the filter/);
-        const { colors } = dataOf(reportPage, "q7");
-        assert.deepEqual([colors[0], colors.at(-1)], ["#f1eee4", "#253261"]);
+        assert.match(await bar(page), /distance to the original/);
+        await page.locator('select[name="colours"]').selectOption("none");
+        await settled(page);
+        assert.equal(await page.locator(".lab-bar").count(), 0);
+        assert.match(await fragment(page), /colours=none/);
+    });
+
+    /// Of each pane what share of its width and height the mesh covers, and whether it touches the rim.
+    const coverage = async (page) => {
+        await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+        return page.evaluate(async () => {
+            const frame = document.querySelector(".lab-frame"), canvas = document.createElement("canvas"), inRows = document.querySelectorAll(".model-label")[1].offsetTop > 100;
+            await frame.decode();
+            const across = inRows ? 1 : 2, width = Math.floor(frame.naturalWidth / across), height = Math.floor(frame.naturalHeight / (3 - across));
+            Object.assign(canvas, { width: frame.naturalWidth, height: frame.naturalHeight });
+            const context = canvas.getContext("2d");
+            context.drawImage(frame, 0, 0);
+            return [[0, 0], inRows ? [0, height] : [width, 0]].map(([x0, y0]) => {
+                const { data } = context.getImageData(x0, y0, width, height), box = [width, height, 0, 0];
+                for (let y = 0; y < height; ++y) for (let x = 0; x < width; ++x) if (data[4 * (y * width + x) + 3] > 0) box[0] = Math.min(box[0], x), box[1] = Math.min(box[1], y), box[2] = Math.max(box[2], x + 1), box[3] = Math.max(box[3], y + 1);
+                return { share: Math.max((box[2] - box[0]) / width, (box[3] - box[1]) / height), isCut: box[0] === 0 || box[1] === 0 || box[2] === width || box[3] === height };
+            });
+        });
+    };
+
+    test("a mesh fills 85 % of its pane, and is not cut when it is turned or blows up", async () => {
+        const page = await opened("q6");
+        const [first] = await coverage(page);
+        assert.ok(first.share > 0.7 && first.share < 0.87, `${first.share}`);
+        await page.locator(".lab-panel canvas").focus();
+        for (let turn = 0; turn < 8; ++turn) {
+            await page.keyboard.press(turn % 2 ? "ArrowRight" : "ArrowUp");
+            for (const { share, isCut } of await coverage(page)) assert.ok(!isCut && share < 0.9, `turn ${turn}: ${share}`);
+        }
+        await page.evaluate(() => { location.hash = "#lab=q6,scheme=explicit,lambda=2,t=12"; });
+        await settled(page);
+        for (const { isCut } of await coverage(page)) assert.ok(!isCut);
+        assert.deepEqual(problemsOf(page), []);
+    });
+
+    test("every slider plays, one at a time", async () => {
+        const page = await opened("q5", { reducedMotion: "no-preference" }), value = async (name) => Number(await page.locator(`.lab-panel input[name="${name}"]`).inputValue());
+        for (const [name, words] of [["sigma", "σ"], ["lambda", "λ"]]) {
+            const first = await value(name);
+            await page.getByRole("button", { name: `Play ${words}` }).click();
+            await page.waitForTimeout(500);
+            assert.ok(await value(name) > first, name);
+        }
+        assert.equal(await page.getByRole("button", { name: /^Pause/ }).count(), 1);
+        await page.locator('select[name="scheme"]').selectOption("projection");
+        await settled(page);
+        assert.equal(await page.getByRole("button", { name: /^Pause/ }).count(), 0);
+        const first = await value("k");
+        await page.getByRole("button", { name: "Play k" }).click();
+        await page.waitForTimeout(500);
+        await page.getByRole("button", { name: "Pause k" }).click();
+        assert.ok(await value("k") > first);
+        assert.match(await page.locator(".lab-watch").textContent(), /Drag k: fewer waves/);
+        await closed(page);
     });
 
     test("its gains are those of the report's table", async () => {
@@ -259,8 +321,8 @@ describe("the panel", options, () => {
             globalThis.shown = [];
             new MutationObserver(() => (told.getAttribute("aria-live") === "polite" ? globalThis.readOut : globalThis.shown).push(told.textContent)).observe(told, { childList: true });
         });
-        await page.getByRole("button", { name: "Play over t" }).click();
-        await page.getByRole("button", { name: "Play over t" }).waitFor();
+        await page.getByRole("button", { name: "Play t" }).click();
+        await page.getByRole("button", { name: "Play t" }).waitFor();
         await settled(page);
         const t = await page.locator('.lab-panel input[name="t"]').inputValue();
         assert.ok(Number(t) < states.shownSteps);
@@ -272,7 +334,7 @@ describe("the panel", options, () => {
 
     test("a preset ends the play, a second panel closes the first, and a link without noise has none", async () => {
         const page = await opened("q7", { reducedMotion: "no-preference" });
-        await page.getByRole("button", { name: "Play over t" }).click();
+        await page.getByRole("button", { name: "Play t" }).click();
         await page.locator(".lab-presets a", { hasText: "four times as long" }).click();
         await settled(page);
         await page.waitForTimeout(300);
@@ -290,15 +352,15 @@ describe("the panel", options, () => {
     test("plays over t and pauses; where motion is not wanted, a step at a time", async () => {
         const page = await opened("q5", { reducedMotion: "no-preference" }), t = page.locator('.lab-panel input[name="t"]');
         const first = Number(await t.inputValue());
-        await page.getByRole("button", { name: "Play over t" }).click();
+        await page.getByRole("button", { name: "Play t" }).click();
         await page.waitForTimeout(1200);
-        await page.getByRole("button", { name: "Pause" }).click();
+        await page.getByRole("button", { name: "Pause t" }).click();
         const after = Number(await t.inputValue());
         assert.ok(after > first + 5, `${first} to ${after}`);
         await page.waitForTimeout(300);
         assert.equal(Number(await t.inputValue()), after);
         const still = await opened("q5");
-        await still.getByRole("button", { name: "One step" }).click();
+        await still.getByRole("button", { name: "One step of t" }).click();
         assert.equal(Number(await still.locator('.lab-panel input[name="t"]').inputValue()), first + 1);
     });
 
@@ -324,7 +386,6 @@ describe("the panel", options, () => {
         });
         await block(page, "q5").getByRole("button").click();
         await page.locator(".lab-no-view", { hasText: "cannot show it in three dimensions" }).waitFor();
-        await page.locator('.lab-panel input[name="exact"]').check();
         await set(page, "t", 25);
         assert.equal(await page.getByRole("button", { name: "Reset view" }).count(), 0);
         const figure = page.locator(await page.locator(".lab-no-view a").getAttribute("href"));
@@ -382,13 +443,21 @@ describe("the panel", options, () => {
     test("`meshfolio lab` makes a page of its own, under the same policy", async () => {
         run("sample", "cube8", "-o", "cube8.obj");
         run("lab", "cube8.obj", "-o", "index.html");
-        const page = await open(browser, folder, small);
-        await page.getByRole("button", { name: "Open the live laboratory" }).click();
-        await page.locator(".lab-numbers td").first().waitFor();
-        assert.match(await page.locator(".lab-mesh").textContent(), /cube8; 8 vertices, all 8 modes/);
+        const page = await open(browser, folder, small), k = page.locator('.lab-panel input[name="k"]');
+        await page.locator(".lab-tiles dd").first().waitFor();
+        assert.equal(await k.inputValue(), "5");
+        await page.keyboard.press("Escape");
+        assert.equal(await page.getByRole("button", { name: "Close" }).count(), 0);
+        assert.match(await page.locator(".lab-mesh").textContent(), /cube8: 8 vertices, all 8 modes/);
         assert.match(await page.getAttribute('meta[http-equiv="Content-Security-Policy"]', "content"), /^default-src 'none';/);
         assert.deepEqual(problemsOf(page), []);
         await page.context().close();
+        const moving = await open(browser, folder, { ...small, reducedMotion: "no-preference", first: () => { globalThis.counts = []; setInterval(() => globalThis.counts.push(Number(document.querySelector('input[name="k"]')?.value)), 20); } });
+        await moving.locator('.lab-play.playing').waitFor();
+        await moving.locator('.lab-play.playing').waitFor({ state: "detached" });
+        const counts = (await moving.evaluate(() => globalThis.counts)).filter(Number.isFinite), last = counts.findIndex((count) => count === 8);
+        assert.deepEqual([...new Set(counts.slice(last))], [8, 7, 6, 5], "it opens with k running down from all modes");
+        await moving.context().close();
     });
 });
 

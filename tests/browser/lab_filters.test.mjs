@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import path from "node:path";
 import { before, describe, test } from "node:test";
-import { dataOf, Experiment, folder, lab, normalNumbers, options, reportPage, run, states, words, written } from "./lab_tools.mjs";
+import { dataOf, Experiment, meanCurvature, play, folder, lab, normalNumbers, options, reportPage, run, states, words, written } from "./lab_tools.mjs";
 
 const positionsOf = (file) => Float64Array.from(written(file).match(/^v .*$/gm).flatMap((row) => row.split(/\s+/).slice(1, 4).map(Number)));
 const start = (change) => ({ scheme: "projection", k: 15, lambda: 0.5, t: 10, sigma: 0, seed: 1, lines: false, ...change });
@@ -174,18 +174,54 @@ test("it says what is seen: one mode, nothing moved, and whose operator it is", 
 test("the colours are those of the numbers: their mean square is that of the table", options, () => {
     const data = dataOf(reportPage, "q7");
     for (const change of [{ scheme: "explicit", lambda: 0.5, t: 5 }, { scheme: "denoising", edges: 0.1, t: 2, sigma: 1 }]) {
-        const experiment = new Experiment(data);
+        const experiment = new Experiment(data), { colours } = experiment;
         experiment.set(start(change));
         experiment.compute();
-        const apart = experiment.apart(experiment.x), rms = Math.sqrt(apart.reduce((sum, far) => sum + far * far, 0) / apart.length);
-        const { surface, places } = experiment.errors(experiment.x), { places: shown, top } = experiment.colours(experiment.x);
-        assert.ok(Math.abs(rms / (100 * (change.sigma ? surface : places) / data.diagonal) - 1) < 1e-12);
-        assert.ok(apart.every((far, v) => Math.abs(Math.min(1, far / top) - shown[v]) < 1e-6));
-        if (change.sigma) assert.equal(experiment.colours(experiment.start).top, top, "colours of one noise can be compared");
+        const { x } = experiment, values = colours.valuesOf(x, "distance"), rms = Math.sqrt(values.reduce((sum, far) => sum + far * far, 0) / values.length);
+        const { surface, places } = experiment.errors(x), { places: shown, map } = colours.of(x, "distance"), range = colours.rangeOf("distance");
+        assert.ok(Math.abs(rms / (100 * (change.sigma ? surface / change.sigma : places) / data.diagonal) - 1) < 1e-12);
+        const place = (far) => (range.logarithmic ? Math.log(far / range.low) / Math.log(range.high / range.low) : far / range.high);
+        assert.ok(values.every((far, v) => Math.abs(Math.min(1, Math.max(0, place(far))) - shown[v]) < 1e-6));
+        assert.equal(map, "pale");
+        assert.equal(colours.of(experiment.start, "distance") === null, !change.sigma, "the original is clay, the noisy mesh is not");
+        const before = colours.rangeOf("distance");
+        experiment.set(start({ ...change, t: 9 }));
+        assert.deepEqual(colours.rangeOf("distance"), before, "colours of one mesh can be compared");
     }
     for (const x of [1e-3, 0.0149, 1, 1.01, 7.3, 96]) {
         const end = lab.roundedUp(x);
         assert.ok(end >= x && end <= 1.51 * x && String(end).length <= 6, `${x}: ${end}`);
+    }
+});
+
+test("mean curvature is the program's, of one sign, and turns with the surface", options, () => {
+    const data = dataOf(reportPage, "q5"), curvature = (x) => meanCurvature(data, x);
+    run("sample", "cube", "-o", "cube.obj");
+    run("curvature", "cube.obj", "--csv", "curvature.csv");
+    const [head, ...rows] = written("curvature.csv").trim().split("\n").map((row) => row.split(",")), column = head.indexOf("h_cotan");
+    assert.ok(column >= 0, head.join());
+    const here = curvature(data.positions);
+    rows.forEach((row, v) => assert.ok(Math.abs(here[v] - Number(row[column])) < 1e-9 * Math.max(1, Math.abs(here[v])), `vertex ${v}: ${here[v]}, ${row[column]}`));
+    const inside = { ...data, corners: data.corners.slice().reverse() };
+    meanCurvature(inside, data.positions).forEach((h, v) => assert.ok(Math.abs(h + here[v]) < 1e-9));
+});
+
+test("as many digits are claimed as page and program share", () => {
+    const row = (here, program, rounding = 0) => ["", "", here, program, rounding];
+    for (let digits = 0; digits <= 6; ++digits) assert.equal(words.sharedDigits([row(1, 1), row(5 * (1 + 0.4 * 10 ** -digits), 5)]), digits);
+    assert.equal(words.sharedDigits([row(1, NaN)]), null);
+    assert.equal(words.sharedDigits([row(1e-14, -1e-14, 1e-12), row(2, 2)]), 6, "rounding is no difference");
+    assert.match(words.agreement([row(1, 1.1)]), /^✗/);
+});
+
+test("a play goes on from where a slider is, and the opening runs down to where it begins", () => {
+    const stops = states.stopsOf(1, 300);
+    assert.deepEqual(play.stopsAfter(stops, 40), stops.filter((stop) => stop > 40));
+    assert.deepEqual(play.stopsAfter(stops, 300), stops);
+    for (const [modes, k] of [[300, 15], [8, 5], [4, 4]]) {
+        const opening = play.openingOf(modes, k);
+        assert.deepEqual([opening[0], opening.at(-1)], [modes, k]);
+        assert.ok(opening.every((count, i) => i === 0 || count <= opening[i - 1]));
     }
 });
 
@@ -218,11 +254,12 @@ test("a slider stops at every small number, at both ends, and nowhere far beyond
 
 test("a link restores the state, whatever it holds", () => {
     const start = { starts: { q5: { scheme: "explicit", lambda: 0.25, t: 5, sigma: 1 } } };
-    for (const state of [{ scheme: "projection", k: 7 }, { scheme: "explicit", lambda: 1.05, t: 40 }, { scheme: "heat", lambda: 100, t: 1, sigma: 0.5, seed: 3, lines: true }, { scheme: "denoising", edges: 0.01, t: 19, sigma: 1 }]) {
+    for (const state of [{ scheme: "projection", k: 7 }, { scheme: "explicit", lambda: 1.05, t: 40 }, { scheme: "heat", lambda: 100, t: 1, sigma: 0.5, seed: 3, lines: true }, { scheme: "denoising", edges: 0.01, t: 19, sigma: 1, colours: "none", wire: true }]) {
         const whole = { ...states.startOf({ starts: {} }, "q5"), ...state }, { question, change } = states.readLink(states.linkOf("q5", whole));
         assert.equal(question, "q5");
         const read = states.held({ ...states.startOf(start, "q5"), ...change }, 602);
         assert.ok(states.sameState(whole, read), JSON.stringify([whole, read]));
+        assert.deepEqual([read.wire, read.colours], [whole.wire, whole.colours]);
     }
     assert.deepEqual(states.readLink("#lab=q5,lambda=1.01,t=40"), { question: "q5", change: { lambda: 1.01, t: 40 } });
     assert.equal(states.readLink("#q5"), null);

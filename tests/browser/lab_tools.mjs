@@ -14,6 +14,7 @@ export const options = { skip: reportPage.includes("viewer-program") ? false : "
 
 const viewer = (name) => import(pathToFileURL(path.join(process.env.SOURCE, "templates/viewer", name)).href);
 export const lab = await viewer("lab_math.js"), states = await viewer("lab_state.js"), { Experiment } = await viewer("lab_experiment.js"), { normalNumbers } = await viewer("lab_noise.js"), words = await viewer("lab_words.js");
+export const { meanCurvature } = await viewer("lab_denoising.js"), play = await viewer("lab_play.js");
 
 /// Where the program works.
 export const folder = mkdtempSync(path.join(os.tmpdir(), "meshfolio-lab-"));

@@ -13,13 +13,14 @@ namespace meshfolio {
 struct QuantisedModes {
     static constexpr int largest = 32767;
     int rows = 0;
-    Vector scale;                        // largest magnitude of the column over `largest` [as the modes]
+    Vector scale;                        // a step [as the modes]
     std::vector<std::int16_t> numbers;   // column by column
 
     DenseMatrix restored() const;
 };
 
-/// No number moves by more than half of its column's scale, 1/65534 of the column's largest magnitude.
-QuantisedModes quantised(const DenseMatrix& modes);
+/// No number moves by more than half of its column's scale: of its largest magnitude, 1/65534 over the precision, and at most 1/254.
+/// @param precision  of each column, 1 at most; empty: 1
+QuantisedModes quantised(const DenseMatrix& modes, const Vector& precision = {});
 
 }   // namespace meshfolio

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geometry/spectrum/spectral_reconstruction.h"
@@ -16,41 +17,54 @@ namespace meshfolio::run {
 
 namespace {
 
-/// "lab", which belongs to no question, has what all of them have.
-std::map<std::string, QuestionSettings> with_all_of_the_lab(std::map<std::string, QuestionSettings> questions) {
-    if (const auto lab = questions.find("lab"); lab != questions.end())
-        for (const char* id : {"q4", "q5", "q6", "q7"}) questions.emplace(id, lab->second);
-    return questions;
-}
-
 /// What the page opens with and offers, and the program's numbers for all of that and for what the report shows.
 void add_settings(LabMesh& lab, const Spectrum& spectrum, const std::map<std::string, QuestionSettings>& of_this_mesh) {
-    const auto questions = with_all_of_the_lab(of_this_mesh);
+    auto questions = of_this_mesh;
+    if (const auto lab_page = of_this_mesh.find("lab"); lab_page != of_this_mesh.end())   // which belongs to no question, has what all have
+        for (const char* id : {"q4", "q5", "q6", "q7"}) questions.emplace(id, lab_page->second);
     const LabScale scale{lab.critical(), static_cast<int>(lab.eigenvalues.size()), lab.has_all_modes()};
     std::vector<BestDenoising> denoised;
     if (const auto q7 = questions.find("q7"); q7 != questions.end() && scale.has_all) denoised = denoising_on(lab, q7->second);
     lab.presets = presets_for(questions, scale, denoised);
     std::vector<LabSetting> settings;
-    for (const LabPreset& preset : lab.presets) settings.push_back(preset.setting);
+    const auto add = [&](const LabSetting& setting) {
+        if (std::ranges::find(settings, setting) == settings.end()) settings.push_back(setting);
+    };
+    for (const LabPreset& preset : lab.presets) add(preset.setting);
     for (const auto& [question, own] : questions) {
-        for (const LabSetting& setting : reported(question, own, scale, denoised)) settings.push_back(setting);
+        for (const LabSetting& setting : reported(question, own, scale, denoised)) add(setting);
         if (!of_this_mesh.contains(question)) continue;
         lab.starts[question] = start_of(question, own, scale, denoised);
-        settings.push_back(lab.starts[question]);
+        add(lab.starts[question]);
     }
-    std::vector<LabSetting> each_once;
-    for (const LabSetting& setting : settings)
-        if (std::ranges::find(each_once, setting) == each_once.end()) each_once.push_back(setting);
-    lab.readings = readings_at(lab, spectrum, each_once);
+    lab.readings = readings_at(lab, spectrum, settings);
 }
 
+/// All modes in 16 bits; of fewer, which are only added up, those that move the vertices less are rounded more.
 void quantise(LabMesh& lab, const Spectrum& spectrum) {
-    lab.modes = quantised(spectrum.eigenvectors);
-    Spectrum rounded = spectrum;
-    rounded.eigenvectors = lab.modes.restored();
-    const DenseMatrix shift = (rounded.eigenvectors - spectrum.eigenvectors) * lab.coefficients;
+    Vector precision;
+    if (!lab.has_all_modes()) {
+        precision = spectrum.eigenvectors.cwiseAbs().colwise().maxCoeff().transpose().cwiseProduct(lab.coefficients.rowwise().norm());
+        precision *= 8 / precision.tail(precision.size() - 1).maxCoeff();   // the first mode is constant
+    }
+    lab.modes = quantised(spectrum.eigenvectors, precision);
+    const DenseMatrix shift = (lab.modes.restored() - spectrum.eigenvectors) * lab.coefficients;
     lab.quantisation_shift = shift.rowwise().norm().maxCoeff() / lab.diagonal;
-    lab.orthonormality_error = orthonormality_error(rounded, lab.laplacian.M);
+}
+
+std::vector<std::int16_t> differences(const LabMesh& lab) {
+    std::vector<std::int16_t> numbers = lab.modes.numbers;
+    const std::vector<Edge> edges = edges_of(lab.mesh);
+    const auto n = static_cast<std::size_t>(lab.modes.rows);
+    for (auto mode = numbers.begin(); mode != numbers.end(); mode += lab.modes.rows) {
+        std::vector<double> sum(n), count(n, 1e-300);
+        for (const auto& [a, b, faces] : edges) sum[b] += mode[a], ++count[b];
+        for (std::size_t v = 0; v < n; ++v) {
+            const auto d = static_cast<std::int16_t>(mode[v] - static_cast<int>(std::floor(sum[v] / count[v])));
+            mode[v] = static_cast<std::int16_t>(d < 0 ? -2 * d - 1 : 2 * d);
+        }
+    }
+    return numbers;
 }
 
 template <class Number, class Values>
@@ -61,30 +75,27 @@ void append(std::string& bytes, const Values& values) {
 }
 
 /// As a state of the page (templates/viewer/lab_state.js), σ in percent.
-nlohmann::json json_of(const LabSetting& setting) {
+nlohmann::json json_of(const LabSetting& setting, bool shows_drift = false) {
     nlohmann::json state = {{"scheme", setting.scheme}, {"sigma", 100 * setting.sigma}, {"seed", setting.seed}};
+    if (shows_drift) state["lines"] = true;
     state[setting.scheme == "projection" ? "k" : "t"] = setting.count;
     if (setting.scheme != "projection") state[setting.scheme == "denoising" ? "edges" : "lambda"] = setting.lambda;
     return state;
-}
-
-nlohmann::json json_of(const LabReading& r) {
-    return {{"state", json_of(r.setting)}, {"energy", r.energy}, {"volume", r.volume}, {"rms", r.rms},
-            {"factor", r.factor},          {"gains", r.gains}};
-}
-
-nlohmann::json json_of(const LabPreset& preset) {
-    nlohmann::json state = json_of(preset.setting);
-    state["lines"] = preset.shows_drift;
-    return {{"question", preset.question}, {"words", preset.words}, {"state", state}};
 }
 
 std::string header_of(const LabMesh& lab) {
     nlohmann::json readings = nlohmann::json::array(), presets = nlohmann::json::array(), starts, colors;
     for (const char* map : {"pale", "diverging"})   // the report's for errors and curvature
         for (const render::Rgba& stop : render::colormap_named(map).stops) colors[map].push_back(output::hex_of(stop));
-    for (const LabReading& reading : lab.readings) readings.push_back(json_of(reading));
-    for (const LabPreset& preset : lab.presets) presets.push_back(json_of(preset));
+    for (const LabReading& r : lab.readings)
+        readings.push_back({{"state", json_of(r.setting)},
+                            {"energy", r.energy},
+                            {"volume", r.volume},
+                            {"rms", r.rms},
+                            {"factor", r.factor},
+                            {"gains", r.gains}});
+    for (const LabPreset& p : lab.presets)
+        presets.push_back({{"question", p.question}, {"words", p.words}, {"state", json_of(p.setting, p.shows_drift)}});
     for (const auto& [question, start] : lab.starts) starts[question] = json_of(start);
     const nlohmann::json header = {{"name", lab.name},
                                    {"sourceVertices", lab.source_vertices},
@@ -97,7 +108,6 @@ std::string header_of(const LabMesh& lab) {
                                    {"largestEigenvalue", lab.largest_eigenvalue},
                                    {"meanEdge", lab.mean_edge},
                                    {"quantisationShift", lab.quantisation_shift},
-                                   {"orthonormalityError", lab.orthonormality_error},
                                    {"colors", colors},
                                    {"starts", starts},
                                    {"presets", presets},
@@ -124,7 +134,8 @@ LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std:
 
     const int n = lab.mesh.vertex_count();
     const bool all = n <= limits.all_modes;
-    const Spectrum spectrum = smallest_eigenpairs(lab.laplacian, all ? n : limits.fewer_modes, {.dense_below = limits.all_modes});
+    const int modes = all ? n : std::min(limits.fewer_modes, limits.numbers / n);
+    const Spectrum spectrum = smallest_eigenpairs(lab.laplacian, modes, {.dense_below = limits.all_modes});
     lab.eigenvalues = spectrum.eigenvalues;
     lab.largest_eigenvalue = largest_eigenvalue(lab.laplacian).value;
     lab.coefficients = spectral_coefficients(spectrum, lab.laplacian.M, lab.mesh.X);
@@ -145,8 +156,9 @@ std::string bytes_of(const LabMesh& lab) {
     append<double>(bytes, lab.coefficients);
     append<double>(bytes, lab.modes.scale);
     append<std::int32_t>(bytes, lab.mesh.F);
+    const std::vector<std::int16_t> numbers = lab.has_all_modes() ? lab.modes.numbers : differences(lab);
     for (const int shift : {8, 0})
-        for (const std::int16_t number : lab.modes.numbers) bytes += static_cast<char>(static_cast<std::uint16_t>(number) >> shift & 0xff);
+        for (const std::int16_t number : numbers) bytes += static_cast<char>(static_cast<std::uint16_t>(number) >> shift & 0xff);
     return bytes;
 }
 

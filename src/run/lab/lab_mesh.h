@@ -26,7 +26,8 @@ struct LabReading {
 
 struct LabLimits {
     int vertices = 620, decimated_to = 420;    // larger meshes are decimated
-    int all_modes = 2000, fewer_modes = 300;   // all modes up to this many vertices, else the lowest 300
+    int all_modes = 2000, fewer_modes = 300;   // all modes up to this many vertices, else the lowest 300, or fewer:
+    int numbers = 1'600'000;                   // so many of a mode at a vertex, of some 1.5 bytes in the page
 };
 
 struct LabMesh {
@@ -41,8 +42,7 @@ struct LabMesh {
     double diagonal = 0;                        // of the box [length]
     double largest_eigenvalue = 0;              // of all modes, also where the page has fewer [1/length²]
     double mean_edge = 0;                       // h̄ [length]
-    double quantisation_shift = 0;              // how far 16 bits move a vertex at most, in box diagonals
-    double orthonormality_error = 0;            // ‖ΦᵀMΦ − I‖ of the rounded modes, largest entry
+    double quantisation_shift = 0;              // how far the modes' rounding moves a vertex at most, in box diagonals
     std::map<std::string, LabSetting> starts;   // by question
     std::vector<LabPreset> presets;             // with numbers of iterations
     std::vector<LabReading> readings;
@@ -64,7 +64,8 @@ LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std:
 
 /// What the page reads (templates/viewer/lab_math.js): length of the header in 4 bytes, the header as JSON, then little endian, from a
 /// multiple of 8 on: eigenvalues, areas, positions, coefficients, scales (doubles), corners of the triangles (4 bytes each), the modes'
-/// numbers: all their high bytes, then all their low bytes, which packs better.
+/// numbers: all their high bytes, then all their low bytes, which packs better. Where not all modes are there, what each number differs
+/// by from the mean of those of its neighbours before it, rounded down: d ≥ 0 as 2d, d < 0 as −2d − 1, modulo 2¹⁶.
 std::string bytes_of(const LabMesh& lab);
 
 }   // namespace meshfolio::run

@@ -18,14 +18,6 @@ Positions noisy(const LabMesh& lab, const LabSetting& setting) {
     return with_gaussian_noise(lab.mesh.X, Vector3::Constant(setting.sigma * lab.diagonal), setting.seed);
 }
 
-Positions step(const LabMesh& lab, const LabSetting& setting, const Positions& X) {
-    const double lambda = setting.lambda * lab.critical();
-    if (setting.scheme == "implicit") return implicit_step(lab.laplacian, lambda, X);
-    const Positions smoothed = explicit_step(lab.laplacian, lambda, X);
-    if (setting.scheme == "explicit") return smoothed;
-    return explicit_step(lab.laplacian, taubin_mu_of(lab.laplacian, {.lambda = lambda}), smoothed);
-}
-
 /// Returns the factor by which one step multiplies each mode of eigenvalue μ.
 Vector factors(const LabMesh& lab, const LabSetting& setting, const Vector& mu) {
     const double lambda = setting.lambda * lab.critical();
@@ -35,24 +27,21 @@ Vector factors(const LabMesh& lab, const LabSetting& setting, const Vector& mu) 
     return (1 - lambda * mu.array()) * (1 - taubin_mu_of(lab.laplacian, {.lambda = lambda}) * mu.array());
 }
 
-/// As question 7 does it.
-Positions denoised(const LabMesh& lab, const LabSetting& setting, const Positions& X) {
-    if (setting.count == 0) return X;
-    const double lambda = setting.lambda * lab.mean_edge * lab.mean_edge;
-    return smooth(moved_to(lab.mesh, X), {.scheme = SmoothingScheme::implicit_euler, .lambda = lambda, .iterations = setting.count}).X;
-}
-
-/// By the steps of `meshfolio smooth`; of the exact flow, which has none, by its modes.
+/// By `meshfolio smooth`, with the operator of what it starts from; of the exact flow, which has no steps, by its modes.
 Positions filtered(const LabMesh& lab, const Spectrum& spectrum, const LabSetting& setting, Positions X) {
-    if (setting.scheme == "denoising") return denoised(lab, setting, X);
     if (setting.scheme == "projection") return reconstruct(spectrum, lab.laplacian.M, X, setting.count);
     if (setting.scheme == "heat") {
         const Vector decay = factors(lab, setting, spectrum.eigenvalues).array().pow(setting.count);
         const Positions flowed = spectrum.eigenvectors * (decay.asDiagonal() * spectral_coefficients(spectrum, lab.laplacian.M, X));
         return (lab.laplacian.M.array() > 0).replicate(1, 3).select(flowed, X);   // a vertex without area is in no mode and stays
     }
-    for (int t = 0; t < setting.count; ++t) X = step(lab, setting, X);
-    return X;
+    const bool denoises = setting.scheme == "denoising";
+    const double unit = denoises ? lab.mean_edge * lab.mean_edge : lab.critical();
+    Smoothed run = smooth(moved_to(lab.mesh, std::move(X)), {.scheme = smoothing_scheme_named(denoises ? "implicit" : setting.scheme),
+                                                             .lambda = setting.lambda * unit,
+                                                             .iterations = setting.count});
+    if (run.blew_up) run.X.setConstant(NAN);
+    return std::move(run.X);
 }
 
 /// As questions 5 to 7 have it, over the vertices; of projections by area, as question 4 has it.
@@ -94,8 +83,7 @@ std::vector<LabReading> readings_at(const LabMesh& lab, const Spectrum& spectrum
         const Positions before = noisy(lab, setting), X = filtered(lab, spectrum, setting, before);
         if (!X.allFinite()) continue;
         const LabReading reading = reading_of(lab, setting, before, X);
-        const bool blew_up = !(reading.rms < SmoothingOptions{}.blow_up_at * lab.diagonal);   // the report has no numbers then
-        if (!blew_up && std::isfinite(reading.energy) && std::isfinite(reading.volume)) readings.push_back(reading);
+        if (std::isfinite(reading.energy) && std::isfinite(reading.volume)) readings.push_back(reading);
     }
     return readings;
 }

@@ -30,27 +30,28 @@ bool is_answered(const std::vector<QuestionResult>& results, std::string_view id
     });
 }
 
+using MeshPointer = std::shared_ptr<const LibraryMesh>;
+
 struct LabJob {
-    std::set<std::string> answered;                      // whose panels open it
-    std::map<std::string, QuestionSettings> questions;   // that have this mesh, answered or not: parts of a report hold the same data
+    MeshPointer mesh;
+    std::set<std::string> answered = {};                      // whose panels open it
+    std::map<std::string, QuestionSettings> questions = {};   // that have this mesh, answered or not: parts of a report hold the same data
 };
-using Wanted = std::map<std::shared_ptr<const LibraryMesh>, LabJob>;
 
 std::string names_of(const LabJob& job) { return joined({job.answered.begin(), job.answered.end()}, " "); }
 
 /// The cache key, of everything that shapes the data; empty if the program has no identity.
-std::string key_of(const std::string& names, const LibraryMesh& mesh, const LabJob& job, const ReportSettings& settings) {
+std::string key_of(const LabJob& job, const ReportSettings& settings) {
+    const LibraryMesh& mesh = *job.mesh;
     if (program_identity().empty() || mesh.input.sha256.empty()) return "";
     output::KeyMaker key;
-    key.add("laboratory").add(program_identity()).add(report::words_identity()).add(names).add(mesh.name).add(mesh.input.sha256);
+    key.add("laboratory").add(program_identity()).add(report::words_identity()).add(names_of(job)).add(mesh.name).add(mesh.input.sha256);
     for (const auto& [id, unused] : job.questions) {
         key.add(id);
         for (const std::string& word : identity_of(settings, id, false)) key.add(word);
     }
     return key.key();
 }
-
-using MeshPointer = std::shared_ptr<const LibraryMesh>;
 
 /// Null if the mesh is missing, which its section reports.
 MeshPointer mesh_for(std::string_view id, std::string_view role, const MeshLibrary& meshes, const ReportSettings& settings) try {
@@ -65,35 +66,34 @@ MeshPointer mesh_for(std::string_view id, std::string_view role, const MeshLibra
 std::vector<report::Lab> report_labs(const std::vector<QuestionResult>& results, const MeshLibrary& meshes, const ReportSettings& settings,
                                      output::ResultCache* store) {
     const MeshLibrary sources = meshes.limited_to(largest_source);
-    Wanted wanted;
+    std::vector<LabJob> jobs;
     for (const auto& [id, role] : choices) {
-        if (!is_answered(results, id)) continue;
-        if (const MeshPointer mesh = mesh_for(id, role, sources, settings)) wanted[mesh].answered.insert(std::string(id));
+        const MeshPointer mesh = mesh_for(id, role, sources, settings);
+        if (!mesh) continue;
+        auto job = std::ranges::find(jobs, mesh, &LabJob::mesh);
+        if (job == jobs.end()) job = jobs.insert(job, LabJob{mesh});
+        job->questions.emplace(id, question_settings(settings, std::string(id)));
+        if (is_answered(results, id)) job->answered.emplace(id);
     }
-    for (const auto& [id, role] : choices) {
-        const auto job = wanted.find(mesh_for(id, role, sources, settings));
-        if (job != wanted.end()) job->second.questions.emplace(id, question_settings(settings, std::string(id)));
-    }
-    std::map<std::string, const Wanted::value_type*> by_questions;   // and not by address
-    for (const auto& job : wanted) by_questions.emplace(names_of(job.second), &job);
-    const std::vector<std::pair<std::string, const Wanted::value_type*>> jobs(by_questions.begin(), by_questions.end());
+    std::erase_if(jobs, [](const LabJob& job) { return job.answered.empty(); });
+    std::ranges::sort(jobs, {}, names_of);
     std::vector<report::Lab> labs(jobs.size());
     for_each_task(jobs.size(), [&](std::size_t i) {
-        const auto& [mesh, job] = *jobs[i].second;
-        const std::string key = store != nullptr ? key_of(jobs[i].first, *mesh, job, settings) : "";
+        const LibraryMesh& mesh = *jobs[i].mesh;
+        const std::string key = store != nullptr ? key_of(jobs[i], settings) : "";
         try {
             if (auto stored = key.empty() ? std::nullopt : store->get(key)) {
-                labs[i] = {jobs[i].first, std::move(*stored)};
+                labs[i] = {names_of(jobs[i]), std::move(*stored)};
                 return;
             }
-            LabMesh lab = lab_mesh(mesh->mesh(), mesh->name, job.questions);
-            lab.source_vertices = mesh->input.vertices;
-            labs[i] = report::lab_of(jobs[i].first, bytes_of(lab));
+            LabMesh lab = lab_mesh(mesh.mesh(), mesh.name, jobs[i].questions);
+            lab.source_vertices = mesh.input.vertices;
+            labs[i] = report::lab_of(names_of(jobs[i]), bytes_of(lab));
             if (!key.empty()) store->put(key, labs[i].data);
         } catch (const OutputError&) {
             // the cache is no part of the report
         } catch (const Error& error) {
-            warn("no laboratory with " + mesh->name + ": " + error.what());
+            warn("no laboratory with " + mesh.name + ": " + error.what());
         }
     });
     std::erase_if(labs, [](const report::Lab& lab) { return lab.data.empty(); });
