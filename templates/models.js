@@ -74,7 +74,8 @@
         });
         const openFromLink = () => {
             if (button.hidden) return;
-            if (block.dataset.opens !== undefined || new RegExp(`^#lab(=|%3D)${question}(,|%2C|$)`, "i").test(location.hash)) {
+            if (block.dataset.opens !== undefined) return button.click();   // the page has nothing else
+            if (new RegExp(`^#lab(=|%3D)${question}(,|%2C|$)`, "i").test(location.hash)) {
                 button.click();
                 block.scrollIntoView();
             }

@@ -22,9 +22,8 @@ function barOf({ quantity, unit, numbers, colors }) {
 }
 
 class Lab {
-    constructor(block, data, question, onStop) {
-        Object.assign(this, { data, question, onStop, why: "", hasPage: question === "lab" });
-        this.experiment = new Experiment(data);
+    constructor(block, { data, experiment, scene }, question, onStop) {
+        Object.assign(this, { data, experiment, scene, question, onStop, why: "", hasPage: question === "lab" });
         this.panel = new Panel(question, data, {
             changed: (part) => this.change({ ...this.state, ...part }, this.play.name in part || "scheme" in part),
             preset: (state) => this.change({ ...state, wire: this.state.wire }, true),
@@ -33,7 +32,6 @@ class Lab {
         this.play = new Play((name, value) => this.set({ ...this.state, [name]: value }), () => this.pause());
         this.spectrum = new SpectrumPlot(data);
         this.errors = new ErrorPlot();
-        this.scene = new Scene(data);
         this.build(block);
         this.openView();
         this.state = held(startOf(data, question), data.modes);
@@ -44,8 +42,7 @@ class Lab {
         addEventListener("beforeprint", this.onPrint);
         const asked = linked();
         this.set(asked ?? this.state);
-        if (!this.hasPage) this.panel.firstSlider().focus({ preventScroll: true });
-        this.root.scrollIntoView({ block: "nearest" });
+        if (!this.hasPage) this.panel.firstSlider().focus({ preventScroll: true }), this.root.scrollIntoView({ block: "nearest" });
         if (this.hasPage && !asked && this.state.scheme === "projection" && !isStill()) this.run("k", openingOf(data.modes, this.state.k));
     }
 
@@ -267,6 +264,19 @@ class Lab {
     }
 }
 
-export function openLab(block, bytes, question, onStop) {
-    return new Lab(block, lab.decoded(bytes), question, onStop);
+/// What a laboratory needs of the bytes of its mesh, in pieces between which the page goes on.
+export async function prepareLab(bytes) {
+    const rest = () => new Promise((done) => setTimeout(done));
+    await rest();
+    const data = lab.decoded(bytes);
+    await rest();
+    const experiment = new Experiment(data);
+    await rest();
+    const scene = new Scene(data);
+    await rest();
+    return { data, experiment, scene };
+}
+
+export function openLab(block, prepared, question, onStop) {
+    return new Lab(block, prepared, question, onStop);
 }

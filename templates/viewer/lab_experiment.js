@@ -9,11 +9,15 @@ const fewestSeen = 20;   // steps of the error, so that a best one soon after th
 
 export class Experiment {
     constructor(data) {
-        Object.assign(this, { data, clean: new CleanSurface(data), run: new DenoisingRun(data) });
+        this.data = data;
         this.x = new Float64Array(3 * data.vertices), this.scratch = new Float64Array(3 * data.vertices);
         this.first = { energy: lab.energy(data, data.coefficients), volume: lab.volume(data, data.positions) };
         this.colours = new Colours(this);
     }
+
+    // Made when first asked for: they take a while.
+    get clean() { return this.surface ??= new CleanSurface(this.data); }
+    get run() { return this.denoising ??= new DenoisingRun(this.data); }
 
     /// @return whether the mesh before the filter is another
     set(state) {
@@ -38,14 +42,14 @@ export class Experiment {
 
     /// Into `x`. @return the filter of the modes; none where each step is solved for
     positionsAt(t, x) {
-        const { data, state, run } = this;
+        const { data, state } = this;
         if (state.scheme !== "denoising") {
             const f = lab.filter(data, { ...state, t });
             lab.applied(data, f, this.coefficients, this.start, x);
             return f;
         }
-        run.from(this.start, state.edges);
-        x.set(run.at(t));
+        this.run.from(this.start, state.edges);
+        x.set(this.run.at(t));
         return null;
     }
 
@@ -68,9 +72,9 @@ export class Experiment {
 
     /// How far each vertex lies from where it was [% of the box].
     apart(x) {
-        const { positions: p, diagonal, vertices } = this.data;
-        const far = Float64Array.from({ length: vertices }, (_, v) => Math.hypot(x[3 * v] - p[3 * v], x[3 * v + 1] - p[3 * v + 1], x[3 * v + 2] - p[3 * v + 2]));
-        return far.map((distance) => 100 * distance / diagonal);
+        const { positions: p, diagonal, vertices } = this.data, apart = new Float64Array(vertices);
+        for (let v = 0, i = 0; v < vertices; ++v, i += 3) apart[v] = 100 * Math.hypot(x[i] - p[i], x[i + 1] - p[i + 1], x[i + 2] - p[i + 2]) / diagonal;
+        return apart;
     }
 
     /// Of what compute() has made.

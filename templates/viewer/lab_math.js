@@ -14,7 +14,8 @@ export function decoded(buffer) {
     };
     at += 12 * m;
     const high = new Int8Array(buffer, at, n * count), low = new Uint8Array(buffer, at + n * count, n * count);
-    data.numbers = Int16Array.from(high, (byte, i) => 256 * byte + low[i]);   // mode by mode
+    data.numbers = new Int16Array(n * count);   // mode by mode
+    for (let i = 0; i < n * count; ++i) data.numbers[i] = 256 * high[i] + low[i];
     data.isBorder = borderOf(data);
     data.critical = 2 / data.largestEigenvalue;
     data.isConstant = (mu) => mu <= 1e-9 * data.largestEigenvalue;   // 0 but for rounding: one mode a component
@@ -27,18 +28,19 @@ export function decoded(buffer) {
 
 /// Each number was written as what it differs by from the mean of those of its neighbours before it.
 function addNeighbours({ numbers, corners, vertices: n }) {
-    const before = Array.from({ length: n }, () => new Set());
+    const before = Array.from({ length: n }, () => new Set()), start = new Int32Array(n + 1);
     for (let i = 0; i < corners.length; ++i) {
         const [a, b] = [corners[i], corners[i % 3 === 2 ? i - 2 : i + 1]];
         before[Math.max(a, b)].add(Math.min(a, b));
     }
-    const lists = before.map((others) => Int32Array.from(others));
+    before.forEach(({ size }, v) => { start[v + 1] = start[v] + size; });
+    const others = Int32Array.from(before.flatMap((set) => [...set]));
     for (let mode = 0; mode < numbers.length; mode += n) {
         for (let v = 0; v < n; ++v) {
-            const others = lists[v], count = others.length, written = numbers[mode + v];
+            const written = numbers[mode + v], end = start[v + 1];
             let sum = 0;
-            for (let i = 0; i < count; ++i) sum += numbers[mode + others[i]];
-            numbers[mode + v] = (written >>> 1 & 0x7fff ^ -(written & 1)) + (count > 0 ? Math.floor(sum / count) : 0);   // wraps around in 16 bits
+            for (let i = start[v]; i < end; ++i) sum += numbers[mode + others[i]];
+            numbers[mode + v] = (written >>> 1 & 0x7fff ^ -(written & 1)) + Math.floor(sum / (end - start[v] || 1));   // wraps around in 16 bits
         }
     }
 }

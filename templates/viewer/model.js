@@ -6,10 +6,10 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { materialFor } from "./shader.js";
 
 // As in render/scene.cpp: a vertex is a crease where the mean normal of the triangles around, weighted by area, is shorter than this.
-const crease = { begin: 0.914, end: 0.848 }, creaseOfCoarse = { begin: 0.8, end: 0.734 };   // coarse: a few hundred vertices
+const creaseBegin = 0.914, creaseEnd = 0.848;
 
 /// How far each vertex takes the normal of the triangle instead of its own, 0 to 1.
-function sharpnessOf(geometry, { begin, end } = crease) {
+function sharpnessOf(geometry) {
     const { position } = geometry.attributes, corners = geometry.index.array;
     const sums = new Float64Array(4 * position.count);   // normals times areas, and areas
     const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
@@ -26,7 +26,7 @@ function sharpnessOf(geometry, { begin, end } = crease) {
     return Float32Array.from({ length: position.count }, (_, v) => {
         const [x, y, z, area] = sums.subarray(4 * v, 4 * v + 4);
         const length = area > 0 ? Math.hypot(x, y, z) / area : 0;
-        return Math.min(1, Math.max(0, (begin - length) / (begin - end)));
+        return Math.min(1, Math.max(0, (creaseBegin - length) / (creaseBegin - creaseEnd)));
     });
 }
 
@@ -78,16 +78,6 @@ export class Model {
         this.root.scale.setScalar(1 / radius);
         this.root.position.fromArray(centre).multiplyScalar(-1 / radius);
         this.root.updateMatrixWorld(true);
-    }
-
-    /// @param places  of each vertex in the colour map, 0 to 1
-    moveTo(positions, places) {
-        const { geometry } = this.mesh;
-        geometry.attributes.position.array.set(positions);
-        geometry.attributes.place.array.set(places);
-        geometry.computeVertexNormals();
-        geometry.attributes.sharpness.array.set(sharpnessOf(geometry, creaseOfCoarse));
-        for (const name of ["position", "place", "normal", "sharpness"]) geometry.attributes[name].needsUpdate = true;
     }
 
     /// The value at a point of a triangle: null where undefined, as decided by the nearest corner.

@@ -1,7 +1,7 @@
 // Turns one model, or two with one camera (before and after), and reads their values. Everything happens on the reader's act.
 import { Raycaster, Vector2 } from "three";
 
-import { openLab } from "./lab.js";
+import { openLab, prepareLab } from "./lab.js";
 import { Model } from "./model.js";
 import { button, element, legendOf, number, View } from "./view.js";
 
@@ -102,7 +102,8 @@ async function start(block, models, onStop) {
 
 /// Fills `block` with the laboratory of a question, on the mesh whose bytes these are (src/run/lab/lab_mesh.h).
 async function startLab(block, bytes, question, onStop) {
-    await inPlaceOfTheOther(block, () => openLab(block, bytes, question, onStop));
+    const prepared = await prepareLab(bytes);
+    await inPlaceOfTheOther(block, () => openLab(block, prepared, question, onStop));
 }
 
 globalThis.meshfolioViewer = { start, startLab };
