@@ -43,7 +43,7 @@ class Lab {
         const asked = linked();
         this.set(asked ?? this.state);
         if (!this.hasPage) this.panel.firstSlider().focus({ preventScroll: true }), this.root.scrollIntoView({ block: "nearest" });
-        if (this.hasPage && !asked && this.state.scheme === "projection" && !isStill()) this.run("k", openingOf(data.modes, this.state.k));
+        if (this.hasPage && !asked && this.state.scheme === "projection" && this.state.k < data.modes && !isStill()) this.run("k", openingOf(data.modes, this.state.k));
     }
 
     build(block) {

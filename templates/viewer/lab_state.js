@@ -17,7 +17,7 @@ export const amountsOf = (scheme) => (scheme === "projection" ? ["k"] : [scheme 
 /// What the panel of a question opens with, and [{question, words, state}] to click: src/run/lab/lab_presets.cpp has chosen both.
 export const startOf = (data, question) => ({ ...plain, colours: coloursOf(question), ...data.starts[question] });
 export const presetsOf = (data, question) => data.presets.filter((preset) => question === "lab" || preset.question === question)
-    .map((preset) => ({ ...preset, state: { ...plain, colours: coloursOf(preset.question), ...preset.state } }));
+    .map((preset) => ({ ...preset, state: { ...plain, colours: coloursOf(preset.question), lines: preset.lines, ...preset.state } }));
 
 const within = (value, low, high) => Math.min(high, Math.max(low, value));
 

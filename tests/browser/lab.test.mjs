@@ -226,7 +226,7 @@ describe("the panel", options, () => {
             await frame.decode();
             const across = inRows ? 1 : 2, width = Math.floor(frame.naturalWidth / across), height = Math.floor(frame.naturalHeight / (3 - across));
             Object.assign(canvas, { width: frame.naturalWidth, height: frame.naturalHeight });
-            const context = canvas.getContext("2d");
+            const context = canvas.getContext("2d", { willReadFrequently: true });
             context.drawImage(frame, 0, 0);
             return [[0, 0], inRows ? [0, height] : [width, 0]].map(([x0, y0]) => {
                 const { data } = context.getImageData(x0, y0, width, height), box = [width, height, 0, 0];
@@ -239,7 +239,7 @@ describe("the panel", options, () => {
     test("a mesh fills 85 % of its pane, and is not cut when it is turned or blows up", async () => {
         const page = await opened("q6");
         const [first] = await coverage(page);
-        assert.ok(first.share > 0.7 && first.share < 0.87, `${first.share}`);
+        assert.ok(first.share > 0.8 && first.share < 0.87, `${first.share}`);
         await page.locator(".lab-panel canvas").focus();
         for (let turn = 0; turn < 8; ++turn) {
             await page.keyboard.press(turn % 2 ? "ArrowRight" : "ArrowUp");
@@ -441,22 +441,23 @@ describe("the panel", options, () => {
     }
 
     test("`meshfolio lab` makes a page of its own, under the same policy", async () => {
-        run("sample", "cube8", "-o", "cube8.obj");
-        run("lab", "cube8.obj", "-o", "index.html");
+        run("sample", "cube", "-o", "cube.obj");
+        run("lab", "cube.obj", "-o", "index.html");
         const page = await open(browser, folder, small), k = page.locator('.lab-panel input[name="k"]');
         await page.locator(".lab-tiles dd").first().waitFor();
-        assert.equal(await k.inputValue(), "5");
+        assert.equal(await k.inputValue(), "15");
         await page.keyboard.press("Escape");
         assert.equal(await page.getByRole("button", { name: "Close" }).count(), 0);
-        assert.match(await page.locator(".lab-mesh").textContent(), /cube8: 8 vertices, all 8 modes/);
+        assert.match(await page.locator(".lab-mesh").textContent(), /cube: 602 vertices, all 602 modes/);
         assert.match(await page.getAttribute('meta[http-equiv="Content-Security-Policy"]', "content"), /^default-src 'none';/);
         assert.deepEqual(problemsOf(page), []);
         await page.context().close();
         const moving = await open(browser, folder, { ...small, reducedMotion: "no-preference", first: () => { globalThis.counts = []; setInterval(() => globalThis.counts.push(Number(document.querySelector('input[name="k"]')?.value)), 20); } });
         await moving.locator('.lab-play.playing').waitFor();
         await moving.locator('.lab-play.playing').waitFor({ state: "detached" });
-        const counts = (await moving.evaluate(() => globalThis.counts)).filter(Number.isFinite), last = counts.findIndex((count) => count === 8);
-        assert.deepEqual([...new Set(counts.slice(last))], [8, 7, 6, 5], "it opens with k running down from all modes");
+        const counts = (await moving.evaluate(() => globalThis.counts)).filter(Number.isFinite), first = counts.findIndex((count) => count === 602);
+        assert.ok(first >= 0 && counts.at(-1) === 15, "it opens with k running down from all modes");
+        assert.ok(counts.slice(first).every((count, i, all) => i === 0 || count <= all[i - 1]));
         await moving.context().close();
     });
 });

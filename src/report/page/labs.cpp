@@ -36,7 +36,6 @@ std::vector<Lab> labs_in(std::string_view page) {
     std::vector<Lab> labs;
     for (std::size_t at = 0; at != page.npos;) {
         const std::string_view questions = between(page, tag_begin, tag_middle, at);
-        if (at == page.npos) break;
         const std::string_view data = between(page, tag_middle, tag_end, at);
         if (!data.empty() && is_of(questions, " ") && is_of(data, "+/=")) labs.push_back({std::string(questions), std::string(data)});
     }

@@ -75,9 +75,8 @@ void append(std::string& bytes, const Values& values) {
 }
 
 /// As a state of the page (templates/viewer/lab_state.js), σ in percent.
-nlohmann::json json_of(const LabSetting& setting, bool shows_drift = false) {
+nlohmann::json json_of(const LabSetting& setting) {
     nlohmann::json state = {{"scheme", setting.scheme}, {"sigma", 100 * setting.sigma}, {"seed", setting.seed}};
-    if (shows_drift) state["lines"] = true;
     state[setting.scheme == "projection" ? "k" : "t"] = setting.count;
     if (setting.scheme != "projection") state[setting.scheme == "denoising" ? "edges" : "lambda"] = setting.lambda;
     return state;
@@ -95,7 +94,7 @@ std::string header_of(const LabMesh& lab) {
                             {"factor", r.factor},
                             {"gains", r.gains}});
     for (const LabPreset& p : lab.presets)
-        presets.push_back({{"question", p.question}, {"words", p.words}, {"state", json_of(p.setting, p.shows_drift)}});
+        presets.push_back({{"question", p.question}, {"words", p.words}, {"lines", p.shows_drift}, {"state", json_of(p.setting)}});
     for (const auto& [question, start] : lab.starts) starts[question] = json_of(start);
     const nlohmann::json header = {{"name", lab.name},
                                    {"sourceVertices", lab.source_vertices},
@@ -132,10 +131,8 @@ LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std:
     lab.is_closed = encloses_volume(lab.mesh, topology_without_edges(lab.mesh));
     lab.laplacian = laplace_beltrami(lab.mesh);
 
-    const int n = lab.mesh.vertex_count();
-    const bool all = n <= limits.all_modes;
-    const int modes = all ? n : std::min(limits.fewer_modes, limits.numbers / n);
-    const Spectrum spectrum = smallest_eigenpairs(lab.laplacian, modes, {.dense_below = limits.all_modes});
+    const int n = lab.mesh.vertex_count(), some = std::min(limits.fewer_modes, limits.numbers / std::max(n, 1));
+    const Spectrum spectrum = smallest_eigenpairs(lab.laplacian, n <= limits.all_modes ? n : some, {.dense_below = limits.all_modes});
     lab.eigenvalues = spectrum.eigenvalues;
     lab.largest_eigenvalue = largest_eigenvalue(lab.laplacian).value;
     lab.coefficients = spectral_coefficients(spectrum, lab.laplacian.M, lab.mesh.X);

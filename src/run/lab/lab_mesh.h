@@ -25,9 +25,8 @@ struct LabReading {
 };
 
 struct LabLimits {
-    int vertices = 620, decimated_to = 420;    // larger meshes are decimated
-    int all_modes = 2000, fewer_modes = 300;   // all modes up to this many vertices, else the lowest 300, or fewer:
-    int numbers = 1'600'000;                   // so many of a mode at a vertex, of some 1.5 bytes in the page
+    int vertices = 620, decimated_to = 420;                         // larger meshes are decimated
+    int all_modes = 2000, fewer_modes = 300, numbers = 1'600'000;   // more vertices: the lowest 300 modes, of so many numbers at most
 };
 
 struct LabMesh {

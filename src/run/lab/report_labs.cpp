@@ -42,10 +42,10 @@ std::string names_of(const LabJob& job) { return joined({job.answered.begin(), j
 
 /// The cache key, of everything that shapes the data; empty if the program has no identity.
 std::string key_of(const LabJob& job, const ReportSettings& settings) {
-    const LibraryMesh& mesh = *job.mesh;
-    if (program_identity().empty() || mesh.input.sha256.empty()) return "";
+    if (program_identity().empty() || job.mesh->input.sha256.empty()) return "";
     output::KeyMaker key;
-    key.add("laboratory").add(program_identity()).add(report::words_identity()).add(names_of(job)).add(mesh.name).add(mesh.input.sha256);
+    key.add("laboratory").add(program_identity()).add(report::words_identity()).add(names_of(job)).add(job.mesh->name);
+    key.add(job.mesh->input.sha256);
     for (const auto& [id, unused] : job.questions) {
         key.add(id);
         for (const std::string& word : identity_of(settings, id, false)) key.add(word);
@@ -79,21 +79,21 @@ std::vector<report::Lab> report_labs(const std::vector<QuestionResult>& results,
     std::ranges::sort(jobs, {}, names_of);
     std::vector<report::Lab> labs(jobs.size());
     for_each_task(jobs.size(), [&](std::size_t i) {
-        const LibraryMesh& mesh = *jobs[i].mesh;
+        const MeshPointer& mesh = jobs[i].mesh;
         const std::string key = store != nullptr ? key_of(jobs[i], settings) : "";
         try {
             if (auto stored = key.empty() ? std::nullopt : store->get(key)) {
                 labs[i] = {names_of(jobs[i]), std::move(*stored)};
                 return;
             }
-            LabMesh lab = lab_mesh(mesh.mesh(), mesh.name, jobs[i].questions);
-            lab.source_vertices = mesh.input.vertices;
+            LabMesh lab = lab_mesh(mesh->mesh(), mesh->name, jobs[i].questions);
+            lab.source_vertices = mesh->input.vertices;
             labs[i] = report::lab_of(names_of(jobs[i]), bytes_of(lab));
             if (!key.empty()) store->put(key, labs[i].data);
         } catch (const OutputError&) {
             // the cache is no part of the report
         } catch (const Error& error) {
-            warn("no laboratory with " + mesh.name + ": " + error.what());
+            warn("no laboratory with " + mesh->name + ": " + error.what());
         }
     });
     std::erase_if(labs, [](const report::Lab& lab) { return lab.data.empty(); });

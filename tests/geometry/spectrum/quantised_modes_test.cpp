@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "mesh/samples/sample_shapes.h"
@@ -19,6 +22,18 @@ TEST(QuantisedModes, NoNumberMovesByMoreThanHalfAStepOfItsColumn) {
         const double peak = modes.col(j).cwiseAbs().maxCoeff();
         EXPECT_LE((restored.col(j) - modes.col(j)).cwiseAbs().maxCoeff(), peak / 65534 * (1 + 1e-12)) << j;
         EXPECT_NEAR(restored.col(j).cwiseAbs().maxCoeff(), peak, 1e-15 * peak) << j;   // the largest is exact
+    }
+}
+
+TEST(QuantisedModes, AColumnHasAsManyStepsAsItsPrecisionAsksFor) {
+    const DenseMatrix modes = DenseMatrix::Random(40, 6);
+    Vector precision(6);
+    precision << 1, 0.5, 1e-2, 1e-9, 7, 0;
+    const QuantisedModes rounded = quantised(modes, precision);
+    for (int j = 0; j < 6; ++j) {
+        const double peak = modes.col(j).cwiseAbs().maxCoeff(), steps = std::clamp(std::ceil(precision[j] * 32767), 127.0, 32767.0);
+        EXPECT_DOUBLE_EQ(rounded.scale[j], peak / steps) << j;
+        EXPECT_LE((rounded.restored().col(j) - modes.col(j)).cwiseAbs().maxCoeff(), peak / (2 * steps) * (1 + 1e-12)) << j;
     }
 }
 

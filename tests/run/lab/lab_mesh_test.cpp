@@ -156,6 +156,18 @@ TEST(LabMesh, BeyondItsLimitThereAreTheLowestModesAndOnlyProjections) {
     EXPECT_GT(lab.largest_eigenvalue, lab.eigenvalues[39]);
     ASSERT_FALSE(lab.readings.empty());
     for (const LabReading& reading : lab.readings) EXPECT_EQ(reading.setting.scheme, "projection");
+    EXPECT_EQ(lab_mesh(icosphere(3), "sphere", {}, {.vertices = 1000, .all_modes = 100, .numbers = 642 * 30 + 1}).eigenvalues.size(), 30);
+}
+
+// Modes that move the vertices less have fewer steps.
+TEST(LabMesh, FewerModesAreRoundedByWhatTheyMove) {
+    const LabMesh lab = lab_mesh(make_sample("creature"), "creature", {}, {.vertices = 10000});
+    const auto [least, most] = std::ranges::minmax(lab.modes.numbers);
+    EXPECT_EQ(std::max(-least, +most), QuantisedModes::largest);
+    const Eigen::Map<const Eigen::Matrix<std::int16_t, Eigen::Dynamic, Eigen::Dynamic>> numbers(lab.modes.numbers.data(), lab.modes.rows,
+                                                                                                lab.eigenvalues.size());
+    EXPECT_LT(numbers.cast<int>().col(lab.eigenvalues.size() - 1).cwiseAbs().maxCoeff(), QuantisedModes::largest / 4);
+    EXPECT_LT(lab.quantisation_shift, 1e-4);
 }
 
 TEST(LabMesh, BytesHoldWhatTheHeaderSays) {
