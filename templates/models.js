@@ -51,14 +51,37 @@
         prepare(block.querySelector(".files"), "Turn in 3D", "This browser cannot show it in three dimensions; the picture shows the same.", {
             async start(ready, closed) {
                 const scripts = [...block.querySelectorAll('script[type="model/gltf-binary"]')];
-                const models = await Promise.all(scripts.map(async (s) => ({ label: s.dataset.label, bytes: await inflated(s) })));
                 ready();
-                await viewer.start(block, models, closed);
+                await viewer.start(block, scripts.map((s) => ({ label: s.dataset.label, bytes: () => inflated(s) })), closed);
+                block.querySelector(".model-panel").scrollIntoView({ block: "nearest" });
             },
             opened: () => picture.classList.add("behind-model"),
             closed: () => picture.classList.remove("behind-model"),
         });
     }
+
+    /// A link that opens the laboratory of a question.
+    const linkToLab = (question, words) => Object.assign(document.createElement("a"), { className: "model-button try", href: `#lab-${question}`, textContent: words });
+
+    /// What is seen of a laboratory before it is opened: a picture of the question, and what to do.
+    const showStill = (block, button) => {
+        const picture = block.closest("section").querySelector("figure.picture .plate img"), still = document.createElement("span");
+        const words = Object.assign(document.createElement("span"), { textContent: "Try it: drag a slider, see the mesh change" });
+        still.className = "plate";
+        if (picture) still.append(Object.assign(new Image(), { src: picture.src, alt: "" }));
+        button.prepend(still, words);
+        button.classList.add("still");
+    };
+
+    /// From the contents and from the first page.
+    const linkFromHead = (question) => {
+        document.querySelector(`ol.attempted a[href="#${question}"]`)?.parentElement.querySelector("p")?.before(linkToLab(question, "Try it"), " ");
+        const list = document.querySelector("#contents-list");
+        if (!list || list.querySelector(".try")) return;
+        const link = Object.assign(linkToLab(question, "Live laboratory"), { className: "try" });
+        list.append(Object.assign(document.createElement("li"), { className: "try" }));
+        list.lastChild.append(link);
+    };
 
     // "#lab=q5,lambda=1.01,t=40" opens the laboratory of question 5.
     for (const block of document.querySelectorAll(".lab")) {
@@ -72,10 +95,11 @@
                 await viewer.startLab(block, bytes, question, closed);
             },
         });
+        if (block.closest("section")) showStill(block, button), linkFromHead(question);
         const openFromLink = () => {
             if (button.hidden) return;
             if (block.dataset.opens !== undefined) return button.click();   // the page has nothing else
-            if (new RegExp(`^#lab(=|%3D)${question}(,|%2C|$)`, "i").test(location.hash)) {
+            if (new RegExp(`^#lab(=|%3D|-)${question}(,|%2C|$)`, "i").test(location.hash)) {
                 button.click();
                 block.scrollIntoView();
             }

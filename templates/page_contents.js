@@ -1,19 +1,49 @@
-// The contents list follows the scroll: the section that is read is marked and shows its parts. Folded parts open where a link leads.
+// The contents list follows the scroll: the section that is read is marked and shows its parts. In a narrow window it is a bar that names
+// the section and unfolds. Folded parts open where a link leads.
 
 const list = document.querySelector(".contents");
 const links = new Map([...document.querySelectorAll(".contents a")].map((a) => [a.getAttribute("href").slice(1), a]));
 const targets = [...links.keys()].map((id) => document.getElementById(id)).filter(Boolean);
+const sections = targets.filter((target) => !target.parentElement.closest("section"));
 
-/// The last target whose top has passed the upper third of the window.
-function reached() {
+/// The last of these whose top has passed the upper third of the window.
+function lastReached(list) {
     const limit = innerHeight / 3;
     let last = null;
-    for (const target of targets) {
+    for (const target of list) {
         if (target.getBoundingClientRect().top > limit) break;
         last = target;
     }
     return last;
 }
+
+/// Headings are looked for only in the section that is read: where the others are has not been worked out (content-visibility).
+function reached() {
+    const section = lastReached(sections);
+    return section && (lastReached(targets.filter((target) => target !== section && section.contains(target))) ?? section);
+}
+
+/// In a narrow window the list is folded behind a button, which says what is read.
+const button = document.createElement("button"), now = document.createElement("span");
+button.type = "button";
+button.className = "unfold";
+button.setAttribute("aria-controls", "contents-list");
+now.className = "now";
+button.append(Object.assign(document.createElement("b"), { textContent: "Contents" }), " ", now);
+const fold = (open) => {
+    list.classList.toggle("open", open);
+    button.setAttribute("aria-expanded", String(open));
+};
+button.addEventListener("click", () => fold(!list.classList.contains("open")));
+list.addEventListener("click", (event) => { if (event.target.closest("a")) fold(false); });
+list.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || !list.classList.contains("open")) return;
+    fold(false);
+    button.focus();
+});
+document.addEventListener("pointerdown", (event) => { if (!list.contains(event.target)) fold(false); });
+fold(false);
+list.prepend(button);
 
 let shown = null;
 function follow() {
@@ -23,6 +53,8 @@ function follow() {
     for (const item of document.querySelectorAll(".contents .current")) item.classList.remove("current");
     for (const link of links.values()) link.removeAttribute("aria-current");
     const link = target && links.get(target.id);
+    const names = link?.closest(".contents > ol > li").querySelector("a").childNodes ?? [];
+    now.textContent = [...names].map((name) => name.textContent).join(" ");
     if (!link) return;
     link.setAttribute("aria-current", "true");
     for (let item = link.closest("li"); item; item = item.parentElement.closest(".contents li")) item.classList.add("current");
@@ -39,21 +71,7 @@ function later() {
 }
 addEventListener("scroll", later, { passive: true });
 addEventListener("resize", later, { passive: true });
-follow();
-
-/// On a small screen the list would be all there is to be seen: it is folded behind a button.
-const button = document.createElement("button");
-button.type = "button";
-button.className = "unfold";
-button.textContent = "Contents";
-const fold = (open) => {
-    list.classList.toggle("open", open);
-    button.setAttribute("aria-expanded", String(open));
-};
-button.addEventListener("click", () => fold(!list.classList.contains("open")));
-list.addEventListener("click", (event) => { if (event.target.closest("a")) fold(false); });
-fold(false);
-list.prepend(button);
+later();   // not at once: where things are is worked out for the first picture anyway
 
 /// A link into something that is folded away opens it.
 function unfold() {
@@ -73,5 +91,5 @@ unfold();
 
 // Printing shows what is folded away on the screen.
 addEventListener("beforeprint", () => {
-    for (const details of document.querySelectorAll("details:not(.views)")) details.open = true;
+    for (const details of document.querySelectorAll("details:not(.views, .model-files)")) details.open = true;
 });

@@ -74,22 +74,37 @@ function makeFilters(table) {
     show();
 }
 
-for (const table of document.querySelectorAll("table[data-sortable]")) {
-    makeFilters(table);
-    makeSortable(table);
-}
+// The tools of a table are made when it is nearly seen: of all tables at once they would hold the page up.
+const nearlySeen = new IntersectionObserver((entries) => entries.forEach(({ isIntersecting, target }) => {
+    if (!isIntersecting) return;
+    nearlySeen.unobserve(target);
+    makeFilters(target);
+    makeSortable(target);
+}), { rootMargin: "100% 0%" });
+for (const table of document.querySelectorAll("table[data-sortable]")) nearlySeen.observe(table);
 
 // ---- what is wider than its place ---------------------------------------------------------------------------------------
+
+const strips = ".plate > :is(.blocks, .cells)";
+
+/// A strip of pictures that is wider than the window can be reached and moved by keyboard; one that is not is no stop on the way.
+function makeReachable(strip, isWider) {
+    if (isWider === strip.hasAttribute("tabindex")) return;
+    const label = strip.closest("figure").querySelector("figcaption b")?.textContent.replace(/\.$/, "") ?? "this figure";
+    for (const [name, value] of [["tabindex", "0"], ["role", "group"], ["aria-label", `Pictures of ${label}`]])
+        isWider ? strip.setAttribute(name, value) : strip.removeAttribute(name);
+}
 
 /// At which sides there is more to be seen.
 function tellOfMore(box) {
     const beyond = box.scrollWidth - box.clientWidth;
+    if (box.matches(strips)) makeReachable(box, beyond > 1);
     const sides = [box.scrollLeft > 1 ? "left" : "", box.scrollLeft < beyond - 1 ? "right" : ""].join(" ").trim();
     if ((box.dataset.more ?? "") !== sides) sides ? (box.dataset.more = sides) : delete box.dataset.more;
 }
 
 const sizes = new ResizeObserver((entries) => entries.forEach((entry) => tellOfMore(entry.target)));
-for (const box of document.querySelectorAll(".scroll")) {
+for (const box of document.querySelectorAll(`.scroll, ${strips}`)) {
     sizes.observe(box);
     box.addEventListener("scroll", () => tellOfMore(box), { passive: true });
 }

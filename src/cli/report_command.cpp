@@ -138,7 +138,8 @@ ExitCode run_report(const ReportFlags& flags) {
         document.timings.push_back({"drawing", seconds_since(drawing_began)});
         document.timings.push_back({"up to writing", seconds_since(whole)});
         display.step(paper.is_wanted() ? "writing and printing" : "writing");
-        report::WriteOptions options{.timings = settings.timings, .plot_files = true, .design = settings.page.design};
+        report::WriteOptions options{
+            .timings = settings.timings, .plot_files = true, .paper = paper.is_wanted(), .design = settings.page.design};
         Printing own_paper = paper.begin(report::Volume::report, document, figures, store.get(), folder);
         run_tasks(
             [&] {

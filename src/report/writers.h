@@ -67,6 +67,7 @@ struct WriteOptions {
     Volume volume = Volume::report;
     bool timings = true;             // false: nothing that differs from run to run
     bool plot_files = false;         // the caller also writes svg_on_white(svg_of(plot)) to images/<id>.svg; Markdown then shows the plots
+    bool paper = false;              // the report is printed as well, and the page links to it
     std::string design = "report";   // of the page: design.html with design.css, of the templates
     std::string_view viewer = viewer_program();   // turns the models of the page; empty: they are only linked to
     std::vector<Lab> labs = {};                   // of the report's page; none without the viewer

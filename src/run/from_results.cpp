@@ -67,8 +67,11 @@ ExitCode report_from_results(const ReportFlags& flags) {
     for (const EarlierReport& part : parts)
         for (std::string& file : part.copy_to(publication.folder(), digests)) missing.push_back(std::move(file));
     settings.timings = parts.size() == 1 && parts.front().timings && !flags.no_timings;   // those of parts add up to nothing
-    const report::WriteOptions options{
-        .timings = settings.timings, .plot_files = true, .design = words.page.design, .labs = std::move(whole.labs)};
+    const report::WriteOptions options{.timings = settings.timings,
+                                       .plot_files = true,
+                                       .paper = paper.is_wanted(),
+                                       .design = words.page.design,
+                                       .labs = std::move(whole.labs)};
     try {
         write_report_files(whole.document, whole.figures, templates, options, {}, {}, publication.folder());
     } catch (const std::logic_error& error) {   // a text refers to what is not there

@@ -48,7 +48,6 @@ export class Model {
         const geometry = new BufferGeometry();
         geometry.setAttribute("position", new BufferAttribute(positions, 3));
         geometry.setIndex(new BufferAttribute(corners, 1));
-        geometry.computeVertexNormals();
         geometry.setAttribute("place", new BufferAttribute(new Float32Array(positions.length / 3), 1));
         const mesh = new Mesh(geometry, new MeshBasicMaterial());
         Object.assign(mesh.userData, { frame, value });
@@ -60,6 +59,8 @@ export class Model {
         this.label = label;
         scene.traverse((object) => { if (object.isMesh) this.mesh = object; });
         const { geometry, userData } = this.mesh;
+        geometry.deleteAttribute("normal");   // zeros in the page's copy of a model
+        geometry.computeVertexNormals();
         this.value = userData.value ?? null;
         this.frame = userData.frame;
         this.values = geometry.attributes._value?.array ?? null;
@@ -78,6 +79,10 @@ export class Model {
         this.root.scale.setScalar(1 / radius);
         this.root.position.fromArray(centre).multiplyScalar(-1 / radius);
         this.root.updateMatrixWorld(true);
+    }
+
+    hasTrianglesOf(other) {
+        return this.mesh.geometry.index.count === other.mesh.geometry.index.count;
     }
 
     /// The value at a point of a triangle: null where undefined, as decided by the nearest corner.

@@ -56,7 +56,7 @@ export class View {
         this.canvas.setAttribute("role", "application");
         this.canvas.setAttribute("aria-label", name);
         this.stage.append(this.canvas);
-        if (models.length > 1) for (const { label } of models) this.stage.append(element("span", "model-label", label));
+        this.nameModels();
     }
 
     /// @throws without WebGL
@@ -65,7 +65,7 @@ export class View {
         this.renderer.outputColorSpace = SRGBColorSpace;
         this.renderer.setClearColor(0x000000, 0);   // the page's ground shows through
         this.renderer.autoClear = false;
-        for (const model of this.models) model.frameOn(this.models[0].frame);
+        this.frameModels();
         this.camera = new OrthographicCamera(-1, 1, 1, -1, 0.1, 20);
         this.placeCamera();
         this.controls = new OrbitControls(this.camera, this.canvas);
@@ -76,6 +76,23 @@ export class View {
         this.listen();
         this.resized = new ResizeObserver(() => this.resize());
         this.resized.observe(this.stage);
+        this.resize();
+    }
+
+    nameModels() {
+        for (const label of this.stage.querySelectorAll(".model-label")) label.remove();
+        if (this.models.length > 1) for (const { label } of this.models) this.stage.append(element("span", "model-label", label));
+    }
+
+    frameModels() {
+        for (const model of this.models) model.frameOn(this.models[0].frame);
+    }
+
+    /// Others in their place, seen from where they were. The caller disposes of those that are not shown.
+    show(models) {
+        this.models = models;
+        this.nameModels();
+        this.frameModels();
         this.resize();
     }
 

@@ -15,7 +15,7 @@ after(() => browser.close());
 const beyond = (page) => page.evaluate(() => {
     const width = document.documentElement.clientWidth;
     return [...document.querySelectorAll("body *")]
-        .filter((element) => !element.closest(".scroll > *, .skip, svg, math, dialog"))
+        .filter((element) => !element.closest(".scroll > *, .plate > :is(.blocks, .cells) > *, .skip, svg, math, dialog"))
         .filter((element) => { const box = element.getBoundingClientRect(); return box.width > 0 && (box.right > width + 1 || box.left < -1); })
         .map((element) => `${element.tagName}.${element.className} ${element.textContent.trim().slice(0, 40)}`);
 });
@@ -45,12 +45,12 @@ describe("words and figures", () => {
         return pages[volume];
     };
 
-    test("lines of text are about 66 characters long", async () => {
+    test("lines of text are at most 80 characters long", async () => {
         const lengths = await (await at(1440)).$$eval("section.question > p:not([class])", (paragraphs) => paragraphs
             .map((p) => p.textContent.length / Math.max(1, Math.round(p.getBoundingClientRect().height / parseFloat(getComputedStyle(p).lineHeight))))
             .sort((a, b) => a - b));
         const longest = lengths.at(Math.floor(0.9 * lengths.length));
-        assert.ok(longest > 50 && longest < 82, `${longest} characters a line`);
+        assert.ok(longest > 50 && longest <= 80, `${longest} characters a line`);
     });
 
     for (const volume of volumes) test(`words in plots of ${volume} stay within the picture`, async () => {
@@ -59,6 +59,54 @@ describe("words and figures", () => {
             return box.x < -2 || box.y < -2 || box.x + box.width > frame.width + 2 || box.y + box.height > frame.height + 2;
         }).map((text) => `${plot.closest("figure").id}: ${text.textContent}`)));
         assert.deepEqual(cut, []);
+    });
+
+    for (const volume of volumes) test(`two widths at 1400 pixels in ${volume}: that of the text and the whole one, and notes in the margin`, async () => {
+        const page = await at(1400, volume), text = await page.$eval("main > section > p", (p) => p.getBoundingClientRect().width);
+        const odd = await page.$$eval("main > section > *", (all, measure) => {
+            const { left, right } = document.querySelector("main").getBoundingClientRect();
+            return all.filter((element) => element.checkVisibility() && !element.matches(".equation")).map((element) => [element, element.getBoundingClientRect()])
+                .filter(([, box]) => !(Math.abs(box.left - left) < 1 && (box.width < measure + 1 || Math.abs(box.right - right) < 1)))   // text, all
+                .filter(([, box]) => !(box.left >= left + measure && Math.abs(box.right - right) < 1))                                 // margin
+                .map(([element]) => `${element.tagName}.${element.className}#${element.id}`);
+        }, text);
+        assert.deepEqual(odd, []);
+        assert.ok(text > 560 && text < 700, `${text} pixels`);
+        const below = await page.$$eval("figure.plot", (plots) => plots.filter((plot) =>
+            plot.querySelector("figcaption").getBoundingClientRect().left < plot.querySelector("svg").getBoundingClientRect().right).map(({ id }) => id));
+        assert.deepEqual(below, [], "captions of plots stand beside them");
+    });
+
+    for (const javaScriptEnabled of [true, false]) test(`on a telephone a figure is a strip to swipe, its legend with it, with${javaScriptEnabled ? "" : "out"} JavaScript`, async () => {
+        const page = await open(browser, reports.quick, { viewport: { width: 390, height: 844 }, javaScriptEnabled });
+        for (const plate of await page.locator("figure.picture .plate").all()) await plate.scrollIntoViewIfNeeded();
+        await page.waitForTimeout(100);
+        const figures = await page.$$eval("figure.picture .plate", (plates) => plates.map((plate) => ({
+            id: plate.closest("figure").id, height: plate.getBoundingClientRect().height, pictures: plate.querySelectorAll(".block, .panel").length,
+            strip: [...plate.querySelectorAll(":scope > :is(.blocks, .cells, .scroll)")].map((strip) => ({ swiped: strip.scrollWidth - strip.clientWidth, name: strip.tabIndex >= 0 && strip.ariaLabel })) })));
+        for (const { id, height, pictures, strip: [strip] } of figures) {
+            assert.ok(height < 1.4 * 844, `${id} is ${height} pixels high`);
+            if (pictures > 4) assert.ok(strip.swiped > 50, `${id} has all ${pictures} below each other`);
+            if (javaScriptEnabled && strip.swiped > 1) assert.match(strip.name, /Figure \d/, `${id} can be reached by keyboard`);
+        }
+        await page.context().close();
+    });
+
+    for (const width of [390, 1000]) test(`at ${width} pixels a bar stays and names what is read; it opens to lines of 44 pixels`, async () => {
+        const page = await open(browser, reports.quick, { viewport: { width, height: 844 } });
+        await page.evaluate(() => document.getElementById("q5").scrollIntoView());
+        const bar = page.getByRole("button", { name: "Contents" });
+        await page.waitForFunction(() => /^5 /.test(document.querySelector(".unfold .now").textContent));
+        const box = await bar.boundingBox();
+        assert.ok(box.y >= -1 && box.y < 10 && box.height >= 44, JSON.stringify(box));
+        assert.ok(await page.$eval("#q5", (section) => section.getBoundingClientRect().top) >= box.height - 1, "the heading is not behind it");
+        await bar.click();
+        const links = await page.$$eval(".contents a", (all) => all.filter((a) => a.checkVisibility()).map((a) => a.getBoundingClientRect().toJSON()));
+        assert.ok(links.length >= 10 && links.every(({ height }) => height >= 44));
+        assert.ok(links.every(({ top }, i) => i === 0 || top >= links[i - 1].bottom - 1), "one a line");
+        await page.keyboard.press("Escape");
+        assert.equal(await bar.getAttribute("aria-expanded"), "false");
+        await page.context().close();
     });
 
     for (const width of [390, 1400]) {
@@ -89,13 +137,25 @@ describe("words and figures", () => {
         assert.equal(new Set(views).size, 2);
     });
 
-    test("pictures stand on white and the words beside them can be read, in the dark", async () => {
-        const page = await at(1280);
-        await page.emulateMedia({ colorScheme: "dark" });
-        const [plate, words] = await page.$eval("figure.picture:has(svg.legend)", (figure) =>
-            [getComputedStyle(figure.querySelector(".plate")).backgroundColor, getComputedStyle(figure.querySelector("svg.legend text")).fill]);
-        assert.equal(plate, "rgb(255, 255, 255)");
-        assert.ok(words.match(/\d+/g).every((channel) => Number(channel) < 60), words);
+    test("in the dark pictures have the page's ground, and the words beside them its colour", async () => {
+        const page = await open(browser, reports.quick, { viewport: { width: 1280, height: 900 }, colorScheme: "dark" });
+        const picture = page.locator("figure.picture:has(svg.legend) .large img").first();
+        await picture.scrollIntoViewIfNeeded();
+        const [box, png] = [await picture.boundingBox(), (await page.screenshot()).toString("base64")];
+        const blank = await page.context().newPage();
+        const [corner, middle, beside] = await blank.evaluate(async ([source, { x, y, width, height }]) => {
+            const image = Object.assign(new Image(), { src: `data:image/png;base64,${source}` });
+            await image.decode();
+            const context = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height }).getContext("2d");
+            context.drawImage(image, 0, 0);
+            return [[x + 3, y + 3], [x + width / 2, y + height / 2], [x - 6, y + 3]].map(([u, v]) => [...context.getImageData(u, v, 1, 1).data]);
+        }, [png, box]);
+        assert.deepEqual(corner, beside);
+        assert.ok(Math.max(...corner.slice(0, 3)) < 60, corner);
+        assert.ok(Math.max(...middle.slice(0, 3)) > 90, middle);
+        const words = await page.$eval("svg.legend text", (text) => getComputedStyle(text).fill);
+        assert.ok(words.match(/\d+/g).every((channel) => Number(channel) > 200), words);
+        await page.context().close();
     });
 });
 
@@ -108,8 +168,10 @@ test("on paper: light, complete, without what is only for the screen", async () 
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).color), "rgb(28, 29, 33)");
     for (const gone of [".contents", "button:not(.sort)", "select"]) assert.equal(await page.locator(`${gone}:visible`).count(), 0, gone);
     const folded = await page.$$eval("main :is(p, td, th, img, svg, figcaption)", (elements) => elements
-        .filter((element) => !element.closest("details.views, .files") && !element.checkVisibility()).map((element) => element.textContent.slice(0, 60)));
+        .filter((element) => !element.closest("details.views, .model-files, .files, .volumes, .beside, .lab") && !element.checkVisibility()).map((element) => element.textContent.slice(0, 60)));
     assert.deepEqual(folded.slice(0, 5), []);
+    assert.equal(await page.locator("ol.attempted").evaluate((list) => getComputedStyle(list).columnCount), "2", "the summary");
+    assert.match(await page.locator("header.title").evaluate((header) => getComputedStyle(header, "::after").content), /report\.pdf/);
     assert.deepEqual((await beyond(page)).slice(0, 5), []);
     await page.context().close();
 });
@@ -141,6 +203,12 @@ describe("axe finds nothing, by WCAG 2.1 A and AA and by its best practices", ()
         for (const volume of volumes) test(`${volume} in the ${colorScheme} scheme`, async () => {
             const page = await open(browser, reports.quick, { colorScheme, volume });
             await page.$$eval("details", (all) => { for (const one of all) one.open = true; });
+            assert.deepEqual(await check(page, colorScheme), []);
+            await page.context().close();
+        });
+        test(`in the ${colorScheme} scheme, on a telephone with the contents open`, async () => {
+            const page = await open(browser, reports.quick, { colorScheme, viewport: { width: 390, height: 844 } });
+            await page.getByRole("button", { name: "Contents" }).click();
             assert.deepEqual(await check(page, colorScheme), []);
             await page.context().close();
         });

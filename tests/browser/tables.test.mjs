@@ -8,6 +8,7 @@ before(async () => {
     browser = await launch();
     page = await open(browser, reports.quick, { volume: "appendix.html" });
     ledger = page.locator("#claims_ledger");
+    await ledger.scrollIntoViewIfNeeded();   // its tools are made when it is nearly seen
 });
 after(() => browser.close());
 
@@ -78,6 +79,8 @@ test("filters combine and let go", async () => {
 });
 
 test("every table of three rows or more has its columns sorted by exact values", async () => {
+    for (const table of await page.locator("figure.table table[data-sortable]").all()) await table.scrollIntoViewIfNeeded();
+    await page.waitForFunction(() => document.querySelectorAll("table[data-sortable]:not(:has(button.sort))").length === 0);
     const wrong = await page.$$eval("figure.table table[data-sortable]", (tables) => tables.flatMap((table) => {
         const column = [...table.tHead.rows[0].cells].findIndex((cell, i) => [...table.tBodies[0].rows].some((row) => row.cells[i]?.dataset.value));
         if (column < 0) return [];
@@ -92,9 +95,17 @@ test("every table of three rows or more has its columns sorted by exact values",
 test("a table wider than its place says so, at the side where there is more", async () => {
     const narrow = await open(browser, reports.quick, { viewport: { width: 360, height: 740 }, volume: "appendix.html" });
     const box = narrow.locator("#claims_ledger .scroll");
+    await box.scrollIntoViewIfNeeded();
     await narrow.waitForFunction(() => document.querySelector("#claims_ledger .scroll").dataset.more === "right");
     await box.evaluate((element) => { element.scrollLeft = 1e6; });
     await narrow.waitForFunction(() => document.querySelector("#claims_ledger .scroll").dataset.more === "left");
     assert.deepEqual(narrow.problems, []);
     await narrow.context().close();
+});
+
+test("tables far away have no tools yet, so that the page is soon there", async () => {
+    const fresh = await open(browser, reports.quick, { volume: "appendix.html" });
+    const bare = await fresh.locator("table[data-sortable]:not(:has(button.sort))").count(), all = await fresh.locator("table[data-sortable]").count();
+    assert.ok(bare > all / 2, `${bare} of ${all}`);
+    await fresh.context().close();
 });

@@ -325,6 +325,58 @@ describe("two models", options, () => {
     }
 });
 
+describe("every mesh of a figure", options, () => {
+    /// With its first model thrice, by these names.
+    async function named(labels) {
+        const page = await open(browser, reports.quick, small);
+        await keepModels(page, 0, labels.length);
+        await block(page, 0).locator('script[type="model/gltf-binary"]').evaluateAll((scripts, names) => scripts.forEach((one, i) => { one.dataset.label = names[i]; }), labels);
+        await started(page);
+        return page;
+    }
+    const cellLabels = (page) => page.locator(".model-label").allTextContents();
+
+    test("can be chosen by its name, alone or with the first beside it", async () => {
+        const page = await named(["bunny", "cow", "lion"]);
+        assert.deepEqual(await cellLabels(page), ["bunny", "cow"]);
+        for (const name of ["lion", "cow"]) {
+            await page.getByRole("button", { name, exact: true }).click();
+            assert.equal(await page.getByRole("button", { name, exact: true }).getAttribute("aria-pressed"), "true");
+            await page.waitForFunction((wanted) => [...document.querySelectorAll(".model-label")].map((label) => label.textContent).join() === wanted, `bunny,${name}`);
+        }
+        await page.getByRole("button", { name: "Two at once" }).click();
+        await page.waitForFunction(() => document.querySelectorAll(".model-label").length === 0);
+        await canvasOf(page).focus();
+        await page.keyboard.press("Escape");
+        assert.equal(await canvasOf(page).count(), 0);
+        assert.deepEqual(problemsOf(page), []);
+        await page.context().close();
+    });
+
+    test("is on a slider where they are a series, and it says which is shown", async () => {
+        const page = await named(["original", "k = 5, rms 9 %", "k = 15, rms 3 %", "k = 300, rms 0.3 %"]), slider = page.getByRole("slider", { name: "Mesh of the series" });
+        await slider.fill("3");
+        await page.waitForFunction(() => document.querySelector(".model-chooser output").textContent === "k = 300, rms 0.3 %");
+        assert.equal(await slider.getAttribute("aria-valuetext"), "k = 300, rms 0.3 %");
+        assert.deepEqual(await cellLabels(page), ["original", "k = 300, rms 0.3 %"]);
+        await page.context().close();
+    });
+
+    test("opens where it is seen, with the figure's own legend, and tells its value at the pointer", async () => {
+        const page = await open(browser, reports.quick, small);
+        await keepModels(page, 0, 1);
+        await block(page).getByRole("button", { name: "Turn in 3D" }).click();
+        await canvasOf(page).waitFor();
+        await page.waitForFunction(() => { const { top, bottom } = document.querySelector(".model-stage").getBoundingClientRect(); return top > -40 && bottom < innerHeight + 40; });
+        assert.equal(await page.locator(".model-panel svg.legend").innerHTML(), await page.locator(`#${figures[0]} .plate svg.legend`).innerHTML());
+        const box = await canvasOf(page).boundingBox();
+        await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+        await page.waitForFunction(() => document.querySelector(".model-tip:not([hidden])")?.textContent.includes("= "));
+        assert.equal(await page.locator(".model-tip").textContent(), await told(page));
+        await page.context().close();
+    });
+});
+
 describe("where it cannot be", options, () => {
     async function refused(prepare) {
         const page = await open(browser, reports.quick, small);

@@ -13,24 +13,19 @@ namespace meshfolio::output {
 namespace {
 
 namespace fs = std::filesystem;
+using Models = std::vector<report::DrawnModel>;
 
-/// The first panel, and the second beside it where it has the same triangles: before and after, one estimate and another.
-std::span<const Panel> turned_panels(const FigureRequest& request) {
-    const std::vector<Panel>& panels = request.panels;
-    const bool pair = panels.size() > 1 && panels[1].mesh && panels[0].mesh->face_count() == panels[1].mesh->face_count();
-    return {panels.data(), pair ? 2U : 1U};
+bool can_be_turned(const Panel& panel) {
+    return panel.mesh && panel.mesh->face_count() <= most_model_triangles && can_be_a_model(*panel.mesh);
 }
 
-bool can_be_turned(std::span<const Panel> panels) {
-    return std::all_of(panels.begin(), panels.end(),
-                       [](const Panel& panel) { return panel.mesh->face_count() <= most_model_triangles && can_be_a_model(*panel.mesh); });
-}
-
-/// Frames one panel, as its pictures do, or all panels.
-Ball frame_of(const FigureRequest& request, std::span<const Panel> panels) {
+/// Frames a panel as its pictures do: on its own mesh, on that of one panel, or on all.
+Ball frame_of(const FigureRequest& request, const Panel& framed, const std::vector<Panel>& panels) {
+    const Ball own = ball_around(*framed.mesh);
+    if (request.layout == Layout::multiples) return own;
     if (request.frame_panel >= 0) {
         const TriangleMesh& mesh = *request.panels[static_cast<std::size_t>(request.frame_panel)].mesh;
-        return ball_around(can_be_a_model(mesh) ? mesh : *panels[0].mesh);
+        return can_be_a_model(mesh) ? ball_around(mesh) : own;
     }
     Ball frame = ball_around(*panels[0].mesh);
     for (const Panel& panel : panels) {
@@ -40,16 +35,16 @@ Ball frame_of(const FigureRequest& request, std::span<const Panel> panels) {
     return frame;
 }
 
-std::vector<report::DrawnModel> models_of(const FigureRequest& request) {
-    if (!request.turnable || !request.panels[0].mesh) return {};
-    const std::span<const Panel> panels = turned_panels(request);
-    if (!can_be_turned(panels)) return {};
-    const Ball frame = frame_of(request, panels);
-    std::vector<report::DrawnModel> models;
+Models models_of(const FigureRequest& request) {
+    if (!request.turnable) return {};
+    std::vector<Panel> panels;
+    std::ranges::copy_if(request.panels, std::back_inserter(panels), can_be_turned);
+    Models models;
     for (const Panel& panel : panels) {
         const ColorRange* range = panel.values.size() > 0 ? request.range_of(panel) : nullptr;
-        report::DrawnModel model{panels.size() > 1 ? panel.label : "", "models/" + panel.name + ".glb", "", ""};
-        model.glb = write_glb(*panel.mesh, panel.values, range != nullptr ? std::optional(*range) : std::nullopt, frame);
+        report::DrawnModel model{panel.label, "models/" + panel.name + ".glb", "", ""};
+        model.glb =
+            write_glb(*panel.mesh, panel.values, range != nullptr ? std::optional(*range) : std::nullopt, frame_of(request, panel, panels));
         if (range != nullptr) model.quantity = range->quantity + (range->unit.empty() ? "" : " [" + range->unit + "]");
         models.push_back(std::move(model));
     }
@@ -58,18 +53,31 @@ std::vector<report::DrawnModel> models_of(const FigureRequest& request) {
 
 }   // namespace
 
-std::map<std::string, std::vector<report::DrawnModel>> write_models(std::span<const FigureRequest> requests, const fs::path& folder) {
-    std::map<std::string, std::vector<report::DrawnModel>> written;
+std::map<std::string, Models> write_models(std::span<const FigureRequest> requests, const fs::path& folder) {
+    constexpr std::size_t pair = 2;   // before and after
+    std::map<std::string, Models> written;
+    std::vector<Models> further;
     std::size_t total = 0;
-    for (const FigureRequest& request : requests) {
-        std::vector<report::DrawnModel> models = models_of(request);
-        const std::size_t bytes = std::accumulate(models.begin(), models.end(), std::size_t{0},
-                                                  [](std::size_t sum, const report::DrawnModel& model) { return sum + model.glb.size(); });
-        if (models.empty() || total + bytes > most_model_bytes) continue;
+    const auto add = [&](const std::string& id, Models models) {
+        const auto sum = [](std::size_t bytes, const report::DrawnModel& model) { return bytes + model.glb.size(); };
+        const std::size_t bytes = std::accumulate(models.begin(), models.end(), std::size_t{0}, sum);
+        if (models.empty() || total + bytes > most_model_bytes) return;
         total += bytes;
+        std::ranges::move(models, std::back_inserter(written[id]));
+    };
+    for (const FigureRequest& request : requests) {
+        Models models = models_of(request);
+        const auto rest = models.begin() + static_cast<std::ptrdiff_t>(std::min(pair, models.size()));
+        further.emplace_back(std::make_move_iterator(rest), std::make_move_iterator(models.end()));
+        models.erase(rest, models.end());
+        add(request.id, std::move(models));
+    }
+    for (std::size_t f = 0; f < requests.size(); ++f)
+        if (written.contains(requests[f].id)) add(requests[f].id, std::move(further[f]));
+    for (auto& [id, models] : written) {
         make_folder(folder / "models");
+        if (models.size() == 1) models[0].label.clear();
         for (const report::DrawnModel& model : models) write_file(folder / model.file, model.glb);
-        written[request.id] = std::move(models);
     }
     return written;
 }

@@ -15,12 +15,13 @@
 
 namespace meshfolio::output {
 
-/// Limits that keep a page small: triangles of one model, and bytes of all GLB files (at most 8 MB of base64 in the
-/// page). A figure beyond has pictures only.
+/// Limits that keep a page small: triangles of one model, and bytes of all GLB files, of which six tenths are added to the page. A figure
+/// beyond has pictures only.
 inline constexpr int most_model_triangles = 60'000;
-inline constexpr std::size_t most_model_bytes = 6'000'000;
+inline constexpr std::size_t most_model_bytes = 2'000'000;
 
-/// Writes models/<panel>.glb below `folder` for the figures that ask to be turned, in their order.
+/// Writes models/<panel>.glb below `folder` for the panels of the figures that ask to be turned, in their order: the first two of every
+/// figure, then the others of a figure while there is room for all of them.
 /// @return by the id of the figure
 /// @throws OutputError
 std::map<std::string, std::vector<report::DrawnModel>> write_models(std::span<const FigureRequest> requests,

@@ -52,7 +52,8 @@ nlohmann::json documented_model() {
     matrix.panels = {{.label = "", .pictures = {{}}}};
     drawn.models.emplace_back();
     drawn.legend.emplace();
-    nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}, {"matrix", matrix}}, templates, {.table_rows = rows_shown});
+    nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}, {"matrix", matrix}}, templates,
+                                      {.lab_questions = "q1 ", .table_rows = rows_shown});
     add_design(model, templates, "report", {true, "viewer", {{"q1", "data"}}});
     BatchRow row;
     row.defects = {{"", 0}};

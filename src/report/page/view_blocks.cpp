@@ -1,5 +1,7 @@
 #include "report/page/view_blocks.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 
 #include "report/escape.h"
@@ -109,13 +111,37 @@ std::string name_of(const DrawnModel& model) {
     return safe_text("3D model" + label + " (GLB, " + std::to_string((model.glb.size() + 999) / 1000) + " KB)");
 }
 
+/// A model for the page, whose viewer works out normals and colours itself: zeros in their place, which are packed into nothing. What is no
+/// GLB of ours stays as it is.
+std::string without_looks(const std::string& glb) {
+    constexpr std::size_t json_at = 20, chunk_head = 8;
+    std::string light = glb;
+    try {
+        std::uint32_t length = 0;
+        glb.copy(reinterpret_cast<char*>(&length), sizeof length, json_at - chunk_head);
+        const json head = json::parse(glb.substr(json_at, length));
+        const json& attributes = head.at("meshes").at(0).at("primitives").at(0).at("attributes");
+        for (const char* name : {"NORMAL", "COLOR_0"}) {
+            if (!attributes.contains(name)) continue;
+            const json& view = head.at("bufferViews")
+                                   .at(head.at("accessors").at(attributes.at(name).get<std::size_t>()).at("bufferView").get<std::size_t>());
+            const auto size = std::min(view.at("byteLength").get<std::size_t>(), glb.size());
+            light.replace(json_at + length + chunk_head + view.at("byteOffset").get<std::size_t>(), size, size, '\0');
+        }
+    } catch (const std::exception&) {
+        return glb;
+    }
+    return light;
+}
+
 json model_view(const DrawnModel& model, const ViewContext& context) {
     return view_of({{"label", "of its panel; empty where it is the only one", safe_text(model.label)},
                     {"name", "in words, with its size", name_of(model)},
                     {"href", "link to the file", url_path(model.file)},
                     {"quantity", "of the values, with the unit", safe_text(model.quantity)},
                     {"has_quantity", "it has values", !model.quantity.empty()},
-                    {"data", "the file, zlib and base64, where the page can turn it", context.options.models ? packed(model.glb) : ""}});
+                    {"data", "the file, zlib and base64, where the page can turn it",
+                     context.options.models ? packed(without_looks(model.glb)) : ""}});
 }
 
 json figure_view(const Figure& figure, const ViewContext& context) {

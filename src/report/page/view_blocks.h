@@ -33,6 +33,9 @@ void enter_pictures(nlohmann::json& view, const Figure& figure, const DrawnFigur
 /// The picture of the first page.
 nlohmann::json cover_view(const Figure& cover, const ViewContext& context);
 
+/// The large pictures of the first panels of a figure, for the first page.
+nlohmann::json strip_view(const Figure& figure, const DrawnFigure& drawn, const ViewContext& context);
+
 /// Enters a `separator` into each item of a list.
 void enter_separators(nlohmann::json& list);
 

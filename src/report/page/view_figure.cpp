@@ -129,6 +129,11 @@ json lines_view(const PictureOf& of) {
     return lines;
 }
 
+void enter_legend(json& view, const DrawnFigure& drawn) {
+    enter(view, {{"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend) : ""},
+                 {"has_legend", "there are colours", drawn.legend.has_value()}});
+}
+
 /// Of the width that lines of panels take.
 int tenths_of_lines(const DrawnFigure& drawn) {
     int width = 1, height = 0;
@@ -160,24 +165,32 @@ void enter_pictures(json& view, const Figure& figure, const DrawnFigure& drawn, 
                  {"lines", "panels beside each other", has_blocks ? json::array() : lines_view(of)},
                  {"column_count", "of the lines, or blocks beside each other", std::to_string(std::max(1, drawn.in_a_line))},
                  {"tenths", "of the width that the lines take", std::to_string(tenths_of_lines(drawn))},
-                 {"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend) : ""},
-                 {"has_legend", "there are colours", drawn.legend.has_value()},
                  {"has_row_heads", "of a matrix", !drawn.rows.empty()}});
+    enter_legend(view, drawn);
     enter_list(view, "heads", "of the columns of a matrix", std::move(heads));
     enter_list(view, "blocks", "panels that are seen from six directions as well", std::move(blocks));
+}
+
+json strip_view(const Figure& figure, const DrawnFigure& drawn, const ViewContext& context) {
+    constexpr std::size_t most = 4;
+    json cells = json::array();
+    for (std::size_t p = 0; p < std::min(most, drawn.panels.size()); ++p) cells.push_back(cell_view({figure, drawn, context}, p, 1));
+    json view = captioned_view(figure.id, figure.caption, context);
+    enter(view, {{"cells", "its first panels", std::move(cells)}});
+    enter_legend(view, drawn);
+    return view;
 }
 
 json cover_view(const Figure& figure, const ViewContext& context) {
     const DrawnFigure& drawn = context.figures.at(figure.id);
     const DrawnPanel& panel = drawn.panels.front();
-    const DrawnPicture& picture = panel.pictures.front();
-    return view_of({{"alt", "the picture in words", safe_text(panel.label.empty() ? drawn.legend->quantity : panel.label)},
-                    {"sheet", "its file, relative to the report", url_path(drawn.sheet)},
-                    {"source", "what an <img> shows", PictureOf{figure, drawn, context}.source(0, 0)},
-                    {"has_size", "width and height are known", picture.width > 0 && picture.height > 0},
-                    {"width", "of the picture [pixels]", std::to_string(picture.width)},
-                    {"height", "of the picture [pixels]", std::to_string(picture.height)},
-                    {"legend", "what the colours mean: SVG", svg_of(*drawn.legend)}});
+    const Legend& legend = panel.legend ? *panel.legend : *drawn.legend;
+    json view = PictureOf{figure, drawn, context}.view(0, 0);
+    enter(view, {{"sheet", "its file, relative to the report", url_path(drawn.sheet)},
+                 {"has_size", "width and height are known", panel.pictures.front().width > 0},
+                 {"label", "what it shows", prose_view(panel.label.empty() ? legend.quantity : panel.label)},
+                 {"legend", "what the colours mean: SVG", svg_of(legend)}});
+    return view;
 }
 
 }   // namespace meshfolio::report

@@ -131,6 +131,10 @@ json headings_view(const json& blocks) {
     return list;
 }
 
+bool has_lab(const Section& section, const ViewContext& context) {
+    return context.options.lab_questions.find(section.id + " ") != std::string::npos;
+}
+
 bool is_file_only(const Block& block) {
     const auto* table = std::get_if<Table>(&block);
     return table && table->file_only;
@@ -153,8 +157,7 @@ json section_view(const Section& section, const std::string& number, const ViewC
     enter(view, {{"asked", "the question in one sentence", prose_view(section.asked)},
                  {"has_asked", "there is one", !section.asked.empty()},
                  {"is_further", "what a question leaves to the appendix", is_further},
-                 {"has_lab", "the page has a mesh of the laboratory for it",
-                  context.options.lab_questions.find(section.id + " ") != std::string::npos}});
+                 {"has_lab", "the page has a mesh of the laboratory for it", has_lab(section, context)}});
     enter_list(view, "inputs", "meshes it read", list_of(section.inputs, input_view));
     enter_list(view, "parameters", "its settings", names_and_values(texts_of(section.parameters), "of the setting", "what it is"));
     enter_list(view, "warnings", "what was unusual", list_of(section.warnings, warning));
@@ -165,6 +168,19 @@ json section_view(const Section& section, const std::string& number, const ViewC
 }
 
 // ---- the document -------------------------------------------------------------------------------------------------------
+
+/// The first figure of the first question that has a laboratory.
+json series_view(const Document& document, const ViewContext& context) {
+    for (const Section& section : document.sections) {
+        if (!has_lab(section, context)) continue;
+        for (const Block& block : blocks_in(section, Volume::report)) {
+            const auto* figure = std::get_if<Figure>(&block);
+            const auto drawn = figure ? context.figures.find(figure->id) : context.figures.end();
+            if (drawn != context.figures.end() && !drawn->second.panels.empty()) return strip_view(*figure, drawn->second, context);
+        }
+    }
+    return false;
+}
 
 json provenance_view(const Document& document) {
     const Provenance& p = document.provenance;
@@ -277,6 +293,9 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
                  {"is_report", "this is the volume of the questions", options.volume == Volume::report},
                  {"is_appendix", "this is the volume of what they rest on", options.volume == Volume::appendix},
                  {"other_page", "file of the other volume", url_path(options.other_page)},
+                 {"has_paper", "it is printed as well", options.paper},
+                 {"paper", "the file that is printed", pdf_file(options.volume)},
+                 {"series", "a figure of the first question with a laboratory; false: none", series_view(document, context)},
                  {"cover", "picture of the first page; false: none", cover == nullptr ? json(false) : cover_view(*cover, context)},
                  {"provenance", "what made this report", provenance_view(document)},
                  {"score", "checks of the whole report", std::move(score)},

@@ -20,6 +20,7 @@ struct ViewOptions {
     bool pictures = true;              // pictures and plots inside, for a page of one file
     bool page_numbers = false;         // "@page:ID@" in the page becomes the number of the printed page that ID is on (print_pdf.h)
     bool plain_formulas = false;       // for readers without MathML
+    bool paper = false;                // there is a report.pdf to link to
     bool plot_files = false;           // images/<plot>.svg are there to link to
     bool single_views = true;          // links to the pictures a sheet is made of
     bool models = false;               // inside, for a page that can turn them; false: only linked to

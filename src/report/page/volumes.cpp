@@ -67,9 +67,10 @@ const Figure* cover_figure(const Document& document, const DrawnFigures& figures
         for (const Block& block : blocks_in(section, Volume::report)) {
             const auto* figure = std::get_if<Figure>(&block);
             const auto drawn = figure == nullptr ? figures.end() : figures.find(figure->id);
-            if (drawn == figures.end() || !drawn->second.legend || drawn->second.panels.empty()) continue;
-            const std::vector<DrawnPicture>& pictures = drawn->second.panels.front().pictures;
-            if (!pictures.empty() && pictures.front().view.empty()) return figure;
+            if (drawn == figures.end() || drawn->second.panels.empty()) continue;
+            const DrawnPanel& panel = drawn->second.panels.front();
+            const bool has_values = panel.legend || drawn->second.legend;
+            if (has_values && !panel.pictures.empty() && panel.pictures.front().view.empty()) return figure;
         }
     }
     return nullptr;

@@ -28,6 +28,7 @@ std::string write_html(const Document& document, const DrawnFigures& figures, co
     ViewOptions view{.volume = options.volume,
                      .other_page = page_file(other_of(options.volume)),
                      .timings = options.timings,
+                     .paper = options.paper,
                      .plot_files = options.plot_files,
                      .models = can_turn};
     const std::vector<Lab> labs = can_turn && options.volume == Volume::report ? options.labs : std::vector<Lab>();
