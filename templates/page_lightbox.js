@@ -69,8 +69,8 @@ function zoom(on, centre) {
 
 function show() {
     const figure = figures[at], picture = pictures[view], preview = picture.image ?? figure.querySelector(".plate img");
-    const label = figure.querySelector("figcaption b")?.textContent ?? "";
-    where.textContent = [label, picture.name, pictures.length > 1 ? `(${view + 1} of ${pictures.length})` : ""].filter(Boolean).join(" ");
+    const label = figure.querySelector("figcaption b")?.textContent.replace(/\.$/, "");
+    where.textContent = [label, picture.name].filter(Boolean).join(": ") + (pictures.length > 1 ? ` (${view + 1} of ${pictures.length})` : "");
     caption.textContent = figure.querySelector("figcaption .text")?.textContent ?? figure.querySelector("figcaption")?.textContent ?? "";
     legend.replaceChildren(...[figure.querySelector(".legend-box svg")?.cloneNode(true)].filter((svg) => svg && !picture.isSheet));
     dialog.classList.toggle("sheet", Boolean(picture.isSheet));

@@ -11,7 +11,7 @@ before(async () => { browser = await launch(); });
 after(() => browser.close());
 
 const shown = (page) => page.$eval(".lightbox .stage img", (image) => image.getAttribute("src"));
-const captionOf = (page, n) => page.locator("#q1 figure.picture figcaption b").nth(n).textContent();
+const captionOf = async (page, n) => (await page.locator("#q1 figure.picture figcaption b").nth(n).textContent()).replace(/\.$/, "");
 const loaded = (page) => page.waitForFunction(() => {
     const image = document.querySelector(".lightbox .stage img");
     return image.complete && image.naturalWidth > 0;

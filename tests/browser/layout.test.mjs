@@ -102,6 +102,7 @@ describe("words and figures", () => {
         assert.ok(await page.$eval("#q5", (section) => section.getBoundingClientRect().top) >= box.height - 1, "the heading is not behind it");
         await bar.click();
         const links = await page.$$eval(".contents a", (all) => all.filter((a) => a.checkVisibility()).map((a) => a.getBoundingClientRect().toJSON()));
+        assert.ok(links[0].top >= box.y + box.height - 1, "below the bar");
         assert.ok(links.length >= 10 && links.every(({ height }) => height >= 44));
         assert.ok(links.every(({ top }, i) => i === 0 || top >= links[i - 1].bottom - 1), "one a line");
         await page.keyboard.press("Escape");

@@ -272,6 +272,8 @@ describe("what a model tells", options, () => {
 
     // color · light + sheen: neutral light may darken it, and nothing else.
     test("colours are those of the map, whatever the light", async () => {
+        await page.mouse.move(0, 0);   // nothing lies over the model
+        await page.waitForTimeout(100);
         const pixels = await pixelsOf(page), step = steps(glb), width = glb.value.range[1] - glb.value.range[0];
         await atVertices(page, glb, async (v, x, y) => {
             if (step[v] > 0.1 * width) return;   // the pixel may lie beside the vertex

@@ -64,17 +64,31 @@ TEST(DrawModels, OnlyWhereItIsAskedFor) {
     EXPECT_EQ(model.quantity, "z [length]");
 }
 
-TEST(DrawModels, TwoOfTheSameTrianglesAreTurnedTogetherInOneFrame) {
+TEST(DrawModels, EveryMeshOfAFigureIsAModelInItsFrame) {
     TriangleMesh shrunk = icosphere(2);
     shrunk.X *= 0.25;
     const auto frame_of = [](const report::DrawnModel& model) { return model.glb.substr(model.glb.find("\"frame\""), 40); };
-    const auto pair = models_of(
-        {turnable({turnable_panel(icosphere(2), "before"), turnable_panel(shrunk, "after"), turnable_panel(icosphere(2), "third")})});
-    ASSERT_EQ(pair.at("before").models.size(), 2U);
-    EXPECT_EQ(pair.at("before").models[1].label, "label of after");
-    EXPECT_EQ(frame_of(pair.at("before").models[0]), frame_of(pair.at("before").models[1]));
-    EXPECT_EQ(models_of({turnable({turnable_panel(icosphere(2), "ball"), turnable_panel(cube_mesh(2), "cube")})}).at("ball").models.size(),
-              1U);
+    for (const Layout layout : {Layout::six_views, Layout::one_frame, Layout::multiples}) {
+        FigureRequest request =
+            turnable({turnable_panel(icosphere(2), "before"), turnable_panel(shrunk, "after"), turnable_panel(cube_mesh(2), "third")});
+        request.layout = layout;
+        const auto models = models_of({request}).at("before").models;
+        ASSERT_EQ(models.size(), 3U);
+        EXPECT_EQ(models[1].label, "label of after");
+        EXPECT_EQ(frame_of(models[0]) == frame_of(models[1]), layout != Layout::multiples) << "as in the pictures";
+    }
+}
+
+TEST(DrawModels, TheFirstTwoOfEveryFigureComeBeforeTheThirdOfAny) {
+    const auto figure_of = [](const std::string& name, int count, const TriangleMesh& mesh) {
+        std::vector<Panel> panels;
+        for (int i = 0; i < count; ++i) panels.push_back(turnable_panel(mesh, name + std::to_string(i)));
+        return turnable(std::move(panels));
+    };
+    const auto figures = models_of({figure_of("a", 6, flat_mesh(90)), figure_of("b", 2, flat_mesh(90)), figure_of("c", 3, icosphere(2))});
+    EXPECT_EQ(figures.at("a0").models.size(), 2U) << "for all six there is no room";
+    EXPECT_EQ(figures.at("b0").models.size(), 2U);
+    EXPECT_EQ(figures.at("c0").models.size(), 3U);
 }
 
 TEST(DrawModels, LargeOrBlownUpMeshesKeepTheirPictures) {
@@ -84,7 +98,9 @@ TEST(DrawModels, LargeOrBlownUpMeshesKeepTheirPictures) {
     ASSERT_GT(large.face_count(), most_model_triangles);
     const auto figures = models_of(
         {turnable({turnable_panel(large, "large")}), turnable({turnable_panel(icosphere(2), "a"), turnable_panel(blown_up, "b")})});
-    for (const auto& [id, figure] : figures) EXPECT_TRUE(figure.models.empty()) << id;
+    EXPECT_TRUE(figures.at("large").models.empty());
+    ASSERT_EQ(figures.at("a").models.size(), 1U);
+    EXPECT_EQ(figures.at("a").models[0].file, "models/a.glb");
 }
 
 TEST(DrawModels, AllTogetherStayBelowTheLimitFirstComeFirstServed) {

@@ -29,7 +29,7 @@ TEST(Labs, AreReadBackFromThePageAsTheyWere) {
 
 TEST(Labs, OnlyTheReportForTheScreenHasThemAndOnlyWithAViewer) {
     const Lab lab = lab_of("q1", "modes");
-    EXPECT_NE(page_with({lab}).find("<div class=\"lab\" data-question=\"q1\">"), std::string::npos);
+    EXPECT_NE(page_with({lab}).find("<div class=\"lab\" id=\"lab-q1\" data-question=\"q1\">"), std::string::npos);
     const std::string without_viewer = write_html(sample_document(), {}, Templates(), {.viewer = "", .labs = {lab}});
     for (const std::string& page :
          {page_with({lab}, Volume::appendix), page_with({lab}, Volume::report, "print"), without_viewer, page_with({})}) {
