@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <new>
 #include <string>
 #include <string_view>
@@ -25,10 +24,16 @@ namespace meshfolio::cli {
 
 namespace {
 
-constexpr std::array makers{report_command,    merge_command,    batch_command,  mark_command,   render_command,  inspect_command,
-                            curvature_command, spectrum_command, smooth_command, noise_command,  compare_command, lab_command,
-                            sample_command,    list_command,     doctor_command, verify_command, cache_command,   templates_command,
-                            submit_command,    help_command,     version_command};
+struct CommandGroup {
+    const char* title;
+    std::vector<Command (*)(CLI::App&)> makers;
+};
+const CommandGroup groups[] = {
+    {"Make a report", {report_command, batch_command, lab_command, merge_command, submit_command}},
+    {"Work on a mesh",
+     {inspect_command, render_command, curvature_command, spectrum_command, smooth_command, noise_command, sample_command}},
+    {"Check and mark", {compare_command, mark_command, verify_command}},
+    {"Set up", {doctor_command, list_command, templates_command, cache_command, help_command, version_command}}};
 
 /// `meshfolio` alone says what it can do; with options only it means `meshfolio report`.
 std::vector<std::string> with_command(int argc, const char* const* argv) {
@@ -82,13 +87,14 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
     app.set_version_flag("--version", version);
     app.require_subcommand(0, 1);
     app.footer(
-        "Begin with\n    meshfolio report --quick\nwhich answers every question on the bundled meshes and writes out/index.html. Each "
-        "command "
-        "explains itself: meshfolio help render");
+        "Begin with\n    meshfolio report --quick\nwhich answers every question on the bundled meshes and writes out/index.html.\n"
+        "Each command explains itself: meshfolio help render");
     std::vector<Command> commands;
-    for (const auto make : makers) {
-        commands.push_back(make(app));
-        commands.back().app->set_version_flag("--version", version);
+    for (const CommandGroup& group : groups) {
+        for (const auto make : group.makers) {
+            commands.push_back(make(app));
+            commands.back().app->group(group.title)->set_version_flag("--version", version);
+        }
     }
 
     std::vector<std::string> words = with_command(argc, argv);
@@ -128,7 +134,7 @@ bool is_shortage(const std::exception& error) {
 void complain_about(const SettingsErrors& errors) {
     constexpr std::size_t most = 38;
     const std::size_t told = std::min(most, errors.problems().size());
-    for (std::size_t i = 0; i < told; ++i) complain(errors.problems()[i].what());
+    for (std::size_t i = 0; i < told; ++i) complain(errors.problems()[i].what(), Ink::red);
     if (told < errors.problems().size()) complain("… and " + std::to_string(errors.problems().size() - told) + " more problems");
 }
 
@@ -194,13 +200,13 @@ int run(int argc, const char* const* argv) {
     } catch (const ReaderGone&) {
         end_by_broken_pipe();
     } catch (const Error& error) {
-        complain(error.what());
+        complain(error.what(), Ink::red);
         return static_cast<int>(error.exit_code());
     } catch (const std::bad_alloc&) {
-        complain("out of memory; use a smaller mesh, fewer modes or smaller pictures");
+        complain("out of memory; use a smaller mesh, fewer modes or smaller pictures", Ink::red);
         return static_cast<int>(ExitCode::failed);
     } catch (const std::exception& error) {
-        complain(std::string(is_shortage(error) ? "out of memory: " : "internal error: ") + error.what());
+        complain(std::string(is_shortage(error) ? "out of memory: " : "internal error: ") + error.what(), Ink::red);
         return static_cast<int>(ExitCode::failed);
     }
 }

@@ -67,7 +67,7 @@ ExitCode run_compare(const CompareFlags& options) {
     if (options.json) {
         print(difference_json(difference));
     } else if (options.csv != "-") {
-        print(in_words(difference.lines));
+        print(for_terminal(in_words(difference.lines)));
     }
     return ExitCode::ok;
 }

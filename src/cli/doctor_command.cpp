@@ -77,6 +77,14 @@ std::string doctor_text(const nlohmann::ordered_json& json) {
     return text;
 }
 
+/// "Ready: everything found", or what one has to do without, with the remedies.
+std::string verdict_of(const nlohmann::ordered_json& missing) {
+    if (missing.empty()) return inked(Ink::green, "Ready: everything found") + "\n";
+    std::string text;
+    for (const auto& entry : missing) text += (text.empty() ? "Works, without " : "; without ") + entry.get<std::string>();
+    return for_terminal(inked(Ink::yellow, text)) + "\n";
+}
+
 }   // namespace
 
 Command doctor_command(CLI::App& parent) {
@@ -86,7 +94,7 @@ Command doctor_command(CLI::App& parent) {
     app.footer("Example: meshfolio doctor");
     return {app, [json] {
                 const auto all = findings();
-                print(*json ? all.dump(2) + "\n" : doctor_text(all));
+                print(*json ? all.dump(2) + "\n" : for_terminal(doctor_text(all)) + verdict_of(all["missing"]));
                 return ExitCode::ok;
             }};
 }

@@ -6,9 +6,11 @@
 #include "base/in_quotes.h"
 #include "base/joined.h"
 #include "base/nearest_word.h"
+#include "base/terminal.h"
 #include "build_info.h"
 #include "questions/core/chapter.h"
 #include "questions/core/experiment.h"
+#include "run/arguments.h"
 
 namespace meshfolio::cli {
 
@@ -90,7 +92,13 @@ std::string called(const CLI::App& command) {
 
 /// App::help() would give that of the command that was parsed, `help` itself.
 std::string help_text(const CLI::App& command) {
-    return command.get_formatter()->make_help(&command, called(command), CLI::AppFormatMode::Normal);
+    command.get_formatter()->column_width(command.get_parent() == nullptr ? 14 : 30);   // one formatter serves all
+    const std::string text = command.get_formatter()->make_help(&command, called(command), CLI::AppFormatMode::Normal);
+    std::string shown;
+    for (const std::string& line : run::split(for_terminal(text), '\n'))
+        shown += (line.ends_with(':') && !line.starts_with(' ') ? inked(Ink::bold, line) : line) + "\n";
+    shown.pop_back();
+    return shown;
 }
 
 const CLI::App& command_called(const CLI::App& program, const std::string& name) {

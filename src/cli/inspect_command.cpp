@@ -110,7 +110,7 @@ Command inspect_command(CLI::App& parent) {
         bool json = false;
     };
     const auto options = std::make_shared<Options>();
-    CommandOptions app(parent, "inspect", "Preflight of a mesh: counts, defects, Gauss-Bonnet, largest stable step");
+    CommandOptions app(parent, "inspect", "Preflight: counts, defects, Gauss-Bonnet, largest stable step");
     app.required("MESH", options->mesh, formats_read);
     app.choice("--operator", options->laplacian, operator_choices(), "whose largest stable step");
     app.flag("--json", options->json, "for programs");
@@ -118,7 +118,7 @@ Command inspect_command(CLI::App& parent) {
     return {app, [options] {
                 const OperatorKind kind = operator_named(options->laplacian);
                 const Inspection inspection = about_mesh(options->mesh, [&] { return inspection_of(options->mesh, kind); });
-                print(options->json ? inspection_json(inspection) + "\n" : in_words(inspection));
+                print(options->json ? inspection_json(inspection) + "\n" : for_terminal(in_words(inspection)));
                 return ExitCode::ok;
             }};
 }

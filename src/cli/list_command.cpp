@@ -53,7 +53,7 @@ Command list_command(CLI::App& parent) {
     app.footer("Example: meshfolio list --json");
     return {app, [json] {
                 const auto all = everything();
-                print(*json ? all.dump(2) + "\n" : list_text(all));
+                print(*json ? all.dump(2) + "\n" : for_terminal(list_text(all)));
                 return ExitCode::ok;
             }};
 }

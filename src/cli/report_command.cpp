@@ -96,7 +96,7 @@ ExitCode run_report(const ReportFlags& flags) {
     meshes.open_own_meshes();
     const Plan plan = plan_of(settings, meshes, flags.alone ? Scope::alone : flags.part.empty() ? Scope::report : Scope::part);
     if (flags.plan) {
-        print(flags.json ? json_of(plan) : text_of(plan));
+        print(flags.json ? json_of(plan) : for_terminal(text_of(plan)));
         return ExitCode::ok;
     }
     begin_planned(plan, settings);
@@ -112,9 +112,9 @@ ExitCode run_report(const ReportFlags& flags) {
     report::Document document;
     Published published;
     std::vector<std::string> notes;
+    const Clock::time_point whole = Clock::now();
     {
         ProgressDisplay display(stderr_is_terminal(), plan.seconds());
-        const Clock::time_point whole = Clock::now();
         const std::vector<QuestionResult> results = run_questions(meshes, settings, cache ? &*cache : nullptr, kept.answers, display);
         document = document_of(with_kept(settings, kept), results);
         kept.tell_efforts(document.provenance.settings);
@@ -151,10 +151,9 @@ ExitCode run_report(const ReportFlags& flags) {
         notes = {own_paper.warning(), appendix->warning()};
         const auto digests = stored_and_kept(results, figures, store.get(), cache ? &*cache : nullptr);
         published = publish_report(publication, document, digests, settings, flags.junit);
-        display.milestone("report written in " + plain_text(seconds_since(whole), 3) + " s");
     }
     notes.push_back(kept.note);
-    return tell(published, notes, document);
+    return tell(published, notes, document, seconds_since(whole));
 }
 
 }   // namespace

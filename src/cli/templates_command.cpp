@@ -49,7 +49,7 @@ ExitCode run_templates(const TemplatesFlags& flags) {
 
 Command templates_command(CLI::App& parent) {
     const auto flags = std::make_shared<TemplatesFlags>();
-    CommandOptions app(parent, "templates", "The templates of the report, to be changed and used with report --templates");
+    CommandOptions app(parent, "templates", "The templates of the report, to be changed and used");
     app.text("DIR", flags->folder, "folder to write them into");
     app.flag("--tags", flags->tags, "what every tag in them stands for");
     app.flag("--force", flags->force, "replace files that are there");

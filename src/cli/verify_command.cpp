@@ -80,7 +80,7 @@ ExitCode run_verify(const VerifyFlags& options) {
         for (const report::Check& check : section.checks) lines += in_words(check);
         score += report::score_of(section.checks);
     }
-    print(lines + words_of(score) + "\n");
+    print(for_terminal(lines) + inked(score.failed == 0 ? Ink::green : Ink::red, words_of(score)) + "\n");
     return score.failed == 0 ? ExitCode::ok : ExitCode::failed;
 }
 
@@ -88,7 +88,7 @@ ExitCode run_verify(const VerifyFlags& options) {
 
 Command verify_command(CLI::App& parent) {
     const auto options = std::make_shared<VerifyFlags>();
-    CommandOptions app(parent, "verify", "Curvature against closed forms, certificates of bundled meshes, planted faults: named checks");
+    CommandOptions app(parent, "verify", "This program held against closed forms, certificates, planted faults");
     app.text("--out DIR", options->out, "folder for the tables, plots and discussion, replaced as a whole; default: none");
     app.text("--seed", options->seed, "of the random meshes");
     app.flag("--quick", options->quick, "three refinements in place of four");

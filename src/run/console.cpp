@@ -9,6 +9,7 @@
 #include "base/in_quotes.h"
 #include "base/joined.h"
 #include "base/lower_case.h"
+#include "base/terminal.h"
 #include "mesh/io/mesh_files.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/user_files.h"
@@ -23,7 +24,8 @@ void print(std::string_view text) {
 }
 
 void print_path(const std::filesystem::path& path) {
-    print((::isatty(STDOUT_FILENO) == 1 ? printable(path.string()) : path.string()) + "\n");
+    const bool is_seen = ::isatty(STDOUT_FILENO) == 1;
+    print((is_seen ? inked(Ink::dim, printable(path.string())) : path.string()) + "\n");
 }
 
 void print_to(output::FileGroup& files, const std::string& file, std::string_view text) {
@@ -72,14 +74,27 @@ void check_read_once(const std::string& a, const std::string& b) {
     if (a == "-" && b == "-") throw UsageError("standard input can be read once", "name a file for one of them");
 }
 
-void complain(const std::string& message) {
+namespace {
+
+/// One line, wrapped on a terminal, whose first word is in a colour.
+void tell(const std::string& line, Ink ink, bool with_numbers) {
+    constexpr std::string_view program = "meshfolio:";
     make_room_on_terminal();
+    const std::string rest = for_terminal(std::string(program) + " " + printable(line), STDERR_FILENO).substr(program.size());
     try {
-        write_all(STDERR_FILENO, "meshfolio: " + printable(message) + "\n", "standard error");
+        write_all(STDERR_FILENO,
+                  inked(ink, std::string(program), STDERR_FILENO) + (with_numbers ? with_bold_numbers(rest, STDERR_FILENO) : rest) + "\n",
+                  "standard error");
     } catch (const OutputError&) {
         // Standard error is gone: there is nowhere to report it.
     }
 }
+
+}   // namespace
+
+void complain(const std::string& message, Ink ink) { tell(message, ink, false); }
+
+void conclude(const std::string& message, bool is_good) { tell(message, is_good ? Ink::green : Ink::red, true); }
 
 int close_standard_output(int exit_code) {
     if (::close(STDOUT_FILENO) == 0 || errno == EBADF) return exit_code;
@@ -88,7 +103,7 @@ int close_standard_output(int exit_code) {
     return exit_code == 0 ? static_cast<int>(ExitCode::output) : exit_code;
 }
 
-void warn(const std::string& message) { complain("warning: " + message); }
+void warn(const std::string& message) { complain("warning: " + message, Ink::yellow); }
 
 void tell_of(const output::Notes& notes) {
     if (!notes.warning.empty()) warn(notes.warning);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "base/terminal.h"
 #include "mesh/mesh_checks.h"
 #include "output/publish/file_group.h"
 #include "output/publish/publish.h"
@@ -48,8 +49,10 @@ std::vector<std::string> mesh_or_standard_output();
 /// @throws UsageError where both are standard input, which can be read once
 void check_read_once(const std::string& a, const std::string& b);
 
-/// One line on stderr: "meshfolio: …". Nothing is thrown when stderr is gone.
-void complain(const std::string& message);
+/// One line on stderr: "meshfolio: …", its first word in a colour on a terminal. Nothing is thrown when stderr is gone.
+void complain(const std::string& message, Ink ink = Ink::dim);
+/// What a long command ends with: "meshfolio: 7 of 7 questions answered, …", green or red on a terminal.
+void conclude(const std::string& message, bool is_good);
 /// One line on stderr: "meshfolio: warning: …".
 void warn(const std::string& message);
 

@@ -83,7 +83,7 @@ ExitCode report_from_results(const ReportFlags& flags) {
     notes.push_back(appendix.warning());
     const Published published = publish_report(publication, whole.document, digests, settings, flags.junit);
     warn_of_missing(missing);
-    return tell(published, notes, whole.document);
+    return tell(published, notes, whole.document, 0);
 }
 
 }   // namespace meshfolio::run

@@ -1,6 +1,5 @@
 #include "run/progress.h"
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +10,8 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "base/number_text.h"
+#include "base/terminal.h"
 #include "run/console.h"
 
 namespace meshfolio::run {
@@ -18,21 +19,6 @@ namespace meshfolio::run {
 namespace {
 
 constexpr int bar_cells = 20;
-
-int terminal_width() {
-    winsize size{};
-    return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
-/// At most `columns` code points of UTF-8.
-std::string cut(const std::string& text, int columns) {
-    std::size_t end = 0;
-    for (int taken = 0; end < text.size(); ++end) {
-        const bool begins = (static_cast<unsigned char>(text[end]) & 0xc0u) != 0x80u;
-        if (begins && taken++ == columns) break;
-    }
-    return text.substr(0, end);
-}
 
 void to_stderr(const std::string& text) {
     if (::write(STDERR_FILENO, text.data(), text.size()) < 0) {
@@ -49,14 +35,14 @@ std::string progress_line(double fraction, std::string_view step, int width) {
     for (int i = 0; i < bar_cells; ++i) line += i < full ? "#" : "·";
     const std::string percent = std::to_string(static_cast<int>(std::floor(100 * done)));
     line += "] " + std::string(3 - std::min<std::size_t>(3, percent.size()), ' ') + percent + " %  " + printable(std::string(step));
-    return cut(line, width);
+    return shortened(line, width);
 }
 
 std::string stage_line(std::string_view what, double fraction, int seconds, int width) {
     const std::string share =
         fraction >= 0 ? ", " + std::to_string(static_cast<int>(std::floor(100 * std::min(fraction, 1.0)))) + " %" : "";
     const std::string tail = share + ", " + std::to_string(seconds) + " s";
-    return cut(cut(printable(std::string(what)), std::max(0, width - static_cast<int>(tail.size()))) + tail, width);
+    return shortened(shortened(printable(std::string(what)), width - static_cast<int>(tail.size())) + tail, width);
 }
 
 namespace {
@@ -112,7 +98,7 @@ private:
             const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - begun_).count();
             if (stop.stop_requested() || stages_.empty() || displays_ > 0 || seconds < 2) continue;
             const Shown& top = stages_.back();
-            to_stderr("\r" + stage_line(top.what, top.fraction, static_cast<int>(seconds), terminal_width() - 1) + "\x1b[K");
+            to_stderr("\r" + stage_line(top.what, top.fraction, static_cast<int>(seconds), terminal_width(STDERR_FILENO) - 1) + "\x1b[K");
             drawn_ = true;
         }
     }
@@ -143,7 +129,15 @@ bool stderr_is_terminal() {
     return ::isatty(STDERR_FILENO) == 1 && kind != nullptr && std::string_view(kind) != "dumb";
 }
 
-double seconds_left(double expected, double taken, double fraction) { return (1 - fraction) * ((1 - fraction) * expected + taken); }
+double seconds_left(double expected, double taken, double fraction) {
+    if (expected <= 0) return fraction > 0 ? (1 - fraction) * taken / fraction : 0;
+    return (1 - fraction) * ((1 - fraction) * expected + taken);
+}
+
+std::string time_text(double seconds) {
+    if (seconds < 100) return plain_text(std::ceil(seconds)) + " s";
+    return seconds < 6000 ? plain_text(std::ceil(seconds / 60)) + " min" : plain_text(rounded(seconds / 3600, 2)) + " h";
+}
 
 ProgressDisplay::ProgressDisplay(bool terminal, double expected) : terminal_(terminal), expected_(expected) {
     StageBoard::instance().count_displays(1);
@@ -160,9 +154,9 @@ std::string ProgressDisplay::left() const {
 }
 
 std::string ProgressDisplay::left_unlocked() const {
-    if (expected_ <= 0) return "";
     const std::chrono::duration<double> taken = Clock::now() - begun_;
-    return ", about " + std::to_string(std::lround(std::ceil(seconds_left(expected_, taken.count(), fraction_)))) + " s left";
+    const double seconds = seconds_left(expected_, taken.count(), fraction_);
+    return seconds > 0 ? ", about " + time_text(seconds) + " left" : "";
 }
 
 void ProgressDisplay::advance(double fraction) {
@@ -193,7 +187,7 @@ void ProgressDisplay::draw(bool now) {
     if (drawn_ && !now && time - drawn_at_ < interval) return;
     drawn_at_ = time;
     drawn_ = true;
-    to_stderr("\r" + progress_line(fraction_, step_ + left_unlocked(), terminal_width() - 1) + "\x1b[K");
+    to_stderr("\r" + progress_line(fraction_, step_ + left_unlocked(), terminal_width(STDERR_FILENO) - 1) + "\x1b[K");
 }
 
 }   // namespace meshfolio::run

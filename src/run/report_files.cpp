@@ -130,7 +130,28 @@ Published publish_report(output::Publication& publication, const report::Documen
     return published;
 }
 
-ExitCode tell(const Published& published, const std::vector<std::string>& notes, const report::Document& document) {
+namespace {
+
+/// Questions by their status and checks by theirs, as results.json has them.
+std::string verdict_on(const report::Document& document, double seconds) {
+    std::size_t answered = 0, asked = 0;
+    report::Score score;
+    for (const report::Section& section : document.sections) {
+        score += report::score_of(section.checks);
+        if (!report::is_question(section.id) || section.status == report::Status::skipped) continue;
+        ++asked;
+        answered += section.status == report::Status::ok ? 1 : 0;
+    }
+    std::string text = asked > 0 ? std::to_string(answered) + " of " + counted(static_cast<int>(asked), "question") + " answered, " : "";
+    text += counted(static_cast<int>(score.passed), "check") + " passed";
+    if (score.failed > 0) text += ", " + std::to_string(score.failed) + " failed";
+    if (score.undecided > 0) text += ", " + std::to_string(score.undecided) + " undecided";
+    return text + (seconds > 0 ? ", " + plain_text(seconds, seconds < 100 ? 2 : 3) + " s" : "");
+}
+
+}   // namespace
+
+ExitCode tell(const Published& published, const std::vector<std::string>& notes, const report::Document& document, double seconds) {
     tell_of(published.notes);
     for (const std::string& note : notes)
         if (!note.empty()) warn(note);
@@ -139,6 +160,7 @@ ExitCode tell(const Published& published, const std::vector<std::string>& notes,
         complain(published.wanted.string() + " keeps the report that ended well; this one is " + published.folder.string() +
                  ", until one ends well again");
     }
+    conclude(verdict_on(document, seconds), !has_failed(document));
     print_path(published.folder / "index.html");
     return has_failed(document) ? ExitCode::failed : ExitCode::ok;
 }

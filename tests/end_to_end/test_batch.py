@@ -79,7 +79,7 @@ class Batches(unittest.TestCase):
             self.assertEqual(row["manifold"], "yes")
             self.assertNotIn("seconds", row)
             self.assertEqual([p.name for p in (self.out / name / "images").glob("q5_*_+x.png")], [])
-        self.assertIn("3 meshes: about ", self.process.stderr)
+        self.assertIn("3 meshes, 1 at a time", self.process.stderr)
         self.assertIn(" s left", self.process.stderr)
         self.assertEqual(self.process.stdout.strip(), str(self.out / "index.html"))
         self.assertEqual(leftovers(self.out), [])

@@ -106,9 +106,18 @@ class Compare(InFolder):
             self.assertNotIn('<b>&', page)
             self.assertIn('content="default-src &#39;none&#39;;', page)
             self.assertEqual(re.findall(r'(?:src|href)="(?!data:|#)([^"]*)', page), [])
-            self.assertIn('<code>hausdorff</code>', page)
-            for part in ('<figure class="plot">', '<code>max_a_to_b</code>'):
+            self.assertIn('Hausdorff distance', page)
+            self.assertIsNone(re.search(r'\b(?:[a-z]+_)+[a-z]+\b', re.sub(r'<style.*?</style>|<script.*?</script>|<[^>]*>', ' ', page, flags=re.S)))
+            for part in ('<figure class="plot">', 'largest, A to B', 'rms distance, '):
                 self.assertEqual(part in page, b == 'ground.obj', part)
+            self.assertEqual('<b>Identical</b>' in page, b != 'ground.obj')
+            self.assertLess(page.index('class="tiles"'), page.index('<img'), 'numbers come first')
+
+    def test_one_moved_vertex_is_not_identical(self):
+        self.write('moved.obj', TILE.replace('v 0 0 2', 'v 0 0 2.0000001'))
+        self.succeed('compare', 'tile.obj', 'moved.obj', '--html', 'page.html')
+        with open(self.path('page.html'), encoding='utf-8') as file:
+            self.assertNotIn('Identical', file.read())
 
     def test_an_open_surface_has_no_volume(self):
         for options in ([], ['--surfaces']):

@@ -23,7 +23,7 @@ class Install(unittest.TestCase):
         done = subprocess.run(['cmake', '--install', BUILD, '--prefix', cls.prefix], capture_output=True, text=True)
         assert done.returncode == 0, done.stderr
         cls.share = cls.prefix / 'share'
-        cls.commands = re.findall(r'^  ([a-z]+) ', run('--help').stdout.split('Subcommands:')[1], re.MULTILINE)
+        cls.commands = re.findall(r'^  ([a-z]+) ', run('--help').stdout.split('Make a report:')[1], re.MULTILINE)
 
     def test_the_program_runs_from_there(self):
         done = subprocess.run([self.prefix / 'bin' / 'meshfolio', 'version'], capture_output=True, text=True, cwd=self.folder)

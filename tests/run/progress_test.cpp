@@ -33,6 +33,11 @@ TEST(SecondsLeft, BeginAsEstimatedAndEndWithTheTimeTaken) {
     EXPECT_GT(seconds_left(60, 60, 0.5), 30) << "a slower machine";
 }
 
+TEST(SecondsLeft, WithoutAnEstimateAreThoseOfWhatIsDone) {
+    EXPECT_EQ(seconds_left(0, 5, 0), 0) << "not known yet";
+    for (const double share : {0.1, 0.5, 0.9, 1.0}) EXPECT_NEAR(seconds_left(0, 60 * share, share), 60 * (1 - share), 1e-9);
+}
+
 TEST(ProgressLine, NeverWiderThanTheTerminal) {
     for (const int width : {0, 1, 10, 25, 40, 79}) {
         EXPECT_LE(code_points(progress_line(0.3, "μμμμμμμμμμ of a very long mesh name that does not fit at all", width)), width);
@@ -46,7 +51,7 @@ TEST(ProgressLine, NamesOfMeshesCannotSteerTheTerminal) {
 TEST(StageLine, KeepsTheSecondsHoweverNarrowTheTerminal) {
     EXPECT_EQ(stage_line("inspect: reading bunny.off", -1, 12, 80), "inspect: reading bunny.off, 12 s");
     EXPECT_EQ(stage_line("spectrum", 0.456, 3, 80), "spectrum, 45 %, 3 s");
-    EXPECT_EQ(stage_line("inspect: reading bunny.off", -1, 12, 20), "inspect: readi, 12 s");
+    EXPECT_EQ(stage_line("inspect: reading bunny.off", -1, 12, 20), "inspect: …, 12 s");
     EXPECT_LE(code_points(stage_line("μμμμμμμμμμμμ", 0.5, 100, 5)), 5);
     EXPECT_EQ(stage_line("\x1b[2J\n", -1, 3, 80).find_first_of("\x1b\n"), std::string::npos);
 }

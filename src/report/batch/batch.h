@@ -3,6 +3,7 @@
 /// reports is run/batch.
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -24,7 +25,8 @@ struct WorstCheck {
 /// The share of a check's allowance that the measured number uses. A limit that is a whole number other than 0 comes from a theorem or a
 /// count and is no allowance: the share is 0 up to it, and counts against the tolerance beyond it.
 double used_share(const Check& check);
-std::optional<WorstCheck> worst_check(const std::vector<Section>& sections);
+/// @param usual  shares by the id of the check: where none failed, the one farthest beyond its usual share is taken
+std::optional<WorstCheck> worst_check(const std::vector<Section>& sections, const std::map<std::string, double>& usual = {});
 
 struct BatchRow {
     enum class State { waiting, good, bad, failed };   // bad: its report has a failure; failed: there is no report
@@ -76,6 +78,9 @@ struct Batch {
 };
 
 std::size_t count_of(const Batch& batch, BatchRow::State state);
+Score score_of(const Batch& batch);
+/// By the id of the check, the median over the meshes of the share that each uses.
+std::map<std::string, double> usual_shares(const Batch& batch);
 
 Table batch_table(const Batch& batch);   // for write_csv()
 std::string write_batch_json(const Batch& batch, const std::string& version);

@@ -29,11 +29,6 @@ json number_view(const Cell& cell) {
                     {"has_value", "there is one", !value.empty()}});
 }
 
-std::string words_in(const Cell& cell) {
-    const auto* words = std::get_if<std::string>(&cell);
-    return words != nullptr ? safe_text(*words) : "–";
-}
-
 json picture_view(const BatchRow& row) {
     const BatchRow::Picture picture = row.picture.value_or(BatchRow::Picture());
     return view_of({{"is_drawn", "there is one", row.picture.has_value()},
@@ -43,61 +38,90 @@ json picture_view(const BatchRow& row) {
                     {"height", "pixels", std::to_string(picture.height)}});
 }
 
-json worst_view(const BatchRow& row) {
-    const WorstCheck worst = row.worst.value_or(WorstCheck());
-    const bool has_share = row.worst && std::isfinite(worst.used);
-    return view_of({{"is_there", "there is any check", row.worst.has_value()},
+json worst_view(const std::optional<WorstCheck>& there) {
+    const WorstCheck worst = there.value_or(WorstCheck());
+    const bool has_share = there && std::isfinite(worst.used);
+    return view_of({{"is_there", "there is any check", there.has_value()},
                     {"words", "its name and what was measured", safe_text(worst.words)},
                     {"failed", "it failed", worst.failed},
                     {"value", "share of what it allows, to sort by; beyond any limit 1e308", exact_text(has_share ? worst.used : 1e308)},
                     {"share", "of what it allows", has_share ? readable_percent(worst.used, 3) : "∞"}});
 }
 
+/// "1 component", "2 components".
+std::string counted_words(const Cell& count, const std::string& thing) {
+    const double number = std::get<double>(count);
+    return readable_integer(number) + "\u00a0" + thing + (number == 1 ? "" : "s");
+}
+
+/// What kind of surface it is: "closed", "genus 0".
+json surface_view(const BatchRow& row) {
+    const auto number = [](const Cell& cell) { return std::get_if<double>(&cell); };
+    json words = json::array();
+    const auto add = [&](const std::string& text, bool is_bad = false) {
+        words.push_back(view_of({{"text", "closed, open, its genus", text}, {"is_bad", "it is no surface", is_bad}}));
+    };
+    if (row.manifold == Cell("no")) add("not manifold", true);
+    if (const double* loops = number(row.boundary_loops)) add(*loops == 0 ? "closed" : counted_words(*loops, "boundary loop"));
+    if (const double* parts = number(row.components); parts != nullptr && *parts != 1) add(counted_words(*parts, "component"));
+    if (const double* genus = number(row.genus)) add("genus\u00a0" + readable_integer(*genus));
+    return words;
+}
+
 json defect_view(const std::pair<std::string, double>& defect) {
     return view_of({{"kind", "what is wrong", safe_text(defect.first)}, {"count", "how often", readable_integer(defect.second)}});
 }
 
-json row_view(const BatchRow& row) {
+json row_view(const BatchRow& row, const std::map<std::string, double>& usual) {
     using State = BatchRow::State;
     const std::vector<std::pair<std::string, double>> defects = row.defects.value_or(std::vector<std::pair<std::string, double>>());
     double in_all = 0;
     for (const auto& [kind, count] : defects) in_all += count;
-    json view = view_of({{"name", "of the mesh and its folder", safe_text(row.name)},
-                         {"file", "as it was named", safe_text(row.file)},
-                         {"has_report", "there is one", !row.report.empty()},
-                         {"report", "its page", url_path(row.report)},
-                         {"picture", "from three quarters", picture_view(row)},
-                         {"is_waiting", "it has not been worked on", row.state == State::waiting},
-                         {"is_good", "nothing failed", row.state == State::good},
-                         {"is_bad", "its report has a failure", row.state == State::bad},
-                         {"is_failed", "there is no report", row.state == State::failed},
-                         {"error", "why, in one line", safe_text(row.error)},
-                         {"vertices", "how many", number_view(row.vertices)},
-                         {"triangles", "how many", number_view(row.triangles)},
-                         {"components", "how many", number_view(row.components)},
-                         {"boundary_loops", "how many", number_view(row.boundary_loops)},
-                         {"genus", "of one closed manifold component", number_view(row.genus)},
-                         {"manifold", "yes or no", words_in(row.manifold)},
-                         {"defects_in_all", "their number", number_view(row.defects ? Cell(in_all) : Cell())},
-                         {"lambda_critical", "largest stable step of explicit smoothing", number_view(row.lambda_critical)},
-                         {"passed", "checks that did", number_view(row.report.empty() ? Cell() : Cell(double(row.score.passed)))},
-                         {"checks_failed", "checks that did", number_view(row.report.empty() ? Cell() : Cell(double(row.score.failed)))},
-                         {"undecided_count", "checks that decide nothing", std::to_string(row.score.undecided)},
-                         {"has_undecided", "there are any", row.score.undecided > 0},
-                         {"worst", "the check with the least room", worst_view(row)},
-                         {"seconds", "that the report took", number_view(row.seconds)}});
+    json view =
+        view_of({{"name", "of the mesh and its folder", safe_text(row.name)},
+                 {"file", "as it was named", safe_text(row.file)},
+                 {"has_report", "there is one", !row.report.empty()},
+                 {"report", "its page", url_path(row.report)},
+                 {"picture", "from three quarters", picture_view(row)},
+                 {"is_waiting", "it has not been worked on", row.state == State::waiting},
+                 {"is_good", "nothing failed", row.state == State::good},
+                 {"is_bad", "its report has a failure", row.state == State::bad},
+                 {"is_failed", "there is no report", row.state == State::failed},
+                 {"error", "why, in one line", safe_text(row.error)},
+                 {"vertices", "how many", number_view(row.vertices)},
+                 {"triangles", "how many", number_view(row.triangles)},
+                 {"defects_in_all", "their number", number_view(row.defects ? Cell(in_all) : Cell())},
+                 {"lambda_critical", "largest stable step of explicit smoothing", number_view(row.lambda_critical)},
+                 {"passed", "checks that did", number_view(row.report.empty() ? Cell() : Cell(double(row.score.passed)))},
+                 {"checks_failed", "checks that did", std::to_string(row.score.failed)},
+                 {"has_checks_failed", "there are any", row.score.failed > 0},
+                 {"undecided_count", "checks that decide nothing", std::to_string(row.score.undecided)},
+                 {"has_undecided", "there are any", row.score.undecided > 0},
+                 {"worst", "a failed check, else the one farthest beyond its usual share", worst_view(worst_check(row.sections, usual))},
+                 {"seconds", "that the report took", number_view(row.seconds)}});
+    enter_list(view, "surface", "its kind, in words", surface_view(row));
     enter_list(view, "defects", "by kind", list_of(defects, defect_view));
     return view;
+}
+
+double seconds_of(const Batch& batch) {
+    double sum = 0;
+    for (const BatchRow& row : batch.rows)
+        if (const auto* seconds = std::get_if<double>(&row.seconds)) sum += *seconds;
+    return sum;
 }
 
 }   // namespace
 
 json batch_view(const Batch& batch) {
     using State = BatchRow::State;
-    const auto count = [&](State state) { return std::to_string(count_of(batch, state)); };
-    Score score;
-    for (const BatchRow& row : batch.rows) score += row.score;
-    json view = view_of({{"mesh_count", "how many", std::to_string(batch.rows.size())},
+    const auto number = [](std::size_t count) { return readable_count(static_cast<long long>(count)); };
+    const auto count = [&](State state) { return number(count_of(batch, state)); };
+    const Score score = score_of(batch);
+    const std::map<std::string, double> usual = usual_shares(batch);
+    const double seconds = seconds_of(batch);
+    json view = view_of({{"mesh_count", "how many", number(batch.rows.size())},
+                         {"report_count", "meshes with a report", number(count_of(batch, State::good) + count_of(batch, State::bad))},
                          {"good_count", "meshes without a failure", count(State::good)},
                          {"bad_count", "meshes whose report has one", count(State::bad)},
                          {"failed_count", "meshes without a report", count(State::failed)},
@@ -105,9 +129,12 @@ json batch_view(const Batch& batch) {
                          {"has_bad", "there are any", count_of(batch, State::bad) > 0},
                          {"has_failed", "there are any", count_of(batch, State::failed) > 0},
                          {"has_waiting", "there are any", count_of(batch, State::waiting) > 0},
-                         {"score", "all checks", safe_text(words_of(score))},
+                         {"passed_count", "checks of all", number(score.passed)},
+                         {"checks_failed_count", "checks of all", number(score.failed)},
+                         {"has_checks_failed", "there are any", score.failed > 0},
+                         {"seconds", "that all reports took", readable(seconds)},
                          {"has_timings", "it is known how long each took", batch.timings}});
-    enter_list(view, "rows", "a mesh each", list_of(batch.rows, row_view));
+    enter_list(view, "rows", "a mesh each", list_of(batch.rows, [&](const BatchRow& row) { return row_view(row, usual); }));
     return view;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "report/batch/batch.h"
 
@@ -78,16 +79,21 @@ double used_share(const Check& check) {
     return check.kind == Check::Kind::at_most ? share_of(check.measured, limit) : share_of(limit, check.measured);
 }
 
-std::optional<WorstCheck> worst_check(const std::vector<Section>& sections) {
+std::optional<WorstCheck> worst_check(const std::vector<Section>& sections, const std::map<std::string, double>& usual) {
     std::optional<WorstCheck> worst;
+    // Failed ones first, then what is beyond the usual, then the share itself.
+    const auto rank = [&](const WorstCheck& check) {
+        const auto found = usual.find(check.id);
+        const double beyond = found != usual.end() && std::isfinite(check.used) ? check.used - found->second : check.used;
+        return std::tuple(check.failed, beyond, check.used);
+    };
     for (const Section& section : sections) {
         const std::vector<std::string> ids = check_ids(section);
         for (std::size_t i = 0; i < ids.size(); ++i) {
             const Check& check = section.checks[i];
             if (check.status == Check::Status::undecided) continue;
-            const double used = used_share(check);
-            const bool is_worse = !worst || (check.failed() != worst->failed ? check.failed() : used > worst->used);
-            if (is_worse) worst = {ids[i], check.name + ": " + words_of(check), check.failed(), used};
+            const WorstCheck one{ids[i], check.name + ": " + words_of(check), check.failed(), used_share(check)};
+            if (!worst || rank(one) > rank(*worst)) worst = one;
         }
     }
     return worst;
@@ -107,6 +113,29 @@ BatchRow batch_row(std::string name, std::string file, const Document& document,
     if (timings && !document.timings.empty()) row.seconds = document.timings.back().seconds;
     take_counts(row, document);
     return row;
+}
+
+Score score_of(const Batch& batch) {
+    Score score;
+    for (const BatchRow& row : batch.rows) score += row.score;
+    return score;
+}
+
+std::map<std::string, double> usual_shares(const Batch& batch) {
+    std::map<std::string, std::vector<double>> shares;
+    for (const BatchRow& row : batch.rows) {
+        for (const Section& section : row.sections) {
+            const std::vector<std::string> ids = check_ids(section);
+            for (std::size_t i = 0; i < ids.size(); ++i) shares[ids[i]].push_back(used_share(section.checks[i]));
+        }
+    }
+    std::map<std::string, double> usual;
+    for (auto& [id, of_meshes] : shares) {
+        const auto middle = of_meshes.begin() + static_cast<std::ptrdiff_t>((of_meshes.size() - 1) / 2);
+        std::ranges::nth_element(of_meshes, middle);
+        usual[id] = *middle;
+    }
+    return usual;
 }
 
 std::size_t count_of(const Batch& batch, BatchRow::State state) {

@@ -14,6 +14,7 @@
 #include "base/sha256.h"
 #include "output/publish/publish.h"
 #include "output/publish/temporaries.h"
+#include "questions/core/section_tools.h"
 #include "run/arguments.h"
 #include "run/batch/batch_folder.h"
 #include "run/batch/finished_report.h"
@@ -52,12 +53,6 @@ std::vector<BatchRow> rows_found(const std::vector<BatchMesh>& meshes, const Rep
     return rows;
 }
 
-/// "40 s", "12 min", "3.5 h".
-std::string time_text(double seconds) {
-    if (seconds < 100) return plain_text(std::ceil(seconds)) + " s";
-    return seconds < 6000 ? plain_text(std::ceil(seconds / 60)) + " min" : plain_text(rounded(seconds / 3600, 2)) + " h";
-}
-
 /// A mesh that has no finished report.
 struct Task {
     std::size_t mesh;
@@ -74,14 +69,13 @@ public:
             if (index_.batch().rows[i].state == BatchRow::State::waiting) tasks_.push_back({i});
         const std::size_t kept = meshes_.size() - tasks_.size();
         estimate();
-        const double cpu = cpu_seconds(), seconds = cpu / (busy_share * std::min(cores_, jobs_ * threads_));
         const auto largest = std::ranges::max_element(tasks_, {}, &Task::memory);
         complain(std::to_string(meshes_.size()) + (meshes_.size() == 1 ? " mesh" : " meshes") +
                  (kept > 0 ? ", " + std::to_string(kept) + " done before" : "") +
                  (tasks_.empty() ? ""
-                                 : ": about " + time_text(seconds) + ", " + std::to_string(jobs_) + " at a time, the largest with " +
+                                 : ", " + std::to_string(jobs_) + " at a time, the largest with " +
                                        plain_text(rounded(largest->memory / 1e9, 2)) + " GB"));
-        make_reports(cpu, seconds);
+        make_reports();
     }
     bool has_output_error() const { return has_output_error_; }
 
@@ -136,8 +130,9 @@ private:
     }
     static bool has_ended_well(const report::ChildEnd& end) { return end.kind == report::ChildEnd::Kind::exited && end.code == 0; }
 
-    void make_reports(double cpu, double seconds) {
-        ProgressDisplay display(stderr_is_terminal(), seconds);
+    void make_reports() {
+        ProgressDisplay display(stderr_is_terminal());   // meshes that are done tell how long the others take
+        const double cpu = cpu_seconds();
         std::mutex telling;
         double done_cpu = 0;
         std::size_t done = 0;
@@ -198,15 +193,21 @@ ExitCode run_batch(const BatchFlags& flags) {
     const BatchFolder folder(settings.out);
     for (const BatchMesh& mesh : meshes)
         output::sweep_leftovers(folder.path() / mesh.name);   // what is finished is not made again, and sweeps nothing
+    const auto began = std::chrono::steady_clock::now();
     BatchIndex index(folder.path(), {rows_found(meshes, settings), settings.timings}, templates);
     index.write();
     Batch batch(flags, settings, std::move(meshes), index);
     batch.run();
     index.write();
     tell_of_failures(index.batch());
+    const std::size_t good = report::count_of(index.batch(), BatchRow::State::good), all = index.batch().rows.size();
+    conclude(std::to_string(good) + " of " + counted(static_cast<int>(all), "mesh", "meshes") + " without a failure, " +
+                 words_of(report::score_of(index.batch())) + ", " +
+                 time_text(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count()),
+             good == all);
     print_path(folder.path() / "index.html");
     if (batch.has_output_error()) return ExitCode::output;
-    return report::count_of(index.batch(), BatchRow::State::good) == index.batch().rows.size() ? ExitCode::ok : ExitCode::failed;
+    return good == all ? ExitCode::ok : ExitCode::failed;
 }
 
 }   // namespace meshfolio::run

@@ -39,7 +39,7 @@ std::string id_of(const fs::path& submission, std::set<std::string>& taken) {
 
 /// A name of its own for each.
 std::vector<std::string> ids_of(const std::vector<std::string>& submissions) {
-    std::set<std::string> taken{"class.csv", output::sums_file};
+    std::set<std::string> taken{"class.csv", "class.html", output::sums_file};
     std::vector<std::string> ids;
     std::ranges::transform(submissions, std::back_inserter(ids), [&](const std::string& path) { return id_of(path, taken); });
     return ids;
@@ -110,6 +110,7 @@ ExitCode mark_class(const MarkFlags& flags) {
         stage.advance(static_cast<double>(students.size()) / static_cast<double>(ids.size()));
     }
     write_file(publication.folder() / "class.csv", class_csv(students, rubric));
+    write_file(publication.folder() / "class.html", class_page(students, rubric, templates));
     tell_of(publication.publish({}, [&] { require_nobody_lost(flags.out, ids); }));   // another run may have come first
     complain(std::to_string(students.size() - static_cast<std::size_t>(refused)) + " marked, " + std::to_string(refused) + " refused");
     print_path(fs::path(flags.out) / "class.csv");

@@ -1,7 +1,9 @@
 #include "run/mark/mark_pages.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/base64.h"
@@ -60,7 +62,6 @@ std::string place_of(const ItemMark& mark) {
         return words.line("place.coordinate", "vertex"_a = mark.agreement.where / 3,
                           "axis"_a = std::string(1, "xyz"[mark.agreement.where % 3]));
     if (mark.item->what == MarkedThing::eigenvalues) return words.line("place.eigenvalue", "index"_a = mark.agreement.where + 1);
-    if (mark.item->what == MarkedThing::number) return words.line("place.number");
     return words.line("place.vertex", "vertex"_a = mark.agreement.where);
 }
 
@@ -79,7 +80,7 @@ std::string picture_of(const ItemMark& mark) {
     const std::shared_ptr<const TriangleMesh> mesh(mark.reference->mesh->prepared, &mark.reference->mesh->mesh());
     const bool is_distance = is_of_mesh(mark.item->what);
     const output::ColorRange range =
-        output::robust_range({{"", "", mesh, mark.difference}}, is_distance ? "viridis" : "diverging",
+        output::robust_range({{"", "", mesh, mark.difference}}, is_distance ? "pale" : "diverging",
                              words.line(is_distance ? "picture.distance" : "picture.difference"), "", mark.reference->right.scale * 1e-12);
     render::DrawOptions draw;
     draw.width = draw.height = view_side;
@@ -93,6 +94,13 @@ std::string picture_of(const ItemMark& mark) {
     return render::encode_jpeg(render::compose(sheet), quality);
 }
 
+/// "You wrote 1.9; right is 2 (5 % off)."
+std::string wrong_number(double given, double expected) {
+    const double off = std::abs(given - expected) / std::abs(expected);
+    return "You wrote " + readable(given, 6) + "; right is " + readable(expected, 6) +
+           (std::isfinite(off) ? " (" + readable_percent(off, 2) + " off)." : ".");
+}
+
 /// Why an answer has its verdict.
 std::string explanation_of(const ItemMark& mark) {
     const std::string worst = readable(mark.agreement.worst, 2), tolerance = plain_text(mark.item->tolerance, 3);
@@ -102,29 +110,69 @@ std::string explanation_of(const ItemMark& mark) {
     if (mark.verdict == Verdict::recognised)
         return words.line("said.recognised", "conventions"_a = in_words(mark.conventions),
                           "share"_a = readable_percent(mark.item->recognised, 2));
+    const bool is_number = mark.item->what == MarkedThing::number;
+    if (mark.verdict == Verdict::wrong && is_number) return wrong_number(mark.given, mark.expected);
     if (mark.verdict == Verdict::wrong)
         return words.line("said.wrong", "share"_a = readable_percent(mark.agreement.share), "tolerance"_a = tolerance,
                           "place"_a = place_of(mark), "given"_a = readable(mark.given, 6), "expected"_a = readable(mark.expected, 6));
-    return mark.item->what == MarkedThing::number ? words.line("said.no_number", "file"_a = answers_file, "id"_a = mark.item->id)
-                                                  : words.line("said.missing", "pattern"_a = mark.item->file);
+    return is_number ? words.line("said.no_number", "file"_a = answers_file, "id"_a = mark.item->id)
+                     : words.line("said.missing", "pattern"_a = mark.item->file);
+}
+
+/// A mark in short, as a cell of the class or the head of an item.
+json mark_view(const ItemMark& mark) {
+    return {{"score", points_text(mark.score)},
+            {"verdict", words.line("verdict." + std::string(verdict_word(mark.verdict)))},
+            {"is_right", keeps_all(mark)},
+            {"is_partial", mark.verdict == Verdict::recognised},
+            {"is_lost", !keeps_all(mark) && mark.verdict != Verdict::recognised}};
 }
 
 json item_view(const ItemMark& mark) {
     const std::string picture = picture_of(mark);
-    return {{"id", mark.item->id},
-            {"title", report::safe_text(mark.item->title)},
-            {"score", points_text(mark.score)},
-            {"points", points_text(mark.item->points)},
-            {"verdict", words.line("verdict." + std::string(verdict_word(mark.verdict)))},
-            {"is_right", keeps_all(mark)},
-            {"is_partial", mark.verdict == Verdict::recognised},
-            {"is_lost", !keeps_all(mark) && mark.verdict != Verdict::recognised},
-            {"file", report::safe_text(mark.file)},
-            {"has_file", !mark.file.empty()},
-            {"settings", described(*mark.item, mark.settings)},
-            {"said", report::safe_text(said_of(mark))},
-            {"has_picture", !picture.empty()},
-            {"picture", base64(picture)}};
+    json view = mark_view(mark);
+    view.update({{"id", mark.item->id},
+                 {"title", report::safe_text(mark.item->title)},
+                 {"points", points_text(mark.item->points)},
+                 {"file", report::safe_text(mark.file)},
+                 {"has_file", !mark.file.empty()},
+                 {"settings", described(*mark.item, mark.settings)},
+                 {"said", report::safe_text(said_of(mark))},
+                 {"has_picture", !picture.empty()},
+                 {"picture", base64(picture)}});
+    return view;
+}
+
+json class_row(const StudentMarks& marks) {
+    return {{"student", marks.id},
+            {"score", points_text(marks.score())},
+            {"is_refused", !marks.refused.empty()},
+            {"refused", report::safe_text(marks.refused)},
+            {"cells", report::list_of(marks.items, mark_view)}};
+}
+
+/// What the class did with one item: how many had it right, and which convention explains most of the others.
+json class_item(const std::vector<StudentMarks>& students, const Rubric& rubric, std::size_t item) {
+    double sum = 0;
+    std::ptrdiff_t right = 0;
+    std::map<ConventionKeys, int> told;
+    for (const StudentMarks& marks : students) {
+        if (!marks.refused.empty()) continue;
+        const ItemMark& mark = marks.items[item];
+        sum += mark.score;
+        right += keeps_all(mark) ? 1 : 0;
+        if (mark.verdict == Verdict::recognised)
+            for (const ConventionKeys& keys : mark.conventions) ++told[keys];
+    }
+    const auto most = std::ranges::max_element(told, {}, [](const auto& one) { return one.second; });
+    return {{"id", rubric.items[item].id},
+            {"title", report::safe_text(rubric.items[item].title)},
+            {"points", points_text(rubric.items[item].points)},
+            {"average", readable(sum / static_cast<double>(std::max<std::size_t>(1, students.size())))},
+            {"right", std::to_string(right)},
+            {"has_misconception", most != told.end()},
+            {"misconception", most != told.end() ? report::safe_text(in_words({most->first})) : ""},
+            {"times", most != told.end() ? std::to_string(most->second) : ""}};
 }
 
 }   // namespace
@@ -135,20 +183,36 @@ std::string said_of(const ItemMark& mark) {
     return mark.reference->not_unique && mark.verdict != Verdict::right ? said + " " + words.line("said.not_unique") : said;
 }
 
+namespace {
+
+/// What stands in every page of a class.
+json page_model(const Rubric& rubric) { return {{"title", report::safe_text(rubric.title)}, {"points", points_text(rubric.points())}}; }
+
+std::string page_of(json model, const report::Templates& templates, const std::string& design) {
+    report::add_design(model, templates, design);
+    return report::render(templates, design + ".html", model, report::xml_escape);
+}
+
+}   // namespace
+
 std::string student_page(const StudentMarks& marks, const Rubric& rubric, const report::Templates& templates) {
     const auto remark_view = [](const std::string& remark) -> json { return {{"text", report::safe_text(remark)}}; };
-    json model{{"title", report::safe_text(rubric.title)},
-               {"student", marks.id},
-               {"source", report::safe_text(marks.source)},
-               {"score", points_text(marks.score())},
-               {"points", points_text(rubric.points())},
-               {"refused", report::safe_text(marks.refused)},
-               {"is_refused", !marks.refused.empty()},
-               {"has_remarks", !marks.remarks.empty()},
-               {"remarks", report::list_of(marks.remarks, remark_view)},
-               {"items", report::list_of(marks.items, item_view)}};
-    report::add_design(model, templates, "mark");
-    return report::render(templates, "mark.html", model, report::xml_escape);
+    const auto right = std::ranges::count_if(marks.items, keeps_all);
+    json model = page_model(rubric);
+    model.update({{"student", marks.id},
+                  {"source", report::safe_text(marks.source)},
+                  {"score", points_text(marks.score())},
+                  {"refused", report::safe_text(marks.refused)},
+                  {"is_refused", !marks.refused.empty()},
+                  {"right_count", std::to_string(right)},
+                  {"item_count", std::to_string(rubric.items.size())},
+                  {"wrong_count", std::to_string(std::ssize(rubric.items) - right)},
+                  {"has_wrong", marks.refused.empty() && right < std::ssize(rubric.items)},
+                  {"has_right", right > 0},
+                  {"has_remarks", !marks.remarks.empty()},
+                  {"remarks", report::list_of(marks.remarks, remark_view)},
+                  {"items", report::list_of(marks.items, item_view)}});
+    return page_of(std::move(model), templates, "mark");
 }
 
 std::string student_json(const StudentMarks& marks, const Rubric& rubric) {
@@ -197,6 +261,24 @@ std::string class_csv(const std::vector<StudentMarks>& students, const Rubric& r
         table.rows.push_back(std::move(row));
     }
     return report::write_csv(table);
+}
+
+std::string class_page(const std::vector<StudentMarks>& students, const Rubric& rubric, const report::Templates& templates) {
+    double sum = 0;
+    for (const StudentMarks& marks : students) sum += marks.score();
+    const auto refused = std::ranges::count_if(students, [](const StudentMarks& marks) { return !marks.refused.empty(); });
+    json items = json::array();
+    for (std::size_t i = 0; i < rubric.items.size(); ++i) items.push_back(class_item(students, rubric, i));
+    json model = page_model(rubric);
+    model.update({{"student_count", std::to_string(students.size())},
+                  {"is_one", students.size() == 1},
+                  {"average", readable(sum / static_cast<double>(std::max<std::size_t>(1, students.size())))},
+                  {"refused_count", std::to_string(refused)},
+                  {"has_refused", refused > 0},
+                  {"column_count", std::to_string(rubric.items.size())},
+                  {"items", items},
+                  {"students", report::list_of(students, class_row)}});
+    return page_of(std::move(model), templates, "class");
 }
 
 }   // namespace meshfolio::run

@@ -1,5 +1,5 @@
 /// @file
-/// Marks as files: a page and results.json a student, class.csv for all.
+/// Marks as files: a page and results.json a student, class.csv and class.html for all.
 #pragma once
 
 #include <string>
@@ -19,5 +19,7 @@ std::string student_page(const StudentMarks& marks, const Rubric& rubric, const 
 std::string student_json(const StudentMarks& marks, const Rubric& rubric);
 /// One row a student.
 std::string class_csv(const std::vector<StudentMarks>& students, const Rubric& rubric);
+/// The same as a page: students by items, and what went wrong most often with each item.
+std::string class_page(const std::vector<StudentMarks>& students, const Rubric& rubric, const report::Templates& templates);
 
 }   // namespace meshfolio::run

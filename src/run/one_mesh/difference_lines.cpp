@@ -22,44 +22,45 @@ constexpr const char *hausdorff_meaning = "two-sided, surface to surface, of all
 
 std::vector<DifferenceLine> lines_of_same_triangles(const TriangleMesh& a, const TriangleMesh& b, const HausdorffDistance& hausdorff) {
     const MeshDifference d = compare_meshes(a, b);
-    return {{"rms", d.rms, "sqrt(sum d^2 / n) over vertices"},
-            {"max", d.max, "largest vertex distance"},
-            {"hausdorff", hausdorff.distance, hausdorff_meaning},
-            {"hausdorff_bound", hausdorff.bound, bound_meaning},
-            {"mean_normal_angle_deg", degrees * d.mean_normal_angle, "between corresponding faces"},
-            {"volume_ratio", d.volume_ratio, "B over A, where both enclose a volume"},
-            {"area_ratio", d.area_ratio, "B over A"},
-            {"area_weighted_rms", d.area_weighted_rms, "with the vertex areas of A"},
-            {"mean_squared_normal_angle_deg2", degrees * degrees * d.mean_squared_normal_angle, ""},
-            {"box_diagonal", d.box_diagonal, "of A"},
-            {"inverted_faces", static_cast<double>(d.inverted_faces), "normal turned by more than 90 degrees", true}};
+    return {{"rms", "rms distance", d.rms, "sqrt(sum d^2 / n) over vertices"},
+            {"max", "largest distance", d.max, "largest vertex distance"},
+            {"hausdorff", "Hausdorff distance, at least", hausdorff.distance, hausdorff_meaning},
+            {"hausdorff_bound", "Hausdorff distance, at most", hausdorff.bound, bound_meaning},
+            {"mean_normal_angle_deg", "mean angle of normals [°]", degrees * d.mean_normal_angle, "between corresponding faces"},
+            {"volume_ratio", "volume ratio", d.volume_ratio, "B over A, where both enclose a volume"},
+            {"area_ratio", "area ratio", d.area_ratio, "B over A"},
+            {"area_weighted_rms", "rms distance by area", d.area_weighted_rms, "with the vertex areas of A"},
+            {"mean_squared_normal_angle_deg2", "mean squared angle of normals [°²]", degrees * degrees * d.mean_squared_normal_angle, ""},
+            {"box_diagonal", "diagonal of the box", d.box_diagonal, "of A"},
+            {"inverted_faces", "turned triangles", static_cast<double>(d.inverted_faces), "normal turned by more than 90 degrees", true}};
 }
 
 std::vector<DifferenceLine> lines_of_surfaces(const TriangleMesh& a, const TriangleMesh& b, const SurfaceDistances& d) {
     const DistancesTo &to_b = d.a_to_b, &to_a = d.b_to_a;
     const auto larger = [&](double DistancesTo::*value) { return std::fmax(to_b.*value, to_a.*value); };
-    return {
-        {"rms", larger(&DistancesTo::rms), "distance to the other surface, the larger of both ways"},
-        {"max", d.hausdorff.distance, "the largest that was measured"},
-        {"hausdorff", d.hausdorff.distance, hausdorff_meaning},
-        {"hausdorff_bound", d.hausdorff.bound, bound_meaning},
-        {"mean_normal_angle_deg", degrees * larger(&DistancesTo::mean_normal_angle), "to the nearest triangle, the larger of both ways"},
-        {"volume_ratio", enclosed_volume(b) / enclosed_volume(a), "B over A, where both enclose a volume"},
-        {"area_ratio", surface_area(b) / surface_area(a), "B over A"},
-        {"box_diagonal", bounding_box(a).diagonal(), "of A"},
-        {"rms_a_to_b", to_b.rms, "from the area of A to the surface of B"},
-        {"rms_b_to_a", to_a.rms, "and back"},
-        {"mean_a_to_b", to_b.mean, "over the area of A"},
-        {"mean_b_to_a", to_a.mean, "over the area of B"},
-        {"max_a_to_b", to_b.max, "the largest that was measured"},
-        {"max_b_to_a", to_a.max, "and back"},
-        {"normal_angle_a_to_b_deg", degrees * to_b.mean_normal_angle, "to the nearest triangle, mean over the area"},
-        {"normal_angle_b_to_a_deg", degrees * to_a.mean_normal_angle, "and back"},
-        {"rms_error", larger(&DistancesTo::rms_error), "what rms cannot be off by"},
-        {"mean_error_a_to_b", to_b.mean_error, "what mean_a_to_b cannot be off by"},
-        {"mean_error_b_to_a", to_a.mean_error, "and back"},
-        {"rms_error_a_to_b", to_b.rms_error, "what rms_a_to_b cannot be off by"},
-        {"rms_error_b_to_a", to_a.rms_error, "and back"}};
+    return {{"rms", "rms distance", larger(&DistancesTo::rms), "distance to the other surface, the larger of both ways"},
+            {"max", "largest distance", d.hausdorff.distance, "the largest that was measured"},
+            {"hausdorff", "Hausdorff distance, at least", d.hausdorff.distance, hausdorff_meaning},
+            {"hausdorff_bound", "Hausdorff distance, at most", d.hausdorff.bound, bound_meaning},
+            {"mean_normal_angle_deg", "mean angle of normals [°]", degrees * larger(&DistancesTo::mean_normal_angle),
+             "to the nearest triangle, the larger of both ways"},
+            {"volume_ratio", "volume ratio", enclosed_volume(b) / enclosed_volume(a), "B over A, where both enclose a volume"},
+            {"area_ratio", "area ratio", surface_area(b) / surface_area(a), "B over A"},
+            {"box_diagonal", "diagonal of the box", bounding_box(a).diagonal(), "of A"},
+            {"rms_a_to_b", "rms, A to B", to_b.rms, "from the area of A to the surface of B"},
+            {"rms_b_to_a", "rms, B to A", to_a.rms, "and back"},
+            {"mean_a_to_b", "mean, A to B", to_b.mean, "over the area of A"},
+            {"mean_b_to_a", "mean, B to A", to_a.mean, "over the area of B"},
+            {"max_a_to_b", "largest, A to B", to_b.max, "the largest that was measured"},
+            {"max_b_to_a", "largest, B to A", to_a.max, "and back"},
+            {"normal_angle_a_to_b_deg", "angle of normals [°], A to B", degrees * to_b.mean_normal_angle,
+             "to the nearest triangle, mean over the area"},
+            {"normal_angle_b_to_a_deg", "angle of normals [°], B to A", degrees * to_a.mean_normal_angle, "and back"},
+            {"rms_error", "error of the rms", larger(&DistancesTo::rms_error), "what rms cannot be off by"},
+            {"mean_error_a_to_b", "error of the mean, A to B", to_b.mean_error, "what the mean cannot be off by"},
+            {"mean_error_b_to_a", "error of the mean, B to A", to_a.mean_error, "and back"},
+            {"rms_error_a_to_b", "error of the rms, A to B", to_b.rms_error, "what the rms cannot be off by"},
+            {"rms_error_b_to_a", "error of the rms, B to A", to_a.rms_error, "and back"}};
 }
 
 }   // namespace

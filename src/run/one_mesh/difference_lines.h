@@ -12,8 +12,9 @@
 namespace meshfolio::run {
 
 struct DifferenceLine {
-    const char* key;   // "rms"; ends with its unit where that is an angle
-    double value;      // NaN: not defined
+    const char* key;     // "rms"; ends with its unit where that is an angle
+    const char* title;   // the same for people
+    double value;        // NaN: not defined
     const char* meaning;
     bool is_count = false;
 };

@@ -114,6 +114,24 @@ TEST(Batch, TheWorstCheckIsAFailedOneWhereThereIsAny) {
     EXPECT_FALSE(worst_check({}).has_value());
 }
 
+TEST(Batch, TheCheckShownOfAMeshIsNotThatOfEveryMesh) {
+    Batch batch;
+    for (const double own : {0.1, 0.2, 0.3, 0.6}) {
+        Section section;
+        section.id = "q1";
+        section.checks = {check_near("always close", 0, 0.9, 1), check_near("this one", 0, own, 1),
+                          undecided(check_near("open", 0, 9, 1), "why")};
+        batch.rows.push_back({.name = "a", .file = "a", .sections = {section}});
+    }
+    const auto usual = usual_shares(batch);
+    EXPECT_DOUBLE_EQ(usual.at("q1-this-one"), 0.2);
+    EXPECT_EQ(worst_check(batch.rows.back().sections)->id, "q1-always-close");
+    EXPECT_EQ(worst_check(batch.rows.back().sections, usual)->id, "q1-this-one");
+    EXPECT_EQ(worst_check(batch.rows.front().sections, usual)->id, "q1-always-close") << "nothing is unusual";
+    batch.rows.back().sections.front().checks.push_back(check_at_most("beyond", 1, 1.0001));
+    EXPECT_EQ(worst_check(batch.rows.back().sections, usual)->id, "q1-beyond") << "a failed one comes first";
+}
+
 TEST(Batch, EveryFileHasEveryMeshOnce) {
     const Batch batch = three_rows();
     const auto json = nlohmann::json::parse(write_batch_json(batch, "1"));

@@ -236,16 +236,48 @@ TEST(Marking, PagesAndTablesShowTheMarks) {
     const Rubric& rubric = one.rubric;
     StudentMarks wrong = one.marks(3 * one.right), right = one.marks(one.right), refused;
     wrong.id = "eve", right.id = "ada", refused.id = "bob";
-    right.source = "=ada<b>", refused.refused = "is a link";
+    right.source = "=ada<u>", refused.refused = "is a link";
     const report::Templates templates;
     const std::string page = student_page(wrong, rubric, templates);
     EXPECT_NE(page.find("data:image/jpeg;base64,/9j/"), std::string::npos);
-    EXPECT_EQ(student_page(right, rubric, templates).find("<b>"), std::string::npos);
+    EXPECT_EQ(student_page(right, rubric, templates).find("<u>"), std::string::npos);
     EXPECT_NE(student_page(refused, rubric, templates).find("is a link"), std::string::npos);
     EXPECT_NE(student_json(right, rubric).find("\"status\": \"passed\""), std::string::npos);
     EXPECT_EQ(class_csv({wrong, right, refused}, rubric),
               "student,submission,score,max_score,a,a_verdict,remarks\n"
-              "eve,,0,8,0,wrong,\nada,\"'=ada<b>\",8,8,8,right,\nbob,,0,8,0,refused,is a link\n");
+              "eve,,0,8,0,wrong,\nada,\"'=ada<u>\",8,8,8,right,\nbob,,0,8,0,refused,is a link\n");
+}
+
+TEST(Marking, AWrongNumberIsSaidBesideTheRightOne) {
+    OneItem one("what = \"number\"");   // whose value is 3
+    const auto said = [&](const std::string& answers) { return said_of(one.mark({{answers_file, answers}})); };
+    EXPECT_EQ(said("a = 2.85"), "You wrote 2.85; right is 3 (5\u202f% off).");
+    EXPECT_EQ(said("a = 4.5"), "You wrote 4.5; right is 3 (50\u202f% off).");
+}
+
+TEST(Marking, WhatIsRightIsFoldedAndBehindWhatIsWrong) {
+    OneItem one("what = \"K\"");
+    const std::string right = student_page(one.marks(one.right), one.rubric, report::Templates());
+    const std::string wrong = student_page(one.marks(3 * one.right), one.rubric, report::Templates());
+    EXPECT_NE(right.find("<details class=\"item-of-marks right\" id=\"a\">"), std::string::npos);
+    EXPECT_EQ(right.find("open=\"open\""), std::string::npos);
+    EXPECT_NE(wrong.find("<details class=\"item-of-marks lost\" id=\"a\" open=\"open\">"), std::string::npos);
+}
+
+TEST(Marking, TheClassHasACellAStudentAndItemAndNamesTheCommonMistake) {
+    OneItem one("what = \"K\"");
+    std::vector<StudentMarks> students{one.marks(2 * one.right), one.marks(one.right), one.marks(-one.right), one.marks(2 * one.right), {}};
+    students.back().refused = "is a link";
+    const std::string page = class_page(students, one.rubric, report::Templates());
+    const auto count = [&](const std::string& part) {
+        int found = 0;
+        for (std::size_t at = page.find(part); at != std::string::npos; at = page.find(part, at + 1)) ++found;
+        return found;
+    };
+    EXPECT_EQ(count("<td class=\"mark right\""), 1);
+    EXPECT_EQ(count("<td class=\"mark partial\""), 3);
+    EXPECT_EQ(count("is a link"), 1);
+    EXPECT_EQ(count("2 of 5: all values are twice the right ones"), 1) << page;
 }
 
 TEST(Rubrics, TheBundledOneIsGoodAndItsMeshesAreThere) {
