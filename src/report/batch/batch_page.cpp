@@ -48,35 +48,32 @@ json worst_view(const std::optional<WorstCheck>& there) {
                     {"share", "of what it allows", has_share ? readable_percent(worst.used, 3) : "∞"}});
 }
 
-/// "1 component", "2 components".
-std::string counted_words(const Cell& count, const std::string& thing) {
-    const double number = std::get<double>(count);
-    return readable_integer(number) + "\u00a0" + thing + (number == 1 ? "" : "s");
-}
-
-/// What kind of surface it is: "closed", "genus 0".
-json surface_view(const BatchRow& row) {
-    const auto number = [](const Cell& cell) { return std::get_if<double>(&cell); };
-    json words = json::array();
+/// "closed", "genus 0", "2 components", and what is wrong.
+json chips_view(const BatchRow& row) {
+    json chips = json::array();
     const auto add = [&](const std::string& text, bool is_bad = false) {
-        words.push_back(view_of({{"text", "closed, open, its genus", text}, {"is_bad", "it is no surface", is_bad}}));
+        chips.push_back(
+            view_of({{"text", "\"closed\", \"genus 0\", a defect and its number", safe_text(text)}, {"is_bad", "it is a defect", is_bad}}));
+    };
+    const auto add_count = [&](const Cell& cell, const std::string& thing, double usual, const char* otherwise) {
+        const auto* number = std::get_if<double>(&cell);
+        if (number == nullptr) return;
+        if (*number != usual) add(readable_integer(*number) + "\u00a0" + thing + (*number == 1 ? "" : "s"));
+        if (*number == usual && *otherwise != '\0') add(otherwise);
     };
     if (row.manifold == Cell("no")) add("not manifold", true);
-    if (const double* loops = number(row.boundary_loops)) add(*loops == 0 ? "closed" : counted_words(*loops, "boundary loop"));
-    if (const double* parts = number(row.components); parts != nullptr && *parts != 1) add(counted_words(*parts, "component"));
-    if (const double* genus = number(row.genus)) add("genus\u00a0" + readable_integer(*genus));
-    return words;
-}
-
-json defect_view(const std::pair<std::string, double>& defect) {
-    return view_of({{"kind", "what is wrong", safe_text(defect.first)}, {"count", "how often", readable_integer(defect.second)}});
+    add_count(row.boundary_loops, "boundary loop", 0, "closed");
+    add_count(row.components, "component", 1, "");
+    if (const auto* genus = std::get_if<double>(&row.genus)) add("genus\u00a0" + readable_integer(*genus));
+    for (const auto& [kind, count] : row.defects.value_or(std::vector<std::pair<std::string, double>>()))
+        add(kind + ": " + readable_integer(count), true);
+    return chips;
 }
 
 json row_view(const BatchRow& row, const std::map<std::string, double>& usual) {
     using State = BatchRow::State;
-    const std::vector<std::pair<std::string, double>> defects = row.defects.value_or(std::vector<std::pair<std::string, double>>());
-    double in_all = 0;
-    for (const auto& [kind, count] : defects) in_all += count;
+    double defects = 0;
+    for (const auto& [kind, count] : row.defects.value_or(std::vector<std::pair<std::string, double>>())) defects += count;
     json view =
         view_of({{"name", "of the mesh and its folder", safe_text(row.name)},
                  {"file", "as it was named", safe_text(row.file)},
@@ -90,7 +87,7 @@ json row_view(const BatchRow& row, const std::map<std::string, double>& usual) {
                  {"error", "why, in one line", safe_text(row.error)},
                  {"vertices", "how many", number_view(row.vertices)},
                  {"triangles", "how many", number_view(row.triangles)},
-                 {"defects_in_all", "their number", number_view(row.defects ? Cell(in_all) : Cell())},
+                 {"defects_in_all", "their number", number_view(row.defects ? Cell(defects) : Cell())},
                  {"lambda_critical", "largest stable step of explicit smoothing", number_view(row.lambda_critical)},
                  {"passed", "checks that did", number_view(row.report.empty() ? Cell() : Cell(double(row.score.passed)))},
                  {"checks_failed", "checks that did", std::to_string(row.score.failed)},
@@ -99,8 +96,7 @@ json row_view(const BatchRow& row, const std::map<std::string, double>& usual) {
                  {"has_undecided", "there are any", row.score.undecided > 0},
                  {"worst", "a failed check, else the one farthest beyond its usual share", worst_view(worst_check(row.sections, usual))},
                  {"seconds", "that the report took", number_view(row.seconds)}});
-    enter_list(view, "surface", "its kind, in words", surface_view(row));
-    enter_list(view, "defects", "by kind", list_of(defects, defect_view));
+    enter_list(view, "chips", "its kind and its defects, in words", chips_view(row));
     return view;
 }
 

@@ -65,6 +65,14 @@ void take_counts(BatchRow& row, const Document& document) {
     row.defects = defects != nullptr ? defects_in(*defects) : std::vector<std::pair<std::string, double>>();
 }
 
+template <class Visit>
+void for_each_check(const std::vector<Section>& sections, const Visit& visit) {
+    for (const Section& section : sections) {
+        const std::vector<std::string> ids = check_ids(section);
+        for (std::size_t i = 0; i < ids.size(); ++i) visit(ids[i], section.checks[i]);
+    }
+}
+
 }   // namespace
 
 double used_share(const Check& check) {
@@ -87,15 +95,11 @@ std::optional<WorstCheck> worst_check(const std::vector<Section>& sections, cons
         const double beyond = found != usual.end() && std::isfinite(check.used) ? check.used - found->second : check.used;
         return std::tuple(check.failed, beyond, check.used);
     };
-    for (const Section& section : sections) {
-        const std::vector<std::string> ids = check_ids(section);
-        for (std::size_t i = 0; i < ids.size(); ++i) {
-            const Check& check = section.checks[i];
-            if (check.status == Check::Status::undecided) continue;
-            const WorstCheck one{ids[i], check.name + ": " + words_of(check), check.failed(), used_share(check)};
-            if (!worst || rank(one) > rank(*worst)) worst = one;
-        }
-    }
+    for_each_check(sections, [&](const std::string& id, const Check& check) {
+        if (check.status == Check::Status::undecided) return;
+        const WorstCheck one{id, check.name + ": " + words_of(check), check.failed(), used_share(check)};
+        if (!worst || rank(one) > rank(*worst)) worst = one;
+    });
     return worst;
 }
 
@@ -123,15 +127,11 @@ Score score_of(const Batch& batch) {
 
 std::map<std::string, double> usual_shares(const Batch& batch) {
     std::map<std::string, std::vector<double>> shares;
-    for (const BatchRow& row : batch.rows) {
-        for (const Section& section : row.sections) {
-            const std::vector<std::string> ids = check_ids(section);
-            for (std::size_t i = 0; i < ids.size(); ++i) shares[ids[i]].push_back(used_share(section.checks[i]));
-        }
-    }
+    for (const BatchRow& row : batch.rows)
+        for_each_check(row.sections, [&](const std::string& id, const Check& check) { shares[id].push_back(used_share(check)); });
     std::map<std::string, double> usual;
     for (auto& [id, of_meshes] : shares) {
-        const auto middle = of_meshes.begin() + static_cast<std::ptrdiff_t>((of_meshes.size() - 1) / 2);
+        const auto middle = of_meshes.begin() + (std::ssize(of_meshes) - 1) / 2;
         std::ranges::nth_element(of_meshes, middle);
         usual[id] = *middle;
     }

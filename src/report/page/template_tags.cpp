@@ -57,7 +57,6 @@ nlohmann::json documented_model() {
     add_design(model, templates, "report", {true, "viewer", {{"q1", "data"}}});
     BatchRow row;
     row.defects = {{"", 0}};
-    row.boundary_loops = 0.0;
     enter(model, {{"batch", "meshes with a report each (batch.html only)", batch_view({{row}})},
                   {"version", "of the program (batch.html only)", ""}});
     return model;

@@ -40,7 +40,6 @@ std::set<std::string> tags_of_the_sample() {
                                "batch",  "version"};
     BatchRow row;
     row.defects = {{"holes", 1}};
-    row.boundary_loops = 0.0;
     collect(batch_view({{row}}), "batch", tags);
     for (const DrawnFigures& figures : {sample_models(), sample_layouts()})
         collect(view_model(sample_document(), figures, Templates(), {.plot_files = true}), "", tags);
