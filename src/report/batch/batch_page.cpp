@@ -16,11 +16,17 @@ namespace {
 
 using nlohmann::json;
 
-/// A number as text and as sort key; "–" if there is none.
-json number_view(const Cell& cell) {
+std::optional<double> number_in(const Cell& cell) {
     const auto* number = std::get_if<double>(&cell);
-    const bool whole = number != nullptr && std::trunc(*number) == *number && std::abs(*number) < 1e9;
-    const std::string value = number != nullptr ? exact_text(*number) : "";
+    return number != nullptr ? std::optional(*number) : std::nullopt;
+}
+
+std::optional<double> number_if(bool is_there, double number) { return is_there ? std::optional(number) : std::nullopt; }
+
+/// A number as text and as sort key; "–" if there is none.
+json number_view(std::optional<double> number) {
+    const bool whole = number && std::trunc(*number) == *number && std::abs(*number) < 1e9;
+    const std::string value = number ? exact_text(*number) : "";
     return view_of({{"text", "for people",
                      value.empty() ? "–"
                      : whole       ? readable_integer(*number)
@@ -55,16 +61,16 @@ json chips_view(const BatchRow& row) {
         chips.push_back(
             view_of({{"text", "\"closed\", \"genus 0\", a defect and its number", safe_text(text)}, {"is_bad", "it is a defect", is_bad}}));
     };
-    const auto add_count = [&](const Cell& cell, const std::string& thing, double usual, const char* otherwise) {
-        const auto* number = std::get_if<double>(&cell);
-        if (number == nullptr) return;
+    const auto add_count = [&](std::optional<double> number, const std::string& thing, double usual, const char* otherwise) {
+        if (!number) return;
         if (*number != usual) add(readable_integer(*number) + "\u00a0" + thing + (*number == 1 ? "" : "s"));
         if (*number == usual && *otherwise != '\0') add(otherwise);
     };
-    if (row.manifold == Cell("no")) add("not manifold", true);
-    add_count(row.boundary_loops, "boundary loop", 0, "closed");
-    add_count(row.components, "component", 1, "");
-    if (const auto* genus = std::get_if<double>(&row.genus)) add("genus\u00a0" + readable_integer(*genus));
+    const auto* manifold = std::get_if<std::string>(&row.manifold);
+    if (manifold != nullptr && *manifold == "no") add("not manifold", true);
+    add_count(number_in(row.boundary_loops), "boundary loop", 0, "closed");
+    add_count(number_in(row.components), "component", 1, "");
+    if (const auto genus = number_in(row.genus)) add("genus\u00a0" + readable_integer(*genus));
     for (const auto& [kind, count] : row.defects.value_or(std::vector<std::pair<std::string, double>>()))
         add(kind + ": " + readable_integer(count), true);
     return chips;
@@ -85,25 +91,24 @@ json row_view(const BatchRow& row, const std::map<std::string, double>& usual) {
                  {"is_bad", "its report has a failure", row.state == State::bad},
                  {"is_failed", "there is no report", row.state == State::failed},
                  {"error", "why, in one line", safe_text(row.error)},
-                 {"vertices", "how many", number_view(row.vertices)},
-                 {"triangles", "how many", number_view(row.triangles)},
-                 {"defects_in_all", "their number", number_view(row.defects ? Cell(defects) : Cell())},
-                 {"lambda_critical", "largest stable step of explicit smoothing", number_view(row.lambda_critical)},
-                 {"passed", "checks that did", number_view(row.report.empty() ? Cell() : Cell(double(row.score.passed)))},
+                 {"vertices", "how many", number_view(number_in(row.vertices))},
+                 {"triangles", "how many", number_view(number_in(row.triangles))},
+                 {"defects_in_all", "their number", number_view(number_if(row.defects.has_value(), defects))},
+                 {"lambda_critical", "largest stable step of explicit smoothing", number_view(number_in(row.lambda_critical))},
+                 {"passed", "checks that did", number_view(number_if(!row.report.empty(), double(row.score.passed)))},
                  {"checks_failed", "checks that did", std::to_string(row.score.failed)},
                  {"has_checks_failed", "there are any", row.score.failed > 0},
                  {"undecided_count", "checks that decide nothing", std::to_string(row.score.undecided)},
                  {"has_undecided", "there are any", row.score.undecided > 0},
                  {"worst", "a failed check, else the one farthest beyond its usual share", worst_view(worst_check(row.sections, usual))},
-                 {"seconds", "that the report took", number_view(row.seconds)}});
+                 {"seconds", "that the report took", number_view(number_in(row.seconds))}});
     enter_list(view, "chips", "its kind and its defects, in words", chips_view(row));
     return view;
 }
 
 double seconds_of(const Batch& batch) {
     double sum = 0;
-    for (const BatchRow& row : batch.rows)
-        if (const auto* seconds = std::get_if<double>(&row.seconds)) sum += *seconds;
+    for (const BatchRow& row : batch.rows) sum += number_in(row.seconds).value_or(0);
     return sum;
 }
 
