@@ -1,5 +1,5 @@
-// Fills the pages of report.pdf: where a figure or table would leave the rest of a page empty, the text behind it comes first, as in any
-// typeset paper; what stays empty goes to the pictures of that page, and to the space between its blocks. Columns of a page's size break as pages do, so the browser's own
+// Fills the pages of appendix.pdf: where a figure or table would leave the rest of a page empty, the text behind it comes first, as in any
+// typeset paper; what stays empty goes to the space between the blocks. Columns of a page's size break as pages do, so the browser's own
 // layout tells where pages end. Engines without scripts (weasyprint) keep the document's order, and some of their pages end early. The
 // same columns tell the numbers of the pages in the contents; the title says them, so that whoever prints can hold them against the pages
 // of the PDF (src/report/pdf/print_pdf.cpp). Who prints asks for "#print": the screen, at which nobody looks, is not laid out then.
@@ -73,41 +73,6 @@ function pageAt(x) {
 /// The pages on which parts of a block lie.
 const pagesOf = (block) => [...block.getClientRects()].filter(({ height }) => height > 1).map(({ left }) => pageAt(left));
 
-/// Each figure `factor` times as wide as the style sheets say, at most as wide as the page.
-function widen(figures, factor) {
-    const parts = figures.flatMap((figure) => [...figure.querySelectorAll("[class*=tenths-]")]);
-    for (const part of parts) part.style.maxWidth = "";
-    const widths = parts.map((part) => parseFloat(getComputedStyle(part).maxWidth));
-    parts.forEach((part, i) => { part.style.maxWidth = `${Math.min(100, factor * widths[i])}%`; });
-}
-
-/// Widens the pictures of every page that ends early, as long as no block of the document leaves its page. Plots are large enough.
-/// All pages are tried at once: a break before each, unless a block runs on into it, keeps them from moving one another meanwhile.
-function growFigures() {
-    const blocks = [...document.querySelectorAll("main > section > *")].filter((block) => pagesOf(block).length > 0);
-    const pages = new Map(blocks.map((block) => [block, pagesOf(block)])), parts = [];
-    for (const block of blocks) {
-        const [first] = pages.get(block), part = parts.at(-1);
-        first === part?.page ? part.blocks.push(block) : parts.push({ blocks: [block], least: 1, most: 1.5 });
-        parts.at(-1).page = pages.get(block).at(-1);   // what runs on ends on the only page of its part that is not full
-    }
-    const asTheyAre = ({ blocks }) => {
-        const all = blocks.flatMap((block) => [-1, ...pagesOf(block)]);
-        return all.map((page) => page < 0 ? page : page - all[1]).join();
-    };
-    for (const part of parts) {
-        part.before = asTheyAre(part);
-        part.figures = part.blocks.filter((block) => block.matches(".picture") && pages.get(block)[0] === part.page);
-    }
-    for (const { blocks: [first] } of parts.slice(1)) Object.assign(first.style, { breakBefore: "column", marginTop: 0 });
-    for (let step = 0; step < 5; ++step) {
-        for (const { figures, least, most } of parts) widen(figures, (least + most) / 2);
-        for (const part of parts) part[asTheyAre(part) === part.before ? "least" : "most"] = (part.least + part.most) / 2;
-    }
-    for (const { blocks: [first] } of parts) Object.assign(first.style, { breakBefore: "", marginTop: "" });
-    for (const { figures, least } of parts) widen(figures, 1 + 0.9 * (least - 1));   // printed lines may be a little higher
-}
-
 /// Spreads what is still empty at the foot of each page but the last over the space above its floats and headings.
 function spreadBlocks() {
     const most = 24, spare = 8, { bottom } = main.getBoundingClientRect(), pages = [];   // [pixels]
@@ -135,13 +100,16 @@ function fillInPageNumbers() {
     document.title = numbers.join(" ");
 }
 
-if (location.hash === "#print") document.documentElement.classList.add("printing");
-addEventListener("load", () => {
-    main = document.querySelector("main");
+async function makePages() {
+    await Promise.all([...document.fonts].map((font) => font.load()));
     main.classList.add("paged");
     fillPages();
-    if (main.matches(".paper")) growFigures();   // in the long appendix it would take too long
     spreadBlocks();
     fillInPageNumbers();
     main.classList.remove("paged");
+}
+
+addEventListener("load", () => {
+    main = document.querySelector("main:not(.paper)");
+    if (main) globalThis.pagesMade = makePages();
 });

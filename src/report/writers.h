@@ -102,6 +102,8 @@ std::string write_csv(const Map& map);
 std::string svg_of(const Plot& plot);
 std::string svg_of(const Map& map);
 std::string svg_of(const Diagram& diagram);
+/// The plot for one column of a paper; empty for one of several panels, which needs the page.
+std::string column_svg_of(const Plot& plot);
 /// What the colours of a figure mean, in a fixed size, so that its words are as large on a phone as on paper: the quantity with its unit,
 /// the histogram of the values over their colours, numbers, and what lies beyond the colours.
 std::string svg_of(const Legend& legend, bool small = false);

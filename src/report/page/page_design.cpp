@@ -67,7 +67,7 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
     const bool with_viewer = has_models && !parts.viewer.empty();
     // Each script says at its head what it does. They do not depend on one another.
     std::vector<std::string> styles = {"figure.css", on_screen ? "report.css" : "print.css"}, scripts;
-    if (design == "print") scripts = {"print_float.js"};
+    if (design == "print") scripts = {"print_hyphens.js", "print_pages.js", "print_float.js"};
     if (design == "report") styles.emplace_back("page_lightbox.css"), scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js"};
     for (const char* sheet : {"batch", "class", "compare", "mark"})
         if (design == sheet) styles.emplace_back("sheets.css"), scripts = {"page_tables.js"};

@@ -76,10 +76,17 @@ json markers_view(const Plot& plot) {
 template <class Drawing>
 json drawing_view(const Drawing& drawing, json markers, const ViewContext& context) {
     json view = captioned_view(drawing.id, drawing.caption, context);
-    enter(view, {{"alt", "the picture in words", safe_text(drawing.alt)},
+    std::string column;
+    if constexpr (std::is_same_v<Drawing, Plot>) column = context.options.columns ? column_svg_of(drawing) : "";
+    const bool is_slim = !column.empty();
+    enter(view, {{"is_slim", "it is drawn for a column of a paper (print.html only)", is_slim},
+                 {"alt", "the picture in words", safe_text(drawing.alt)},
                  {"has_csv", "its data are a file", !std::is_same_v<Drawing, Diagram>},
                  {"csv", "link to the data", url_path("tables/" + drawing.id + ".csv")},
-                 {"svg", "the drawing, inside the page", context.options.pictures ? svg_of(drawing) : ""},
+                 {"svg", "the drawing, inside the page",
+                  is_slim                    ? column
+                  : context.options.pictures ? svg_of(drawing)
+                                             : ""},
                  {"has_file", "there is that file", context.options.plot_files},
                  {"file", "the drawing as a file", url_path("images/" + drawing.id + ".svg")}});
     enter_list(view, "markers", "what is marked in a plot", std::move(markers));

@@ -22,6 +22,7 @@ struct ViewOptions {
     bool plain_formulas = false;       // for readers without MathML
     bool paper = false;                // there is a report.pdf to link to
     bool plot_files = false;           // images/<plot>.svg are there to link to
+    bool columns = false;              // plots of one panel for a column of a paper
     bool single_views = true;          // links to the pictures a sheet is made of
     bool models = false;               // inside, for a page that can turn them; false: only linked to
     std::string lab_questions = {};    // ids, a space behind each: those with a laboratory in the page

@@ -46,6 +46,7 @@ std::string print_page(const Document& document, const DrawnFigures& figures, co
     view.page_numbers = options.page_numbers;
     view.plain_formulas = !options.mathml;
     view.single_views = false;
+    view.columns = options.volume == Volume::report;
     view.volume = options.volume;
     view.passed_checks = false;   // results.json, attached to the report, has them all
     view.table_rows = table_rows;

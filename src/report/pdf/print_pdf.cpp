@@ -38,7 +38,7 @@ void require_self_contained(const std::string& html) {
     }
 }
 
-/// The numbers in place of the marks; "00" for one that is not known, which a browser's script replaces (templates/print_float.js).
+/// The numbers in place of the marks; "00" for one that is not known, which a browser's script replaces (templates/print_pages.js).
 /// @return the numbers in their order, parted by blanks
 std::string fill_in(std::string& html, const PageNumbers& numbers) {
     std::string all;
@@ -90,7 +90,7 @@ std::vector<std::string> chromium_arguments(const fs::path& scratch, bool sandbo
 class PrintingByProtocol {
 public:
     explicit PrintingByProtocol(const fs::path& page)
-        : url_("file://" + url_path(page.string()) + "#print") {}   // templates/print_float.js
+        : url_("file://" + url_path(page.string()) + "#print") {}   // templates/print_pages.js
 
     const std::string& pdf() const { return pdf_; }
     const std::string& refusal() const { return refusal_; }
@@ -125,7 +125,8 @@ public:
 
 private:
     static constexpr const char* loaded =
-        "new Promise(done => document.readyState === 'complete' ? done() : addEventListener('load', () => setTimeout(done)))";
+        "new Promise(done => document.readyState === 'complete' ? done() : addEventListener('load', () => setTimeout(done)))"
+        ".then(() => globalThis.pagesMade)";
     std::string url_, session_, pdf_, refusal_;
     int step_ = 0;   // number of the command that waits for its reply
 

@@ -106,10 +106,10 @@ std::string point_shape(Point p, int pattern, const std::string& color, double s
 void NameRows::add(const std::string& name, const std::function<std::string(Point)>& sample) {
     if (name.empty() || std::ranges::find(known_, name) != known_.end()) return;
     known_.push_back(name);
-    const std::vector<std::string> lines = wrapped(safe_text(name), drawing_width - 60);
+    const std::vector<std::string> lines = wrapped(safe_text(name), width_ - 60);
     double widest = 0;
     for (const std::string& line : lines) widest = std::max(widest, text_width(line));
-    if (x_ > 4 && x_ + 36 + widest > drawing_width) {
+    if (x_ > 4 && x_ + 36 + widest > width_) {
         x_ = 4;
         y_ += line_height + 2;
     }

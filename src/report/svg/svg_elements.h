@@ -48,6 +48,7 @@ std::string point_shape(Point p, int pattern, const std::string& color, double s
 class NameRows {
 public:
     static constexpr double sample_width = 28;
+    explicit NameRows(double width = drawing_width) : width_(width) {}
     /// @param sample  draws it, SVG from a point on
     void add(const std::string& name, const std::function<std::string(Point)>& sample);
     const std::string& svg() const { return svg_; }
@@ -56,7 +57,7 @@ public:
 private:
     std::vector<std::string> known_;
     std::string svg_;
-    double x_ = 4, y_ = 14, bottom_ = 0;
+    double width_, x_ = 4, y_ = 14, bottom_ = 0;
 };
 
 /// Ticks and labels under a frame; labels that would touch the one before are left out.

@@ -11,11 +11,13 @@ namespace meshfolio::report {
 
 namespace {
 
+constexpr double column_width = 84 * drawing_width / 145;   // of a paper, whose page has drawings of 145 mm (print.css)
 constexpr double plot_height = 150, right_margin = 18, between_panels = 16, between_rows = 10, numbers_height = 24;
 
 class PlotDrawing {
 public:
-    explicit PlotDrawing(const Plot& plot) : plot_(plot), x_(x_values(plot), plot.log_x, true), y_(y_values(plot), plot.log_y) {
+    PlotDrawing(const Plot& plot, double width)
+        : plot_(plot), width_(width), x_(x_values(plot), plot.log_x, true), y_(y_values(plot), plot.log_y) {
         for (std::string& name : panel_names(plot)) panels_.emplace_back(plot, std::move(name), x_, y_);
         choose_columns();
         place_legend();
@@ -28,7 +30,7 @@ public:
             body += titles_[p] + panels_[p].svg(p % columns_ == 0, p == 0);
             if (is_named(p)) body += panels_[p].end_names(name_width_);
         }
-        return svg_head(plot_.id, plot_.y_label + " against " + plot_.x_label, plot_.alt, drawing_width, height()) + body + "</svg>\n";
+        return svg_head(plot_.id, plot_.y_label + " against " + plot_.x_label, plot_.alt, width_, height()) + body + "</svg>\n";
     }
 
 private:
@@ -62,7 +64,7 @@ private:
         });
         const std::size_t count = panels_.size();
         columns_ = count == 1 ? 1 : count == 2 || count == 4 || !curves_recur_ ? 2 : 3;
-        const double longest = count == 1 ? 165 : curves_recur_ ? 125 : 110;   // a line of a name
+        const double longest = width_ < drawing_width ? 95 : count == 1 ? 165 : curves_recur_ ? 125 : 110;   // a line of a name
         for (const PlotPanel& panel : panels_) {
             for (const PlotCurve& curve : panel.curves()) {
                 if (curve.series->name.empty() || !panel.has_end(curve)) continue;
@@ -88,7 +90,7 @@ private:
         const auto columns = static_cast<double>(columns_);
         const double numbers = std::ceil(widest_label(y_)) + tick_length + 10, names = names_width();
         const double name_columns = curves_recur_ ? 1 : columns;
-        const double width = (drawing_width - numbers - name_columns * names - (columns - 1) * between_panels) / columns;
+        const double width = (width_ - numbers - name_columns * names - (columns - 1) * between_panels) / columns;
         const double step = width + between_panels + (curves_recur_ ? 0 : names);
         double height = plot_height;
         double title_rows = 0;
@@ -97,7 +99,7 @@ private:
             if (!panel.name().empty()) title_rows = std::max(title_rows, title_lines(panel.name(), width));
         }
         const double titles = title_rows * line_height;
-        double top = legend_.bottom() + line_height * title_lines(plot_.y_label) + 10;
+        double top = legend_.bottom() + line_height * title_lines(plot_.y_label, width_ - 8) + 10;
         for (std::size_t p = 0; p < panels_.size(); ++p) {
             if (p > 0 && p % columns_ == 0) top += titles + height + numbers_height + between_rows;
             const double left = numbers + static_cast<double>(p % columns_) * step;
@@ -113,23 +115,26 @@ private:
     std::string axis_titles() const {
         Point above{4, legend_.bottom() + line_height - 3};
         Point below{0.5 * (left_ + right_), bottom_ + numbers_height + line_height - 4};
-        return title_element(above, "start", plot_.y_label) + title_element(below, "middle", plot_.x_label);
+        return title_element(above, "start", plot_.y_label, width_ - 8) + title_element(below, "middle", plot_.x_label, width_ - 8);
     }
 
-    double height() const { return bottom_ + numbers_height + line_height * title_lines(plot_.x_label) + 4; }
+    double height() const { return bottom_ + numbers_height + line_height * title_lines(plot_.x_label, width_ - 8) + 4; }
 
     const Plot& plot_;
+    double width_;
     Axis x_, y_;
     std::vector<PlotPanel> panels_;
     std::vector<std::string> titles_;
     std::size_t columns_ = 1;
     bool curves_recur_ = true;
     double name_width_ = 0, left_ = 0, right_ = 0, bottom_ = 0;
-    NameRows legend_;
+    NameRows legend_{width_};
 };
 
 }   // namespace
 
-std::string svg_of(const Plot& plot) { return PlotDrawing(plot).svg(); }
+std::string svg_of(const Plot& plot) { return PlotDrawing(plot, drawing_width).svg(); }
+
+std::string column_svg_of(const Plot& plot) { return panel_names(plot).size() > 1 ? "" : PlotDrawing(plot, column_width).svg(); }
 
 }   // namespace meshfolio::report
