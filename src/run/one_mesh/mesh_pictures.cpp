@@ -1,5 +1,6 @@
 #include "run/one_mesh/mesh_pictures.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
