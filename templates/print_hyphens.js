@@ -21,7 +21,7 @@ eigen-pair eigen-pairs eigen-prob-lem eigen-prob-lems eigen-solve eigen-solver e
 ei-ther el-lipse el-lipses el-lip-soid el-lip-soids else-where en-close en-closed en-closes en-er-gies en-ergy en-tries equa-tion er-rors
 es-ti-mate es-ti-mated es-ti-mates es-ti-ma-tor es-ti-ma-tors every-where ex-actly ex-am-ined ex-ceeds ex-cep-tions ex-cess ex-changed
 ex-clude ex-cluded ex-cludes ex-pected ex-pects ex-per-i-ment ex-per-i-ments ex-plains ex-plicit ex-pres-sion ex-trema ex-tremely fac-tor
-fac-tored fac-tori-sa-tion fac-tori-sa-tions fac-tors faith-ful fall-ing fan-disk far-ther far-thest fea-tures fig-ures fil-ter
+fac-tored fac-tori-sa-tion fac-tori-sa-tions fac-tors faith-ful fall-ing far-ther far-thest fea-tures fig-ures fil-ter
 fil-ter-ing fil-ters fit-ted fold-ers fol-lows for-bids fore-sees for-mula for-ward frac-tion fre-quen-cies fre-quent func-tion func-tions
 fun-da-men-tal fur-ther gauss-ian gen-eral gen-er-alised gen-er-a-tor gen-tlest geo-met-ric gersh-gorin get-ting gra-di-ent gra-di-ents
 grow-ing halv-ing han-dled hap-pens hard-est haus-dorff high-est how-ever hun-dred hun-dredth hutchin-son icosa-he-dron ico-sphere

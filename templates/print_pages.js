@@ -57,7 +57,7 @@ function fitFormula(equation) {
 function hyphenate(block) {
     const accept = ({ parentElement }) => parentElement.closest("math, .math, code, a") ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT;
     const texts = document.createTreeWalker(block, NodeFilter.SHOW_TEXT, accept);
-    while (texts.nextNode()) texts.currentNode.data = texts.currentNode.data.replace(/[A-Za-z]{6,}/g, hyphenated);
+    while (texts.nextNode()) texts.currentNode.data = texts.currentNode.data.replace(/(?<!\w)[A-Za-z]{6,}(?!\w)/g, hyphenated);
 }
 
 /// Whether a figure, laid out in a column, is too wide for it: its table sticks out, or its pictures are too small.

@@ -10,12 +10,17 @@ import unittest
 from collections import Counter
 from pathlib import Path
 
+from pdf_lines import POINTS, lines_of, running_text
 from pdf_text_sizes import shown_in, too_small
 from program import run, temporary_folder
 from test_pdf import output_of, reason_to_skip
 
-MOST_PAGES = 20
+MOST_PAGES = 22
 LARGEST_GAP = 0.2             # at the foot of a page, of the height of the text
+LONGEST_LINE = 80             # letters of 95 lines of running text in a hundred,
+LONGEST_OF_ALL = 90
+COLUMNS = ((18, 102), (108, 192))   # of the report, [mm]
+LOOSE = 0.6                   # mean space of a line, of the size of its letters
 MOST_PIXELS = 45_000          # of the page, at a width of 1400
 LEAST_SIZE = 7                # [pt] of words
 LEAST_SCRIPT = 4.5            # [pt] of indices and exponents, those of indices included,
@@ -68,13 +73,13 @@ class Paper(unittest.TestCase):
 
     # ---- length and letters ---------------------------------------------------------------------------------------------
 
-    def test_it_has_at_most_twenty_pages(self):
+    def test_it_has_few_pages(self):
         pages = int(re.search(r"Pages: +(\d+)", output_of("pdfinfo", self.pdf()))[1])
         self.assertLessEqual(pages, MOST_PAGES)
 
     def test_no_page_but_the_last_ends_early(self):
         subprocess.run(["pdftoppm", "-gray", "-r", "25.4", self.pdf(), self.folder / "page"], check=True)   # a millimetre a pixel
-        top, foot = 14, 281   # of the text; the page's number stands below
+        top, foot = 19, 276   # of the text; the page's number stands above
         pages = sorted(self.folder.glob("page-*.pgm"))
         for page in pages[:-1]:
             _, size, _, pixels = page.read_bytes().split(b"\n", 3)
@@ -91,6 +96,73 @@ class Paper(unittest.TestCase):
         for page, size, glyphs in small:
             counted[f"page {page}, {size} pt"] += glyphs
         self.assertEqual(dict(counted), {}, "letters by place and size")
+
+    # ---- lines ----------------------------------------------------------------------------------------------------------
+
+    def running_text(self, name="report.pdf"):
+        self.pdf()
+        return running_text(lines_of(self.out / name))
+
+    def test_lines_are_short_enough_to_find_the_next_one(self):
+        for name in ("report.pdf", "appendix.pdf"):
+            lengths = sorted(len(line.text) for line in self.running_text(name))
+            self.assertGreater(len(lengths), 300, name)
+            self.assertLessEqual(lengths[int(0.95 * len(lengths))], LONGEST_LINE, name)
+            self.assertLessEqual(lengths[-1], LONGEST_OF_ALL, name)
+
+    def test_text_stays_in_its_column_and_on_its_page(self):
+        columns = {}
+        for line in self.running_text():
+            inside = [i for i, (left, right) in enumerate(COLUMNS) if left - 0.5 <= line.left and line.right <= right + 0.5]
+            self.assertTrue(inside, (line.page, line.left, line.right, line.text))
+            self.assertLess(line.bottom, 278, line.text)
+            columns.setdefault((line.page, *inside), []).append(line)
+        for place, lines in columns.items():
+            lines.sort(key=lambda line: line.top)
+            for above, below in zip(lines, lines[1:]):
+                if min(above.right, below.right) - max(above.left, below.left) > 5:   # the same line in two parts otherwise
+                    self.assertGreater((below.top - above.top) * POINTS, 9, (place, above.text, below.text))
+
+    def test_columns_are_full(self):
+        """Text or a figure reaches the foot of both columns, but for a heading that would stand there alone."""
+        foot = {}
+        for line in lines_of(self.pdf()):
+            for i, (left, right) in enumerate(COLUMNS):
+                if line.right > left and line.left < right:
+                    foot[line.page, i] = max(foot.get((line.page, i), 0), line.bottom)
+        last = max(page for page, _ in foot)
+        short = {place: bottom for place, bottom in foot.items() if place[0] < last and bottom < 215}
+        self.assertEqual(short, {})
+
+    def test_few_lines_are_loose(self):
+        loose, full = [], 0
+        for line in self.running_text():
+            if len(line.words) < 4 or line.right - line.left < 80:
+                continue
+            full += 1
+            spaces = [right[0] - left[1] for left, right in zip(line.words, line.words[1:])]
+            if sum(spaces) / len(spaces) * POINTS > LOOSE * 9:
+                loose.append(line.text)
+        self.assertGreater(full, 200)
+        self.assertLess(len(loose) / full, 0.05, loose)
+
+    def test_figures_and_tables_stand_near_their_first_mention(self):
+        mentioned, placed = {}, {}
+        pages = output_of("pdftotext", self.pdf(), "-").split("\f")
+        for number, page in enumerate(pages, 1):
+            for match in re.finditer(r"((?:Figure|Table)\s[1-7]\.\d+)(\.\s+\S)?(\sof\sthe\sappendix)?", page):
+                name, caption, elsewhere = match.groups()
+                name = re.sub(r"\s", " ", name)
+                starts_line = match.start() == 0 or page[match.start() - 1] == "\n"
+                if caption and starts_line:
+                    placed.setdefault(name, number)
+                elif not elsewhere:
+                    mentioned.setdefault(name, number)
+        late = {name: placed[name] - page for name, page in mentioned.items() if name in placed}
+        self.assertGreater(len(late), 25)
+        self.assertLessEqual(sum(late.values()) / len(late), 1.5, late)
+        self.assertLessEqual(max(late.values()), 4, late)
+        self.assertGreaterEqual(min(late.values()), 0, late)
 
     # ---- words ----------------------------------------------------------------------------------------------------------
 
