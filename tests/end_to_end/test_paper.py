@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import unicodedata
 import unittest
 from collections import Counter
 from pathlib import Path
@@ -46,8 +47,8 @@ def six_sided(section):
 
 
 def bare(words):
-    """Letters and digits alone, whatever lines, hyphens and indices are set like."""
-    return re.sub(r"[\W_]", "", words)
+    """Letters and digits alone, whatever lines, hyphens, indices and the letters of formulas are set like."""
+    return re.sub(r"[\W_]", "", unicodedata.normalize("NFKC", words))
 
 
 class Paper(unittest.TestCase):

@@ -42,7 +42,7 @@ bool is_latin_symbol(std::string_view s, std::size_t at, std::size_t end) {
     const auto goes_on = [&](std::size_t i) { return i < behind.size() && is_word_character(behind[i]); };
     const bool alone = before.empty() && behind.empty();   // the head of a column
     const bool relates = follows(" =", " <", " >") || alone, starts = before.empty() || after(". ");
-    const bool is_label = follows(":") || (starts && !relates && (word[0] >= 'a' || follows(".")));
+    const bool is_label = (follows(":") && (starts || after("and "))) || (starts && !relates && (word[0] >= 'a' || follows(".")));
     const bool is_unit = at > 1 && s[at - 1] == ' ' && is_digit(s[at - 2]);
     const bool in_name = goes_on(0) || (follows(".") && goes_on(1)) || follows("+", "’") || after(".", "-", "’", "'");
     if (is_label || is_unit || in_name) return false;
@@ -128,14 +128,14 @@ std::string_view formula_around(const std::string& s, std::size_t from, std::siz
             break;
         last = next;
     }
-    while (first < begin && (!is_balanced(all.substr(first, last - first)) || s[first] == '/' || s[first] == ' '))
-        first += math_character(s, first);
-    while (last > end && !is_balanced(all.substr(first, last - first))) {
-        --last;
-        while ((s[last] & '\xc0') == '\x80') --last;
+    for (std::size_t until = last; until >= end && until - first < 200; --until) {   // the longest whose fences match
+        if (until < s.size() && ((s[until] & '\xc0') == '\x80' || s[until] == '\xcc')) continue;
+        if (until > end && std::string_view("/ =<>").find(s[until - 1]) != std::string_view::npos) continue;
+        for (std::size_t start = first; start <= begin; start += math_character(s, start))
+            if (s[start] != '/' && s[start] != ' ' && is_balanced(all.substr(start, until - start)))
+                return all.substr(start, until - start);
     }
-    while (last > end && std::string_view("/ =<>").find(s[last - 1]) != std::string_view::npos) --last;
-    return is_balanced(all.substr(first, last - first)) ? all.substr(first, last - first) : symbol;
+    return symbol;
 }
 
 /// Blanks around relations and before units no longer break lines.
