@@ -53,7 +53,7 @@ class Lab {
         this.root.setAttribute("aria-label", "Laboratory");
         this.root.addEventListener("keydown", (event) => { if (event.key === "Escape") this.stop(true); });
         const keys = `Arrow keys turn, plus and minus zoom, 0 resets${this.hasPage ? "" : ", Escape closes"}.`;
-        this.view = new View(scene.models, `Mesh before and after the filter. ${keys}`, { closed: (byReader) => (byReader ? this.stop(true) : this.loseView()) });
+        this.view = new View(scene.models, `Mesh before and after the filter. ${keys}`, { closed: (byReader) => (byReader ? this.stop(true) : this.loseView()) }, true);
         this.frame = Object.assign(element("img", "lab-frame"), { alt: "The mesh before and after the filter" });
         const part = (className, ...children) => { const made = element("div", className); made.append(...children); return made; };
         const notes = notesOf(data, this.question), note = (of) => element("p", `lab-note lab-${of}`, notes[of]);

@@ -3,7 +3,9 @@ import { OrthographicCamera, SRGBColorSpace, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 const heroAzimuth = 35, heroElevation = 22;   // degrees, as render/camera.cpp: the picture's own direction
-const filled = 0.85;                          // of a pane's width or height, by its model
+const margin = 1.04;                          // what is seen, in radii of the model
+const narrow = 520;                           // pixels; below, two models stand above each other
+const filled = 0.85;                          // of a pane's width or height, by a model that is fitted
 const mostRead = 5000;                        // vertices that say how far a model reaches
 const keyTurn = Math.PI / 24, keyZoom = 1.2;
 
@@ -46,7 +48,9 @@ export function button(text, act) {
 export class View {
     /// Its `stage` is to be put into the page, then `open` called.
     /// @param told  what it tells: drawn() once a frame that was asked for, keyed() after a key has moved it, closed(byReader)
-    constructor(models, name, told) {
+    /// @param fits  the models fill their panes, whatever becomes of them; else their frame does
+    constructor(models, name, told, fits = false) {
+        this.fits = fits;
         this.models = models;
         this.share = 1;
         this.told = { drawn() {}, keyed() {}, closed() {}, ...told };
@@ -151,11 +155,17 @@ export class View {
         if (this.share !== share) this.share = share, this.resize();
     }
 
+    /// Beside each other or above: fitted models as they are larger.
+    arrange(width, height) {
+        const count = this.models.length, [side, up] = this.fits ? this.reach(this.controls.position0) : [1, 1];
+        const scale = (across, down) => Math.min(width / across / side, height / down / up);
+        this.inRows = this.fits ? scale(1, count) > scale(count, 1) : width < narrow;
+    }
+
     resize() {
         const { clientWidth: width, clientHeight: height } = this.stage;
         if (width === 0 || height === 0) return;
-        const [side, up] = this.reach(this.controls.position0), scale = (across, down) => Math.min(width / across / side, height / down / up);
-        this.inRows = scale(1, this.models.length) > scale(this.models.length, 1);   // beside each other or above, whichever shows them larger
+        this.arrange(width, height);
         this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2) * this.share);
         this.renderer.setSize(width, height, false);
         const labels = this.stage.querySelectorAll(".model-label");
@@ -178,8 +188,9 @@ export class View {
     /// Shows as much as makes the models fill their panes in the picture's own direction, and more where they reach farther now: none is cut.
     fit() {
         const { camera, controls } = this, [cell] = this.cells(), aspect = cell.width / cell.height;
-        const needed = [controls.position0, camera.position.clone().sub(controls.target)].map((place) => { const [side, up] = this.reach(place); return Math.max(up, side / aspect); });
-        const up = (Math.max(...needed) || 1) / filled;
+        const places = [controls.position0, camera.position.clone().sub(controls.target)];
+        const needed = places.map((place) => { const [side, up] = this.fits ? this.reach(place) : [1, 1]; return Math.max(up, side / aspect); });
+        const up = (Math.max(...needed) || 1) * (this.fits ? 1 / filled : margin);
         if (up === camera.top && up * aspect === camera.right) return;
         Object.assign(camera, { left: -up * aspect, right: up * aspect, top: up, bottom: -up });
         camera.updateProjectionMatrix();
