@@ -11,7 +11,7 @@ Command batch_command(CLI::App& parent) {
     report.quick = true;
     report.pdf = "off";
     report.sheets_only = true;
-    CommandOptions app(parent, "batch", "Many meshes: a report each, and an index of them that can be sorted");
+    CommandOptions app(parent, "batch", "Many meshes: a report each, and an index of them to sort");
     app.texts("MESH", flags->meshes, "meshes, folders of them, patterns, or @FILE as --list");
     app.texts("--list FILE", flags->lists, "file with one of these a line, relative to its own folder (repeatable)");
     app.required("--out DIR", report.out, "folder of the index and of a report for each mesh, which keeps what is finished");

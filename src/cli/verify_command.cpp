@@ -88,7 +88,7 @@ ExitCode run_verify(const VerifyFlags& options) {
 
 Command verify_command(CLI::App& parent) {
     const auto options = std::make_shared<VerifyFlags>();
-    CommandOptions app(parent, "verify", "This program held against closed forms, certificates, planted faults");
+    CommandOptions app(parent, "verify", "This program against closed forms, certificates, planted faults");
     app.text("--out DIR", options->out, "folder for the tables, plots and discussion, replaced as a whole; default: none");
     app.text("--seed", options->seed, "of the random meshes");
     app.flag("--quick", options->quick, "three refinements in place of four");

@@ -19,14 +19,17 @@ namespace meshfolio::report {
 struct WorstCheck {
     std::string id, words;   // words: its name and what was measured
     bool failed = false;
-    double used = 0;   // share of the allowance: above 1 fails; ∞ if nothing is allowed
+    double used = 0;         // share of the allowance: above 1 fails; ∞ if nothing is allowed
+    double beyond = 0;       // how much more that is than usual
+    bool is_usual = false;   // by no more than a percent
 };
 
 /// The share of a check's allowance that the measured number uses. A limit that is a whole number other than 0 comes from a theorem or a
 /// count and is no allowance: the share is 0 up to it, and counts against the tolerance beyond it.
 double used_share(const Check& check);
-/// @param usual  shares by the id of the check: where none failed, the one farthest beyond its usual share is taken
-std::optional<WorstCheck> worst_check(const std::vector<Section>& sections, const std::map<std::string, double>& usual = {});
+/// @param usual  see usual_shares(): where none failed, the one farthest beyond its usual share is taken @param mesh  name of the row
+std::optional<WorstCheck> worst_check(const std::vector<Section>& sections, const std::map<std::string, double>& usual = {},
+                                      const std::string& mesh = "");
 
 struct BatchRow {
     enum class State { waiting, good, bad, failed };   // bad: its report has a failure; failed: there is no report
@@ -79,7 +82,7 @@ struct Batch {
 
 std::size_t count_of(const Batch& batch, BatchRow::State state);
 Score score_of(const Batch& batch);
-/// By the id of the check, the median over the meshes of the share that each uses.
+/// By the id of the check without the name of the mesh, the median over the meshes of the share that each uses.
 std::map<std::string, double> usual_shares(const Batch& batch);
 
 Table batch_table(const Batch& batch);   // for write_csv()

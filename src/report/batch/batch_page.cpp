@@ -50,6 +50,7 @@ json worst_view(const std::optional<WorstCheck>& there) {
     return view_of({{"is_there", "there is any check", there.has_value()},
                     {"words", "its name and what was measured", safe_text(worst.words)},
                     {"failed", "it failed", worst.failed},
+                    {"is_usual", "on the other meshes, too, it comes as close to its limit", worst.is_usual},
                     {"value", "share of what it allows, to sort by; beyond any limit 1e308", exact_text(has_share ? worst.used : 1e308)},
                     {"share", "of what it allows", has_share ? readable_percent(worst.used, 3) : "∞"}});
 }
@@ -80,28 +81,28 @@ json row_view(const BatchRow& row, const std::map<std::string, double>& usual) {
     using State = BatchRow::State;
     double defects = 0;
     for (const auto& [kind, count] : row.defects.value_or(std::vector<std::pair<std::string, double>>())) defects += count;
-    json view =
-        view_of({{"name", "of the mesh and its folder", safe_text(row.name)},
-                 {"file", "as it was named", safe_text(row.file)},
-                 {"has_report", "there is one", !row.report.empty()},
-                 {"report", "its page", url_path(row.report)},
-                 {"picture", "from three quarters", picture_view(row)},
-                 {"is_waiting", "it has not been worked on", row.state == State::waiting},
-                 {"is_good", "nothing failed", row.state == State::good},
-                 {"is_bad", "its report has a failure", row.state == State::bad},
-                 {"is_failed", "there is no report", row.state == State::failed},
-                 {"error", "why, in one line", safe_text(row.error)},
-                 {"vertices", "how many", number_view(number_in(row.vertices))},
-                 {"triangles", "how many", number_view(number_in(row.triangles))},
-                 {"defects_in_all", "their number", number_view(number_if(row.defects.has_value(), defects))},
-                 {"lambda_critical", "largest stable step of explicit smoothing", number_view(number_in(row.lambda_critical))},
-                 {"passed", "checks that did", number_view(number_if(!row.report.empty(), double(row.score.passed)))},
-                 {"checks_failed", "checks that did", std::to_string(row.score.failed)},
-                 {"has_checks_failed", "there are any", row.score.failed > 0},
-                 {"undecided_count", "checks that decide nothing", std::to_string(row.score.undecided)},
-                 {"has_undecided", "there are any", row.score.undecided > 0},
-                 {"worst", "a failed check, else the one farthest beyond its usual share", worst_view(worst_check(row.sections, usual))},
-                 {"seconds", "that the report took", number_view(number_in(row.seconds))}});
+    json view = view_of(
+        {{"name", "of the mesh and its folder", safe_text(row.name)},
+         {"file", "as it was named", safe_text(row.file)},
+         {"has_report", "there is one", !row.report.empty()},
+         {"report", "its page", url_path(row.report)},
+         {"picture", "from three quarters", picture_view(row)},
+         {"is_waiting", "it has not been worked on", row.state == State::waiting},
+         {"is_good", "nothing failed", row.state == State::good},
+         {"is_bad", "its report has a failure", row.state == State::bad},
+         {"is_failed", "there is no report", row.state == State::failed},
+         {"error", "why, in one line", safe_text(row.error)},
+         {"vertices", "how many", number_view(number_in(row.vertices))},
+         {"triangles", "how many", number_view(number_in(row.triangles))},
+         {"defects_in_all", "their number", number_view(number_if(row.defects.has_value(), defects))},
+         {"lambda_critical", "largest stable step of explicit smoothing", number_view(number_in(row.lambda_critical))},
+         {"passed", "checks that did", number_view(number_if(!row.report.empty(), double(row.score.passed)))},
+         {"checks_failed", "checks that did", std::to_string(row.score.failed)},
+         {"has_checks_failed", "there are any", row.score.failed > 0},
+         {"undecided_count", "checks that decide nothing", std::to_string(row.score.undecided)},
+         {"has_undecided", "there are any", row.score.undecided > 0},
+         {"worst", "a failed check, else the one farthest beyond its usual share", worst_view(worst_check(row.sections, usual, row.name))},
+         {"seconds", "that the report took", number_view(number_in(row.seconds))}});
     enter_list(view, "chips", "its kind and its defects, in words", chips_view(row));
     return view;
 }

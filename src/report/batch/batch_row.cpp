@@ -73,6 +73,13 @@ void for_each_check(const std::vector<Section>& sections, const Visit& visit) {
     }
 }
 
+/// "q5-bound-on-cube8" of the mesh cube8 is "q5-bound-on-": the check that other meshes have as well.
+std::string common_id(std::string id, std::string mesh) {
+    std::ranges::replace(mesh, '_', '-');
+    const std::size_t at = mesh.empty() ? std::string::npos : id.find(mesh);
+    return at == std::string::npos ? id : id.erase(at, mesh.size());
+}
+
 }   // namespace
 
 double used_share(const Check& check) {
@@ -87,17 +94,17 @@ double used_share(const Check& check) {
     return check.kind == Check::Kind::at_most ? share_of(check.measured, limit) : share_of(limit, check.measured);
 }
 
-std::optional<WorstCheck> worst_check(const std::vector<Section>& sections, const std::map<std::string, double>& usual) {
+std::optional<WorstCheck> worst_check(const std::vector<Section>& sections, const std::map<std::string, double>& usual,
+                                      const std::string& mesh) {
     std::optional<WorstCheck> worst;
-    // Failed ones first, then what is beyond the usual, then the share itself.
-    const auto rank = [&](const WorstCheck& check) {
-        const auto found = usual.find(check.id);
-        const double beyond = found != usual.end() && std::isfinite(check.used) ? check.used - found->second : check.used;
-        return std::tuple(check.failed, beyond, check.used);
-    };
+    // Failed ones first, then what is beyond the usual by at least a percent, then the share itself.
+    const auto rank = [](const WorstCheck& check) { return std::tuple(check.failed, check.is_usual ? 0 : check.beyond, check.used); };
     for_each_check(sections, [&](const std::string& id, const Check& check) {
         if (check.status == Check::Status::undecided) return;
-        const WorstCheck one{id, check.name + ": " + words_of(check), check.failed(), used_share(check)};
+        WorstCheck one{id, check.name + ": " + words_of(check), check.failed(), used_share(check)};
+        const auto found = usual.find(common_id(id, mesh));
+        one.beyond = found != usual.end() && std::isfinite(one.used) ? one.used - found->second : one.used;
+        one.is_usual = !one.failed && one.beyond < 0.01;
         if (!worst || rank(one) > rank(*worst)) worst = one;
     });
     return worst;
@@ -128,7 +135,9 @@ Score score_of(const Batch& batch) {
 std::map<std::string, double> usual_shares(const Batch& batch) {
     std::map<std::string, std::vector<double>> shares;
     for (const BatchRow& row : batch.rows)
-        for_each_check(row.sections, [&](const std::string& id, const Check& check) { shares[id].push_back(used_share(check)); });
+        for_each_check(row.sections, [&](const std::string& id, const Check& check) {
+            if (std::isfinite(used_share(check))) shares[common_id(id, row.name)].push_back(used_share(check));
+        });
     std::map<std::string, double> usual;
     for (auto& [id, of_meshes] : shares) {
         const auto middle = of_meshes.begin() + (std::ssize(of_meshes) - 1) / 2;

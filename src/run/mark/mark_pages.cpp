@@ -96,9 +96,10 @@ std::string picture_of(const ItemMark& mark) {
 
 /// "You wrote 1.9; right is 2 (5 % off)."
 std::string wrong_number(double given, double expected) {
-    const double off = std::abs(given - expected) / std::abs(expected);
-    return "You wrote " + readable(given, 6) + "; right is " + readable(expected, 6) +
-           (std::isfinite(off) ? " (" + readable_percent(off, 2) + " off)." : ".");
+    const auto text = [](double x) { return (x < 0 ? "−" : "") + plain_text(std::abs(x)); };
+    const double percent = 100 * std::abs(given - expected) / std::abs(expected);
+    return "You wrote " + text(given) + "; right is " + text(expected) +
+           (std::isfinite(percent) ? " (" + plain_text(rounded(percent, 2)) + "\u202f% off)." : ".");
 }
 
 /// Why an answer has its verdict.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "report/sample_document.h"
@@ -128,8 +129,22 @@ TEST(Batch, TheCheckShownOfAMeshIsNotThatOfEveryMesh) {
     EXPECT_EQ(worst_check(batch.rows.back().sections)->id, "q1-always-close");
     EXPECT_EQ(worst_check(batch.rows.back().sections, usual)->id, "q1-this-one");
     EXPECT_EQ(worst_check(batch.rows.front().sections, usual)->id, "q1-always-close") << "nothing is unusual";
+    EXPECT_TRUE(worst_check(batch.rows.front().sections, usual)->is_usual);
+    EXPECT_FALSE(worst_check(batch.rows.back().sections, usual)->is_usual);
     batch.rows.back().sections.front().checks.push_back(check_at_most("beyond", 1, 1.0001));
     EXPECT_EQ(worst_check(batch.rows.back().sections, usual)->id, "q1-beyond") << "a failed one comes first";
+}
+
+TEST(Batch, ACheckThatNamesItsMeshIsTheSameOnOthers) {
+    Batch batch;
+    for (const char* mesh : {"cube_8", "torus"}) {
+        Section section;
+        section.id = "q5";
+        section.checks = {check_near(std::string("bound on ") + mesh, 0, *mesh == 'c' ? 0.5 : 0.9, 1)};
+        batch.rows.push_back({.name = mesh, .file = mesh, .sections = {section}});
+    }
+    EXPECT_EQ(usual_shares(batch), (std::map<std::string, double>{{"q5-bound-on-", 0.5}}));
+    EXPECT_DOUBLE_EQ(worst_check(batch.rows.back().sections, usual_shares(batch), "torus")->beyond, 0.4);
 }
 
 TEST(Batch, EveryFileHasEveryMeshOnce) {
