@@ -76,7 +76,7 @@ ExitCode run_compare(const CompareFlags& options) {
 
 Command compare_command(CLI::App& parent) {
     const auto options = std::make_shared<CompareFlags>();
-    CommandOptions app(parent, "compare", "Distances, normals, areas and volumes of two meshes, in model units");
+    CommandOptions app(parent, "compare", "Distances, normals, areas, volumes of two meshes, in model units");
     app.required("A", options->a, "the reference");
     app.required("B", options->b, "the other, with the same triangles or any");
     app.flag("--surfaces", options->surfaces, "from surface to surface also where the triangles are the same and vertices correspond");
