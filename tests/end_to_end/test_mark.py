@@ -247,11 +247,15 @@ class Mark(unittest.TestCase):
                     self.assertIn(mistake[1], test["extra_data"]["conventions"], (mistake[:2], test["output"]))
                     self.assertEqual((test["score"], test["max_score"]), (5, 10), mistake[:2])
             page = (out / name / "index.html").read_text()
-            self.assertIn("right but for a convention" if mistake else "70 of 70", page)
+            self.assertIn("right but for a convention" if mistake else "70 <small>of 70</small>", page)
             pictured = mistake and mistake[0] not in ("eigenvalues", "kappa") and mistake[1] != ["reversed_faces"]
             self.assertEqual(page.count("src=\"data:image/jpeg;base64,/9j/"), 1 if pictured else 0, name)
         rows = list(csv.DictReader((out / "class.csv").read_text().splitlines()))
         self.assertEqual([row["student"] for row in rows], [name for name, _, _ in plan])
+        table = (out / "class.html").read_text()
+        self.assertEqual(table.count('<td class="mark '), 100 * ITEMS)
+        self.assertEqual(table.count('<td class="mark partial"'), 50)
+        self.assertTrue(all(f'href="{name}/index.html"' in table for name, _, _ in plan))
         self.assertEqual({row["score"] for row, (_, _, mistake) in zip(rows, plan) if mistake is None}, {"70"})
 
     def test_all_mistakes_in_all_items_are_told_apart_from_noise(self):
