@@ -177,10 +177,12 @@ export class View {
     reach(place) {
         const towards = place.clone().normalize(), side = this.camera.up.clone().cross(towards).normalize(), up = towards.clone().cross(side), reach = [0, 0];
         for (const { mesh } of this.models.filter((model) => model.mesh.visible)) {
-            const { array, count } = mesh.geometry.attributes.position, stride = 3 * Math.ceil(count / mostRead), { elements: m } = mesh.matrixWorld;
+            const { position } = mesh.geometry.attributes, step = Math.ceil(position.count / mostRead), { elements: m } = mesh.matrixWorld;
             const rows = [side, up].map(({ x, y, z }) => [0, 4, 8, 12].map((at) => x * m[at] + y * m[at + 1] + z * m[at + 2]));
-            for (let i = 0; i < array.length; i += stride)
-                for (let k = 0; k < 2; ++k) reach[k] = Math.max(reach[k], Math.abs(rows[k][0] * array[i] + rows[k][1] * array[i + 1] + rows[k][2] * array[i + 2] + rows[k][3]));
+            for (let v = 0; v < position.count; v += step) {
+                const [x, y, z] = [position.getX(v), position.getY(v), position.getZ(v)];
+                for (let k = 0; k < 2; ++k) reach[k] = Math.max(reach[k], Math.abs(rows[k][0] * x + rows[k][1] * y + rows[k][2] * z + rows[k][3]));
+            }
         }
         return reach;
     }
