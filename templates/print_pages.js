@@ -19,14 +19,14 @@ const isHeading = (block) => block?.matches("h2, h3, .asked, .answer");   // sta
 /// Where a line of a formula can go on below: behind its widest space, else at what follows from it, else at its last relation; 0: nowhere.
 function breakOf(row) {
     const parts = [...row.children], last = (relation) => parts.findLastIndex((part, i) => i > 1 && relation.test(part.textContent));
-    const places = [parts.findIndex((part) => part.matches('mspace[width="2.0em"]')), last(/^[⇒⇔]$/), last(/^[=≈]$/)];
+    const places = [parts.findIndex((part) => part.matches('mspace[width="2em"]')), last(/^[⇒⇔]$/), last(/^[=≈]$/)];
     return places.find((place) => place > 0) ?? 0;
 }
 
 /// The row of a formula, or its table.
 function rowOf(math) {
-    let row = math.querySelector("semantics > :first-child");
-    while (row.localName === "mrow" && row.children.length === 1) row = row.firstElementChild;
+    let row = math;
+    while (row.children.length === 1 && row.firstElementChild.matches("mrow, mtable")) row = row.firstElementChild;
     return row;
 }
 
@@ -49,7 +49,7 @@ function fitFormula(equation) {
         below.replaceChildren(...[...last.children].slice(last.children[at].localName === "mspace" ? at + 1 : at));
         if (last.lastElementChild.localName === "mspace") last.lastElementChild.remove();
     }
-    const widest = Math.max(...[...formula.querySelectorAll("semantics > :first-child")].map((part) => part.getBoundingClientRect().width));
+    const widest = Math.max(...[...formula.querySelectorAll("math")].map((math) => lengthOf(rowOf(math))));
     if (widest > formula.clientWidth) formula.style.fontSize = `${0.99 * formula.clientWidth / widest}em`;
 }
 
