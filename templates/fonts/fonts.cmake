@@ -7,7 +7,7 @@ set(font_folder ${PROJECT_BINARY_DIR}/embedded/meshfolio_report)   # where that 
 set(page_fonts "")
 set(picture_fonts ${font_folder}/sans-regular.ttf ${font_folder}/sans-bold.ttf)
 
-# make_font(FACE SOURCE FOLDER): one face, of a font in a folder of Debian's.
+# Makes one face, of a font in a folder of Debian's.
 function(make_font face source folder)
   string(MAKE_C_IDENTIFIER FONT_${face} found)
   find_file(${found} ${source} PATHS ${folder} REQUIRED)
