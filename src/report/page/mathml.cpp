@@ -197,7 +197,7 @@ private:
         const std::string letter = words();
         if (style == "\\mathrm") return element("mi", xml_escape(letter), letter.size() == 1 ? " mathvariant=\"normal\"" : "");
         if (style == "\\mathcal" && letter == "N") return "<mi>𝒩</mi>";
-        if (style == "\\boldsymbol" && letter == "\\varepsilon") return "<mi>𝜺</mi>";
+        if (style == "\\boldsymbol" && letter == "\\varepsilon") return "<mi>𝛆</mi>";
         if (style != "\\mathbf" || letter.size() != 1 || !is_letter(letter[0])) fail("'" + style + "' has no '" + letter + "'");
         const int place = letter[0] < 'a' ? letter[0] - 'A' : letter[0] - 'a' + 26;   // behind U+1D400
         return element("mi", std::string("\xf0\x9d\x90") + static_cast<char>(0x80 + place));
