@@ -68,12 +68,15 @@ TEST(CurvatureSubject, SharedRangeReportsWhatEachFigureClips) {
     EXPECT_EQ(range.clipped_above, 0.25);
 }
 
-TEST(CurvatureSubject, LabelsReportValuesBeyondTheirRange) {
-    Vector values(5);
-    values << -2, 0, 0.5, 3, std::nan("");
-    EXPECT_EQ(share_beyond(values, 1), 0.5);
-    EXPECT_NE(beyond_words(values, 1).find("50"), std::string::npos);
-    EXPECT_EQ(beyond_words(values, 3), "");
+TEST(CurvatureSubject, BarsOfPanelsReportValuesBeyondTheirRange) {
+    output::Panel panel;
+    panel.values = Vector(5);
+    panel.values << -2, 0, 0.5, 3, std::nan("");
+    EXPECT_EQ(share_beyond(panel.values, 1), 0.5);
+    set_own_range(panel, 1, "K", "1/length²");
+    EXPECT_EQ(panel.range->low, -1);
+    EXPECT_EQ(panel.range->clipped_below, 0.25);
+    EXPECT_EQ(panel.range->clipped_above, 0.25);
 }
 
 TEST(CurvatureSubject, OnATorusKIsPositiveOutsideAndNegativeInside) {
@@ -155,9 +158,9 @@ TEST(CurvatureSubject, PanelsOfMeshesOfAnySizeFitIntoOneFrame) {
     TriangleMesh ball = icosphere(1, 40);
     ball.X.rowwise() += Eigen::RowVector3d(100, 0, 7);
     const CurvatureSubject subject = curvature_subject(library_mesh(ball, "far_ball"));
-    const output::Panel panel = relative_panel(subject, "name", "label", Vector::Constant(ball.vertex_count(), 3), 4);
+    const output::Panel panel = unit_ball_panel(subject, "name", "label", Vector::Constant(ball.vertex_count(), 3));
     EXPECT_NEAR(panel.mesh->X.rowwise().norm().maxCoeff(), 1, 1e-12);
-    EXPECT_NEAR(panel.values[5], 75, 1e-12);
+    EXPECT_EQ(panel.values[5], 3) << "in its own unit";
 }
 
 TEST(CurvatureSubject, CotangentIsExactOnIrregularPlanesAndOthersAreNot) {
