@@ -47,13 +47,11 @@ function readGlb(bytes) {
 
 const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
 
-/// Where a vertex is seen at the start, in pixels from the upper left of a cell: from the right front and above, the model fills 0.85 of it.
+/// Where a vertex is seen at the start, in pixels from the upper left of a cell: from the right front and above, 1.04 radii fill half of it.
 function seenAt(glb, v, width, height) {
     const a = 35 * Math.PI / 180, e = 22 * Math.PI / 180;
     const right = [Math.cos(a), 0, -Math.sin(a)], up = [-Math.sin(e) * Math.sin(a), Math.cos(e), -Math.sin(e) * Math.cos(a)];
-    const from = glb.positions[v].map((x, k) => x - glb.frame.centre[k]);
-    const reach = (axis) => Math.max(...glb.positions.map((p) => Math.abs(dot(p.map((x, k) => x - glb.frame.centre[k]), axis))));
-    const scale = glb.seenScale ??= 0.85 / 2 * Math.min(width / reach(right), height / reach(up));
+    const from = glb.positions[v].map((x, k) => x - glb.frame.centre[k]), scale = Math.min(width, height) / 2 / 1.04 / glb.frame.radius;
     return [width / 2 + scale * dot(from, right), height / 2 - scale * dot(from, up)];
 }
 
