@@ -18,7 +18,7 @@ namespace {
 using namespace render_tests;
 
 void expect_exact(const Triangle2& t) {
-    for (const int samples : {1, 4}) {
+    for (const int samples : {1, 4, 16}) {
         ASSERT_EQ(disagreements(t, drawn({t}, samples)), 0) << samples << " samples";
         ASSERT_EQ(disagreements(t, drawn_wide({t}, samples)), 0) << samples << " samples, slow path";
     }
@@ -243,7 +243,7 @@ TEST_P(InstructionSet, PicturesHaveTheSameBytesAsWithTheLeastOne) {
     std::vector<double> values = mesh.values;
     for (std::size_t i = 0; i < values.size(); i += 17) values[i] = std::nan("");
     surface.values = values;
-    for (const int samples : {1, 4})
+    for (const int samples : {1, 4, 16})
         for (const bool occlusion : {false, true}) {
             render::DrawOptions options{.width = 203, .height = 161};
             options.range = {nullptr, -400, 400};

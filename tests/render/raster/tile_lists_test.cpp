@@ -37,7 +37,7 @@ TEST(TileLists, HoldEveryTriangleThatCoversASampleAndAreAscending) {
     const render::Scene scene(surface, {}, options);
     std::vector<render::ProjectedScene> projected;
     for (const render::Projection& p : render::projections_of(render::six_views)) projected.emplace_back(scene, p.axes);
-    for (const int samples : {1, 4}) {
+    for (const int samples : {1, 4, 16}) {
         render::WideBudget budget(0);
         const render::TileLists lists(projected, render::pattern_of(samples), budget);
         ASSERT_EQ(lists.columns(), 5);

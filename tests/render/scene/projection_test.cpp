@@ -64,7 +64,7 @@ Mesh mirrored(Mesh mesh) {
 // mirrored picture, up to samples that lie on an edge, and up to the lights, which stay where they are.
 TEST(Projections, AMirroredModelGivesTheMirroredPicture) {
     const Mesh mesh = render_tests::pebble(), turned = mirrored(mesh);
-    for (const int samples : {1, 4}) {
+    for (const int samples : {1, 4, 16}) {
         render::DrawOptions options{.width = 180, .height = 180, .frame = render::Frame{{0, 0, 0}, 0.171}, .range = {nullptr, -300, 300}};
         options.shading = false, options.samples = samples;
         const auto a = render::draw_views(mesh.surface(), render::six_views, options);
