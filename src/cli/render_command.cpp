@@ -198,7 +198,7 @@ Command render_command(CLI::App& parent) {
     app.text("--out DIR", options->out,
              "folder for +x.png … -z.png and sheet.png, whose paths are printed; default: a folder called as the mesh");
     app.choice("--names", options->names, {"sign", "word"}, "of the pictures: +x.png, or x-pos.png");
-    app.text("--views VIEWS", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from the right front and above); default: the six");
+    app.text("--views VIEWS", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from above, where most is seen); default: the six");
     app.text("--size PIXELS", options->size, "pixels of one view: N or WxH");
     std::vector<std::string> fields = field_names();
     fields.emplace_back("distance");

@@ -97,7 +97,7 @@ def render(
     """A Picture, height x width x 4 uint8: of one view the view alone, of several a sheet with title, names and colour bar.
 
     field: none, h-uniform, h-cotan, gauss, area, x, y, z, id or h-<operator>; values: n numbers instead, NaN where undefined, called label.
-    views: some of +x,-x,+y,-y,+z,-z and hero (from the right front and above), by commas; default: the six.
+    views: some of +x,-x,+y,-y,+z,-z and hero (from above, where most is seen), by commas; default: the six.
     size: pixels of one view, N or (width, height). range: (low, high) of the colours; default: robust.
     isolines: lines where the value is a multiple of this; 0: none.
     """
