@@ -95,13 +95,14 @@ private:
             height = std::max(height, panel[0].height);
         }
         const bool named = panels_.size() > 1, any_flat = std::ranges::any_of(panels_, is_flat);
-        if (any_flat) width = std::max(width, (named ? 3 : 1) * 13 * line_);
+        const int least = 13 * line_;   // for the words of a flat one
+        if (any_flat) width = std::max(width, least);
         const int down = height + gap_ + (named ? line_ : 0) + (any_flat ? line_ : 0);
         int x = 0, y = -down;
         for (std::size_t p = 0; p < panels_.size(); ++p) {
             const render::Image& large = panels_[p][0];
             const bool flat = is_flat(panels_[p]);
-            const int cell = flat && named ? width / flat_in_a_line : width;
+            const int cell = flat && named ? std::max(least, width / flat_in_a_line) : width;
             const bool in_group = p % static_cast<std::size_t>(request_.states) != 0;
             if (p == 0 || !flat || x + cell > width || !is_flat(panels_[p - 1])) x = 0, y += down + (p == 0 || in_group ? 0 : gap_);
             place(p, 0, flat ? x + (cell - large.width) / 2 : x, y + (height - large.height) / 2);

@@ -126,7 +126,7 @@ std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int
 }
 
 std::optional<render::View> view_of_flat(const TriangleMesh& mesh) {
-    constexpr double thin = 0.01;   // of the largest extent: two pixels of a small picture
+    constexpr double thin = 0.05;   // of the largest extent, so that noise does not count
     const render::Bounds box = bounds_of(mesh);
     const glm::dvec3 extent = box.high - box.low;
     const double most = std::max({extent.x, extent.y, extent.z});
