@@ -173,7 +173,7 @@ test("it says what is seen: one mode, nothing moved, and whose operator it is", 
 
 test("the colours are those of the numbers: their mean square is that of the table", options, () => {
     const data = dataOf(reportPage, "q7");
-    for (const change of [{ scheme: "explicit", lambda: 0.5, t: 5 }, { scheme: "denoising", edges: 0.1, t: 2, sigma: 1 }]) {
+    for (const change of [{ scheme: "explicit", lambda: 0.5, t: 5 }, { scheme: "denoising", edges: 0.1, t: 2, sigma: 0.5 }]) {
         const experiment = new Experiment(data), { colours } = experiment;
         experiment.set(start(change));
         experiment.compute();
