@@ -66,7 +66,8 @@ class Lab {
         panel.looks.append(this.reset);
         const seen = part("lab-see", this.view.stage, this.frame, this.legend);
         const plots = part("lab-plots", part("", this.spectrum.picture, note("modes")), part("", this.errors.picture, this.errorNote));
-        const done = part("lab-do", panel.presets, panel.controls, panel.looks, panel.tiles, panel.told, panel.check, note("mesh"), details);
+        const tools = [panel.controls, panel.looks, panel.tiles, panel.told];
+        const done = part("lab-do", ...(this.hasPage ? [...tools, panel.presets] : [panel.presets, ...tools]), panel.check, note("mesh"), details);   // of all questions there
         this.root.append(part("lab-head", this.watch, ...(this.hasPage ? [] : [button("Close", () => this.stop(true))])), part("lab-columns", seen, done, plots));
         this.block = block;
         block.append(this.root);
