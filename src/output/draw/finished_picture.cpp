@@ -45,7 +45,7 @@ render::Image part_of(const render::Image& picture, int left, int top, int width
 }
 
 bool cut_pictures(const render::Image& sheet, report::DrawnFigure& figure) {
-    constexpr int quality = 85;
+    constexpr int quality = 80;
     std::vector<report::DrawnPicture*> pictures;
     for (report::DrawnPanel& panel : figure.panels)
         for (report::DrawnPicture& picture : panel.pictures) pictures.push_back(&picture);

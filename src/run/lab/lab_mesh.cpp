@@ -12,6 +12,7 @@
 #include "mesh/orientation.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
+#include "scene/hero.h"
 
 namespace meshfolio::run {
 
@@ -96,7 +97,9 @@ std::string header_of(const LabMesh& lab) {
     for (const LabPreset& p : lab.presets)
         presets.push_back({{"question", p.question}, {"words", p.words}, {"lines", p.shows_drift}, {"state", json_of(p.setting)}});
     for (const auto& [question, start] : lab.starts) starts[question] = json_of(start);
+    const glm::dvec3 from = render::hero_view(output::surface_of(lab.mesh)).from;
     const nlohmann::json header = {{"name", lab.name},
+                                   {"from", {from.x, from.y, from.z}},
                                    {"sourceVertices", lab.source_vertices},
                                    {"isDecimated", lab.is_decimated},
                                    {"isClosed", lab.is_closed},
