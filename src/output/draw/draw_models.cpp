@@ -38,7 +38,11 @@ Ball frame_of(const FigureRequest& request, const Panel& framed, const std::vect
 Models models_of(const FigureRequest& request) {
     if (!request.turnable) return {};
     std::vector<Panel> panels;
-    std::ranges::copy_if(request.panels, std::back_inserter(panels), can_be_turned);
+    for (const Panel& panel : request.panels) {
+        const auto is_same = [&](const Panel& other) { return panel.mesh->X == other.mesh->X && panel.mesh->F == other.mesh->F; };
+        if (can_be_turned(panel) && std::ranges::none_of(panels, is_same))
+            panels.push_back(panel);   // each mesh once, with its first values
+    }
     Models models;
     for (const Panel& panel : panels) {
         const ColorRange* range = panel.values.size() > 0 ? request.range_of(panel) : nullptr;

@@ -82,13 +82,25 @@ TEST(DrawModels, EveryMeshOfAFigureIsAModelInItsFrame) {
 TEST(DrawModels, TheFirstTwoOfEveryFigureComeBeforeTheThirdOfAny) {
     const auto figure_of = [](const std::string& name, int count, const TriangleMesh& mesh) {
         std::vector<Panel> panels;
-        for (int i = 0; i < count; ++i) panels.push_back(turnable_panel(mesh, name + std::to_string(i)));
+        for (int i = 0; i < count; ++i) {
+            TriangleMesh state = mesh;
+            state.X *= 1 + i;
+            panels.push_back(turnable_panel(std::move(state), name + std::to_string(i)));
+        }
         return turnable(std::move(panels));
     };
     const auto figures = models_of({figure_of("a", 6, flat_mesh(90)), figure_of("b", 2, flat_mesh(90)), figure_of("c", 3, icosphere(2))});
     EXPECT_EQ(figures.at("a0").models.size(), 2U) << "for all six there is no room";
     EXPECT_EQ(figures.at("b0").models.size(), 2U);
     EXPECT_EQ(figures.at("c0").models.size(), 3U);
+}
+
+TEST(DrawModels, AMeshWithOtherValuesIsTurnedOnce) {
+    Panel other = turnable_panel(icosphere(2), "again");
+    other.values *= 2;
+    const auto figures = models_of({turnable({turnable_panel(icosphere(2), "first"), other, turnable_panel(cube_mesh(2), "cube")})});
+    ASSERT_EQ(figures.at("first").models.size(), 2U);
+    EXPECT_EQ(figures.at("first").models[1].label, "label of cube");
 }
 
 TEST(DrawModels, LargeOrBlownUpMeshesKeepTheirPictures) {
