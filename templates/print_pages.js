@@ -2,153 +2,21 @@
 // they will have; the rest is arithmetic. A float stands where its text asks for it if there is room, else in the next column or on the next
 // page while the text goes on; paragraphs are parted between lines. Page numbers come out of it, and the title says them, so that whoever
 // prints can hold them against the PDF (src/report/pdf/print_pdf.cpp). Engines without scripts (weasyprint) use the columns of print.css.
-const mm = 96 / 25.4, leastPicture = 25 * mm;
+const { dropOtherHyphens, fitFormula, hyphenate, isTooWide, linesOf, loosen, partBefore } = printText;   // print_text.js
+const mm = 96 / 25.4;
 const floatGap = 4 * mm, leastText = 22 * mm, mostStretch = 0.6 * mm, mostApart = 8 * mm;
 const heights = [256, 254, 252, 250, 248, 246, 244, 242, 240].map((height) => height * mm);   // of a page, at most as in print.css
 const firstLines = 2, lastLines = 2;   // of a paragraph, that stay together
-const mostLoose = 0.16;   // of a line, that justifying spreads over its spaces
-const softHyphen = "\u00ad";
-let narrow;                            // where blocks of one column are measured
 
 const element = (name, parent) => parent.appendChild(Object.assign(document.createElement("div"), { className: name }));
 const isRunning = (block) => block.matches("p:not([class]), .running");
 const isHeading = (block) => block?.matches("h2, h3, .asked, .answer");   // stays with what follows
 
-// ---- fitting a block to the width of a column -----------------------------------------------------------------------------------------------
-
-/// Where a line of a formula can go on below: behind its widest space, else at what follows from it, else at its last relation; 0: nowhere.
-function breakOf(row) {
-    const parts = [...row.children], last = (relation) => parts.findLastIndex((part, i) => i > 1 && relation.test(part.textContent));
-    const places = [parts.findIndex((part) => part.matches('mspace[width="2em"]')), last(/^[⇒⇔]$/), last(/^[=≈]$/)];
-    return places.find((place) => place > 0) ?? 0;
-}
-
-/// The row of a formula, or its table.
-function rowOf(math) {
-    let row = math;
-    while (row.children.length === 1 && row.firstElementChild.matches("mrow, mtable")) row = row.firstElementChild;
-    return row;
-}
-
-function lengthOf(cell) {
-    const rects = [...cell.children].map((part) => part.getBoundingClientRect());
-    return rects.length > 0 ? rects.at(-1).right - rects[0].left : 0;
-}
-
-/// Parts the lines of a formula that are too long for a column; what is still too long is set smaller.
-function fitFormula(equation) {
-    const formula = equation.querySelector(".formula"), math = formula.querySelector("math"), row = math ? rowOf(math) : undefined;
-    if (!row) return;
-    const lines = row.localName === "mtable" ? [...row.children] : [row];
-    for (const line of lines) {
-        const cells = line === row ? [row] : [...line.children], last = cells.at(-1), at = breakOf(last);
-        if (at === 0 || cells.reduce((sum, cell) => sum + lengthOf(cell), 0) <= formula.clientWidth) continue;
-        const owner = line === row ? math : line, copy = owner.cloneNode(true), below = line === row ? rowOf(copy) : copy.lastElementChild;
-        if (line !== row) copy.firstElementChild.replaceChildren();
-        owner.after(copy);
-        below.replaceChildren(...[...last.children].slice(last.children[at].localName === "mspace" ? at + 1 : at));
-        if (last.lastElementChild.localName === "mspace") last.lastElementChild.remove();
-    }
-    const widest = Math.max(...[...formula.querySelectorAll("math")].map((math) => lengthOf(rowOf(math))));
-    if (widest > formula.clientWidth) formula.style.fontSize = `${0.99 * formula.clientWidth / widest}em`;
-}
-
-/// Puts soft hyphens into running text (print_hyphens.js).
-function hyphenate(block) {
-    const accept = ({ parentElement }) => parentElement.closest("math, .math, code, a") ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT;
-    const texts = document.createTreeWalker(block, NodeFilter.SHOW_TEXT, accept);
-    while (texts.nextNode()) texts.currentNode.data = texts.currentNode.data.replace(/(?<!\w)[A-Za-z]{6,}(?!\w)/g, hyphenated);
-}
-
-/// Whether a figure, laid out in a column, is too wide for it: its table sticks out, or its pictures are too small.
-function isTooWide(figure) {
-    const { right } = figure.getBoundingClientRect();
-    if (figure.matches(".table")) return figure.querySelector("table").getBoundingClientRect().right > right + 1;
-    if (figure.matches(".plot")) return !figure.matches(".slim");
-    return [...figure.querySelectorAll("img")].some((picture) => picture.getBoundingClientRect().width < leastPicture);
-}
-
-// ---- lines of a paragraph -------------------------------------------------------------------------------------------------------------------
-
-/// The first letter of a text, from `low` on, that stands below `top`.
-function firstBelow(text, low, top) {
-    const range = document.createRange();
-    let high = text.length - 1;
-    while (low < high) {
-        const middle = (low + high) >> 1;
-        range.setStart(text, middle);
-        range.setEnd(text, middle + 1);
-        [...range.getClientRects()].at(-1)?.top > top ? high = middle : low = middle + 1;
-    }
-    return low;
-}
-
-/// Where the lines of a paragraph begin: [{ node, offset, top }]. A formula is never parted.
-function linesOf(block) {
-    const accept = (node) => node.parentElement.closest("math") ? NodeFilter.FILTER_REJECT
-        : node.nodeType === Node.TEXT_NODE || node.localName === "math" ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_SKIP;
-    const walker = document.createTreeWalker(block, NodeFilter.SHOW_TEXT | NodeFilter.SHOW_ELEMENT, accept);
-    const lines = [], range = document.createRange();
-    let end = Infinity;
-    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
-        range.selectNode(node);
-        let offset = 0;
-        for (const { left, right, top, width } of node.localName === "math" ? [node.getBoundingClientRect()] : range.getClientRects()) {
-            if (width === 0) continue;
-            if (left < end - 1) {
-                if (node.nodeType === Node.TEXT_NODE && end !== Infinity) offset = firstBelow(node, offset, top - 3);
-                lines.push({ node, offset, top });
-            }
-            end = right;
-        }
-    }
-    return lines;
-}
-
-/// Where the lines of a paragraph end.
-function endsOf(block) {
-    const range = document.createRange(), ends = [];
-    range.selectNodeContents(block);
-    let before = Infinity;
-    for (const { left, right } of range.getClientRects()) {
-        left < before - 1 ? ends.push(right) : ends.splice(-1, 1, Math.max(right, ends.at(-1)));
-        before = right;
-    }
-    return ends;
-}
-
-/// Takes what is before a line out of a block, as a block of its own.
-function partBefore(block, { node, offset }) {
-    const range = document.createRange(), first = block.cloneNode(false);
-    range.setStart(block, 0);
-    node.nodeType === Node.TEXT_NODE ? range.setEnd(node, offset) : range.setEndBefore(node);
-    first.append(range.extractContents());
-    const text = document.createTreeWalker(first, NodeFilter.SHOW_TEXT);
-    const last = text.lastChild() ?? text.currentNode;
-    if (last.data?.endsWith(softHyphen)) last.data = `${last.data.slice(0, -1)}-`;   // at the end of a paragraph it is not shown
-    block.removeAttribute("id");
-    block.classList.add("continued");
-    first.classList.add("parted");
-    return first;
-}
-
-/// Lets the formulas of paragraphs be parted whose lines would be too loose without.
-function loosen(blocks) {
-    for (const block of blocks) block.style.textAlign = "left";
-    const loose = blocks.filter((block) => {
-        const { right, width } = block.getBoundingClientRect();
-        return endsOf(block).slice(0, -1).some((end) => right - end > mostLoose * width);
-    });
-    for (const block of blocks) block.style.textAlign = "";
-    for (const block of loose) block.classList.add("loose");
-}
-
 // ---- what is to be set ----------------------------------------------------------------------------------------------------------------------
 
 /// The blocks of the document in their order, measured: { block, across, float, height, above, below, lines }.
 function measured(main) {
-    const wide = element("measure across", main), blocks = [];
-    narrow = element("measure", main);
+    const wide = element("measure across", main), narrow = element("measure", main), blocks = [];
     for (const part of main.querySelectorAll(":scope > :not(.measure)"))
         blocks.push(...part.matches("section:not(.attempted)") ? part.children : [part]);
     for (const list of blocks.filter((block) => block.matches("ol, ul"))) {   // an item is parted as a paragraph is
@@ -173,9 +41,10 @@ function measured(main) {
     });
     loosen(texts.filter(isRunning));
     const figures = blocks.filter((block) => block.matches("figure") && !across.has(block));
-    const tooWide = figures.filter(isTooWide);
-    tooWide.forEach((figure) => across.add(figure));
-    wide.append(...tooWide);
+    for (const figure of figures.filter(isTooWide)) {
+        across.add(figure);
+        wide.append(figure);
+    }
     const items = blocks.map((block) => ({ block, across: across.has(block), float: block.matches("figure"), heading: isHeading(block) }));
     for (const item of items) {
         const style = getComputedStyle(item.block);
@@ -202,8 +71,7 @@ function floatsAtFirstMention(items) {
             before = Math.max(before, texts.indexOf(item));
             continue;
         }
-        const kind = kindOf(item);
-        const mention = texts.findIndex(({ block }) => block.querySelector(`a[href="#${item.block.id}"]`));
+        const kind = kindOf(item), mention = texts.findIndex(({ block }) => block.querySelector(`a[href="#${item.block.id}"]`));
         latest[kind] = Math.max(latest[kind] ?? 0, mention < 0 ? before : Math.min(mention, before));
         after.get(texts[latest[kind]]).push(item);
     }
@@ -239,7 +107,8 @@ function heightOfChain(items, index) {
 function filled(items, place, height, taken, pending) {
     let { index, line } = place, waiting = [...place.waiting];
     const columns = [], met = [];
-    const isHeldUp = (float) => [...pending, ...met].some((item) => !taken.includes(item) && kindOf(item) === kindOf(float) && items.indexOf(item) < items.indexOf(float));
+    const isHeldUp = (float) => [...pending, ...met].some((item) =>
+        !taken.includes(item) && kindOf(item) === kindOf(float) && items.indexOf(item) < items.indexOf(float));
     for (let c = 0; c < 2; ++c) {
         const column = { top: [], foot: [], used: 0 };
         columns.push(column);
@@ -264,8 +133,8 @@ function filled(items, place, height, taken, pending) {
                 else column.foot.push({ item, from: 0, to: Infinity }), foot += item.height + floatGap;
                 continue;
             }
-            if (item.heading && !items[index - 1].heading && y > 0 && heightOfChain(items, index) > room) break;
             if (item.heading) {
+                if (!items[index - 1].heading && y > 0 && heightOfChain(items, index) > room) break;
                 add(item);
                 continue;
             }
@@ -294,7 +163,8 @@ function paged(items, pageHeight) {
     while (place.index < items.length || place.waiting.length > 0 || pending.length > 0) {
         const across = [];
         // Floats of a column that come before one across the page are not put off twice.
-        const roomBefore = (float) => Math.max(0, ...place.waiting.filter((item) => items.indexOf(item) < items.indexOf(float)).map(({ height }) => height));
+        const waitsFor = (float) => place.waiting.filter((item) => items.indexOf(item) < items.indexOf(float));
+        const roomBefore = (float) => Math.max(0, ...waitsFor(float).map(({ height }) => height));
         const fits = (float) => heightOf([...across, float]) + roomBefore(float) <= pageHeight + floatGap;
         while (pending.length > 0 && (across.length === 0 || fits(pending[0]))) {
             across.push(pending.shift());
@@ -377,7 +247,8 @@ function setColumn(pieces, column) {
 
 /// Spreads what is empty at the foot of a column over the space between its blocks.
 function spread(column, bottom) {
-    const stretch = (block) => block.matches("figure, h2") ? 6 : block.matches("h3") ? 4 : block.matches(".equation") || block.previousElementSibling.matches("figure, .equation") ? 3 : block.matches(".continued") ? 0 : 1;
+    const stretch = (block) => block.matches("figure, h2") ? 6 : block.matches("h3") ? 4
+        : block.matches(".equation, figure + *, .equation + *") ? 3 : block.matches(".continued") ? 0 : 1;
     const blocks = [...column.children].slice(1), shares = blocks.map(stretch), all = shares.reduce((sum, share) => sum + share, 0);
     if (all === 0) return;
     const unit = Math.min((bottom - column.lastElementChild.getBoundingClientRect().bottom) / all, mostStretch);
@@ -396,22 +267,12 @@ function build(main, [pageHeight, pages]) {
     main.querySelectorAll(".measure").forEach((measure) => measure.remove());
     for (const page of main.querySelectorAll(".leaf:not(:last-child)")) {   // of floats alone
         if (page.querySelector(".column > *")) continue;
-        const floats = [...page.querySelectorAll(":scope > figure")], empty = page.getBoundingClientRect().top + pageHeight - floats.at(-1).getBoundingClientRect().bottom;
+        const floats = [...page.querySelectorAll(":scope > figure")];
+        const empty = page.getBoundingClientRect().top + pageHeight - floats.at(-1).getBoundingClientRect().bottom;
         floats.forEach((float) => { float.style.marginBottom = `${floatGap + Math.min(mostApart, empty / floats.length)}px`; });
     }
     const columns = [...main.querySelectorAll(".leaf:not(:last-child) .column")];
     columns.forEach((column) => spread(column, column.closest(".leaf").getBoundingClientRect().top + pageHeight));
-}
-
-/// Leaves only those soft hyphens at which a line ends: what is copied from the paper has whole words.
-function dropOtherHyphens(blocks) {
-    const used = new Map(), texts = [];
-    for (const block of blocks) {
-        for (const { node, offset } of linesOf(block)) used.set(node, [...used.get(node) ?? [], offset - 1]);
-        const walker = document.createTreeWalker(block, NodeFilter.SHOW_TEXT);
-        while (walker.nextNode()) if (walker.currentNode.data.includes(softHyphen)) texts.push(walker.currentNode);
-    }
-    for (const text of texts) text.data = text.data.split("").filter((letter, i) => letter !== softHyphen || used.get(text)?.includes(i)).join("");
 }
 
 function fillInPageNumbers(main) {
@@ -423,6 +284,7 @@ function fillInPageNumbers(main) {
 }
 
 if (location.hash === "#print") document.documentElement.classList.add("printing");
+
 async function makePages() {
     const main = document.querySelector("main.paper");
     if (!main) return;

@@ -65,9 +65,9 @@ nlohmann::json lab_view(const Lab& lab) {
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts) {
     const bool on_screen = design != "print", has_models = on_screen && (parts.models || !parts.labs.empty());
     const bool with_viewer = has_models && !parts.viewer.empty();
-    // Each script says at its head what it does. They do not depend on one another.
+    // Each script says at its head what it does, and which one before it, if any, it depends on.
     std::vector<std::string> styles = {"figure.css", on_screen ? "report.css" : "print.css"}, scripts;
-    if (design == "print") scripts = {"print_hyphens.js", "print_pages.js", "print_float.js"};
+    if (design == "print") scripts = {"print_hyphens.js", "print_text.js", "print_pages.js", "print_float.js"};
     if (design == "report") styles.emplace_back("page_lightbox.css"), scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js"};
     for (const char* sheet : {"batch", "class", "compare", "mark"})
         if (design == sheet) styles.emplace_back("sheets.css"), scripts = {"page_tables.js"};
