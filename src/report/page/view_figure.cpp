@@ -147,7 +147,9 @@ int tenths_of_lines(const DrawnFigure& drawn) {
     const bool alone = drawn.panels.size() == 1;
     const double row = std::min(std::max(highest_matrix / lines, lowest_row), highest_page / lines);
     const double highest = alone ? highest_lead : std::min(highest_line, drawn.rows.empty() ? highest_figure / lines : row);
-    return std::min(10, tenths(columns * width, height, highest) + (drawn.rows.empty() ? 0 : tenths_of_heads));
+    const bool bars = std::ranges::any_of(drawn.panels, [](const DrawnPanel& panel) { return panel.legend.has_value(); });
+    const double room = bars ? 1.7 : 1;   // small bars are wider than their pictures
+    return std::min(10, tenths(room * columns * width, height, highest) + (drawn.rows.empty() ? 0 : tenths_of_heads));
 }
 
 }   // namespace
