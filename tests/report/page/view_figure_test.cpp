@@ -42,7 +42,7 @@ double view_width(const json& block, int large, int small, double figure_width) 
 
 // 174 mm wide are the figures of the paper, 1016 pixels those of the page; gaps take a tenth at most.
 TEST(ViewFigure, TheSixViewsAreLargeEnoughToBeSeen) {
-    for (const auto& [panels, large, small] : {std::tuple{1, 600, 270}, {2, 216, 216}, {6, 216, 216}, {3, 216, 120}}) {
+    for (const auto& [panels, large, small] : {std::tuple{1, 600, 270}, {2, 216, 216}, {6, 216, 216}, {3, 216, 200}}) {
         const json view = view_of(six_views_of(static_cast<std::size_t>(panels), large, small));
         ASSERT_EQ(view["blocks"].size(), static_cast<std::size_t>(panels));
         for (const json& block : view["blocks"]) {
@@ -72,7 +72,7 @@ TEST(ViewFigure, APanelWithColoursOfItsOwnHasABar) {
     drawn.panels[0].legend = legend;
     const json view = view_of(drawn);
     const std::string bar = view["blocks"][0]["bar"];
-    for (const char* part : {">\u22127.21<", ">7.21 % of h, 2.8 % beyond<", "<linearGradient id=\"colours-", "fill=\"url(#colours-"})
+    for (const char* part : {">\u22127.21<", ">7.21 % of h, 2.8\u202f% beyond<", "<linearGradient id=\"colours-", "fill=\"url(#colours-"})
         EXPECT_NE(bar.find(part), std::string::npos) << part << "\n" << bar;
     EXPECT_EQ(view["blocks"][1]["bar"], "");
     EXPECT_EQ(view["has_legend"], false);
