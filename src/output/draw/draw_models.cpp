@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/file_bytes.h"
+#include "output/draw/framing.h"
 #include "output/draw/write_glb.h"
 #include "output/publish/folder_system.h"
 
@@ -38,17 +39,22 @@ Ball frame_of(const FigureRequest& request, const Panel& framed, const std::vect
 Models models_of(const FigureRequest& request) {
     if (!request.turnable) return {};
     std::vector<Panel> panels;
-    for (const Panel& panel : request.panels) {
+    std::vector<render::View> views;
+    for (std::size_t p = 0; p < request.panels.size(); ++p) {
+        const Panel& panel = request.panels[p];
         const auto is_same = [&](const Panel& other) { return panel.mesh->X == other.mesh->X && panel.mesh->F == other.mesh->F; };
-        if (can_be_turned(panel) && std::ranges::none_of(panels, is_same))
-            panels.push_back(panel);   // each mesh once, with its first values
+        if (!can_be_turned(panel) || std::ranges::any_of(panels, is_same)) continue;   // each mesh once, with its first values
+        panels.push_back(panel);
+        views.push_back(hero_of(request, p));
     }
     Models models;
-    for (const Panel& panel : panels) {
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const Panel& panel = panels[i];
         const ColorRange* range = panel.values.size() > 0 ? request.range_of(panel) : nullptr;
         report::DrawnModel model{panel.label, "models/" + panel.name + ".glb", "", ""};
-        model.glb =
-            write_glb(*panel.mesh, panel.values, range != nullptr ? std::optional(*range) : std::nullopt, frame_of(request, panel, panels));
+        Ball frame = frame_of(request, panel, panels);
+        frame.view = views[i];
+        model.glb = write_glb(*panel.mesh, panel.values, range != nullptr ? std::optional(*range) : std::nullopt, frame);
         if (range != nullptr) model.quantity = range->quantity + (range->unit.empty() ? "" : " [" + range->unit + "]");
         models.push_back(std::move(model));
     }

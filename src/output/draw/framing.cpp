@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/triangle_measures.h"
+#include "output/draw/arrangement.h"
 #include "output/draw/surface_of.h"
 #include "scene/hero.h"
 
@@ -95,9 +96,15 @@ const TriangleMesh& first_state(const FigureRequest& request, std::size_t panel)
 }   // namespace
 
 render::View hero_of(const FigureRequest& request, std::size_t panel) {
-    if (has_own_frames(request) && request.panels[panel].mesh) return render::hero_view(surface_of(first_state(request, panel)));
-    for (std::size_t p = 0; p < request.panels.size(); ++p)
-        if (request.panels[p].mesh && is_framed(request, p)) return render::hero_view(surface_of(*request.panels[p].mesh));
+    const bool own = has_own_frames(request), is_matrix = !request.columns.empty() || !request.rows.empty();
+    std::size_t group = request.panels.size();
+    if (own && request.states > 1)
+        group = static_cast<std::size_t>(request.states);
+    else if (own && (is_matrix || is_gallery(request)))
+        group = is_matrix ? static_cast<std::size_t>(panels_in_a_line(request)) : 1;
+    const std::size_t first = panel - panel % group;
+    for (std::size_t p = first; p < std::min(first + group, request.panels.size()); ++p)
+        if (request.panels[p].mesh && (own || is_framed(request, p))) return render::hero_view(surface_of(*request.panels[p].mesh));
     return render::three_quarter_view();
 }
 

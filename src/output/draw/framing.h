@@ -17,7 +17,8 @@ struct PictureFrame {
     render::View view = render::three_quarter_view();
 };
 
-/// The direction of a panel from three quarters: of the mesh in it where each has a frame of its own, else of the one that is framed.
+/// The direction of a panel from three quarters: that of the first mesh of its states, of its row of a matrix, or of the figure, so that
+/// what is compared is seen from one side; of its own mesh in a gallery.
 render::View hero_of(const FigureRequest& request, std::size_t panel);
 
 /// From three quarters, a frame a panel, all of one size: each mesh in the middle of its own (Layout::multiples), or all in one. What is

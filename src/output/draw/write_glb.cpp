@@ -14,7 +14,6 @@
 #include "mesh/io/mesh_encoders.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
-#include "scene/hero.h"
 
 namespace meshfolio::output {
 
@@ -171,7 +170,7 @@ Json material_of(bool colored, render::Rgba surface) {
 }   // namespace
 
 Ball ball_around(const TriangleMesh& mesh) {
-    Ball ball{bounding_box(mesh).centre(), 0};
+    Ball ball{.centre = bounding_box(mesh).centre(), .radius = 0};
     for (const int v : mesh.F.reshaped()) ball.radius = std::max(ball.radius, (mesh.X.row(v).transpose() - ball.centre).norm());
     return ball;
 }
@@ -199,9 +198,9 @@ std::string write_glb(const TriangleMesh& mesh, const Vector& values, const std:
         if (has_undefined) writer.write_mask(values);
         extras["value"] = extras_of_values(*range, has_undefined, look.undefined_color);
     }
-    const render::View hero = render::hero_view(surface_of(mesh));
     const auto axis = [](const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); };
-    extras["frame"] = {{"centre", numbers(frame.centre)}, {"radius", frame.radius}, {"from", axis(hero.from)}, {"up", axis(hero.up)}};
+    extras["frame"] = {
+        {"centre", numbers(frame.centre)}, {"radius", frame.radius}, {"from", axis(frame.view.from)}, {"up", axis(frame.view.up)}};
     Json json;
     json["asset"] = {{"version", "2.0"}, {"generator", "meshfolio"}};
     json["extensionsUsed"] = json["extensionsRequired"] = Json::array({"KHR_mesh_quantization"});

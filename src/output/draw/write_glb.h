@@ -19,12 +19,14 @@
 
 #include "mesh/triangle_mesh.h"
 #include "output/draw/figure_request.h"
+#include "scene/camera.h"
 
 namespace meshfolio::output {
 
 struct Ball {
     Vector3 centre = Vector3::Zero();
     double radius = 1;
+    render::View view = render::three_quarter_view();   // of its pictures from three quarters
 };
 /// About the centre of the box of the triangles' corners, reaching the farthest of them.
 Ball ball_around(const TriangleMesh& mesh);

@@ -468,6 +468,26 @@ TEST(DrawFigures, StatesOfAMeshAreFramedOnItsFirst) {
     EXPECT_NEAR(frames[0].frame.pixels_per_unit / frames[2].frame.pixels_per_unit, 4, 1e-9) << "each mesh fills its frame";
 }
 
+// A bowl that turns its back is seen from behind where it is the first of its row, and so is what it is compared with.
+TEST(DrawFigures, WhatIsComparedIsSeenFromOneSide) {
+    TriangleMesh bowl = icosphere(4);
+    std::vector<int> kept;
+    for (int t = 0; t < bowl.F.rows(); ++t)
+        if (bowl.X.row(bowl.F(t, 0)).z() < -0.4) kept.push_back(t);
+    bowl.F = Faces(bowl.F(kept, Eigen::all));
+    FigureRequest request = balls({1, 1, 1, 1}, true);
+    request.panels[0].mesh = request.panels[3].mesh = std::make_shared<const TriangleMesh>(bowl);
+    const double usual = render::three_quarter_view().from.z;
+    const auto turned = [&] {
+        std::vector<bool> backs;
+        for (const PictureFrame& frame : three_quarter_frames(request, 100)) backs.push_back(frame.view.from.z != usual);
+        return backs;
+    };
+    EXPECT_EQ(turned(), (std::vector<bool>{true, true, true, true}));
+    request.states = 2;
+    EXPECT_EQ(turned(), (std::vector<bool>{true, true, false, false}));
+}
+
 TEST(DrawFigures, OnlyCoarseMeshesHaveEdgesWhereSuchAreAskedFor) {
     FigureRequest request = balls({1, 1}, false);   // 320 triangles each
     request.panels[1] = panel_of(icosphere(5), "q4_fine_ball", true);
