@@ -72,7 +72,8 @@ function show() {
     const label = figure.querySelector("figcaption b")?.textContent.replace(/\.$/, "");
     where.textContent = [label, picture.name].filter(Boolean).join(": ") + (pictures.length > 1 ? ` (${view + 1} of ${pictures.length})` : "");
     caption.textContent = figure.querySelector("figcaption .text")?.textContent ?? figure.querySelector("figcaption")?.textContent ?? "";
-    legend.replaceChildren(...[figure.querySelector(".legend-box svg")?.cloneNode(true)].filter((svg) => svg && !picture.isSheet));
+    const own = picture.image?.closest(".block, .panel")?.querySelector("svg.legend"), bar = own ?? figure.querySelector(".legend-box svg");
+    legend.replaceChildren(...[bar?.cloneNode(true)].filter((svg) => svg && !picture.isSheet));
     dialog.classList.toggle("sheet", Boolean(picture.isSheet));
     image.onload = () => place();
     image.onerror = () => {

@@ -199,6 +199,12 @@ json prose_view(const std::string& words) {
     return view_of({{"runs", runs_meaning, list_of(prose(words), [](const Run& run) { return run_view(run, {}); })}});
 }
 
+json letters_view(const std::string& words) {
+    json view = prose_view(words);
+    enter(view, {{"has_mathml", "false: outlines, contents and heads of tables know letters alone", false}});
+    return view;
+}
+
 json captioned_view(const std::string& id, const std::string& caption, const ViewContext& context) {
     return view_of({{"id", "anchor", safe_text(id)},
                     {"label", "\"Table 4.1\", \"Figure 4.2\"", context.numbering.resolve(id).label},
@@ -210,9 +216,7 @@ json block_view(const Block& block, const std::string& section_number, int& head
     const auto text = [&](const Text& words) { return text_view(words, context.numbering); };
     if (const auto* heading = std::get_if<Heading>(&block)) {
         const std::string number = section_number + "." + std::to_string(++headings);
-        json title = prose_view(heading->title);
-        enter(title, {{"has_mathml", "false: outlines and contents know letters alone", false}});
-        view = view_of({{"title", "of a heading", std::move(title)},
+        view = view_of({{"title", "of a heading", letters_view(heading->title)},
                         {"number", number_meaning, number},
                         {"anchor", "of a heading", "section-" + number}});
     } else if (const auto* paragraph = std::get_if<Paragraph>(&block)) {

@@ -23,6 +23,8 @@ struct ViewContext {
 nlohmann::json text_view(const Text& text, const Numbering& numbering);
 /// A caption, a name or a heading as text, with its symbols marked.
 nlohmann::json prose_view(const std::string& words);
+/// The same with formulas as letters and scripts, where what reads a page knows no MathML.
+nlohmann::json letters_view(const std::string& words);
 
 /// Label and caption of a table, plot, map or figure.
 nlohmann::json captioned_view(const std::string& id, const std::string& caption, const ViewContext& context);

@@ -188,7 +188,7 @@ json table_view(const Table& table, const ViewContext& context) {
         const Column& column = table.columns[c];
         columns.push_back(column_view(table, c));
         has_best = has_best || columns.back().best;
-        heads.push_back(view_of({{"name", "of the column", prose_view(column.name)},
+        heads.push_back(view_of({{"name", "of the column", letters_view(column.name)},
                                  {"unit", "of its numbers", safe_text(column.unit)},
                                  {"has_unit", "there is one", !column.unit.empty()},
                                  {"is_filter", "readers may choose one of its values", column.filter},
