@@ -105,8 +105,8 @@ std::string svg_of(const Diagram& diagram);
 /// The plot for one column of a paper; empty for one of several panels, which needs the page.
 std::string column_svg_of(const Plot& plot);
 /// What the colours of a figure mean, in a fixed size, so that its words are as large on a phone as on paper: the quantity with its unit,
-/// the histogram of the values over their colours, numbers, and what lies beyond the colours.
-std::string svg_of(const Legend& legend, bool small = false);
+/// the histogram of the values over their colours, numbers, and what lies beyond the colours. @param place  unique in a page, for ids
+std::string svg_of(const Legend& legend, const std::string& place, bool small = false);
 
 /// The same as a file of its own, which Markdown cannot hold inline: on white, as there is no page to take a colour from.
 std::string svg_on_white(std::string svg);

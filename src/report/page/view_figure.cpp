@@ -45,7 +45,7 @@ struct PictureOf {
     /// The small bar of a panel with colours of its own.
     std::string bar(std::size_t p) const {
         const std::optional<Legend>& legend = drawn.panels[p].legend;
-        return legend ? svg_of(*legend, true) : "";
+        return legend ? svg_of(*legend, figure.id + "-" + std::to_string(p), true) : "";
     }
 
     json view(std::size_t p, std::size_t i) const {
@@ -129,8 +129,8 @@ json lines_view(const PictureOf& of) {
     return lines;
 }
 
-void enter_legend(json& view, const DrawnFigure& drawn) {
-    enter(view, {{"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend) : ""},
+void enter_legend(json& view, const DrawnFigure& drawn, const std::string& place) {
+    enter(view, {{"legend", "what the colours mean: SVG", drawn.legend ? svg_of(*drawn.legend, place) : ""},
                  {"has_legend", "there are colours", drawn.legend.has_value()}});
 }
 
@@ -168,7 +168,7 @@ void enter_pictures(json& view, const Figure& figure, const DrawnFigure& drawn, 
                  {"column_count", "of the lines, or blocks beside each other", std::to_string(std::max(1, drawn.in_a_line))},
                  {"tenths", "of the width that the lines take", std::to_string(tenths_of_lines(drawn))},
                  {"has_row_heads", "of a matrix", !drawn.rows.empty()}});
-    enter_legend(view, drawn);
+    enter_legend(view, drawn, figure.id);
     enter_list(view, "heads", "of the columns of a matrix", std::move(heads));
     enter_list(view, "blocks", "panels that are seen from six directions as well", std::move(blocks));
 }
@@ -179,7 +179,7 @@ json strip_view(const Figure& figure, const DrawnFigure& drawn, const ViewContex
     for (std::size_t p = 0; p < std::min(most, drawn.panels.size()); ++p) cells.push_back(cell_view({figure, drawn, context}, p, 1));
     json view = captioned_view(figure.id, figure.caption, context);
     enter(view, {{"cells", "its first panels", std::move(cells)}});
-    enter_legend(view, drawn);
+    enter_legend(view, drawn, "strip");
     return view;
 }
 
@@ -191,7 +191,7 @@ json cover_view(const Figure& figure, const ViewContext& context) {
     enter(view, {{"sheet", "its file, relative to the report", url_path(drawn.sheet)},
                  {"has_size", "width and height are known", panel.pictures.front().width > 0},
                  {"label", "what it shows", prose_view(panel.label.empty() ? legend.quantity : panel.label)},
-                 {"legend", "what the colours mean: SVG", svg_of(legend)}});
+                 {"legend", "what the colours mean: SVG", svg_of(legend, "cover")}});
     return view;
 }
 

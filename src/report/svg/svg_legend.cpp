@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/number_text.h"
-#include "base/sha256.h"
 #include "report/escape.h"
 #include "report/svg/svg_elements.h"
 
@@ -37,12 +36,9 @@ std::string legend_histogram(const std::vector<double>& shares, double bottom) {
     return "<path d=\"" + path + "V" + px(bottom) + "Z\" fill-opacity=\"0.25\"/>\n";
 }
 
-/// The colours as a gradient between two tips, for values beyond the ends.
-std::string legend_colours(const Legend& legend, const Box& box) {
-    // Names what it shows, so that no other of a page has this name.
-    const std::string name = "colours-" + sha256(legend_title(legend) + legend.colours.front() + legend.colours.back() +
-                                                 exact_text(legend.low) + " " + exact_text(legend.high) + px(box.left))
-                                              .substr(0, 12);
+/// The colours as a gradient between two tips, for values beyond the ends. @param place  unique in a page, as ids must be
+std::string legend_colours(const Legend& legend, const std::string& place, const Box& box) {
+    const std::string name = "colours-" + xml_escape(safe_text(place));
     const double middle = 0.5 * (box.top + box.bottom);
     std::string svg = "<linearGradient id=\"" + name + "\">";
     const std::size_t step = std::max<std::size_t>(1, legend.colours.size() / 16);   // between 16 stops the eye sees no difference
@@ -105,7 +101,7 @@ std::string legend_svg(const Legend& legend, const char* kind, double width, dou
 }
 
 /// Of one panel, in a line: its ends with their unit, and the share beyond.
-std::string small_bar(const Legend& legend) {
+std::string small_bar(const Legend& legend, const std::string& place) {
     const std::string low = readable(legend.low, 3);
     const double beyond = legend.clipped_below + legend.clipped_above;
     const std::string high = readable(legend.high, 3) +
@@ -115,17 +111,17 @@ std::string small_bar(const Legend& legend) {
                              (beyond > 0 ? ", " + share_of(beyond) + " beyond" : "");
     const Box box{text_width(low) + small_gap, 4, text_width(low) + small_gap + small_length, 4 + colours_height};
     return legend_svg(legend, "legend small", box.right + small_gap + text_width(high), 20,
-                      legend_colours(legend, box) + text_element({box.left - small_gap, 14.5}, "end", low) +
+                      legend_colours(legend, place, box) + text_element({box.left - small_gap, 14.5}, "end", low) +
                           text_element({box.right + small_gap, 14.5}, "start", high));
 }
 
-std::string large_bar(const Legend& legend) {
+std::string large_bar(const Legend& legend, const std::string& place) {
     Point below{legend_width / 2, 13};
     std::string body = title_element(below, "middle", legend_title(legend), 1.15 * legend_width);
     double y = below.y - 8;
     const std::string histogram = legend_histogram(legend.histogram, y + histogram_height);
     if (!histogram.empty()) y += histogram_height + 1;
-    body += histogram + legend_colours(legend, {first_colour, y, last_colour, y + colours_height});
+    body += histogram + legend_colours(legend, place, {first_colour, y, last_colour, y + colours_height});
     y += colours_height;
     body += legend_ticks(legend, y);
     y += 21;
@@ -136,9 +132,9 @@ std::string large_bar(const Legend& legend) {
 
 }   // namespace
 
-std::string svg_of(const Legend& legend, bool small) {
+std::string svg_of(const Legend& legend, const std::string& place, bool small) {
     if (legend.colours.empty() || !std::isfinite(legend.low) || !std::isfinite(legend.high)) return "";
-    return small ? small_bar(legend) : large_bar(legend);
+    return small ? small_bar(legend, place) : large_bar(legend, place);
 }
 
 }   // namespace meshfolio::report

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Moves the colours of a map along its curve to equal steps of CAM02-UCS, as "pale" and "diverging" in render/color/colormap.cpp were.
 
     equal_steps.py HALVES SHARE RRGGBB RRGGBB ...

@@ -25,7 +25,7 @@ double grey_of(const std::string& color) {
 }
 
 TEST(Legend, NumbersOfALogarithmicScaleStandAtEqualRatios) {
-    const std::string svg = svg_of(Legend{"distance", "%", 0.1, 10, {"#ffffff", "#000000"}, 0, 0, "", {}, true});
+    const std::string svg = svg_of(Legend{"distance", "%", 0.1, 10, {"#ffffff", "#000000"}, 0, 0, "", {}, true}, "place");
     const auto place = [&](const std::string& number) {
         const std::size_t end = svg.find(">" + number + "</text>"), start = svg.rfind("x=\"", end) + 3;
         return end == std::string::npos ? NAN : std::stod(svg.substr(start));
