@@ -193,7 +193,7 @@ class ReportModels(unittest.TestCase):
         files = sorted(path.name for path in (self.out / "models").iterdir())
         self.assertTrue(files)
         self.assertEqual(files, sorted(set(re.findall(r'href="models/([^"]+\.glb)"', self.page + self.appendix))))
-        units = dict.fromkeys("hk", "% of the end given below each") | {"tangential": "%"}
+        units = {"h": "% of h̄", "k": "1/length²", "tangential": "%"}
         for file in files:
             glb = Glb((self.out / "models" / file).read_bytes())
             self.assertIn("_VALUE", glb.attributes)

@@ -80,7 +80,7 @@ class Kill(Faults):
         points = [c for c in self.calls(CHANGES, *words, within=self.folder / "cache") if ".meshfolio.part-" in c.line]
         new = tree(self.out)
         left = 0
-        for call in some(points, 3):
+        for call in of_each_kind(points):
             shutil.rmtree(self.folder / "cache")
             (self.folder / "cache").mkdir()
             self.run_with(call, "signal=KILL", *words)

@@ -14,7 +14,7 @@ from common import WHOLE, Faults, some, tree
 tempfile.tempdir = None
 
 MEGABYTE = 1 << 20
-SIZES = [*range(64, 112, 3), *(112 + i / 4 for i in range(80)), *range(132, 260, 3), *range(260, 600, 20), 768, 1024, 2048] if WHOLE else [64, 112, *range(117, 136, 2), 143, 149, 200]
+SIZES = [*range(64, 112, 3), *(112 + i / 4 for i in range(80)), *range(132, 260, 3), *range(260, 600, 20), 768, 1024, 2048] if WHOLE else [64, 96, 100, 104, 108, 112, *range(117, 136, 3), 143, 200]
 LOADER = "error while loading shared libraries"
 
 

@@ -76,7 +76,7 @@ void for_each_check(const std::vector<Section>& sections, const Visit& visit) {
 /// "q5-bound-on-cube8" of the mesh cube8 is "q5-bound-on-": the check that other meshes have as well.
 std::string common_id(std::string id, std::string mesh) {
     std::ranges::replace(mesh, '_', '-');
-    const std::size_t at = mesh.empty() ? std::string::npos : id.find(mesh);
+    const std::size_t at = mesh.empty() ? std::string::npos : ("-" + id + "-").find("-" + mesh + "-");   // a whole word
     return at == std::string::npos ? id : id.erase(at, mesh.size());
 }
 

@@ -67,7 +67,7 @@ TEST(DrawModels, OnlyWhereItIsAskedFor) {
 TEST(DrawModels, EveryMeshOfAFigureIsAModelInItsFrame) {
     TriangleMesh shrunk = icosphere(2);
     shrunk.X *= 0.25;
-    const auto frame_of = [](const report::DrawnModel& model) { return model.glb.substr(model.glb.find("\"frame\""), 40); };
+    const auto frame_of = [](const report::DrawnModel& model) { return model.glb.substr(model.glb.find("\"frame\""), 160); };
     for (const Layout layout : {Layout::six_views, Layout::one_frame, Layout::multiples}) {
         FigureRequest request =
             turnable({turnable_panel(icosphere(2), "before"), turnable_panel(shrunk, "after"), turnable_panel(cube_mesh(2), "third")});

@@ -111,14 +111,16 @@ TEST(Q6, EveryFigureHasAColourBarAndItsOwnClippedShares) {
     EXPECT_EQ(views.range->clipped_above, above / all);
 }
 
-TEST(Q6, TheMapOfTheGapIsInMeanEdges) {
+TEST(Q6, TheMapOfTheGapIsInPercentOfTheMotion) {
     const TriangleMesh mesh = ellipsoid_mesh(3, {1.5, 1, 0.8});
     const Answer answer = chapter_of_id("q6").answer(library_of(mesh, "map6"), quick_settings(), no_progress);
     const ImplicitStudy study = implicit_study(library_mesh(mesh, "map6"), quick_settings());
     const output::FigureRequest& map = figure_named(answer, "q6_gap_map");
     ASSERT_TRUE(study.cost);
     ASSERT_EQ(map.panels.size(), 1u);
-    EXPECT_LE((map.panels[0].values - 100 / study.subject.mean_edge * study.cost->gap).norm(), 1e-9 * map.panels[0].values.norm());
+    const double motion = vertex_rms(study.subject.mesh().X, study.good()->implicit_X);
+    EXPECT_LE((map.panels[0].values - 100 / motion * study.cost->gap).norm(), 1e-9 * map.panels[0].values.norm());
+    EXPECT_EQ(map.range->unit, "% of the motion");
 }
 
 TEST(Q6, TheGapPlotIsTheGapOfTheCells) {

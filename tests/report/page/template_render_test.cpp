@@ -132,7 +132,8 @@ std::vector<json> complete_models() {
     ViewOptions with_files;
     with_files.plot_files = true;
     ViewOptions with_models;
-    with_models.models = true;
+    with_models.models = with_models.paper = true;
+    with_models.lab_questions = "q1 ";
     // And on paper, where what is in the other volume cannot be linked to.
     Document parted = sample_document();
     parted.sections[0].appendix_from = 9;

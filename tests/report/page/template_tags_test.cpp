@@ -41,8 +41,11 @@ std::set<std::string> tags_of_the_sample() {
     BatchRow row;
     row.defects = {{"holes", 1}};
     collect(batch_view({{row}}), "batch", tags);
+    ViewOptions options;
+    options.plot_files = true;
+    options.lab_questions = "q1 ";
     for (const DrawnFigures& figures : {sample_models(), sample_layouts()})
-        collect(view_model(sample_document(), figures, Templates(), {.plot_files = true}), "", tags);
+        collect(view_model(sample_document(), figures, Templates(), options), "", tags);
     return tags;
 }
 

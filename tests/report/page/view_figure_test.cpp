@@ -68,11 +68,11 @@ TEST(ViewFigure, DirectionsHaveAMinusAndFlatMeshesOnePicture) {
 // Numbers with their unit at both ends of every bar, and colours without steps between them.
 TEST(ViewFigure, APanelWithColoursOfItsOwnHasABar) {
     DrawnFigure drawn = six_views_of(2, 216, 216);
-    Legend legend{"H", "% of h", -7.21, 7.21, {"#0000ff", "#ffffff", "#ff0000"}, 0, 0.028};
+    Legend legend{"H", "% of area", -7.21, 7.21, {"#0000ff", "#ffffff", "#ff0000"}, 0, 0.028};
     drawn.panels[0].legend = legend;
     const json view = view_of(drawn);
     const std::string bar = view["blocks"][0]["bar"];
-    for (const char* part : {">\u22127.21<", ">7.21 % of h, 2.8\u202f% beyond<", "<linearGradient id=\"colours-", "fill=\"url(#colours-"})
+    for (const char* part : {">\u22127.21<", ">7.21 % of area, 2.8\u202f% beyond<", "<linearGradient id=\"colours-", "fill=\"url(#colours-"})
         EXPECT_NE(bar.find(part), std::string::npos) << part << "\n" << bar;
     EXPECT_EQ(view["blocks"][1]["bar"], "");
     EXPECT_EQ(view["has_legend"], false);
