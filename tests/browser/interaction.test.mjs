@@ -67,7 +67,7 @@ describe("pictures in full size", () => {
 
     for (const width of [390, 1400]) test(`what is tapped opens itself, with the figure's legend and caption, and not smaller, at ${width} pixels`, async () => {
         await page.setViewportSize({ width, height: 844 });
-        const figure = page.locator("#q1 figure.picture:has(.legend-box):has(.direction)").first();
+        const figure = page.locator("#q1 figure.picture:has(svg.legend):has(.direction)").first();
         for (const picture of [figure.locator(".large img").first(), figure.locator(".direction img").nth(1)]) {
             await picture.scrollIntoViewIfNeeded();
             const [onPage, source] = [await picture.boundingBox(), await picture.evaluate((image) => image.closest("a")?.getAttribute("href") ?? image.getAttribute("src"))];
