@@ -50,7 +50,8 @@ Mesh crumpled(double value) {
 
 TEST(Clay, IsAsLightAs92WhereTheKeyLightFallsAndHasFormBelow) {
     std::vector<double> seen;
-    for (const Rgba p : drawn_along_axes(clay_pebble(), {.width = 300, .height = 300, .occlusion = false})[4].pixels)
+    const auto pictures = drawn_along_axes(clay_pebble(), {.width = 300, .height = 300, .occlusion = false});
+    for (const Rgba p : pictures[4].pixels)
         if (p != white) seen.push_back(lightness(p));
     std::sort(seen.begin(), seen.end());
     const auto share = [&](double s) { return seen[static_cast<std::size_t>(s * static_cast<double>(seen.size() - 1))]; };

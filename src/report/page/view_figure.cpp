@@ -98,13 +98,14 @@ json block_view(const PictureOf& of, std::size_t p) {
         if (i % in_a_line == 1) lines.push_back(view_of({{"views", "pictures of a line", json::array()}}));
         lines.back()["views"].push_back(of.view(p, i));
     }
-    const int share = flat ? (alone ? 4 : 9) : std::clamp(static_cast<int>(std::ceil(10 * least_view * width / side)), 2, 10);
+    const double least = side > 0 ? std::min(10.0, std::ceil(10 * least_view * width / side)) : 10;
+    const int share = flat ? (alone ? 4 : 9) : std::max(2, static_cast<int>(least));
     return view_of({{"lead", "the large picture", of.view(p, 0)},
                     {"label", "of the panel", prose_view(panel.label)},
                     {"has_label", "it has one", (flat || !alone) && !panel.label.empty()},
                     {"bar", "its own colours: SVG; empty: those of the figure", of.bar(p)},
                     {"is_flat", "seen from its front alone; the next flat ones lie beside it", flat && !alone},
-                    {"is_further", "it shows the mesh of the block before", p % static_cast<std::size_t>(of.drawn.states) != 0},
+                    {"is_further", "it shows the mesh of the block before", p % static_cast<std::size_t>(std::max(1, of.drawn.states)) != 0},
                     {"tenths", "of the block's width that the pictures take", std::to_string(share)},
                     {"view_lines", "its views, line by line", std::move(lines)}});
 }
@@ -158,7 +159,8 @@ void enter_pictures(json& view, const Figure& figure, const DrawnFigure& drawn, 
     const PictureOf of{figure, drawn, context};
     const bool is_drawn = context.figures.contains(figure.id), has_blocks = std::ranges::any_of(drawn.panels, has_views);
     json blocks = json::array(), heads = list_of(drawn.columns, head_view);
-    for (std::size_t p = 0; has_blocks && p < drawn.panels.size(); ++p) blocks.push_back(block_view(of, p));
+    for (std::size_t p = 0; has_blocks && p < drawn.panels.size(); ++p)
+        if (!drawn.panels[p].pictures.empty()) blocks.push_back(block_view(of, p));
     enter(view, {{"alt", "the pictures in words", safe_text(figure.alt)},
                  {"is_drawn", "there are pictures", is_drawn},
                  {"sheet", "the file that holds them all, relative to the report", url_path(drawn.sheet)},
