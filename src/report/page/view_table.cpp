@@ -149,7 +149,8 @@ json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& 
         const double* x = number_in(table.rows[r], c);
         const auto* words = c < table.rows[r].size() ? std::get_if<std::string>(&table.rows[r][c]) : nullptr;
         const bool refers = words != nullptr && columns[c].reference;
-        json cell = refers ? reference_view(*words, numbering) : prose_view(words ? *words : "");
+        const auto view = c == 0 ? letters_view : prose_view;
+        json cell = refers ? reference_view(*words, numbering) : view(words ? *words : "");
         const auto& heat = table.columns[c].heat;
         enter(cell, {{"is_words", "it holds words: runs", words != nullptr},
                      {"number", "as people read it", columns[c].texts[r]},
