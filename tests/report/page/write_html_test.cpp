@@ -202,7 +202,8 @@ TEST(WriteHtml, ALedgerIsAPlainTableThatAScriptMaySortAndFilter) {
 }
 
 TEST(WriteHtml, PicturesHaveAltTextAndSizeAndLinks) {
-    const std::string page = sample_page();
+    const std::string whole = sample_page(),
+                      page = whole.substr(whole.find("id=\"q1\""));   // behind the opening, which has the first picture too
     EXPECT_NE(page.find("alt=\"A plane from six directions, values from 0 to 1.\" width=\"480\" height=\"400\" decoding=\"async\"/>"),
               std::string::npos);
     EXPECT_NE(page.find("alt=\"Figure 1.1: λ = 1, seen from \u2212z\""), std::string::npos);
@@ -288,7 +289,7 @@ TEST(WriteHtml, TheContentsListTheHeadingsOfEverySection) {
 
 TEST(WriteHtml, TheFirstPictureWithValuesStandsOnTheFirstPageToo) {
     const std::string page = sample_page();
-    const std::size_t cover = page.find("alt=\"λ = 0.1\" width=\"480\" height=\"400\"");
+    const std::size_t cover = page.find("width=\"480\" height=\"400\"");
     ASSERT_NE(cover, std::string::npos);
     EXPECT_LT(cover, page.find("id=\"q1\""));
     DrawnFigures without_values = sample_figures();
