@@ -16,13 +16,26 @@ bool is_in(std::string_view word, const std::array<std::string_view, n>& words) 
 bool is_capital_greek(std::string_view c) { return c.size() == 2 && c >= "\u0391" && c <= "\u03a9"; }
 bool is_word_character(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
+/// Whether a character of a name stands at `at`: "é" too, from À to ɏ but for × and ÷.
+bool is_of_name(std::string_view s, std::size_t at) {
+    if (at >= s.size()) return false;
+    const std::string_view c = s.substr(at, 2);
+    return is_word_character(s[at]) || (c[0] >= '\xc3' && c[0] <= '\xc9' && c != "×" && c != "÷");
+}
+
+bool is_after_name(std::string_view s, std::size_t at) {
+    return at > 0 && (is_word_character(s[at - 1]) || (at > 1 && is_of_name(s, at - 2) && !is_word_character(s[at - 2])));
+}
+
 /// Where a symbol's index, exponents and primes end.
 std::size_t scripts_end(const std::string& s, std::size_t end) {
     for (;;) {
         std::size_t next = end + math_character(s, end);
         if (s.compare(end, 1, "_") == 0) {
             while (next < s.size() && (is_letter(s[next]) || is_digit(s[next]))) ++next;
-            if (next == end + 1) return end;
+            const std::string_view index = std::string_view(s).substr(end + 1, next - end - 1);
+            const bool is_of_letter = end > 0 && is_letter(s[end - 1]) && index.size() > 2 && index != "max" && index != "min";   // "t_rex"
+            if (index.empty() || is_of_letter || is_of_name(s, next)) return end;
         } else if (s.compare(end, 1, "'") != 0 && unicode_script(s.substr(end, next - end)).empty()) {
             return end;
         }
@@ -39,7 +52,7 @@ bool is_latin_symbol(std::string_view s, std::size_t at, std::size_t end) {
     if (scripts_end(std::string(behind), 0) > 0) return true;
     const auto after = [&](auto... marks) { return (before.ends_with(marks) || ...); };
     const auto follows = [&](auto... marks) { return (behind.starts_with(marks) || ...); };
-    const auto goes_on = [&](std::size_t i) { return i < behind.size() && is_word_character(behind[i]); };
+    const auto goes_on = [&](std::size_t i) { return is_of_name(behind, i); };
     const bool alone = before.empty() && behind.empty();   // the head of a column
     const bool relates = follows(" =", " <", " >") || alone, starts = before.empty() || after(". ");
     const bool is_label = (follows(":") && (starts || after("and "))) || (starts && !relates && (word[0] >= 'a' || follows(".")));
@@ -64,7 +77,7 @@ std::size_t symbol_end(const std::string& s, std::size_t at) {
     const std::size_t greek = end;
     while (end < s.size() && is_letter(s[end]) && math_character(s, end) == 1) ++end;
     if (greek > at) return scripts_end(s, end - greek <= 2 ? end : greek);
-    if (end == at || (at > 0 && is_word_character(s[at - 1]))) return at;
+    if (end == at || is_after_name(s, at)) return at;
     if (is_function(std::string_view(s).substr(at, end - at)) && s.compare(end, 1, " ") == 0) {
         const std::size_t argument = symbol_end(s, end + 1);
         if (argument > end + 1) return argument;

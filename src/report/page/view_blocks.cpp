@@ -37,6 +37,8 @@ json run_view(const Run& run, const Reference& target) {
         {{"text", "words of the piece", safe_text(is_reference ? target.label : run.content)},
          {"href", "where a link leads, in this page or that of the other volume", target.page + "#" + url_path(target.anchor)},
          {"mathml", "mathematics for browsers", run.kind == Run::Kind::math ? inline_mathml(safe_text(run.content)) : ""},
+         {"lead", "what touches mathematics before it, and is in its mathml", ""},
+         {"tail", "likewise behind it", ""},
          {"parts", "pieces of mathematics; empty in other pieces", run.kind == Run::Kind::math ? math_view(run.content) : json::array()},
          {"is_plain", "words as they are", run.kind == Run::Kind::plain || (is_reference && !is_link)},
          {"is_strong", "bold", run.kind == Run::Kind::strong},
@@ -46,6 +48,34 @@ json run_view(const Run& run, const Reference& target) {
          {"is_link", "a link to `href`", is_link},
          {"is_elsewhere", "what it names is in the other volume, and no page can be linked to (print.html only)",
           is_reference && !is_link && target.elsewhere}});
+}
+
+/// Takes the punctuation beside each formula into its view: browsers break lines between <math> and what touches it.
+json kept_at_formulas(json runs) {
+    const auto take = [](json& run, bool last, const std::string& marks) {
+        std::string text = run["text"];
+        if (!run["is_plain"] || text.empty() || marks.find(last ? text.back() : text.front()) == std::string::npos) return std::string();
+        const std::string mark(1, last ? text.back() : text.front());
+        text.erase(last ? text.size() - 1 : 0, 1);
+        run["text"] = text;
+        return mark;
+    };
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        if (!runs[i]["is_math"]) continue;
+        const std::string lead = i > 0 ? take(runs[i - 1], true, "([") : "";
+        std::string tail;
+        for (std::string mark; i + 1 < runs.size() && !(mark = take(runs[i + 1], false, ",.;:!?)]")).empty();) tail += mark;
+        if ((lead + tail).empty()) continue;
+        const std::string open = "<span class=\"kept\">", close = "</span>", mathml = runs[i]["mathml"];
+        const std::size_t first = std::min(mathml.find("<wbr/>"), mathml.size()), at = mathml.rfind("<wbr/>");
+        const std::size_t last = at == std::string::npos ? 0 : at + 6;
+        runs[i]["lead"] = lead;
+        runs[i]["tail"] = tail;
+        runs[i]["mathml"] = last == 0 ? open + lead + mathml + tail + close
+                                      : open + lead + mathml.substr(0, first) + close + mathml.substr(first, last - first) + open +
+                                            mathml.substr(last) + tail + close;
+    }
+    return runs;
 }
 
 json formula_view(const Formula& formula, const ViewContext& context) {
@@ -192,11 +222,11 @@ json text_view(const Text& text, const Numbering& numbering) {
             runs.push_back(run_view(run, run.kind == Run::Kind::reference ? numbering.resolve(run.content) : Reference{}));
         }
     }
-    return view_of({{"runs", runs_meaning, std::move(runs)}});
+    return view_of({{"runs", runs_meaning, kept_at_formulas(std::move(runs))}});
 }
 
 json prose_view(const std::string& words) {
-    return view_of({{"runs", runs_meaning, list_of(prose(words), [](const Run& run) { return run_view(run, {}); })}});
+    return view_of({{"runs", runs_meaning, kept_at_formulas(list_of(prose(words), [](const Run& run) { return run_view(run, {}); }))}});
 }
 
 json letters_view(const std::string& words) {
