@@ -49,7 +49,7 @@ bool is_latin_symbol(std::string_view s, std::size_t at, std::size_t end) {
     static constexpr std::array<std::string_view, 6> products{"Lx", "MX", "LX", "CX", "du", "dv"};
     const std::string_view word = s.substr(at, end - at), before = s.substr(0, at), behind = s.substr(end);
     if (word.size() > 1) return is_in(word, products);
-    if (scripts_end(std::string(behind), 0) > 0) return true;
+    if (scripts_end(std::string(s), end) > end) return true;
     const auto after = [&](auto... marks) { return (before.ends_with(marks) || ...); };
     const auto follows = [&](auto... marks) { return (behind.starts_with(marks) || ...); };
     const auto goes_on = [&](std::size_t i) { return is_of_name(behind, i); };

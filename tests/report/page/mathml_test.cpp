@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 
 #include "base/errors.h"
 #include "report/bibliography.h"
 #include "report/page/math_markup.h"
+#include "report/page/view_blocks.h"
 #include "report/words.h"
 #include "report/writers.h"
 
@@ -245,6 +247,23 @@ TEST(Mathml, OddFormulasOfWordsAreStillWritten) {
          {"", "√", "((((a", "a)", "_a", "a_{b_{c_{d_{e_{f", "a}}b", "\\foo & # ~", "+_i", "²'x", "<|a", "a_", "^2"})
         (void)parsed(inline_mathml(formula));
     (void)parsed(inline_mathml(std::string(20000, '(')));
+}
+
+TEST(Prose, NamesOfMeshesAreNoFormulas) {
+    for (const std::string name : {"t_rex", "H_scan.obj", "t\u00f6 rus's.obj", "cube_8k", "k_means2.ply"})
+        for (const std::string& words : {"On " + name + " it is", name, "Table of " + name + ", twice"})
+            for (const auto& run : prose(words)) EXPECT_NE(run.kind, report::Run::Kind::math) << words << ": " << run.content;
+    EXPECT_EQ(prose("with x_i beside it").at(1).content, "x_i");
+    EXPECT_EQ(prose("below \u03bb_crit it is").at(1).content, "\u03bb_crit");
+}
+
+TEST(Prose, PunctuationBehindAFormulaStaysAtIt) {
+    const nlohmann::json view = prose_view("as K = 0, yet (u, v) is");
+    EXPECT_EQ(view["runs"][1]["tail"], ",");
+    EXPECT_EQ(view["runs"][3]["lead"], "(");
+    EXPECT_EQ(view["runs"][5]["tail"], ")");
+    for (const auto& run : view["runs"])
+        EXPECT_TRUE(!run["is_math"] || std::string(run["mathml"]).ends_with(std::string(run["tail"]) + "</span>")) << run["mathml"];
 }
 
 }   // namespace
