@@ -70,6 +70,9 @@ def suit_chromium(font):
     """MathML Core sets exponents without the italic correction, and the largest integral below DisplayOperatorMinHeight."""
     math = font["MATH"].table
     math.MathConstants.DisplayOperatorMinHeight = round(2.1 * font["head"].unitsPerEm)
+    # It also moves scripts of single letters by their heights, as TeX moves only those of boxes: a² and b², x_i and p_i on one line.
+    math.MathConstants.SubscriptBaselineDropMin.Value = 0
+    math.MathConstants.SuperscriptBaselineDropMax.Value = round(0.42 * font["head"].unitsPerEm)
     corrections, letters = math.MathGlyphInfo.MathItalicsCorrectionInfo, {name for c, name in font.getBestCmap().items() if c >= 0x1D400}
     for name, correction in zip(corrections.Coverage.glyphs, corrections.ItalicsCorrection):
         if name in letters:

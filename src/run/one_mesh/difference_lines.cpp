@@ -17,12 +17,12 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-constexpr const char *hausdorff_meaning = "two-sided, surface to surface, of all points: no less than this,",
+constexpr const char *hausdorff_meaning = "two-sided, surface to surface, of all points: at least this",
                      *bound_meaning = "and no more than this";
 
 std::vector<DifferenceLine> lines_of_same_triangles(const TriangleMesh& a, const TriangleMesh& b, const HausdorffDistance& hausdorff) {
     const MeshDifference d = compare_meshes(a, b);
-    return {{"rms", "rms distance", d.rms, "sqrt(sum d^2 / n) over vertices"},
+    return {{"rms", "rms distance", d.rms, "sqrt(sum d² / n) over vertices"},
             {"max", "largest distance", d.max, "largest vertex distance"},
             {"hausdorff", "Hausdorff distance, at least", hausdorff.distance, hausdorff_meaning},
             {"hausdorff_bound", "Hausdorff distance, at most", hausdorff.bound, bound_meaning},
