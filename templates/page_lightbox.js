@@ -67,14 +67,21 @@ function zoom(on, centre) {
     place(centre);
 }
 
+/// What an element holds, with its formulas; not its ids, which are of the page, and links, which would lead behind the dialog.
+function wordsOf(element) {
+    if (!element) return [];
+    const copy = element.cloneNode(true);
+    for (const marked of copy.querySelectorAll("[id], a")) marked.removeAttribute("id"), marked.removeAttribute("href");
+    return [...copy.childNodes];
+}
+
 function show() {
     const figure = figures[at], picture = pictures[view], preview = picture.image ?? figure.querySelector(".plate img");
     const label = figure.querySelector("figcaption b")?.textContent.replace(/\.$/, "");
     where.textContent = [label, picture.name].filter(Boolean).join(": ") + (pictures.length > 1 ? ` (${view + 1} of ${pictures.length})` : "");
-    caption.textContent = figure.querySelector("figcaption .text")?.textContent ?? figure.querySelector("figcaption")?.textContent ?? "";
+    caption.replaceChildren(...wordsOf(figure.querySelector("figcaption .text") ?? figure.querySelector("figcaption")));
     const own = picture.image?.closest(".block, .panel")?.querySelector("svg.legend"), bar = own ?? figure.querySelector(".legend-box svg");
     legend.replaceChildren(...[bar?.cloneNode(true)].filter((svg) => svg && !picture.isSheet));
-    dialog.classList.toggle("sheet", Boolean(picture.isSheet));
     image.onload = () => place();
     image.onerror = () => {
         image.onerror = null;
