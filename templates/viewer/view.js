@@ -20,7 +20,7 @@ export function element(tag, className, text = "") {
 
 export const number = (x) => String(Number(x.toPrecision(4))).replaceAll("-", "−");
 
-/// A colour bar: the colours and the ends of their range. @param isCut  values beyond the range have the colour of its upper end
+/// A colour bar: the colours, the ends of their range, and 0 where it is between them. @param isCut  values beyond the range have the colour of its upper end
 export function legendOf({ quantity, unit, range: [low, high], isCut, colors, defined, undefined_color }) {
     const filled = (className, background) => {
         const area = element("i", className);
@@ -28,7 +28,9 @@ export function legendOf({ quantity, unit, range: [low, high], isCut, colors, de
         return area;
     };
     const scale = element("span", ""), legend = element("div", "model-legend");
-    scale.append(number(low), filled("ramp", `linear-gradient(to right, ${colors.join(", ")})`), (isCut ? "≥ " : "") + number(high));
+    const ramp = filled("ramp", `linear-gradient(to right, ${colors.join(", ")})`);
+    if (low < 0 && high > 0) ramp.append(Object.assign(element("span", "zero", "0"), { style: `left: ${100 * low / (low - high)}%` }));
+    scale.append(number(low), ramp, (isCut ? "≥ " : "") + number(high));
     legend.append(element("span", "", quantity + (unit ? ` [${unit}]` : "")), scale);
     if (defined) {
         const gap = element("span", "");
