@@ -119,15 +119,22 @@ function partBefore(block, { node, offset }) {
     return first;
 }
 
-/// Lets the formulas of paragraphs be parted whose lines would be too loose without.
-function loosen(blocks) {
-    for (const block of blocks) block.style.textAlign = "left";
+/// Those paragraphs, set ragged, of whose lines one would be too loose.
+function tooLoose(blocks) {
+    for (const block of blocks) block.classList.add("ragged");
     const loose = blocks.filter((block) => {
         const { right, width } = block.getBoundingClientRect();
         return endsOf(block).slice(0, -1).some((end) => right - end > mostLoose * width);
     });
-    for (const block of blocks) block.style.textAlign = "";
+    for (const block of blocks) block.classList.remove("ragged");
+    return loose;
+}
+
+/// Lets the formulas of paragraphs be parted whose lines would be too loose without; those still too loose stay ragged.
+function loosen(blocks) {
+    const loose = tooLoose(blocks);
     for (const block of loose) block.classList.add("loose");
+    for (const block of tooLoose(loose)) block.classList.add("ragged");
 }
 
 /// Leaves only those soft hyphens at which a line ends: what is copied from the paper has whole words.
