@@ -70,36 +70,42 @@ function firstBelow(text, low, top) {
     return low;
 }
 
-/// Where the lines of a paragraph begin: [{ node, offset, top }]. A formula is never parted.
-function linesOf(block) {
+/// The boxes of a paragraph, in order: [{ node, box }]. A formula has one.
+function boxesOf(block) {
     const accept = (node) => node.parentElement.closest("math") ? NodeFilter.FILTER_REJECT
         : node.nodeType === Node.TEXT_NODE || node.localName === "math" ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_SKIP;
     const walker = document.createTreeWalker(block, NodeFilter.SHOW_TEXT | NodeFilter.SHOW_ELEMENT, accept);
-    const lines = [], range = document.createRange();
-    let end = Infinity;
+    const boxes = [], range = document.createRange();
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
         range.selectNode(node);
-        let offset = 0;
-        for (const { left, right, top, width } of node.localName === "math" ? [node.getBoundingClientRect()] : range.getClientRects()) {
-            if (width === 0) continue;
-            if (left < end - 1) {
-                if (node.nodeType === Node.TEXT_NODE && end !== Infinity) offset = firstBelow(node, offset, top - 3);
-                lines.push({ node, offset, top });
-            }
-            end = right;
+        const ofNode = node.localName === "math" ? [node.getBoundingClientRect()] : [...range.getClientRects()];
+        boxes.push(...ofNode.filter(({ width }) => width > 0).map((box) => ({ node, box })));
+    }
+    return boxes;
+}
+
+/// Where the lines of a paragraph begin: [{ node, offset, top }]. A formula is never parted.
+function linesOf(block) {
+    const lines = [];
+    let end = Infinity, last, offset = 0;
+    for (const { node, box } of boxesOf(block)) {
+        if (node !== last) offset = 0;
+        if (box.left < end - 1) {
+            if (node.nodeType === Node.TEXT_NODE && end !== Infinity) offset = firstBelow(node, offset, box.top - 3);
+            lines.push({ node, offset, top: box.top });
         }
+        [end, last] = [box.right, node];
     }
     return lines;
 }
 
 /// Where the lines of a paragraph end.
 function endsOf(block) {
-    const range = document.createRange(), ends = [];
-    range.selectNodeContents(block);
-    let before = Infinity;
-    for (const { left, right } of range.getClientRects()) {
-        left < before - 1 ? ends.push(right) : ends.splice(-1, 1, Math.max(right, ends.at(-1)));
-        before = right;
+    const ends = [];
+    let end = Infinity;
+    for (const { box } of boxesOf(block)) {
+        box.left < end - 1 ? ends.push(box.right) : ends.splice(-1, 1, box.right);
+        end = box.right;
     }
     return ends;
 }
