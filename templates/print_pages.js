@@ -4,13 +4,15 @@
 // prints can hold them against the PDF (src/report/pdf/print_pdf.cpp). Engines without scripts (weasyprint) use the columns of print.css.
 const { dropOtherHyphens, fitFormula, hyphenate, isTooWide, linesOf, loosen, partBefore } = printText;   // print_text.js
 const mm = 96 / 25.4;
-const floatGap = 4 * mm, leastText = 22 * mm, mostStretch = 0.6 * mm, mostApart = 8 * mm;
+const floatGap = 4 * mm, leastText = 22 * mm, mostStretch = 0.6 * mm, mostApart = 8 * mm, mostFacts = 60 * mm;
 const heights = [256, 254, 252, 250, 248, 246, 244, 242, 240].map((height) => height * mm);   // of a page, at most as in print.css
 const firstLines = 2, lastLines = 2;   // of a paragraph, that stay together
 
 const element = (name, parent) => parent.appendChild(Object.assign(document.createElement("div"), { className: name }));
 const isRunning = (block) => block.matches("p:not([class]), .running");
-const isHeading = (block) => block?.matches("h2, h3, .asked, .answer");   // stays with what follows
+const isHeading = (block) => block?.matches("h2, h3, .asked, .answer") ||   // stays with what follows
+    block?.matches(".answer + .facts") && block.getBoundingClientRect().height < mostFacts;
+const isEnd = (block) => block.matches("#source-code, #cited-works");   // no float passes it
 
 // ---- what is to be set ----------------------------------------------------------------------------------------------------------------------
 
@@ -45,7 +47,7 @@ function measured(main) {
         across.add(figure);
         wide.append(figure);
     }
-    const items = blocks.map((block) => ({ block, across: across.has(block), float: block.matches("figure"), heading: isHeading(block) }));
+    const items = blocks.map((block) => ({ block, across: across.has(block), float: block.matches("figure"), heading: isHeading(block), end: isEnd(block) }));
     for (const item of items) {
         const style = getComputedStyle(item.block);
         item.height = item.block.getBoundingClientRect().height;
@@ -62,7 +64,8 @@ function measured(main) {
 
 const kindOf = ({ block }) => block.matches(".table") ? "table" : "figure";
 
-/// Brings each float up to the text that first refers to it; figures stay in their order, and so do tables.
+/// Brings each float up to the text that first refers to it, or the end of the opening of a section; figures stay in their order, and so do
+/// tables.
 function floatsAtFirstMention(items) {
     const texts = items.filter(({ float, across }) => !float && !across), after = new Map(texts.map((text) => [text, []])), latest = {};
     let before = -1;   // the text before the float, as in the document
@@ -73,6 +76,7 @@ function floatsAtFirstMention(items) {
         }
         const kind = kindOf(item), mention = texts.findIndex(({ block }) => block.querySelector(`a[href="#${item.block.id}"]`));
         latest[kind] = Math.max(latest[kind] ?? 0, mention < 0 ? before : Math.min(mention, before));
+        while (texts[latest[kind]].heading && latest[kind] + 1 < texts.length) ++latest[kind];
         after.get(texts[latest[kind]]).push(item);
     }
     return [...items.filter(({ float, across }) => !float && across), ...texts.flatMap((text) => [text, ...after.get(text)])];
@@ -107,8 +111,8 @@ function heightOfChain(items, index) {
 function filled(items, place, height, taken, pending) {
     let { index, line } = place, waiting = [...place.waiting];
     const columns = [], met = [];
-    const isHeldUp = (float) => [...pending, ...met].some((item) =>
-        !taken.includes(item) && kindOf(item) === kindOf(float) && items.indexOf(item) < items.indexOf(float));
+    const isBefore = isBeforeIn(items);
+    const isHeldUp = (float) => [...pending, ...met].some((item) => !taken.includes(item) && isBefore(item, float));
     for (let c = 0; c < 2; ++c) {
         const column = { top: [], foot: [], used: 0 };
         columns.push(column);
@@ -125,6 +129,7 @@ function filled(items, place, height, taken, pending) {
                 met.push(item);
                 continue;
             }
+            if (item.end && (waiting.length > 0 || [...pending, ...met].some((float) => !taken.includes(float)))) break;
             const room = height - foot - y - (column.top.length > 0 ? Math.max(below, line > 0 ? 0 : item.above) : 0);
             if (item.float) {
                 const fits = waiting.length === 0 && !isHeldUp(item) && item.height + (foot > 0 || y > 0 ? floatGap : 0) <= height - foot - y;
@@ -156,9 +161,15 @@ function filled(items, place, height, taken, pending) {
     return { columns, met, place: { index, line, waiting } };
 }
 
+/// Whether one float comes before another of its kind.
+const isBeforeIn = (items) => (one, other) => kindOf(one) === kindOf(other) && items.indexOf(one) < items.indexOf(other);
+
+/// The floats in the columns of a page.
+const floatsOf = ({ columns }) => columns.flatMap(({ top, foot }) => [...top, ...foot]).map(({ item }) => item).filter(({ float }) => float);
+
 /// The pages: [{ across, columns, height }], and how far behind their places floats are, squared.
 function paged(items, pageHeight) {
-    const pages = [], metOn = new Map();
+    const pages = [], metOn = new Map(), isBefore = isBeforeIn(items);
     let place = { index: 0, line: 0, waiting: [] }, pending = [], lag = 0;
     while (place.index < items.length || place.waiting.length > 0 || pending.length > 0) {
         const across = [];
@@ -166,7 +177,8 @@ function paged(items, pageHeight) {
         const waitsFor = (float) => place.waiting.filter((item) => items.indexOf(item) < items.indexOf(float));
         const roomBefore = (float) => Math.max(0, ...waitsFor(float).map(({ height }) => height));
         const fits = (float) => heightOf([...across, float]) + roomBefore(float) <= pageHeight + floatGap;
-        while (pending.length > 0 && (across.length === 0 || fits(pending[0]))) {
+        const isEarly = (float, floats) => floats.some((item) => isBefore(item, float));
+        while (pending.length > 0 && !isEarly(pending[0], place.waiting) && (across.length === 0 || fits(pending[0]))) {
             across.push(pending.shift());
             lag += (pages.length - 1 - metOn.get(across.at(-1))) ** 2;
         }
@@ -176,7 +188,7 @@ function paged(items, pageHeight) {
             const less = next ? room - next.height - floatGap : 0;
             if (!next || less < Math.max(roomBefore(next), page.place.index < items.length ? leastText : 0)) break;
             const trial = filled(items, place, less, [...across, next], pending);
-            if (!trial.met.includes(next)) break;
+            if (!trial.met.includes(next) || isEarly(next, floatsOf(trial))) break;
             across.push(next);
             room = less;
             page = trial;
