@@ -7,7 +7,7 @@ let main;
 const tolerated = 0.03, much = 0.15;   // of a page's height, left empty
 
 const isFloat = (block) => block.matches("figure");
-const isHeading = (block) => block?.matches("h2, h3");
+const isHeading = (block) => block?.matches("h2, h3, .asked");
 
 /// How much of the page before a block's is empty; 0 where the block follows on the same page. Headings belong to what they stand above.
 function gapBefore(block) {
