@@ -139,7 +139,7 @@ function filled(items, place, height, taken, pending) {
                 continue;
             }
             if (item.heading) {
-                if (!items[index - 1].heading && y > 0 && heightOfChain(items, index) > room) break;
+                if (!items[index - 1].heading && (y > 0 || taken.length > 0) && heightOfChain(items, index) > room) break;
                 add(item);
                 continue;
             }
