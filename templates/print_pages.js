@@ -2,7 +2,7 @@
 // they will have; the rest is arithmetic. A float stands where its text asks for it if there is room, else in the next column or on the next
 // page while the text goes on; paragraphs are parted between lines. Page numbers come out of it, and the title says them, so that whoever
 // prints can hold them against the PDF (src/report/pdf/print_pdf.cpp). Engines without scripts (weasyprint) use the columns of print.css.
-const { dropOtherHyphens, fitFormula, hyphenate, isTooWide, linesOf, loosen, partBefore } = printText;   // print_text.js
+const { dropOtherHyphens, fitFormula, giveAir, hyphenate, isTooWide, linesOf, loosen, partBefore } = printText;   // print_text.js
 const mm = 96 / 25.4;
 const floatGap = 4 * mm, leastText = 22 * mm, mostStretch = 0.6 * mm, mostApart = 8 * mm, mostFacts = 60 * mm;
 const heights = [256, 254, 252, 250, 248, 246, 244, 242, 240].map((height) => height * mm);   // of a page, at most as in print.css
@@ -47,7 +47,10 @@ function measured(main) {
         across.add(figure);
         wide.append(figure);
     }
-    const items = blocks.map((block) => ({ block, across: across.has(block), float: block.matches("figure"), heading: isHeading(block), end: isEnd(block) }));
+    blocks.filter((block) => block.matches("figure.table")).forEach(giveAir);
+    const items = blocks.map((block) => ({
+        block, across: across.has(block), float: block.matches("figure"), heading: isHeading(block), closing: block.matches(".facts"), end: isEnd(block)
+    }));
     for (const item of items) {
         const style = getComputedStyle(item.block);
         item.height = item.block.getBoundingClientRect().height;
@@ -101,6 +104,7 @@ function heightOfChain(items, index) {
         sum += below === Infinity ? 0 : Math.max(below, item.above);
         if (!item.heading) return sum + heightOfLines(item, 0, item.lines?.length > firstLines + 1 ? firstLines : Infinity);
         sum += item.height;
+        if (item.closing) return sum;   // a column may end with the facts
         below = item.below;
     }
     return sum;
@@ -139,7 +143,8 @@ function filled(items, place, height, taken, pending) {
                 continue;
             }
             if (item.heading) {
-                if (!items[index - 1].heading && (y > 0 || taken.length > 0) && heightOfChain(items, index) > room) break;
+                const isFirst = !items[index - 1].heading || items[index - 1].closing;
+                if (isFirst && (y > 0 || taken.length > 0) && heightOfChain(items, index) > room) break;
                 add(item);
                 continue;
             }

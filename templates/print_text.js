@@ -2,6 +2,7 @@
 // lines of a paragraph to part it between them.
 const mostLoose = 0.16;   // of a line, that justifying spreads over its spaces
 const leastPicture = 25 * 96 / 25.4;   // 25 mm
+const mostAir = 3 * 96 / 25.4;   // 3 mm
 const softHyphen = "\u00ad";
 
 /// Where a line of a formula can go on below: behind its widest space, else at what follows from it, else at its last relation; 0: nowhere.
@@ -47,6 +48,13 @@ function isTooWide(figure) {
     if (figure.matches(".table")) return figure.querySelector("table").getBoundingClientRect().right > right + 1;
     if (figure.matches(".plot")) return !figure.matches(".slim");
     return [...figure.querySelectorAll("img")].some((picture) => picture.getBoundingClientRect().width < leastPicture);
+}
+
+/// Sets the columns of a table further apart, if there is room.
+function giveAir(figure) {
+    const table = figure.querySelector("table"), gaps = table.rows[0].cells.length - 1;
+    const room = figure.clientWidth - table.getBoundingClientRect().width - 1;
+    if (gaps > 0 && room > 0) table.style.setProperty("--air", `${Math.min(mostAir, room / gaps)}px`);
 }
 
 /// Puts soft hyphens into running text (print_hyphens.js).
@@ -157,4 +165,4 @@ function dropOtherHyphens(blocks) {
     }
 }
 
-globalThis.printText = { dropOtherHyphens, fitFormula, hyphenate, isTooWide, linesOf, loosen, partBefore };
+globalThis.printText = { dropOtherHyphens, fitFormula, giveAir, hyphenate, isTooWide, linesOf, loosen, partBefore };
