@@ -10,7 +10,7 @@ const firstLines = 2, lastLines = 2;   // of a paragraph, that stay together
 
 const element = (name, parent) => parent.appendChild(Object.assign(document.createElement("div"), { className: name }));
 const isRunning = (block) => block.matches("p:not([class]), .running");
-const isHeading = (block) => block?.matches("h2, h3, .asked, .answer") ||   // stays with what follows
+const isHeading = (block) => block?.matches("h2, h3, .asked, .answer, #source-code + .facts") ||   // stays with what follows
     block?.matches(".answer + .facts") && block.getBoundingClientRect().height < mostFacts;
 const isEnd = (block) => block.matches("#source-code, #cited-works");   // no float passes it
 
@@ -49,7 +49,8 @@ function measured(main) {
     }
     blocks.filter((block) => block.matches("figure.table")).forEach(giveAir);
     const items = blocks.map((block) => ({
-        block, across: across.has(block), float: block.matches("figure"), heading: isHeading(block), closing: block.matches(".facts"), end: isEnd(block)
+        block, across: across.has(block), float: block.matches("figure"), heading: isHeading(block), closing: block.matches(".answer + .facts"),
+        end: isEnd(block)
     }));
     for (const item of items) {
         const style = getComputedStyle(item.block);
