@@ -120,7 +120,7 @@ std::vector<std::string> replace_listed(const fs::path& folder, const std::map<s
         const std::string digest = digest_of(folder / name);
         if (may_be_there(folder / name) && digest != sha256(bytes) && !listed.has(name, digest)) keep(name);
     }
-    replace_file(folder / sums_file, before + after);
+    replace_file(folder / sums_file, before == after ? after : before + after);
     FileGroup group;
     for (const auto& [name, bytes] : files) group.add(folder / name, bytes);
     group.publish();

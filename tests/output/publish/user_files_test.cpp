@@ -252,6 +252,9 @@ TEST(ReplaceListed, KeepsWhatIsNotAsListed) {
     EXPECT_EQ(read_file(place.path() / "a.edited"), "edited");
     EXPECT_EQ(read_file(place.path() / "b.edited"), "the user's");
     EXPECT_EQ(first_changed(place.path()), "");
+    const std::string sums = read_file(place.path() / sums_file);
+    EXPECT_TRUE(replace_listed(place.path(), {{"a", "3"}, {"b", "3"}}).empty());
+    EXPECT_EQ(read_file(place.path() / sums_file), sums) << "each file once, where nothing has changed";
     write_file(place.path() / sums_file, std::string(64, '0') + "  another list\n");
     EXPECT_EQ(replace_listed(place.path(), {{"a", "3"}, {"b", "3"}}), std::vector<std::string>{"SHA256SUMS.edited"});
 }
