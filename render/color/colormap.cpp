@@ -22,9 +22,10 @@ struct Definition {
 
 /// viridis and magma: ten colours of the maps of van der Walt and Smith (2015, CC0); cividis: of Nuñez, Anderton and Renslow
 /// (2018). parula-like and grey: drawn up here in CIELAB, with equal steps of lightness. pale and diverging: likewise, then their colours
-/// moved along the curve to equal steps of CAM02-UCS (tests/render/color/equal_steps.py), so that a colour can be read as a number; report's
-/// map_scale.cpp has them, too. cyclic: a closed curve in CIELAB (three harmonics) found by climbing towards equal steps of CIEDE2000, equal
-/// lightness of t and 1 − t, and the largest distance between any two places in normal and each kind of colour-blind sight.
+/// moved along the curve to equal steps of CAM02-UCS (tests/render/color/equal_steps.py), so that a colour can be read as a number;
+/// report's map_scale.cpp has them, too. cyclic: a closed curve in CIELAB (three harmonics) found by climbing towards equal steps of
+/// CIEDE2000, equal lightness of t and 1 − t, and the largest distance between any two places in normal and each kind of colour-blind
+/// sight.
 const std::vector<Definition>& definitions() {
     static const std::vector<Definition> table{
         {"viridis",

@@ -47,7 +47,8 @@ Command lab_command(CLI::App& parent) {
     app.required("-o,--output FILE", options->output, "the page, one HTML file that works offline");
     app.text("--templates DIR", options->templates, "folder of templates that replace those of the same name");
     app.footer(
-        "Up to 2,000 vertices the page has all modes, above the lowest 300 or fewer;\nbeyond 50,000 it shows a decimated copy of 20,000.\nExample: "
+        "Up to 2,000 vertices the page has all modes, above the lowest 300 or fewer;\nbeyond 50,000 it shows a decimated copy of "
+        "20,000.\nExample: "
         "meshfolio lab cube.obj -o lab.html");
     return {app, [options] { return run_lab(*options); }};
 }

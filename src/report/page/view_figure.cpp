@@ -100,14 +100,15 @@ json block_view(const PictureOf& of, std::size_t p) {
     }
     const double least = side > 0 ? std::min(10.0, std::ceil(10 * least_view * width / side)) : 10;
     const int share = flat ? (alone ? 4 : 9) : std::max(2, static_cast<int>(least));
-    return view_of({{"lead", "the large picture", of.view(p, 0)},
-                    {"label", "of the panel", prose_view(panel.label)},
-                    {"has_label", "it has one", (flat || !alone) && !panel.label.empty()},
-                    {"bar", "its own colours: SVG; empty: those of the figure", of.bar(p)},
-                    {"is_flat", "seen from its front alone; the next flat ones lie beside it", flat && !alone},
-                    {"is_further", "it shows the mesh of the block before", p % static_cast<std::size_t>(std::max(1, of.drawn.states)) != 0},
-                    {"tenths", "of the block's width that the pictures take", std::to_string(share)},
-                    {"view_lines", "its views, line by line", std::move(lines)}});
+    return view_of(
+        {{"lead", "the large picture", of.view(p, 0)},
+         {"label", "of the panel", prose_view(panel.label)},
+         {"has_label", "it has one", (flat || !alone) && !panel.label.empty()},
+         {"bar", "its own colours: SVG; empty: those of the figure", of.bar(p)},
+         {"is_flat", "seen from its front alone; the next flat ones lie beside it", flat && !alone},
+         {"is_further", "it shows the mesh of the block before", p % static_cast<std::size_t>(std::max(1, of.drawn.states)) != 0},
+         {"tenths", "of the block's width that the pictures take", std::to_string(share)},
+         {"view_lines", "its views, line by line", std::move(lines)}});
 }
 
 json head_view(const std::string& words) { return view_of({{"head", "of a column of a matrix", prose_view(words)}}); }

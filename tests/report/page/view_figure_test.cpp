@@ -72,7 +72,8 @@ TEST(ViewFigure, APanelWithColoursOfItsOwnHasABar) {
     drawn.panels[0].legend = legend;
     const json view = view_of(drawn);
     const std::string bar = view["blocks"][0]["bar"];
-    for (const char* part : {">\u22127.21<", ">7.21\u00a0% of area, 2.8\u202f% beyond<", "<linearGradient id=\"colours-", "fill=\"url(#colours-"})
+    for (const char* part :
+         {">\u22127.21<", ">7.21\u00a0% of area, 2.8\u202f% beyond<", "<linearGradient id=\"colours-", "fill=\"url(#colours-"})
         EXPECT_NE(bar.find(part), std::string::npos) << part << "\n" << bar;
     EXPECT_EQ(view["blocks"][1]["bar"], "");
     EXPECT_EQ(view["has_legend"], false);
