@@ -1,5 +1,5 @@
 /// @file
-/// The direction that shows a mesh best, among a dozen.
+/// The direction that shows a mesh best, among eight.
 #pragma once
 
 #include "draw_mesh.h"
