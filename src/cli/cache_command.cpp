@@ -3,7 +3,7 @@
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "run/console.h"
-#include "run/question_cache.h"
+#include "run/section_cache.h"
 
 namespace meshfolio::cli {
 

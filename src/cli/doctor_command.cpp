@@ -10,7 +10,7 @@
 #include "report/writers.h"
 #include "run/console.h"
 #include "run/provenance.h"
-#include "run/question_cache.h"
+#include "run/section_cache.h"
 
 namespace meshfolio::cli {
 

@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "run/earlier_report.h"
+#include "run/report.h"
 
 namespace meshfolio::cli {
 
@@ -21,7 +21,7 @@ Command merge_command(CLI::App& parent) {
         "Example: meshfolio report --part parts/a --only q1,q2,q3\n"
         "         meshfolio report --part parts/b --only q4\n"
         "         meshfolio merge parts/a parts/b --out out");
-    return {app, [flags] { return report_from_results(*flags); }};
+    return {app, [flags] { return print_outcome(make_report(rendering_request(*flags))); }};
 }
 
 }   // namespace meshfolio::cli

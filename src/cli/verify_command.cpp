@@ -1,18 +1,15 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <vector>
 
 #include "base/file_bytes.h"
 #include "cli/commands.h"
 #include "output/publish/publish.h"
 #include "questions/core/chapter.h"
-#include "questions/truth/parts.h"
 #include "run/arguments.h"
 #include "run/console.h"
-#include "run/progress.h"
 #include "run/provenance.h"
-#include "run/report_files.h"
+#include "run/report.h"
 
 namespace meshfolio::cli {
 
@@ -37,46 +34,51 @@ std::string in_words(const report::Check& check) {
     return (check.passed() ? "ok      " : "FAILED  ") + line + "\n";
 }
 
-/// The sections as a report of their own, and everything measured on curvature as tables/truth_all.csv.
-void write_report(const VerifyFlags& options, const truth::GroundTruth& truth, const std::vector<report::Section>& sections) {
-    output::Publication publication(options.out);
-    report::Document document;
-    document.title = "Verification: curvature against closed forms, certificates, planted faults";
-    document.provenance = provenance_of({{"quick", options.quick ? "yes" : "no"}}, seed_of(options));
-    document.sections = sections;
-    write_report_files(document, {}, report::Templates(), {.timings = false, .plot_files = true}, {}, {}, publication.folder());
-    write_file(publication.folder() / all_measured, report::write_csv(truth::ground_truth_table(truth)));
-    tell_of(publication.publish());
-}
-
-/// Of bundled meshes, with the planted faults.
-report::Section certificates(const VerifyFlags& options, const Progress& progress) {
-    QuestionSettings settings;
-    settings.quick = options.quick;
-    return chapter_of_id("certificates").answer(MeshLibrary({}, {}), settings, progress).section;
-}
-
-/// A report of another kind has the same mark, and is no less work: verify does not take its place.
+/// Requires that no report of another kind is replaced: it has the same mark, and is no less work.
 void require_no_other_report(const std::filesystem::path& out) {
-    if (output::has_mark(out, output::report_folder) && may_be_there(out / "results.json") && !may_be_there(out / all_measured))
+    if (output::has_mark(out, output::report_folder) && may_be_there(out / results_file) && !may_be_there(out / all_measured))
         throw OutputError(out.string(), "holds a report that is no verification, and would be replaced",
                           "choose another folder with --out");
 }
 
+/// The report of the chapters that verify the program, on bundled meshes, with everything that they measure.
+ReportRequest verification(const VerifyFlags& options) {
+    auto settings = std::make_shared<ReportSettings>();
+    settings->out = options.out;
+    settings->seed = seed_of(options);
+    settings->quick = options.quick;
+    settings->laboratory = true;
+    settings->timings = false;
+    settings->pdf = "off";
+    ReportRequest request;
+    request.settings = settings;
+    request.head.title = "Verification: curvature against closed forms, certificates, planted faults";
+    request.head.provenance = provenance_of({{"quick", options.quick ? "yes" : "no"}}, settings->seed);
+    for (const Chapter* chapter : chapter_list())
+        if (chapter->verifies_program) request.ids.emplace_back(chapter->id);
+    request.sources = {[settings](std::string_view id, const std::filesystem::path&, ProgressDisplay& display) {
+        const MeshLibrary bundled({}, {});
+        const Progress progress = [&](std::string_view step) { display.step(std::string(step)); };
+        const std::string name(id);
+        return ReportSection{chapter_of_id(id).answer(bundled, question_settings(*settings, name), progress)};
+    }};
+    return request;
+}
+
 ExitCode run_verify(const VerifyFlags& options) {
     require_no_other_report(options.out);
-    truth::GroundTruth truth;
-    std::vector<report::Section> sections;
-    {
-        ProgressDisplay display(stderr_is_terminal());
-        const Progress progress = [&](std::string_view step) { display.step(std::string(step)); };
-        truth = truth::ground_truth(seed_of(options), options.quick, progress);
-        sections = {truth::ground_truth_section(truth), certificates(options, progress)};
+    const ReportRequest request = verification(options);
+    report::Document document;
+    if (options.out.empty()) {
+        document = gathered_document(request);
+    } else {
+        const MadeReport made = make_report(request);
+        tell_of(made.published.notes);
+        document = made.document;
     }
-    if (!options.out.empty()) write_report(options, truth, sections);
     std::string lines;
     report::Score score;
-    for (const report::Section& section : sections) {
+    for (const report::Section& section : document.sections) {
         for (const report::Check& check : section.checks) lines += in_words(check);
         score += report::score_of(section.checks);
     }

@@ -8,7 +8,7 @@
 #include "output/publish/folder_system.h"
 #include "questions/core/section_tools.h"
 #include "run/console.h"
-#include "run/earlier_report.h"
+#include "run/stored_report.h"
 
 namespace meshfolio::run {
 
@@ -32,9 +32,9 @@ void write_drawing(const Drawing& drawing, const fs::path& folder) {
     write_file(folder / "images" / (drawing.id + ".svg"), report::svg_on_white(report::svg_of(drawing)));
 }
 
-void write_tables_and_plots(const report::Document& document, const std::set<std::string>& stored, const fs::path& folder) {
-    for (const report::Section& section : document.sections) {
-        if (stored.contains(section.id)) continue;
+void write_tables_and_plots(const report::Document& document, const fs::path& folder) {
+    for_each_task(document.sections.size(), [&](std::size_t i) {
+        const report::Section& section = document.sections[i];
         for (const report::Block& block : section.blocks) {
             if (const auto* table = std::get_if<report::Table>(&block))
                 write_file(folder / "tables" / (table->id + ".csv"), report::write_csv(*table));
@@ -43,10 +43,11 @@ void write_tables_and_plots(const report::Document& document, const std::set<std
             if (const auto* diagram = std::get_if<report::Diagram>(&block))
                 write_file(folder / "images" / (diagram->id + ".svg"), report::svg_on_white(report::svg_of(*diagram)));
         }
-    }
+    });
 }
 
-/// The section says in which folder its meshes lie: "meshes/q4_torus_k5.ply".
+}   // namespace
+
 void write_meshes(const Answer& answer, const fs::path& folder) {
     for (const output::MeshOutput& mesh : answer.meshes) {
         fs::path path = fs::path("meshes") / mesh.name;
@@ -57,11 +58,8 @@ void write_meshes(const Answer& answer, const fs::path& folder) {
     }
 }
 
-}   // namespace
-
 void write_report_files(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
-                        const report::WriteOptions& options, const std::vector<const Answer*>& answers, const std::set<std::string>& stored,
-                        const fs::path& folder) {
+                        const report::WriteOptions& options, const fs::path& folder) {
     for (const char* name : {"images", "meshes", "tables"}) output::make_folder(folder / name);
     const auto write_volume = [&](report::Volume volume) {
         report::WriteOptions own = options;
@@ -72,8 +70,7 @@ void write_report_files(const report::Document& document, const report::DrawnFig
     run_tasks([&] { write_volume(report::Volume::report); }, [&] { write_volume(report::Volume::appendix); },
               [&] { write_file(folder / "summary.md", report::write_summary(document, templates)); },
               [&] { write_file(folder / "results.json", report::write_json(document, figures, options)); },
-              [&] { write_tables_and_plots(document, stored, folder); },
-              [&] { for_each_task(answers.size(), [&](std::size_t i) { write_meshes(*answers[i], folder); }); });
+              [&] { write_tables_and_plots(document, folder); });
 }
 
 namespace {
@@ -130,9 +127,6 @@ Published publish_report(output::Publication& publication, const report::Documen
     return published;
 }
 
-namespace {
-
-/// Questions by their status and checks by theirs, as results.json has them.
 std::string verdict_on(const report::Document& document, double seconds) {
     std::size_t answered = 0, asked = 0;
     report::Score score;
@@ -147,22 +141,6 @@ std::string verdict_on(const report::Document& document, double seconds) {
     if (score.failed > 0) text += ", " + std::to_string(score.failed) + " failed";
     if (score.undecided > 0) text += ", " + std::to_string(score.undecided) + " undecided";
     return text + (seconds > 0 ? ", " + plain_text(seconds, seconds < 100 ? 2 : 3) + " s" : "");
-}
-
-}   // namespace
-
-ExitCode tell(const Published& published, const std::vector<std::string>& notes, const report::Document& document, double seconds) {
-    tell_of(published.notes);
-    for (const std::string& note : notes)
-        if (!note.empty()) warn(note);
-    summarise(document);
-    if (published.folder != published.wanted) {
-        complain(published.wanted.string() + " keeps the report that ended well; this one is " + published.folder.string() +
-                 ", until one ends well again");
-    }
-    conclude(verdict_on(document, seconds), !has_failed(document));
-    print_path(published.folder / "index.html");
-    return has_failed(document) ? ExitCode::failed : ExitCode::ok;
 }
 
 }   // namespace meshfolio::run

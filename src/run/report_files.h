@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -16,34 +15,33 @@
 
 namespace meshfolio::run {
 
-/// Writes everything of the report but the pictures of meshes into `folder`: the pages
-/// and the Markdown of both volumes, summary.md, results.json, tables, plots, meshes.
-/// @param stored  ids of sections whose tables, plots and meshes are there already
-/// @throws OutputError
+/// Writes the pages and the Markdown of both volumes, summary.md, results.json, tables and plots into `folder`. @throws OutputError
 void write_report_files(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
-                        const report::WriteOptions& options, const std::vector<const Answer*>& answers, const std::set<std::string>& stored,
-                        const std::filesystem::path& folder);
+                        const report::WriteOptions& options, const std::filesystem::path& folder);
 
-/// Has a section or a check failed? What is undecided is no failure.
+/// Writes the output meshes of a chapter, each where its section says. @throws OutputError
+void write_meshes(const Answer& answer, const std::filesystem::path& folder);
+
+/// Returns true if a section or a check has failed. An undecided check is no failure.
 bool has_failed(const report::Document& document);
 
-/// Warnings, failures, failed checks and the number of undecided ones, on stderr.
+/// Prints warnings, failures, failed checks and the number of undecided ones on stderr.
 void summarise(const report::Document& document);
 
 struct Published {
-    std::filesystem::path folder, wanted;   // where it is, and where it was to be
+    std::filesystem::path folder, wanted;   // of the report, and the one that was asked for
     output::Notes notes;
+    std::vector<std::string> missing = {};   // files of stored sections that are gone
 };
 
-/// Publishes what has been written. A report with a failure does not take the place of one without: it goes to `<out>.failed`, which the
-/// next good one removes.
-/// @param junit  file for the checks; empty: none is wanted
+/// Publishes a report that has been written. A report with a failure does not replace one without: it goes to `<out>.failed`, which the
+/// next good report removes.
+/// @param junit  file for the checks; empty: none
 /// @throws OutputError
 Published publish_report(output::Publication& publication, const report::Document& document, const output::Publication::Digests& digests,
                          const ReportSettings& settings, const std::string& junit);
 
-/// Prints warnings, a summary of failures, "7 of 7 questions answered, 457 checks passed, 9.8 s", and the path of the page.
-/// @param seconds  that it took; 0: nothing was computed
-ExitCode tell(const Published& published, const std::vector<std::string>& notes, const report::Document& document, double seconds);
+/// Returns "7 of 7 questions answered, 457 checks passed, 9.8 s". @param seconds  0: nothing was computed
+std::string verdict_on(const report::Document& document, double seconds);
 
 }   // namespace meshfolio::run

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures what each section of a report costs and prints the rows of src/run/plan/cost_models.cpp.
+"""Measures what each section of a report costs and prints the `.cost` of its chapter.cpp.
 
     fit_costs.py [--program build/release/meshfolio] [--keep FILE.json] [--only q4,maps] [--check] MESH MESH MESH…
 
@@ -121,8 +121,7 @@ def main():
                 memory.append((n, max(megabytes - base, 1)))
             costs.append(", ".join(f"{c:.3g}" for c in fitted(cpu, (0, 1, 1.5))))
             memories.append(", ".join(f"{c:.3g}" for c in fitted(memory, (0, 1))))
-        print(f'{{"{section}", {{{costs[0]}}}, {{{costs[1]}}}, {{{memories[0]}}}, {{{memories[1]}}}}},', flush=True)
-
+        print(f"{section}: .cost = {{.cpu = {{{{{costs[0]}}}, {{{costs[1]}}}}}, .memory = {{{{{memories[0]}}}, {{{memories[1]}}}}}}}", flush=True)
 
     return 0
 

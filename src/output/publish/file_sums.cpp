@@ -48,6 +48,12 @@ std::vector<std::string> files_below(const fs::path& folder) {
     return files;
 }
 
+std::string sums_text(const Digests& digests) {
+    std::string sums;
+    for (const auto& [path, digest] : digests) sums += digest + "  " + path + "\n";
+    return sums;
+}
+
 void write_sums(const fs::path& folder, const Digests& known) {
     std::vector<std::string> files = files_below(folder);
     std::erase(files, sums_file);
@@ -56,10 +62,10 @@ void write_sums(const fs::path& folder, const Digests& known) {
         const auto it = known.find(files[i]);
         digests[i] = it != known.end() ? it->second : sha256_of_file(folder / files[i]);
     });
-    std::string sums;
-    for (std::size_t i = 0; i < files.size(); ++i) sums += digests[i] + "  " + files[i] + "\n";
+    Digests listed;
+    for (std::size_t i = 0; i < files.size(); ++i) listed[files[i]] = digests[i];
     const fs::path part = folder / (std::string(sums_file) + ".part");
-    write_file(part, sums);
+    write_file(part, sums_text(listed));
     if (const int error = rename_with(part, folder / sums_file, Taken::replaced); error != 0)
         throw OutputError((folder / sums_file).string(), std::string("cannot be put in place (") + std::strerror(error) + ")");
 }

@@ -27,6 +27,9 @@ std::map<std::string, FileSum> parse_sums(const std::string& text, const std::fi
 /// Digests that are known already, by path below the folder.
 using Digests = std::map<std::string, std::string>;
 
+/// Returns the list as sha256sum writes it.
+std::string sums_text(const Digests& digests);
+
 /// Lists every file below `folder` in its SHA256SUMS, which is there whole or not at all. @throws OutputError, InputError
 void write_sums(const std::filesystem::path& folder, const Digests& known);
 

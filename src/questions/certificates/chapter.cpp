@@ -170,7 +170,12 @@ extern const Chapter chapter{
              {"defect_list", "src/questions/certificates/defects.cpp"},
              {"change_when_moved", "src/geometry/measures/mesh_facts.cpp"},
              {"answer", "src/questions/certificates/chapter.cpp"}},
+    .roles = {"plane", "lilium", "armadillo", "plane_ns", "fandisk_ns", "cube", "cube8", "sphere", "ellipsoid", "torus", "bumpy_cube",
+              "saddle", "fandisk"},
+    .cost = {.cpu = {{0.6, 0, 12}, {0.5, 3.2}}, .memory = {{2, 125}, {3, 55}}, .whole_cpu = {0, 1.2}},
     .answer = answer,
+    .never_left_out = true,
+    .verifies_program = true,
 };
 
 }   // namespace meshfolio::certificates

@@ -119,6 +119,10 @@ extern const Chapter chapter{
              {"ClaimBench", "src/questions/claims/claim_bench.h"},
              {"report_mesh", "src/questions/core/stand_ins.cpp"},
              {"answer", "src/questions/claims/chapter.cpp"}},
+    .roles = {"armadillo", "plane", "lilium", "plane_ns", "fandisk_ns", "cube", "cube8", "sphere", "ellipsoid", "torus", "bumpy_cube",
+              "saddle", "fandisk"},
+    .planned_roles = 1,
+    .cost = {.cpu = {{1.5, 0.2}, {0.3, 0.2}}, .memory = {{7, 6}, {1, 6}}},
     .answer = answer,
     .on_request = true,
 };

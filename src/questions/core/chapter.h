@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "output/draw/figure_request.h"
+#include "questions/core/cost.h"
 #include "questions/core/mesh_library.h"
 #include "questions/core/settings.h"
 #include "report/document.h"
@@ -23,19 +24,29 @@ struct Answer {
     std::vector<output::MeshOutput> meshes = {};
 };
 
-/// Is called while a question works; may throw to stop it.
+struct LabOffer;
+
+/// Called while a chapter works; may throw to stop it.
 using Progress = std::function<void(std::string_view step)>;
 
-/// A question of the coursework, or a section that supports the answers. Its folder below src/questions defines one, named `chapter`.
+/// A question of the coursework, or a section that supports the answers: everything that the program knows of it. Its folder below
+/// src/questions defines one, named `chapter`.
 struct Chapter {
     struct Code {
-        std::string function, file;   // its purpose is the message "code.<function>"
+        std::string function, file;   // the message "code.<function>" says its purpose
     };
 
-    std::string_view id;      // "q1"; one that is not q and a number supports the answers, and has a letter in the report
-    std::vector<Code> code;   // what answers it: three definitions or more, of a question one of its own folder
+    std::string_view id;      // "q1"; a supporting section has another name, and a letter in the report
+    std::vector<Code> code;   // at least three definitions that answer it; a question cites one of its own folder
+    /// Roles of all meshes that it may read where the user names none, in order; the first `planned_roles` of them decide its cost.
+    std::vector<std::string_view> roles = {};
+    std::size_t planned_roles = roles.size();
+    ChapterCost cost;
     Answer (*answer)(const MeshLibrary& meshes, const QuestionSettings& settings, const Progress& progress);
-    bool on_request = false;   // about earlier reports: in none that does not ask for it
+    const LabOffer* lab = nullptr;   // its panel of the live laboratory; null: none
+    bool on_request = false;         // about earlier reports: only in a report that asks for it
+    bool never_left_out = false;     // also where the time is short; true of every question
+    bool verifies_program = false;   // `meshfolio verify` runs it
 
     bool is_question() const { return report::is_question(id); }
     report::Words words() const { return report::Words(id); }   // templates/words/<id>.md

@@ -42,6 +42,15 @@ std::vector<report::CodeReference> Chapter::cited_code() const {
     return cited;
 }
 
+double ChapterCost::work_of(const QuestionSettings& settings, bool small) const {
+    double work = 1;
+    if (lengths == nullptr) return work;
+    const auto count = [](const auto& list) { return static_cast<double>(std::max<std::size_t>(list.size(), 1)); };
+    if (const std::vector<int>& asked = settings.*lengths; !asked.empty()) work *= std::ranges::max(asked) / length[small];
+    if (!settings.lambda.empty() || !settings.noise.empty()) work *= count(settings.lambda) * count(settings.noise) / runs[small];
+    return work;
+}
+
 const Chapter& chapter_of_id(std::string_view id) {
     const auto found = std::ranges::find(chapter_list(), id, &Chapter::id);
     if (found == chapter_list().end()) throw std::logic_error("no chapter " + std::string(id));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 #include <map>
+#include <mutex>
 #include <optional>
 
 #include "base/errors.h"
@@ -82,7 +83,6 @@ SharedMesh MeshLibrary::loaded(const MeshLookup& lookup, const fs::path& base) c
 }
 
 SharedMesh MeshLibrary::whole(const MeshLookup& lookup, const fs::path& base) const {
-    note(lookup);
     // Held while reading: a mesh that two questions want is read once. Isolated as in decimated_to().
     const std::lock_guard lock(shelf_->mutex);
     const Shelf::Key key(lookup, base);
@@ -114,6 +114,8 @@ SharedMesh MeshLibrary::read(const MeshLookup& lookup, const fs::path& base) con
 
 SharedMesh MeshLibrary::role(const std::string& name) const {
     if (!finder_.own().empty()) return own_meshes().front();
+    if (offered_ && std::ranges::find(*offered_, name) == offered_->end())
+        throw std::logic_error("the chapter reads the role '" + name + "', which is not among its roles");
     return loaded({.by = MeshLookup::By::role, .name = name}, {});
 }
 
@@ -127,11 +129,6 @@ SharedMesh MeshLibrary::original(const std::string& name, const fs::path& path, 
 }
 
 SharedMesh MeshLibrary::in_data(const fs::path& file) const { return loaded({.by = MeshLookup::By::in_data, .path = file}, {}); }
-
-bool MeshLibrary::has_own_meshes() const {
-    note({.by = MeshLookup::By::own});   // whoever asks depends on the answer
-    return !finder_.own().empty();
-}
 
 LibraryMeshes MeshLibrary::own_meshes() const {
     LibraryMeshes meshes;
@@ -149,32 +146,16 @@ void MeshLibrary::open_own_meshes() const {
     }
 }
 
-// ---- what a question looked up --------------------------------------------------------------------------------------------
-
-void LookupRecord::add(const MeshLookup& lookup) {
-    const std::lock_guard lock(mutex_);
-    lookups_.insert(lookup);
-}
-
-std::vector<MeshLookup> LookupRecord::lookups() const {
-    const std::lock_guard lock(mutex_);
-    return {lookups_.begin(), lookups_.end()};
-}
-
 MeshLibrary MeshLibrary::limited_to(int vertices) const {
     MeshLibrary library = *this;
     library.most_vertices_ = vertices;
     return library;
 }
 
-MeshLibrary MeshLibrary::recorded_in(LookupRecord& record) const {
+MeshLibrary MeshLibrary::offering(std::vector<std::string_view> roles) const {
     MeshLibrary library = *this;
-    library.record_ = &record;
+    library.offered_ = std::move(roles);
     return library;
-}
-
-void MeshLibrary::note(const MeshLookup& lookup) const {
-    if (record_ != nullptr) record_->add(lookup);
 }
 
 std::string MeshLibrary::identity_of(const MeshLookup& lookup, const fs::path& base) const try {

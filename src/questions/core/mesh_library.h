@@ -4,9 +4,9 @@
 
 #include <filesystem>
 #include <memory>
-#include <mutex>
-#include <set>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh/mesh_checks.h"
@@ -37,17 +37,6 @@ struct OnMesh {
     const Preflight& preflight() const { return source->preflight(); }
 };
 
-/// Everything a question looked up, each once; thread-safe.
-class LookupRecord {
-public:
-    void add(const MeshLookup& lookup);
-    std::vector<MeshLookup> lookups() const;   // sorted
-
-private:
-    mutable std::mutex mutex_;
-    std::set<MeshLookup> lookups_;
-};
-
 /// Looks a role up in the user's own meshes, then the data folders by the assignment's path, then the bundled meshes
 /// compiled into the program. Each file is read and prepared once; thread-safe.
 class MeshLibrary {
@@ -56,7 +45,7 @@ public:
     MeshLibrary(std::vector<std::filesystem::path> data_folders, std::vector<std::filesystem::path> own_meshes,
                 const std::vector<std::filesystem::path>& listed = {});
 
-    /// @throws InputError if the file is missing or unusable; UsageError for an unknown role
+    /// @throws InputError if the file is missing or unusable; UsageError for an unknown role; std::logic_error for one not offered
     SharedMesh role(const std::string& role) const;
     /// A mesh named in the settings: relative to `base`, then the data folders, then the bundled data.
     SharedMesh file(const std::filesystem::path& path, const std::filesystem::path& base) const;
@@ -68,32 +57,32 @@ public:
     /// A mesh that only a data folder may have, by its file name; null where none has it.
     SharedMesh in_data(const std::filesystem::path& file) const;
 
-    bool has_own_meshes() const;
+    bool has_own_meshes() const { return !finder_.own().empty(); }
     /// The user's own meshes (`report MY.obj …`), which replace every list of roles. @throws InputError, MeshError
     LibraryMeshes own_meshes() const;
     /// Reads them, before any work begins. @throws InputError naming the first that cannot be used by its path
     void open_own_meshes() const;
 
-    /// Does what an earlier report read still stand where this run would find it? @param base  folder of the settings file
+    /// Returns true if this run would find the same mesh as the earlier report that has this input. @param base  folder of the settings
+    /// file
     bool still_has(const report::Input& input, const std::filesystem::path& base) const { return finder_.still_has(input, base); }
 
-    /// The same library with the same meshes, which enters into `record` what it is asked for from now on. `record` must outlive it.
-    MeshLibrary recorded_in(LookupRecord& record) const;
-    /// The same library, which hands out copies of at most so many vertices (mesh/decimation.h) of larger meshes, each made once; 0: the
-    /// meshes themselves.
+    /// Returns a view of this library that hands out decimated copies (mesh/decimation.h) of meshes with more vertices, each made once.
+    /// @param vertices  of the largest mesh handed out; 0: no limit
     MeshLibrary limited_to(int vertices) const;
-    /// Everything that the answer to a lookup depends on, without preparing the mesh: what it is called and the SHA-256 of its bytes, or
-    /// why it cannot be had. Equal words, equal mesh.
+    /// Returns a view of this library that hands out these roles only: what a chapter reads is what its answer is stored under.
+    MeshLibrary offering(std::vector<std::string_view> roles) const;
+    /// Returns words that are equal exactly where the mesh is, without preparing it: its name and the SHA-256 of its bytes, or the reason
+    /// why it cannot be read.
     std::string identity_of(const MeshLookup& lookup, const std::filesystem::path& base) const;
 
 private:
     struct Shelf;   // what has been read, shared by copies
     MeshFinder finder_;
     std::shared_ptr<Shelf> shelf_;
-    LookupRecord* record_ = nullptr;
-    int most_vertices_ = 0;   // 0: any number
+    int most_vertices_ = 0;                                  // 0: any number
+    std::optional<std::vector<std::string_view>> offered_;   // roles; none: all
 
-    void note(const MeshLookup& lookup) const;
     SharedMesh loaded(const MeshLookup& lookup, const std::filesystem::path& base) const;
     SharedMesh whole(const MeshLookup& lookup, const std::filesystem::path& base) const;
     SharedMesh read(const MeshLookup& lookup, const std::filesystem::path& base) const;

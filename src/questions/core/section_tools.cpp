@@ -35,7 +35,11 @@ void enter_input(const LibraryMesh& mesh, report::Section& section) {
         section.warnings.push_back(mesh.input.file + (warning.line > 0 ? ":" + std::to_string(warning.line) : "") + ": " + warning.message);
 }
 
-LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, std::initializer_list<std::string_view> roles,
+LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
+    return meshes_for(library, settings, chapter_of_id(section.id).roles, section);
+}
+
+LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, const std::vector<std::string_view>& roles,
                          report::Section& section) {
     LibraryMeshes meshes;
     if (!settings.meshes.empty())

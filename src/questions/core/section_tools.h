@@ -65,9 +65,11 @@ std::string id_of(const std::string& question, const std::string& mesh, const st
 /// Enters the mesh and the warnings of its preflight into the section.
 void enter_input(const LibraryMesh& mesh, report::Section& section);
 
-/// Finds the meshes of a question and enters them: those of the settings, else the user's own, else these roles.
+/// Finds the meshes of a chapter and enters them into its section: those of the settings, else the user's own, else the chapter's roles.
 /// @throws InputError if one is missing or unusable
-LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, std::initializer_list<std::string_view> roles,
+LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section);
+/// Finds the meshes in the same way, with some of the chapter's roles.
+LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, const std::vector<std::string_view>& roles,
                          report::Section& section);
 
 /// The failed check of a section that had to go without one of its meshes, and why.

@@ -141,6 +141,9 @@ extern const Chapter chapter{
              {"with_volumes", "src/geometry/denoising/component_size.cpp"},
              {"search", "src/questions/bench/denoising_search.cpp"},
              {"answer", "src/questions/methods/chapter.cpp"}},
+    .roles = {"cube", "armadillo", "plane", "fandisk_ns", "lilium"},
+    .planned_roles = 2,
+    .cost = {.cpu = {{0.9, 0.2}, {0.05, 0.2}}, .memory = {{7, 25}, {4, 5}}},
     .answer = answer,
 };
 

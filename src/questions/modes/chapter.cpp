@@ -11,7 +11,7 @@ struct PartMeshes {
 };
 PartMeshes part_meshes(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
     PartMeshes parts;
-    const auto enter = [&](std::initializer_list<std::string_view> roles, auto... of_parts) {
+    const auto enter = [&](const std::vector<std::string_view>& roles, auto... of_parts) {
         for (const SharedMesh& mesh : meshes_for(library, settings, roles, section)) ((parts.*of_parts).push_back(mesh), ...);
     };
     const bool given = !settings.meshes.empty() || library.has_own_meshes();
@@ -145,6 +145,9 @@ extern const Chapter chapter{
              {"risk_estimate", "src/geometry/denoising/risk_estimate.cpp"},
              {"prediction_study", "src/questions/modes/prediction_study.cpp"},
              {"answer", "src/questions/modes/chapter.cpp"}},
+    .roles = {"cube", "plane_ns", "lilium", "armadillo", "fandisk_ns", "torus"},
+    .planned_roles = 3,
+    .cost = {.cpu = {{0.2, 32, 40}, {0.15, 14}}, .memory = {{12, 400}, {3, 230}}},
     .answer = answer,
 };
 

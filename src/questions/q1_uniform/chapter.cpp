@@ -111,7 +111,7 @@ double euler_gap(const AngleSums& sums) {
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("q1")};
     report::Section& section = answer.section;
-    const auto sources = meshes_for(library, settings, {"bumpy_cube", "lilium", "sphere", "plane"}, section);
+    const auto sources = meshes_for(library, settings, section);
     Meshes meshes;
     for (const auto& source : sources) {
         progress("uniform curvature of " + source->name);
@@ -161,6 +161,8 @@ extern const Chapter chapter{
              {"vertex_areas", "src/geometry/operators/vertex_areas.cpp"},
              {"known_surfaces", "src/questions/bench/known_surfaces.cpp"},
              {"answer", "src/questions/q1_uniform/chapter.cpp"}},
+    .roles = {"bumpy_cube", "lilium", "sphere", "plane"},
+    .cost = {.cpu = {{1.7, 2}, {1.5, 0.5, 0.8}}, .memory = {{40, 42}, {10, 42}}},
     .answer = answer,
 };
 

@@ -172,6 +172,7 @@ extern const Chapter chapter{
              {"principal_curvatures", "src/geometry/curvature/fundamental_forms.cpp"},
              {"ellipsoid_curvature", "src/geometry/curvature/analytic_surfaces.cpp"},
              {"answer", "src/questions/q2_ellipsoid/chapter.cpp"}},
+    .cost = {.cpu = {{0.15, 0}, {0.04, 0}}, .memory = {{9, 0}, {1, 0}}},
     .answer = answer,
 };
 

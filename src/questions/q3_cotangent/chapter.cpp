@@ -143,7 +143,7 @@ void add_disagreement(Answer& answer, const CotangentComparison& c, const Disagr
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("q3")};
     report::Section& section = answer.section;
-    const auto sources = meshes_for(library, settings, {"lilium", "plane"}, section);
+    const auto sources = meshes_for(library, settings, section);
     Comparisons meshes;
     for (const auto& source : sources) {
         progress("cotangent curvature of " + source->name);
@@ -196,6 +196,8 @@ extern const Chapter chapter{
              {"compare_operators", "src/questions/bench/cotangent_study.cpp"},
              {"jet_curvature", "src/geometry/curvature/jet_fit.cpp"},
              {"answer", "src/questions/q3_cotangent/chapter.cpp"}},
+    .roles = {"lilium", "plane"},
+    .cost = {.cpu = {{1.6, 1, 2.6}, {1.5, 0, 2.6}}, .memory = {{40, 42}, {9, 42}}},
     .answer = answer,
 };
 

@@ -72,7 +72,7 @@ void add_results(Answer& answer, const Subject& subject, const report::Facts& fa
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("q4")};
     report::Section& section = answer.section;
-    const auto meshes = meshes_for(library, settings, {"armadillo"}, section);
+    const auto meshes = meshes_for(library, settings, section);
     const Subjects subjects = studies_of(meshes, "eigenpairs", settings, progress, section, subject_of);
     const report::Facts first = facts_of(subjects, 0);
     section.answer = words.say("answer", first);
@@ -96,7 +96,13 @@ extern const Chapter chapter{
              {"reconstruction_rms", "src/geometry/spectrum/spectral_reconstruction.cpp"},
              {"local_thickness", "src/geometry/measures/local_thickness.cpp"},
              {"answer", "src/questions/q4_spectral/chapter.cpp"}},
+    .roles = {"armadillo"},
+    .cost = {.cpu = {{1.8, 22, 10}, {0.3, 7.6}},
+             .memory = {{42, 1000, 230}, {6, 430}},
+             .lengths = &QuestionSettings::k,
+             .length = {300, 60}},
     .answer = answer,
+    .lab = &lab,
 };
 
 }   // namespace meshfolio::q4_spectral

@@ -8,6 +8,7 @@
 namespace meshfolio::q4_spectral {
 
 inline constexpr report::Words words("q4");
+extern const LabOffer lab;
 
 /// Errors below this share of the box diagonal are rounding and count as 0.
 inline constexpr double rounding = 1e-9;

@@ -186,7 +186,7 @@ void add_appendix(report::Section& section, const Studies& studies, const report
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("q5")};
     report::Section& section = answer.section;
-    const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns"}, section);
+    const auto meshes = meshes_for(library, settings, section);
     const auto studies = studies_of(meshes, "explicit smoothing", settings, progress, section, explicit_study);
     const report::Facts facts = facts_of(studies);
     section.answer = words.say("answer", facts);
@@ -215,7 +215,13 @@ extern const Chapter chapter{
              {"explicit_rows", "src/geometry/smoothing/diffusion_step.cpp"},
              {"largest_eigenvalue", "src/geometry/spectrum/stability.cpp"},
              {"answer", "src/questions/q5_explicit/chapter.cpp"}},
+    .roles = {"cube", "plane_ns", "fandisk_ns"},
+    .cost = {.cpu = {{0.3, 24, 0}, {0.05, 17.8}},
+             .memory = {{13, 250}, {6, 180}},
+             .lengths = &QuestionSettings::iterations,
+             .length = {50, 20}},
     .answer = answer,
+    .lab = &lab,
 };
 
 }   // namespace meshfolio::q5_explicit

@@ -7,6 +7,7 @@
 namespace meshfolio::q5_explicit {
 
 inline constexpr report::Words words("q5");
+extern const LabOffer lab;
 
 using Studies = std::vector<ExplicitStudy>;
 

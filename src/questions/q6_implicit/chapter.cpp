@@ -117,7 +117,7 @@ report::Plot gap_plot(const Studies& studies) {
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("q6")};
     report::Section& section = answer.section;
-    const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns"}, section);
+    const auto meshes = meshes_for(library, settings, section);
     const auto studies = studies_of(meshes, "implicit smoothing", settings, progress, section, implicit_study);
     section.answer = words.say("answer", answer_facts(studies));
     const report::Facts facts = discussion_facts(studies);
@@ -152,7 +152,14 @@ extern const Chapter chapter{
              {"implicit_step", "src/geometry/smoothing/laplacian_smoothing.cpp"},
              {"ImplicitSolver::prepare", "src/geometry/smoothing/implicit_solver.cpp"},
              {"answer", "src/questions/q6_implicit/chapter.cpp"}},
+    .roles = {"cube", "plane_ns", "fandisk_ns"},
+    .cost = {.cpu = {{0.05, 25, 30}, {0.2, 8, 14}},
+             .memory = {{16, 300}, {6, 250}},
+             .lengths = &QuestionSettings::iterations,
+             .length = {100, 10},
+             .runs = {3, 3}},
     .answer = answer,
+    .lab = &lab,
 };
 
 }   // namespace meshfolio::q6_implicit

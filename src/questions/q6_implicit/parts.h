@@ -7,6 +7,7 @@
 namespace meshfolio::q6_implicit {
 
 inline constexpr report::Words words("q6");
+extern const LabOffer lab;
 
 using Studies = std::vector<ImplicitStudy>;
 

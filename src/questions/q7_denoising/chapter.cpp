@@ -30,7 +30,7 @@ bool has_own_fandisk(const Grids& grids) {
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("q7")};
     report::Section& section = answer.section;
-    const auto meshes = meshes_for(library, settings, {"cube", "fandisk", "armadillo"}, section);
+    const auto meshes = meshes_for(library, settings, section);
     const auto grids = studies_of(meshes, "denoising", settings, progress, section, denoising_grid);
     const Reasons reasons = reasons_of(grids);
     const report::Facts facts = facts_of(grids, reasons);
@@ -76,7 +76,14 @@ extern const Chapter chapter{
              {"search", "src/questions/bench/denoising_search.cpp"},
              {"shape_rms", "src/geometry/measures/mesh_error.cpp"},
              {"answer", "src/questions/q7_denoising/chapter.cpp"}},
+    .roles = {"cube", "fandisk", "armadillo"},
+    .cost = {.cpu = {{0.2, 50, 20}, {0.3, 9, 8.5}},
+             .memory = {{14, 250}, {10, 250}},
+             .lengths = &QuestionSettings::iterations,
+             .length = {32, 16},
+             .runs = {20, 6}},
     .answer = answer,
+    .lab = &lab,
 };
 
 }   // namespace meshfolio::q7_denoising

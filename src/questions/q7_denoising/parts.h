@@ -7,6 +7,7 @@
 namespace meshfolio::q7_denoising {
 
 inline constexpr report::Words words("q7");
+extern const LabOffer lab;
 
 using Grids = std::vector<DenoisingGrid>;
 using Case = Within<DenoisingGrid, NoisyTrial>;

@@ -155,6 +155,8 @@ extern const Chapter chapter{
              {"curvature_experiment", "src/questions/reproductions/field_study.cpp"},
              {"reconstruction_experiment", "src/questions/reproductions/field_study.cpp"},
              {"answer", "src/questions/reproductions/chapter.cpp"}},
+    .roles = {"armadillo"},
+    .cost = {.cpu = {{0.8, 40}, {0.2, 22}}, .memory = {{36, 125}, {10, 75}}},
     .answer = answer,
     .on_request = true,
 };

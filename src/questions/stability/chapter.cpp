@@ -94,7 +94,7 @@ void add_record(report::Section& section, const Studies& studies, const Planes& 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("stability")};
     report::Section& section = answer.section;
-    const auto meshes = meshes_for(library, settings, {"cube", "plane_ns", "fandisk_ns", "armadillo"}, section);
+    const auto meshes = meshes_for(library, settings, section);
     const auto studies = studies_of(meshes, "limit of explicit smoothing", settings, progress, section, stability_study);
     const StabilityStudy& last = studies.back();
     progress("rebuilt flow of " + last.name());
@@ -133,6 +133,8 @@ extern const Chapter chapter{
              {"growing_modes", "src/questions/stability/planes.cpp"},
              {"ImplicitSolver::prepare", "src/geometry/smoothing/implicit_solver.cpp"},
              {"answer", "src/questions/stability/chapter.cpp"}},
+    .roles = {"cube", "plane_ns", "fandisk_ns", "armadillo"},
+    .cost = {.cpu = {{0.2, 22, 75}, {0.17, 10, 45}}, .memory = {{18, 350}, {3, 175}}},
     .answer = answer,
 };
 

@@ -137,7 +137,10 @@ report::Section ground_truth_section(const GroundTruth& truth) {
 }
 
 Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progress& progress) {
-    return {ground_truth_section(ground_truth(settings.seed, settings.quick, progress)), {}, {}};
+    const GroundTruth truth = ground_truth(settings.seed, settings.quick, progress);
+    Answer answer{ground_truth_section(truth)};
+    if (settings.laboratory) add(answer.section, ground_truth_table(truth));
+    return answer;
 }
 
 extern const Chapter chapter{
@@ -146,7 +149,9 @@ extern const Chapter chapter{
              {"corrected_curvature", "src/geometry/curvature/corrected_curvature.cpp"},
              {"bench_mesh", "src/questions/bench/bench_mesh.cpp"},
              {"measured", "src/questions/bench/curvature_bench.cpp"}},
+    .cost = {.cpu = {{3.4, 0}, {0.9, 0}}, .memory = {{3, 0}, {2, 0}}},
     .answer = answer,
+    .verifies_program = true,
 };
 
 }   // namespace meshfolio::truth

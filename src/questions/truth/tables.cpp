@@ -124,7 +124,8 @@ report::Table ground_truth_table(const GroundTruth& truth) {
         .column("order, L2", [](auto& m) { return cell_of(m.l2.exponent); })
         .column("margin, L2", [](auto& m) { return cell_of(m.l2.margin); })
         .column("order, L∞", [](auto& m) { return cell_of(m.linf.exponent); })
-        .column("margin, L∞", [](auto& m) { return cell_of(m.linf.margin); });
+        .column("margin, L∞", [](auto& m) { return cell_of(m.linf.margin); })
+        .file_only();
 }
 
 }   // namespace meshfolio::truth

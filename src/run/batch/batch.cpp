@@ -21,7 +21,7 @@
 #include "run/batch/job_pool.h"
 #include "run/batch/report_run.h"
 #include "run/console.h"
-#include "run/paper_copy.h"
+#include "run/paper.h"
 #include "run/plan/plan.h"
 #include "run/progress.h"
 
@@ -189,7 +189,7 @@ ExitCode run_batch(const BatchFlags& flags) {
         return ExitCode::ok;
     }
     const report::Templates templates(settings.templates);
-    static_cast<void>(PaperCopy(settings, templates));   // an engine that is required is there
+    static_cast<void>(Paper(settings, templates, nullptr));   // throws unless an engine that is required is there
     const BatchFolder folder(settings.out);
     for (const BatchMesh& mesh : meshes)
         output::sweep_leftovers(folder.path() / mesh.name);   // what is finished is not made again, and sweeps nothing

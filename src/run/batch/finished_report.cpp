@@ -9,8 +9,8 @@
 #include "png/png.h"
 #include "report/page/volumes.h"
 #include "run/arguments.h"
-#include "run/earlier_report.h"
 #include "run/provenance.h"
+#include "run/stored_report.h"
 
 namespace meshfolio::run {
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Small enough that the page can hold hundreds.
-std::optional<report::BatchRow::Picture> thumbnail(const EarlierReport& report) {
+std::optional<report::BatchRow::Picture> thumbnail(const StoredReport& report) {
     constexpr int side = 192, quality = 80;   // pixels; of JPEG
     const report::Figure* figure = report::cover_figure(report.document, report.figures);
     if (figure == nullptr) return {};
@@ -36,7 +36,7 @@ std::optional<report::BatchRow::Picture> thumbnail(const EarlierReport& report) 
     return report::BatchRow::Picture{render::encode_jpeg(picture, quality), figure->alt, picture.width, picture.height};
 }
 
-report::BatchRow row_of(const BatchMesh& mesh, const EarlierReport& report, const std::string& folder) {
+report::BatchRow row_of(const BatchMesh& mesh, const StoredReport& report, const std::string& folder) {
     report::BatchRow row = report::batch_row(mesh.name, mesh.file, report.document, report.timings);
     row.report = folder + "/index.html";
     row.picture = thumbnail(report);
@@ -64,7 +64,7 @@ bool is_complete(const report::Document& document, const ReportSettings& setting
     });
 }
 
-bool is_the_same(const EarlierReport& report, const BatchMesh& mesh, const std::string& sha256, const ReportSettings& settings) {
+bool is_the_same(const StoredReport& report, const BatchMesh& mesh, const std::string& sha256, const ReportSettings& settings) {
     const report::Input* input = input_with(report.document, sha256);
     if (input == nullptr || report.timings != settings.timings || !has_the_words_of(report.document, settings)) return false;
     const ReportSettings own = settings_on(mesh, std::max<double>(input->vertices, 0.5 * input->triangles), settings);
@@ -80,14 +80,14 @@ ReportSettings settings_on(const BatchMesh& mesh, double vertices, ReportSetting
 }
 
 report::BatchRow row_of_report(const BatchMesh& mesh, const fs::path& out, const std::string& folder) {
-    return row_of(mesh, EarlierReport(out / folder / "results.json"), folder);
+    return row_of(mesh, StoredReport(out / folder / results_file), folder);
 }
 
 std::optional<report::BatchRow> finished_row(const BatchMesh& mesh, const std::string& sha256, const ReportSettings& settings) {
     for (const std::string& folder : {mesh.name, output::failed_beside(mesh.name).string()}) {
         try {
-            if (!may_be_there(settings.out / folder / "results.json")) continue;
-            const EarlierReport report(settings.out / folder / "results.json");
+            if (!may_be_there(settings.out / folder / results_file)) continue;
+            const StoredReport report(settings.out / folder / results_file);
             const bool is_printed = settings.pdf != "require" || may_be_there(settings.out / folder / "report.pdf");
             if (is_printed && is_the_same(report, mesh, sha256, settings) && output::first_changed(settings.out / folder).empty())
                 return row_of(mesh, report, folder);

@@ -12,32 +12,49 @@
 #include "mesh/orientation.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/surface_of.h"
+#include "questions/core/chapter.h"
 #include "scene/hero.h"
 
 namespace meshfolio::run {
 
 namespace {
 
-/// What the page opens with and offers, and the program's numbers for all of that and for what the report shows.
+bool can_be_set(const LabSetting& setting, const LabScale& scale) {
+    return setting.scheme == "projection" ? setting.count <= scale.modes : scale.has_all;
+}
+
+/// Enters the setting that each panel opens with, the presets, and the program's numbers at these and at the settings of the report's
+/// tables.
 void add_settings(LabMesh& lab, const Spectrum& spectrum, const std::map<std::string, QuestionSettings>& of_this_mesh) {
-    auto questions = of_this_mesh;
-    if (const auto lab_page = of_this_mesh.find("lab"); lab_page != of_this_mesh.end())   // which belongs to no question, has what all have
-        for (const char* id : {"q4", "q5", "q6", "q7"}) questions.emplace(id, lab_page->second);
     const LabScale scale{lab.critical(), static_cast<int>(lab.eigenvalues.size()), lab.has_all_modes()};
+    const auto page = of_this_mesh.find("lab");   // the page of the laboratory alone offers the presets of every panel
     std::vector<BestDenoising> denoised;
-    if (const auto q7 = questions.find("q7"); q7 != questions.end() && scale.has_all) denoised = denoising_on(lab, q7->second);
-    lab.presets = presets_for(questions, scale, denoised);
+    std::vector<LabSetting> reported;
+    if (page != of_this_mesh.end()) reported.push_back(lab.starts["lab"] = coarse_projection(page->second, scale));
+    for (const Chapter* chapter : chapter_list()) {
+        const std::string id(chapter->id);
+        const auto question = of_this_mesh.contains(id) ? of_this_mesh.find(id) : page;
+        if (chapter->lab == nullptr || question == of_this_mesh.end()) continue;
+        const QuestionSettings& settings = question->second;
+        const LabOffer& offer = *chapter->lab;
+        if (offer.denoised != nullptr && scale.has_all) denoised = offer.denoised(lab.mesh, lab.mean_edge, lab.diagonal, settings);
+        for (LabPreset& preset : offer.presets(denoised)) {
+            preset.question = id;
+            if (can_be_set(preset.setting, scale)) lab.presets.push_back(std::move(preset));
+        }
+        std::ranges::copy(offer.reported(settings, scale, denoised), std::back_inserter(reported));
+        if (question != page) {
+            lab.starts[id] = scale.has_all ? offer.start(settings, scale, denoised) : coarse_projection(settings, scale);
+            reported.push_back(lab.starts[id]);
+        }
+    }
+    std::erase_if(reported, [&](const LabSetting& setting) { return !can_be_set(setting, scale); });
     std::vector<LabSetting> settings;
     const auto add = [&](const LabSetting& setting) {
         if (std::ranges::find(settings, setting) == settings.end()) settings.push_back(setting);
     };
     for (const LabPreset& preset : lab.presets) add(preset.setting);
-    for (const auto& [question, own] : questions) {
-        for (const LabSetting& setting : reported(question, own, scale, denoised)) add(setting);
-        if (!of_this_mesh.contains(question)) continue;
-        lab.starts[question] = start_of(question, own, scale, denoised);
-        add(lab.starts[question]);
-    }
+    for (const LabSetting& setting : reported) add(setting);
     lab.readings = readings_at(lab, spectrum, settings);
 }
 

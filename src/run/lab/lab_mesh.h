@@ -10,7 +10,7 @@
 #include "geometry/operators/cotangent_laplacian.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "geometry/spectrum/quantised_modes.h"
-#include "run/lab/lab_presets.h"
+#include "questions/bench/lab_offer.h"
 
 namespace meshfolio::run {
 
@@ -52,9 +52,6 @@ struct LabMesh {
 
 /// What the program itself computes at these settings, to stand beside what the page does; none where a run has blown up.
 std::vector<LabReading> readings_at(const LabMesh& lab, const Spectrum& spectrum, const std::vector<LabSetting>& settings);
-
-/// Question 7 on this mesh, at each of its levels of noise.
-std::vector<BestDenoising> denoising_on(const LabMesh& lab, const QuestionSettings& settings);
 
 /// @param questions  whose panels open on this mesh, with the user's settings; "lab": one that belongs to none
 /// @throws MeshError if the mesh cannot be decimated

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "base/parallel_tasks.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
@@ -86,26 +85,6 @@ std::vector<LabReading> readings_at(const LabMesh& lab, const Spectrum& spectrum
         if (std::isfinite(reading.energy) && std::isfinite(reading.volume)) readings.push_back(reading);
     }
     return readings;
-}
-
-std::vector<BestDenoising> denoising_on(const LabMesh& lab, const QuestionSettings& settings) {
-    const q7_denoising::DenoisingTries tries = q7_denoising::tries_of(settings, lab.mean_edge);
-    const MeshTopology topology = topology_of(lab.mesh);
-    const Positions normals = face_normals(lab.mesh);
-    std::vector<BestDenoising> all(tries.noise.size());
-    for_each_task(all.size(), [&](std::size_t i) {
-        BestDenoising& best = all[i];
-        best.sigma = tries.noise[i];
-        best.seed = settings.seed;
-        const TriangleMesh mesh = moved_to(lab.mesh, noisy(lab, {.sigma = best.sigma, .seed = best.seed}));
-        const SearchInput input{lab.mesh, normals, {mesh, topology}, lab.mean_edge};
-        best.found = q7_denoising::search_for_best(input, tries.lambdas, tries.iterations);
-        for (const Measure& measure : measures) {   // the noisy mesh itself is that of any λ
-            SearchState& state = best.found.*measure.best;
-            if (state.step == 0) state.value = tries.lambdas[tries.lambdas.size() / 2];
-        }
-    });
-    return all;
 }
 
 }   // namespace meshfolio::run

@@ -1,13 +1,13 @@
 #include "run/lab/report_labs.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "base/joined.h"
 #include "base/parallel_tasks.h"
+#include "questions/bench/lab_offer.h"
 #include "questions/core/section_tools.h"
 #include "report/words.h"
 #include "run/console.h"
@@ -20,20 +20,14 @@ namespace {
 
 constexpr int largest_source = 100000;   // vertices: larger meshes are decimated twice, of which other sections share the first
 
-/// Question, and which of its own choice of meshes.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> choices{
-    {{"q4", "armadillo"}, {"q5", "cube"}, {"q6", "fandisk_ns"}, {"q7", "cube"}}};
-
-bool is_answered(const std::vector<QuestionResult>& results, std::string_view id) {
-    return std::any_of(results.begin(), results.end(), [&](const QuestionResult& result) {
-        return result.section().id == id && result.section().status == report::Status::ok;
+bool is_answered(const std::vector<ReportSection>& sections, std::string_view id) {
+    return std::ranges::any_of(sections, [&](const ReportSection& section) {
+        return section.answer.section.id == id && section.answer.section.status == report::Status::ok;
     });
 }
 
-using MeshPointer = std::shared_ptr<const LibraryMesh>;
-
 struct LabJob {
-    MeshPointer mesh;
+    SharedMesh mesh;
     std::set<std::string> answered = {};                      // whose panels open it
     std::map<std::string, QuestionSettings> questions = {};   // that have this mesh, answered or not: parts of a report hold the same data
 };
@@ -48,38 +42,40 @@ std::string key_of(const LabJob& job, const ReportSettings& settings) {
     key.add(job.mesh->input.sha256);
     for (const auto& [id, unused] : job.questions) {
         key.add(id);
-        for (const std::string& word : identity_of(settings, id, false)) key.add(word);
+        for (const std::string& word : identity_of(settings, id)) key.add(word);
     }
     return key.key();
 }
 
 /// Null if the mesh is missing, which its section reports.
-MeshPointer mesh_for(std::string_view id, std::string_view role, const MeshLibrary& meshes, const ReportSettings& settings) try {
+SharedMesh mesh_for(const Chapter& chapter, const MeshLibrary& meshes, const ReportSettings& settings) try {
     report::Section unused;
-    return meshes_for(meshes, question_settings(settings, std::string(id)), {role}, unused).front();
+    return meshes_for(meshes, question_settings(settings, std::string(chapter.id)), {chapter.lab->role}, unused).front();
 } catch (const Error&) {
     return nullptr;
 }
 
 }   // namespace
 
-std::vector<report::Lab> report_labs(const std::vector<QuestionResult>& results, const MeshLibrary& meshes, const ReportSettings& settings,
+std::vector<report::Lab> report_labs(const std::vector<ReportSection>& sections, const MeshLibrary& meshes, const ReportSettings& settings,
                                      output::ResultCache* store) {
     const MeshLibrary sources = meshes.limited_to(largest_source);
     std::vector<LabJob> jobs;
-    for (const auto& [id, role] : choices) {
-        const MeshPointer mesh = mesh_for(id, role, sources, settings);
+    for (const Chapter* chapter : chapter_list()) {
+        if (chapter->lab == nullptr) continue;
+        const std::string_view id = chapter->id;
+        const SharedMesh mesh = mesh_for(*chapter, sources, settings);
         if (!mesh) continue;
         auto job = std::ranges::find(jobs, mesh, &LabJob::mesh);
         if (job == jobs.end()) job = jobs.insert(job, LabJob{mesh});
         job->questions.emplace(id, question_settings(settings, std::string(id)));
-        if (is_answered(results, id)) job->answered.emplace(id);
+        if (is_answered(sections, id)) job->answered.emplace(id);
     }
     std::erase_if(jobs, [](const LabJob& job) { return job.answered.empty(); });
     std::ranges::sort(jobs, {}, names_of);
     std::vector<report::Lab> labs(jobs.size());
     for_each_task(jobs.size(), [&](std::size_t i) {
-        const MeshPointer& mesh = jobs[i].mesh;
+        const SharedMesh& mesh = jobs[i].mesh;
         const std::string key = store != nullptr ? key_of(jobs[i], settings) : "";
         try {
             if (auto stored = key.empty() ? std::nullopt : store->get(key)) {

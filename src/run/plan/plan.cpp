@@ -4,35 +4,28 @@
 #include <functional>
 #include <numeric>
 #include <span>
-#include <stdexcept>
 
 #include "base/errors.h"
-#include "questions/core/chapter.h"
 #include "run/arguments.h"
 
 namespace meshfolio::run {
 
 namespace {
 
-/// The rungs of a question: its own mesh matters most. Of a section that explores: its settings do. The preflight is about the mesh itself,
-/// so that the certificates beside it are never left out.
+/// The cost of everything beside the sections: the program; reading the meshes; making decimated copies; printing.
+constexpr CostModel base_cpu{0.2, 0}, reading_cpu{0, 0.25}, copies_cpu{0, 2.3}, printing_cpu{8, 0};   // [s]
+constexpr CostModel reading_memory{0, 25}, copies_memory{0, 80};                                      // [MB]
+
+/// The rungs of a question keep its own mesh longest. Those of a supporting section keep its settings longest, and end without it.
 constexpr Effort of_question[] = {{}, {true}, {true, 100000}, {true, 30000}, {true, 10000}, {true, 3000}};
-constexpr Effort exploring[] = {{}, {false, 30000}, {false, 10000}, {true, 10000}, {true, 3000}, {true, 0, true}};
-constexpr Effort of_certificates[] = {{}, {false, 30000}, {false, 10000}, {true, 10000}, {true, 3000}};
+constexpr Effort of_supporting[] = {{}, {false, 30000}, {false, 10000}, {true, 10000}, {true, 3000}, {true, 0, true}};
 
-std::span<const Effort> ladder_of(std::string_view id) {
-    if (id == "certificates") return of_certificates;
-    return chapter_of_id(id).is_question() ? std::span<const Effort>(of_question) : exploring;
+std::span<const Effort> ladder_of(const Chapter& chapter) {
+    if (chapter.is_question()) return of_question;
+    return std::span(of_supporting).first(std::size(of_supporting) - (chapter.never_left_out ? 1 : 0));
 }
 
-const SectionModel& model_of(std::string_view id) {
-    const auto models = section_models();
-    const auto found = std::ranges::find(models, id, &SectionModel::id);
-    if (found == models.end()) throw std::logic_error("no cost model of " + std::string(id));
-    return *found;
-}
-
-/// `cost` of the section's meshes as they are worked on.
+/// Returns the cost of the section's meshes as they are worked on.
 double cost_of(const CostModel& cost, const PlannedSection& section, const Effort& effort, double work) {
     double sum = cost.fixed;
     for (const PlannedMesh& mesh : section.meshes) sum += cost.per_mesh(mesh.within(effort.most_vertices), work);
@@ -45,39 +38,38 @@ double sum_over(const CostModel& cost, const std::vector<PlannedMesh>& meshes) {
     return sum;
 }
 
-/// The first rung further down that costs less; the section's own where there is none.
+/// Returns the section on the first rung further down that costs less; the same section if there is none.
 PlannedSection next_rung(const PlannedSection& section) {
     PlannedSection next = section;
-    while (++next.rung < ladder_of(section.model->id).size())
+    while (++next.rung < ladder_of(*section.chapter).size())
         if (next.effort().cpu_seconds < section.effort().cpu_seconds) return next;
     return section;
 }
 
 double saved_by(const PlannedSection& section) {
     const double saved = section.effort().cpu_seconds - next_rung(section).effort().cpu_seconds;
-    return chapter_of_id(section.model->id).is_question() ? saved / 2 : saved;
+    return section.chapter->is_question() ? saved / 2 : saved;
 }
 
 PlannedMesh planned(const LibraryMesh& mesh) {
     return {mesh.input.file, std::max<double>(mesh.input.vertices, 0.5 * static_cast<double>(mesh.input.triangles))};
 }
 
-/// Those that `get` gives; what cannot be had costs nothing.
-template <class Get>
-void add(std::vector<PlannedMesh>& meshes, const Get& get) try {
-    for (const std::shared_ptr<const LibraryMesh>& mesh : get()) meshes.push_back(planned(*mesh));
-} catch (const Error&) {   // the section says so
-}
-
-std::vector<PlannedMesh> meshes_of(const SectionModel& model, const QuestionSettings& settings, const MeshLibrary& library) {
-    using List = std::vector<std::shared_ptr<const LibraryMesh>>;
+/// Returns the meshes that decide the cost of a chapter. One that cannot be had costs nothing: the section reports it.
+std::vector<PlannedMesh> meshes_of(const Chapter& chapter, const QuestionSettings& settings, const MeshLibrary& library) {
     std::vector<PlannedMesh> meshes;
+    const auto add = [&](const auto& get) {
+        try {
+            meshes.push_back(planned(*get()));
+        } catch (const Error&) {
+        }
+    };
     if (!settings.meshes.empty()) {
-        for (const std::string& path : settings.meshes) add(meshes, [&] { return List{library.file(path, settings.base)}; });
+        for (const std::string& path : settings.meshes) add([&] { return library.file(path, settings.base); });
     } else if (!library.has_own_meshes()) {
-        for (const std::string& role : split(model.roles, ' ')) add(meshes, [&] { return List{library.role(role)}; });
-    } else if (!model.roles.empty()) {
-        add(meshes, [&] { return library.own_meshes(); });
+        for (std::size_t i = 0; i < chapter.planned_roles; ++i) add([&] { return library.role(std::string(chapter.roles[i])); });
+    } else if (!chapter.roles.empty()) {
+        for (const SharedMesh& mesh : library.own_meshes()) add([&] { return mesh; });
     }
     return meshes;
 }
@@ -88,12 +80,11 @@ Plan started(const ReportSettings& settings, bool alone, const MeshesOf& meshes_
     Plan plan;
     plan.printed = settings.pdf != "off";
     for (const Chapter* chapter : chapters_of(settings)) {
-        const std::string id(chapter->id);
-        if (alone && !is_asked_for(settings, id)) continue;
-        const auto table = settings.questions.find(id);
-        const QuestionTable asked = table != settings.questions.end() ? table->second : QuestionTable();
-        PlannedSection section{&model_of(id), meshes_of_section(model_of(id)), work_of(id, asked, false), work_of(id, asked, true)};
-        const auto ladder = ladder_of(id);
+        if (alone && !is_asked_for(settings, chapter->id)) continue;
+        const QuestionSettings asked = question_settings(settings, std::string(chapter->id));
+        PlannedSection section{chapter, meshes_of_section(*chapter, asked), chapter->cost.work_of(asked, false),
+                               chapter->cost.work_of(asked, true)};
+        const auto ladder = ladder_of(*chapter);
         while (settings.quick && !ladder[section.rung].small) ++section.rung;
         for (const PlannedMesh& mesh : section.meshes) {
             if (std::ranges::find(plan.meshes, mesh.file, &PlannedMesh::file) == plan.meshes.end()) plan.meshes.push_back(mesh);
@@ -113,7 +104,7 @@ Plan scaled(Plan plan, const ReportSettings& settings, Scope scope) {
         *dearest = next_rung(*dearest);
     }
     for (PlannedSection& section : plan.sections) {
-        const std::string id(section.model->id);
+        const std::string id(section.chapter->id);
         if (!is_asked_for(settings, id)) {
             plan.others[id] = section.effort();
             plan.others[id].cpu_seconds = 0;
@@ -121,18 +112,18 @@ Plan scaled(Plan plan, const ReportSettings& settings, Scope scope) {
             --section.rung;
         }
     }
-    std::erase_if(plan.sections, [&](const PlannedSection& section) { return !is_asked_for(settings, section.model->id); });
+    std::erase_if(plan.sections, [&](const PlannedSection& section) { return !is_asked_for(settings, section.chapter->id); });
     return plan;
 }
 
 }   // namespace
 
 Effort PlannedSection::effort() const {
-    Effort effort = ladder_of(model->id)[rung];
+    Effort effort = ladder_of(*chapter)[rung];
     if (effort.left_out) return effort;
-    effort.cpu_seconds =
-        (effort.small ? cost_of(model->small_cpu, *this, effort, work_small) : cost_of(model->full_cpu, *this, effort, work_full)) +
-        cost_of(model->whole_cpu, *this, {}, 1);
+    effort.cpu_seconds = (effort.small ? cost_of(chapter->cost.cpu.small, *this, effort, work_small)
+                                       : cost_of(chapter->cost.cpu.full, *this, effort, work_full)) +
+                         cost_of(chapter->cost.whole_cpu, *this, {}, 1);
     if (effort.most_vertices >= largest_mesh()) effort.most_vertices = 0;
     return effort;
 }
@@ -141,9 +132,9 @@ double PlannedSection::memory() const {
     const Effort planned = effort();
     if (planned.left_out) return 0;
     double largest = 0;   // one mesh at a time
-    const CostModel& model_memory = planned.small ? model->small_memory : model->full_memory;
-    for (const PlannedMesh& mesh : meshes) largest = std::max(largest, model_memory.per_mesh(mesh.within(planned.most_vertices)));
-    return megabyte * (model_memory.fixed + largest);
+    const CostModel& model = planned.small ? chapter->cost.memory.small : chapter->cost.memory.full;
+    for (const PlannedMesh& mesh : meshes) largest = std::max(largest, model.per_mesh(mesh.within(planned.most_vertices)));
+    return megabyte * (model.fixed + largest);
 }
 
 double PlannedSection::largest_mesh() const {
@@ -185,12 +176,12 @@ double Plan::memory(int at_a_time) const {
         return std::accumulate(memories.begin(), memories.end(), 0.0);
     };
     const double kept = std::min(1.25 * copies, 110 * megabyte);
-    return megabyte * (base_memory.fixed + sum_over(reading_memory, meshes)) + std::max(largest(of_sections) + kept, largest(while_copied));
+    return megabyte * (base_memory + sum_over(reading_memory, meshes)) + std::max(largest(of_sections) + kept, largest(while_copied));
 }
 
 std::map<std::string, Effort> Plan::efforts() const {
     std::map<std::string, Effort> efforts = others;
-    for (const PlannedSection& section : sections) efforts[std::string(section.model->id)] = section.effort();
+    for (const PlannedSection& section : sections) efforts[std::string(section.chapter->id)] = section.effort();
     return efforts;
 }
 
@@ -201,16 +192,15 @@ double promised_seconds(double triangles, bool quick) {
 }
 
 Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes, Scope scope) {
-    return scaled(
-        started(settings, scope == Scope::alone,
-                [&](const SectionModel& model) { return meshes_of(model, question_settings(settings, std::string(model.id)), meshes); }),
-        settings, scope);
+    const auto meshes_of_section = [&](const Chapter& chapter, const QuestionSettings& asked) { return meshes_of(chapter, asked, meshes); };
+    return scaled(started(settings, scope == Scope::alone, meshes_of_section), settings, scope);
 }
 
 Plan plan_for(const ReportSettings& settings, const std::vector<PlannedMesh>& meshes) {
-    return scaled(
-        started(settings, false, [&](const SectionModel& model) { return model.roles.empty() ? std::vector<PlannedMesh>() : meshes; }),
-        settings, Scope::report);
+    const auto meshes_of_section = [&](const Chapter& chapter, const QuestionSettings&) {
+        return chapter.roles.empty() ? std::vector<PlannedMesh>() : meshes;
+    };
+    return scaled(started(settings, false, meshes_of_section), settings, Scope::report);
 }
 
 }   // namespace meshfolio::run

@@ -1,6 +1,6 @@
 /// @file
-/// What a report will cost, and what is scaled down so that it ends in the time that is asked for or promised. Nothing here depends on the
-/// machine: a time is one on two cores like those of the cost models.
+/// The cost of a report, and the settings scaled down so that it ends in the time that is asked for or promised. Nothing here depends on
+/// the machine: times are for two cores like those of the cost models (questions/core/cost.h).
 #pragma once
 
 #include <algorithm>
@@ -9,11 +9,16 @@
 #include <vector>
 
 #include "base/available_memory.h"
+#include "questions/core/chapter.h"
 #include "questions/core/mesh_library.h"
-#include "run/plan/cost_models.h"
 #include "run/settings/report_settings.h"
 
 namespace meshfolio::run {
+
+inline constexpr int cores = 2;             // that a time is promised for
+inline constexpr double busy_share = 0.8;   // of the cores, over a whole report
+inline constexpr double megabyte = 1e6;     // [bytes]
+inline constexpr double base_memory = 60;   // of the program itself [MB]
 
 struct PlannedMesh {
     std::string file;
@@ -24,9 +29,9 @@ struct PlannedMesh {
 };
 
 struct PlannedSection {
-    const SectionModel* model;
+    const Chapter* chapter;
     std::vector<PlannedMesh> meshes;
-    double work_full = 1, work_small = 1;   // of the [[question]], over that by default
+    double work_full = 1, work_small = 1;   // ChapterCost::work_of()
     std::size_t rung = 0;                   // of its ladder, from the top
 
     Effort effort() const;         // with its cost

@@ -34,8 +34,8 @@ std::string text_of(const Plan& plan) {
                 padded(rounded_text(bytes / megabyte), 9) + "  " + how + "\n";
     };
     for (const PlannedSection& section : plan.sections)
-        line(std::string(section.model->id), section.effort().cpu_seconds, section.memory(), words_of(section));
-    line("all else", plan.rest_cpu(), megabyte * base_memory.fixed, plan.printed ? "meshes, pages, printing" : "meshes, pages");
+        line(std::string(section.chapter->id), section.effort().cpu_seconds, section.memory(), words_of(section));
+    line("all else", plan.rest_cpu(), megabyte * base_memory, plan.printed ? "meshes, pages, printing" : "meshes, pages");
     line("total", plan.cpu_seconds(), plan.memory(),
          "about " + rounded_text(plan.seconds()) + " s on two cores, of " + rounded_text(plan.time));
     return text;
@@ -51,7 +51,7 @@ std::string json_of(const Plan& plan) {
             meshes.push_back({{"file", mesh.file}, {"vertices", mesh.vertices}, {"worked_on", mesh.within(effort.most_vertices)}});
         Plan part = plan;
         part.sections = {section};
-        sections.push_back({{"id", section.model->id},
+        sections.push_back({{"id", section.chapter->id},
                             {"cpu_seconds", rounded(effort.cpu_seconds, 3)},
                             {"memory_bytes", rounded(section.memory(), 3)},
                             {"alone", {{"cpu_seconds", rounded(part.cpu_seconds(), 3)}, {"memory_bytes", rounded(part.memory(), 3)}}},

@@ -143,7 +143,7 @@ std::map<std::string, std::string> described(const ReportSettings& settings);
 /// @param with_earlier  whether all includes the chapters on request
 std::vector<std::string> sections_in_order(const std::vector<std::string>& ids, bool with_earlier);
 
-/// For the cache: everything that the answer to a question depends on. @param with_meshes  also on which meshes the user named
-std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question, bool with_meshes = true);
+/// Returns every setting that the answer to a question depends on, for the key of the cache. Meshes have a part of their own in it.
+std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question);
 
 }   // namespace meshfolio::run

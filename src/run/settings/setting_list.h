@@ -65,8 +65,7 @@ void for_each_setting(Settings& settings, Visit visit) {
     visit(Setting{.flag = "--data", .variable = "MESHFOLIO_DATA"}, data);
     visit(Setting{.flag = "--out", .variable = "MESHFOLIO_OUT"}, out);
     visit(Setting{.flag = "--templates"}, templates);
-    visit(Setting{.flag = "MESH", .name = "meshes", .shapes_answers = true},
-          meshes);   // their contents are part of the lookups of an answer
+    visit(Setting{.flag = "MESH", .name = "meshes"}, meshes);
     visit(Setting{.flag = "--quick", .name = "quick", .shapes_answers = true}, quick);
     visit(Setting{.flag = "--time", .name = "time", .shapes_answers = true, .largest = 1e7, .is_above_zero = true}, time);
     visit(Setting{.flag = "--fail-fast"}, fail_fast);
@@ -89,7 +88,7 @@ template <class Table, class Visit>
 requires std::same_as<std::remove_const_t<Table>, QuestionTable>
 void for_each_setting(Table& table, Visit visit) {
     auto& [meshes, k, iterations, lambda, noise, seed, threads, output] = table;
-    visit(Setting{.key = "mesh", .shapes_answers = true}, meshes);
+    visit(Setting{.key = "mesh"}, meshes);
     visit(Setting{.key = "k", .name = "k", .shapes_answers = true, .least = 1, .most = limits::largest_k}, k);
     visit(Setting{.key = "lambda", .name = "lambda", .shapes_answers = true, .largest = limits::largest_lambda, .is_above_zero = true},
           lambda);

@@ -69,11 +69,10 @@ std::map<std::string, std::string> described(const ReportSettings& settings) {
     return values;
 }
 
-std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question, bool with_meshes) {
+std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question) {
     Words identity;
     const auto add = [&](const Setting& setting, const auto& value) {
-        const bool names_meshes = std::string_view(setting.flag) == "MESH";
-        if (!setting.shapes_answers || (names_meshes && !with_meshes)) return;
+        if (!setting.shapes_answers) return;
         const Words words = words_of(value);
         identity.push_back(std::to_string(words.size()));
         identity.insert(identity.end(), words.begin(), words.end());

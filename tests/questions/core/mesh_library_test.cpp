@@ -191,21 +191,11 @@ TEST(ShortName, IsAnIdWhateverTheFileIsCalled) {
     EXPECT_EQ(short_name(std::string(300, 'a') + ".obj"), std::string(40, 'a'));
 }
 
-TEST(MeshLibrary, RecordsWhatItIsAskedFor) {
-    const MeshLibrary library({}, {});
-    LookupRecord record, other;
-    const MeshLibrary recorded = library.recorded_in(record);
-    recorded.role("cube");
-    recorded.role("cube");
-    recorded.in_data("nowhere.obj");
-    EXPECT_THROW(recorded.file("missing.obj", "."), InputError);
-    library.recorded_in(other).role("torus");
-    using By = MeshLookup::By;
-    EXPECT_EQ(record.lookups(),
-              (std::vector<MeshLookup>{
-                  {.by = By::role, .name = "cube"}, {.by = By::file, .path = "missing.obj"}, {.by = By::in_data, .path = "nowhere.obj"}}));
-    EXPECT_EQ(other.lookups().size(), 1u);
-    EXPECT_EQ(recorded.role("cube"), library.role("cube")) << "read once";
+TEST(MeshLibrary, HandsOutOnlyTheRolesThatAChapterDeclares) {
+    const MeshLibrary library({}, {}), offering = library.offering({"cube"});
+    EXPECT_EQ(offering.role("cube"), library.role("cube")) << "read once";
+    EXPECT_THROW(offering.role("torus"), std::logic_error);
+    EXPECT_THROW(offering.limited_to(100).role("torus"), std::logic_error);
 }
 
 TEST(MeshLibrary, AnIdentityChangesWithTheMeshItsNameAndItsPlace) {

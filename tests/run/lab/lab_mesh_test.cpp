@@ -10,7 +10,8 @@
 
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
-#include "questions/core/mesh_library.h"
+#include "questions/core/chapter.h"
+#include "questions/q7_denoising/study.h"
 
 using namespace meshfolio;
 using namespace meshfolio::run;
@@ -108,12 +109,13 @@ TEST(LabPresets, APanelOpensWithTheUsersOwnSettings) {
     own.k = {7, 9};
     own.lambda = {0.02};
     own.iterations = {12, 40};
-    EXPECT_EQ(start_of("q4", own, scale, {}), (LabSetting{"projection", 0, 9}));   // nearest to 15
-    EXPECT_EQ(start_of("q5", own, scale, {}), (LabSetting{"explicit", 2, 40}));    // 0.02 of an area, 0.01 the largest stable one
-    EXPECT_EQ(start_of("q6", own, scale, {}), (LabSetting{"implicit", 2, 12}));
+    EXPECT_EQ(chapter_of_id("q4").lab->start(own, scale, {}), (LabSetting{"projection", 0, 9}));   // nearest to 15
+    EXPECT_EQ(chapter_of_id("q5").lab->start(own, scale, {}),
+              (LabSetting{"explicit", 2, 40}));   // 0.02 of an area, 0.01 the largest stable one
+    EXPECT_EQ(chapter_of_id("q6").lab->start(own, scale, {}), (LabSetting{"implicit", 2, 12}));
     BestDenoising weak{.sigma = 0.003, .seed = 5, .found = {}}, strong{.sigma = 0.02, .seed = 5, .found = {}};
     weak.found.by_shape = {.value = 0.1, .step = 4};
-    EXPECT_EQ(start_of("q7", own, scale, {weak, strong}), (LabSetting{"denoising", 0.1, 4, 0.003, 5}));
+    EXPECT_EQ(chapter_of_id("q7").lab->start(own, scale, {weak, strong}), (LabSetting{"denoising", 0.1, 4, 0.003, 5}));
 }
 
 TEST(LabPresets, FewModesLimitThePresets) {

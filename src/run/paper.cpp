@@ -1,5 +1,6 @@
-#include "run/paper_copy.h"
+#include "run/paper.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -91,39 +92,38 @@ std::string key_of(const report::Document& document, const report::DrawnFigures&
 
 }   // namespace
 
-Printing::~Printing() {
-    if (end_.valid()) report::abandon_children();
+Paper::Paper(const ReportSettings& settings, const report::Templates& templates, output::ResultCache* store)
+    : templates_(templates), store_(store), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
+
+Paper::~Paper() {
+    if (std::ranges::any_of(printing_, [](const auto& volume) { return volume.second.valid(); })) report::abandon_children();
 }
 
-PaperCopy::PaperCopy(const ReportSettings& settings, const report::Templates& templates)
-    : templates_(templates), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
-
-std::string PaperCopy::pdf_of(report::Volume volume, const report::Document& document, const report::DrawnFigures& figures,
-                              output::ResultCache* store, const fs::path& folder) const {
-    if (store == nullptr || program_identity().empty()) return printed(document, figures, templates_, volume, *engine_);
+std::string Paper::pdf_of(report::Volume volume, const report::Document& document, const report::DrawnFigures& figures,
+                          const fs::path& folder) const {
+    if (store_ == nullptr || program_identity().empty()) return printed(document, figures, templates_, volume, *engine_);
     const std::string key = key_of(document, figures, templates_, volume, *engine_, folder);
-    if (std::optional<std::string> stored = store->get(key)) return std::move(*stored);
+    if (std::optional<std::string> stored = store_->get(key)) return std::move(*stored);
     std::string pdf = printed(document, figures, templates_, volume, *engine_);
     try {
-        store->put(key, pdf);
+        store_->put(key, pdf);
     } catch (const OutputError&) {
         // the cache is no part of the report
     }
     return pdf;
 }
 
-Printing PaperCopy::begin(report::Volume volume, report::Document document, report::DrawnFigures figures, output::ResultCache* store,
-                          fs::path folder) const {
-    if (!is_wanted()) return Printing(std::async(std::launch::deferred, [] { return std::string(); }));
-    if (volume == report::Volume::appendix) {   // that others are drawn by now must not change its key
+void Paper::begin(report::Volume volume, report::Document document, report::DrawnFigures figures, fs::path folder) {
+    if (!is_wanted()) return;
+    if (volume == report::Volume::appendix) {   // its key must not depend on the other figures that are drawn by now
         const std::set<std::string> own = report::figures_in(document, volume);
         std::erase_if(figures, [&](const auto& figure) { return !own.contains(figure.first); });
     }
-    auto print = [this, volume, document = std::move(document), figures = std::move(figures), store, folder = std::move(folder)] {
+    auto print = [this, volume, document = std::move(document), figures = std::move(figures), folder = std::move(folder)] {
         const std::string name = report::pdf_file(volume);
         std::string pdf;
         try {
-            pdf = pdf_of(volume, document, figures, store, folder);
+            pdf = pdf_of(volume, document, figures, folder);
         } catch (const Error& error) {
             const std::string remedy = "name another browser with --pdf-browser, or take --pdf off";
             if (required_) throw EngineError(error.what(), remedy);
@@ -133,7 +133,13 @@ Printing PaperCopy::begin(report::Volume volume, report::Document document, repo
         return std::string();
     };
     // A thread that waits for the browser is none of those that compute.
-    return Printing(std::async(std::launch::async, std::move(print)));
+    printing_[volume] = std::async(std::launch::async, std::move(print));
+}
+
+std::vector<std::string> Paper::finish() {
+    std::vector<std::string> warnings;
+    for (auto& [volume, warning] : printing_) warnings.push_back(warning.get());
+    return warnings;
 }
 
 }   // namespace meshfolio::run

@@ -1,0 +1,50 @@
+/// @file
+/// report.pdf and appendix.pdf, printed while other files are made; or taken from the cache, where an earlier run printed the same.
+#pragma once
+
+#include <filesystem>
+#include <future>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/cache/result_cache.h"
+#include "report/pdf/pdf_engine.h"
+#include "report/writers.h"
+#include "run/settings/report_settings.h"
+
+namespace meshfolio::run {
+
+class Paper {
+public:
+    /// @param store  the cache, or null. All parameters must outlive the object.
+    /// @throws EngineError if the settings require an engine and none is there
+    Paper(const ReportSettings& settings, const report::Templates& templates, output::ResultCache* store);
+    /// Does not wait for the browser: after an error elsewhere, nothing is printed.
+    ~Paper();
+    Paper(const Paper&) = delete;
+    Paper& operator=(const Paper&) = delete;
+
+    bool is_wanted() const { return engine_.has_value(); }
+
+    /// Begins to print the PDF of a volume into `folder`, in a thread of its own.
+    /// @param figures  those of the volume, or more; of the report all, because results.json is attached to it
+    void begin(report::Volume volume, report::Document document, report::DrawnFigures figures, std::filesystem::path folder);
+
+    /// Waits for all volumes. @return warnings
+    /// @throws EngineError if the engine does not deliver and is required; OutputError
+    std::vector<std::string> finish();
+
+private:
+    const report::Templates& templates_;
+    output::ResultCache* store_;
+    bool required_;
+    std::optional<report::PdfEngine> engine_;
+    std::map<report::Volume, std::future<std::string>> printing_;   // warnings
+
+    std::string pdf_of(report::Volume volume, const report::Document& document, const report::DrawnFigures& figures,
+                       const std::filesystem::path& folder) const;
+};
+
+}   // namespace meshfolio::run

@@ -1,0 +1,190 @@
+#include "run/report.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+
+#include "base/file_bytes.h"
+#include "base/number_text.h"
+#include "base/parallel_tasks.h"
+#include "output/draw/draw_figures.h"
+#include "output/publish/publish.h"
+#include "report/page/volumes.h"
+#include "run/console.h"
+#include "run/paper.h"
+#include "run/provenance.h"
+#include "submission/source_listing.h"
+
+namespace meshfolio::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Sections = std::vector<ReportSection>;
+using Origin = ReportSection::Origin;
+
+double seconds_since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
+
+ReportSection first_of(const std::vector<Source>& sources, const std::string& id, const fs::path& folder, ProgressDisplay& display) {
+    for (const Source& source : sources)
+        if (std::optional<ReportSection> section = source(id, folder, display)) return std::move(*section);
+    throw std::logic_error("no source has the section " + id);
+}
+
+std::string outcome_of(const ReportSection& section, double seconds) {
+    if (section.origin == Origin::cache) return ": from the cache";
+    if (section.answer.section.status == report::Status::ok) return ": answered in " + plain_text(seconds, 2) + " s";
+    return section.answer.section.status == report::Status::failed ? ": failed" : ": stopped";
+}
+
+Sections gather(const ReportRequest& request, const fs::path& folder, ProgressDisplay& display) {
+    double planned = 0;   // [CPU s]
+    for (const auto& [id, effort] : request.settings->efforts) planned += effort.cpu_seconds;
+    std::atomic<double> done = 0;
+    Sections sections(request.ids.size());
+    std::atomic<std::size_t> left = sections.size();   // handed out one by one and from the last: the later sections take longest
+    for_each_task(sections.size(), [&](std::size_t) {
+        const std::size_t i = --left;
+        const Clock::time_point began = Clock::now();
+        sections[i] = first_of(request.sources, request.ids[i], folder, display);
+        const Origin origin = sections[i].origin;
+        if (origin != Origin::answered && origin != Origin::cache) return;
+        const double seconds = seconds_since(began);
+        sections[i].answer.section.timings.push_back({origin == Origin::cache ? "taken from the cache" : "whole question", seconds});
+        done += effort_of(*request.settings, request.ids[i]).cpu_seconds;
+        display.advance(0.7 * done / std::max(planned, 1e-9));
+        display.milestone(request.ids[i] + outcome_of(sections[i], seconds) + (request.settings->time ? display.left() : ""));
+    });
+    return sections;
+}
+
+report::Document assembled(const ReportRequest& request, const Sections& sections) {
+    report::Document document = request.head;
+    for (const ReportSection& section : sections) document.sections.push_back(section.answer.section);
+    if (!request.renders_again && request.source_text) submission::cite(document, own_source());
+    return document;
+}
+
+/// Draws the figures of the sections answered now, those of the appendix first: its paper takes longest to print.
+report::DrawnFigures drawn(const ReportRequest& request, const Sections& sections, const report::Document& document, const fs::path& folder,
+                           Paper& paper, ProgressDisplay& display) {
+    std::vector<output::FigureRequest> requests;
+    for (const ReportSection& section : sections) std::ranges::copy(section.answer.figures, std::back_inserter(requests));
+    const auto with_stored = [&](report::DrawnFigures figures) {
+        for (const ReportSection& section : sections) figures.insert(section.figures.begin(), section.figures.end());
+        return figures;
+    };
+    display.step("drawing");
+    const output::DrawEvents events{
+        .progress = [&](double share) { display.advance(0.7 + 0.25 * share); },
+        .early = report::figures_in(document, report::Volume::appendix),
+        .early_drawn =
+            [&](report::DrawnFigures of_appendix) {
+                paper.begin(report::Volume::appendix, document, with_stored(std::move(of_appendix)), folder);
+            },
+    };
+    const ReportSettings& settings = *request.settings;
+    report::DrawnFigures figures = with_stored(output::draw_figures(requests, folder,
+                                                                    {.width = settings.size.width,
+                                                                     .height = settings.size.height,
+                                                                     .view_files = settings.view_files,
+                                                                     .sheets_only = settings.sheets_only},
+                                                                    events));
+    if (!requests.empty()) display.milestone(std::to_string(requests.size()) + " figures drawn");
+    return figures;
+}
+
+/// Writes everything but the pictures of meshes and the paper.
+void write(const ReportRequest& request, const Sections& sections, const report::Document& document, const report::DrawnFigures& figures,
+           bool has_paper, const fs::path& folder) {
+    report::WriteOptions options{
+        .timings = request.settings->timings, .plot_files = true, .paper = has_paper, .design = request.settings->page.design};
+    run_tasks(
+        [&] {
+            if (request.labs) options.labs = request.labs(sections);
+            write_report_files(document, figures, request.templates, options, folder);
+        },
+        [&] { for_each_task(sections.size(), [&](std::size_t i) { write_meshes(sections[i].answer, folder); }); },
+        [&] {
+            const std::string source = request.source_text ? request.source_text() : "";
+            if (!source.empty()) write_file(folder / "src.txt", source);
+        });
+}
+
+/// Stores the sections answered now, whose files are all written. A cache that cannot be written to is warned of.
+/// @return known digests of files in the report's folder
+output::Digests store(const ReportRequest& request, const Sections& sections, const report::DrawnFigures& figures, const fs::path& folder) {
+    output::Digests digests;
+    for (const ReportSection& section : sections) digests.insert(section.files.begin(), section.files.end());
+    if (!request.cache) return digests;
+    try {
+        bool is_changed = false;
+        for (const ReportSection& section : sections) {
+            if (section.origin != Origin::answered) continue;
+            digests.merge(request.cache->keep(section.answer.section, figures, folder));
+            is_changed = true;
+        }
+        if (is_changed) request.store->trim();
+    } catch (const Error& error) {
+        warn("the cache could not be written: " + std::string(error.what()));
+    }
+    return digests;
+}
+
+}   // namespace
+
+MadeReport make_report(const ReportRequest& request) {
+    Paper paper(*request.settings, request.templates, request.store.get());
+    output::Publication publication(request.settings->out);
+    const fs::path& folder = publication.folder();
+    ProgressDisplay display(stderr_is_terminal(), request.expected_seconds);
+    const Clock::time_point began = Clock::now();
+
+    const Sections sections = gather(request, folder, display);
+    const double gathered = seconds_since(began);
+    MadeReport made{.document = assembled(request, sections)};
+    const report::DrawnFigures figures = drawn(request, sections, made.document, folder, paper, display);
+    if (!request.renders_again) {
+        const double all = seconds_since(began);
+        for (const auto& [part, seconds] : {std::pair{"all questions", gathered}, {"drawing", all - gathered}, {"up to writing", all}})
+            made.document.timings.push_back({part, seconds});
+    }
+    display.step(paper.is_wanted() ? "writing and printing" : "writing");
+    paper.begin(report::Volume::report, made.document, figures, folder);
+    write(request, sections, made.document, figures, paper.is_wanted(), folder);
+    made.notes = paper.finish();
+    made.published =
+        publish_report(publication, made.document, store(request, sections, figures, folder), *request.settings, request.junit);
+    std::ranges::copy(request.notes, std::back_inserter(made.notes));
+    for (const ReportSection& section : sections)
+        for (const std::string& path : section.missing) made.published.missing.push_back(path);
+    made.seconds = request.renders_again ? 0 : seconds_since(began);
+    return made;
+}
+
+report::Document gathered_document(const ReportRequest& request) {
+    ProgressDisplay display(stderr_is_terminal(), request.expected_seconds);
+    return assembled(request, gather(request, {}, display));
+}
+
+ExitCode print_outcome(const MadeReport& made) {
+    constexpr std::size_t most_named = 8;
+    tell_of(made.published.notes);
+    const std::vector<std::string>& missing = made.published.missing;
+    for (std::size_t i = 0; i < missing.size() && i < most_named; ++i) warn(missing[i] + " is missing from the earlier report");
+    if (missing.size() > most_named) warn("… and " + std::to_string(missing.size() - most_named) + " files more");
+    for (const std::string& note : made.notes)
+        if (!note.empty()) warn(note);
+    summarise(made.document);
+    if (made.published.folder != made.published.wanted) {
+        complain(made.published.wanted.string() + " keeps the report that ended well; this one is " + made.published.folder.string() +
+                 ", until one ends well again");
+    }
+    conclude(verdict_on(made.document, made.seconds), !has_failed(made.document));
+    print_path(made.published.folder / "index.html");
+    return has_failed(made.document) ? ExitCode::failed : ExitCode::ok;
+}
+
+}   // namespace meshfolio::run

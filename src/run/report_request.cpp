@@ -1,0 +1,186 @@
+// The request of `meshfolio report`: what is computed, what is in the cache, and what stays of the report that --only renews.
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "base/available_memory.h"
+#include "base/file_bytes.h"
+#include "base/number_text.h"
+#include "report/words.h"
+#include "run/arguments.h"
+#include "run/chapter_runner.h"
+#include "run/console.h"
+#include "run/lab/report_labs.h"
+#include "run/plan/plan.h"
+#include "run/provenance.h"
+#include "run/report.h"
+#include "submission/source_listing.h"
+
+namespace meshfolio::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A planned report, with everything that its sources share.
+struct Computation {
+    ReportSettings settings;
+    report::Templates templates;
+    MeshLibrary meshes;
+    Plan plan;
+    std::unique_ptr<tbb::global_control> threads = limited_threads(settings);
+    ChapterRunner runner{meshes, settings};
+    std::shared_ptr<const StoredReport> renewed = nullptr;   // by --only; null: none
+    std::set<std::string> kept = {};                         // ids of its sections that stay
+};
+
+std::shared_ptr<Computation> planned(const ReportFlags& flags) {
+    if (flags.json && !flags.plan) throw UsageError("--json goes with --plan", "a report leaves results.json");
+    if (contains(flags.meshes, "-")) throw UsageError("a report cannot take its mesh from standard input", "save it to a file first");
+    ReportSettings settings = report_settings(flags);
+    check_output("--junit", flags.junit, {".xml"}, settings.out);
+    report::Templates templates(settings.templates);
+    report::use_words_of(templates);
+    if (settings.page.file) templates.replace("report.html", *settings.page.file);
+    MeshLibrary meshes(settings.data, settings.meshes, listed_meshes(settings));
+    meshes.open_own_meshes();
+    Plan plan = plan_of(settings, meshes, flags.alone ? Scope::alone : flags.part.empty() ? Scope::report : Scope::part);
+    return std::shared_ptr<Computation>(new Computation{std::move(settings), std::move(templates), std::move(meshes), std::move(plan)});
+}
+
+/// Returns the provenance without how much is done of each section: that follows from the other settings, and from what is named.
+report::Provenance without_efforts(report::Provenance provenance) {
+    std::erase_if(provenance.settings, [](const auto& setting) { return setting.first.ends_with(effort_suffix); });
+    return provenance;
+}
+
+/// Returns a difference between what the earlier report was made of and what this run would make it of; empty: none.
+std::string difference_to(const StoredReport& earlier, const std::set<std::string>& kept, const Computation& now) {
+    const report::Provenance provenance = without_efforts(provenance_of(described(now.settings), now.settings.seed));
+    if (const std::string found = difference(without_efforts(earlier.document.provenance), provenance); !found.empty()) return found;
+    std::set<std::tuple<std::string, std::string, std::string, std::string>> seen;
+    for (const report::Section& section : earlier.document.sections) {
+        if (!kept.contains(section.id)) continue;
+        for (const report::Input& input : section.inputs) {
+            if (!seen.emplace(input.role, input.asked, input.file, input.sha256).second) continue;
+            if (!now.meshes.still_has(input, now.settings.base)) return "another " + input.file;
+        }
+    }
+    return "";
+}
+
+std::vector<std::string> asked_ids(const ReportSettings& settings) {
+    std::vector<std::string> ids;
+    for (const Chapter* chapter : chapter_list())
+        if (is_asked_for(settings, chapter->id)) ids.emplace_back(chapter->id);
+    return ids;
+}
+
+/// Keeps the sections of the report at settings.out that are not asked for, if it was made of the same inputs, with the same settings and
+/// by the same program. @return a warning that says why none is kept
+std::string keep_sections(Computation& now) try {
+    const fs::path results = now.settings.out / results_file;
+    if (!may_be_there(results)) return "";
+    auto earlier = std::make_shared<const StoredReport>(results);
+    std::set<std::string> kept;
+    const std::vector<std::string> asked = asked_ids(now.settings);
+    for (const report::Section& section : earlier->document.sections)
+        if (section.status != report::Status::skipped && !contains(asked, section.id)) kept.insert(section.id);
+    if (kept.empty()) return "";
+    if (const std::string found = difference_to(*earlier, kept, now); !found.empty())
+        return now.settings.out.string() + " has only what was asked for: its other sections were made with " + found;
+    now.renewed = std::move(earlier);
+    now.kept = std::move(kept);
+    return "";
+} catch (const InputError& error) {   // of another version, perhaps
+    return error.what();
+}
+
+/// Returns the provenance of a run that was asked for the kept sections as well: the renewed report equals the report of that run.
+report::Document head_of(const Computation& now) {
+    ReportSettings settings = now.settings;
+    if (!now.kept.empty()) {
+        std::vector<std::string> ids = asked_ids(settings);
+        ids.insert(ids.end(), now.kept.begin(), now.kept.end());
+        settings.only = sections_in_order(ids, wants_earlier(settings));
+    }
+    report::Document head;
+    head.title = settings.title;
+    head.author = settings.author;
+    head.course = settings.course;
+    head.provenance = provenance_of(described(settings), settings.seed);
+    for (const std::string& id : now.kept) {
+        const std::string effort = id + effort_suffix;
+        const auto& before = now.renewed->document.provenance.settings;
+        head.provenance.settings.erase(effort);
+        if (const auto told = before.find(effort); told != before.end()) head.provenance.settings.insert(*told);
+    }
+    return head;
+}
+
+/// Takes a section from the report that is renewed. @throws InputError if a file of it is gone
+ReportSection kept_section(const StoredReport& renewed, std::string_view id, const fs::path& folder) {
+    ReportSection section = renewed.section(*std::ranges::find(renewed.document.sections, id, &report::Section::id), folder);
+    if (!section.missing.empty()) throw InputError({section.missing.front()}, "is missing", "make the report anew");
+    section.answer.section.timings.clear();   // of that run
+    return section;
+}
+
+std::vector<Source> sources_of(const std::shared_ptr<Computation>& now, const std::shared_ptr<const SectionCache>& cache) {
+    const Source not_computed = [now](std::string_view id, const fs::path& folder, ProgressDisplay&) -> std::optional<ReportSection> {
+        if (now->kept.contains(std::string(id))) return kept_section(*now->renewed, id, folder);
+        if (!is_asked_for(now->settings, id)) return ReportSection{{skipped_section(id, "not asked for")}};
+        if (effort_of(now->settings, std::string(id)).left_out) return ReportSection{{skipped_section(id, left_out_to_fit())}};
+        return {};
+    };
+    const Source cached = [cache](std::string_view id, const fs::path& folder, ProgressDisplay&) {
+        return cache ? cache->find(chapter_of_id(id), folder) : std::nullopt;
+    };
+    const Source computed = [now](std::string_view id, const fs::path&, ProgressDisplay& display) -> std::optional<ReportSection> {
+        return ReportSection{now->runner.answer(chapter_of_id(id), display), ReportSection::Origin::answered};
+    };
+    return {not_computed, cached, computed};
+}
+
+}   // namespace
+
+std::string plan_text(const ReportFlags& flags) {
+    const Plan plan = planned(flags)->plan;
+    return flags.json ? json_of(plan) : for_terminal(text_of(plan));
+}
+
+ReportRequest report_request(const ReportFlags& flags) {
+    const std::shared_ptr<Computation> now = planned(flags);
+    require_memory(now->plan, now->settings, available_memory());
+    now->settings.efforts = now->plan.efforts();
+    if (now->settings.time) {
+        for (const std::string& line : split("planned:\n" + text_of(now->plan), '\n'))
+            if (!line.empty()) complain(line);
+    }
+    if (now->plan.seconds() > now->plan.time)
+        warn("the least that answers every question takes about " + plain_text(now->plan.seconds(), 2) + " s on two cores, not " +
+             plain_text(now->plan.time, 2) + " s");
+
+    ReportRequest request;
+    request.settings = std::shared_ptr<const ReportSettings>(now, &now->settings);
+    request.templates = now->templates;
+    request.junit = flags.junit;
+    request.expected_seconds = now->plan.seconds();
+    if (!flags.only.empty() && !flags.alone && flags.part.empty()) request.notes.push_back(keep_sections(*now));
+    request.head = head_of(*now);
+    ReportSettings all = now->settings;
+    all.only.insert(all.only.end(), now->kept.begin(), now->kept.end());
+    for (const Chapter* chapter : chapters_of(all)) request.ids.emplace_back(chapter->id);
+    if (!flags.no_cache) request.store = cache_for_report();
+    if (request.store) request.cache = std::make_shared<const SectionCache>(*request.store, now->settings, now->meshes);
+    request.sources = sources_of(now, request.cache);
+    request.source_text = [] { return own_source().text(); };
+    if (now->settings.page.design == "report" && !report::viewer_program().empty())
+        request.labs = [now, store = request.store](const std::vector<ReportSection>& sections) {
+            return report_labs(sections, now->meshes, now->settings, store.get());
+        };
+    return request;
+}
+
+}   // namespace meshfolio::run

@@ -1,0 +1,52 @@
+/// @file
+/// The cache of answered sections. A section is stored under everything that its answer depends on: its settings, its meshes, the words and
+/// the program.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "output/cache/result_cache.h"
+#include "run/settings/report_settings.h"
+#include "run/stored_report.h"
+
+namespace meshfolio::run {
+
+/// Returns the limit on the size of the cache [bytes]; MESHFOLIO_CACHE_LIMIT in the environment is in megabytes.
+/// @throws UsageError unless that is a number from 1 to 1000000
+std::uintmax_t cache_limit();
+
+/// Opens the cache in its default folder. Returns null, with a warning, if it cannot be used.
+std::unique_ptr<output::ResultCache> usable_cache();
+
+/// Opens the cache for a report. Returns null for a run with MESHFOLIO_FAIL, which neither stores nor takes answers.
+std::unique_ptr<output::ResultCache> cache_for_report();
+
+class SectionCache {
+public:
+    /// All parameters must outlive the object.
+    SectionCache(output::ResultCache& store, const ReportSettings& settings, const MeshLibrary& meshes)
+        : store_(store), settings_(settings), meshes_(meshes) {}
+
+    /// Returns the stored section and puts its files into `folder`; nothing, and no file, where any of it is missing or damaged.
+    std::optional<ReportSection> find(const Chapter& chapter, const std::filesystem::path& folder) const;
+
+    /// Stores an answered section, unless it is incomplete: the cause of a failure may be temporary.
+    /// @param figures  of the report, or more than its own
+    /// @param folder   of the report, which has the section's files
+    /// @return digests of these files, by path
+    /// @throws OutputError, InputError
+    output::Digests keep(const report::Section& section, const report::DrawnFigures& figures, const std::filesystem::path& folder) const;
+
+private:
+    output::ResultCache& store_;
+    const ReportSettings& settings_;
+    const MeshLibrary& meshes_;
+
+    std::string key_of(const Chapter& chapter) const;
+};
+
+}   // namespace meshfolio::run
