@@ -92,7 +92,7 @@ Answer ChapterRunner::answered_on_its_threads(const Chapter& chapter, const Mesh
     const auto table = settings_.questions.find(id);
     const int threads = table != settings_.questions.end() ? table->second.threads.value_or(0) : 0;
     if (threads > 0) return tbb::task_arena(threads).execute(work);
-    // Isolated: while it waits for its own work, a thread does not begin another chapter, whose time would count as that of this one.
+    // Isolated: a thread that waits for its own work must not begin another chapter, which would count as time of this one.
     Answer answer;
     tbb::this_task_arena::isolate([&] { answer = work(); });
     return answer;

@@ -76,8 +76,8 @@ void check_read_once(const std::string& a, const std::string& b) {
 
 namespace {
 
-/// One line, wrapped on a terminal, whose first word is in a colour.
-void tell(const std::string& line, Ink ink, bool with_numbers) {
+/// Prints one line with its first word in colour, wrapped on a terminal.
+void print_line(const std::string& line, Ink ink, bool with_numbers) {
     constexpr std::string_view program = "meshfolio:";
     make_room_on_terminal();
     const std::string rest = for_terminal(std::string(program) + " " + printable(line), STDERR_FILENO).substr(program.size());
@@ -92,9 +92,9 @@ void tell(const std::string& line, Ink ink, bool with_numbers) {
 
 }   // namespace
 
-void complain(const std::string& message, Ink ink) { tell(message, ink, false); }
+void complain(const std::string& message, Ink ink) { print_line(message, ink, false); }
 
-void conclude(const std::string& message, bool is_good) { tell(message, is_good ? Ink::green : Ink::red, true); }
+void conclude(const std::string& message, bool is_good) { print_line(message, is_good ? Ink::green : Ink::red, true); }
 
 int close_standard_output(int exit_code) {
     if (::close(STDOUT_FILENO) == 0 || errno == EBADF) return exit_code;

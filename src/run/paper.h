@@ -21,7 +21,7 @@ public:
     /// @param store  the cache, or null. All parameters must outlive the object.
     /// @throws EngineError if the settings require an engine and none is there
     Paper(const ReportSettings& settings, const report::Templates& templates, output::ResultCache* store);
-    /// Does not wait for the browser: after an error elsewhere, nothing is printed.
+    /// Ends the browsers that still print, without waiting for them: after an error elsewhere.
     ~Paper();
     Paper(const Paper&) = delete;
     Paper& operator=(const Paper&) = delete;

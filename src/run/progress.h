@@ -1,5 +1,5 @@
 /// @file
-/// What a long command is doing, on stderr: a bar on a terminal, a line for each part that is done elsewhere.
+/// Progress of long commands on stderr: a bar on a terminal, elsewhere a line for each finished part.
 #pragma once
 
 #include <chrono>
@@ -19,13 +19,13 @@ public:
     ProgressDisplay(const ProgressDisplay&) = delete;
     ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-    /// `fraction` of the whole that is done, in [0, 1].
+    /// Sets the share that is done, in [0, 1].
     void advance(double fraction);
-    /// What is being done now, "q4: eigenpairs of armadillo"; only seen on a terminal.
+    /// Sets the current step, "q4: eigenpairs of armadillo", which only a terminal shows.
     void step(std::string_view what);
-    /// Something that is done: a line of its own where there is no terminal.
+    /// Reports a finished part: on a line of its own if there is no terminal.
     void milestone(std::string_view what);
-    /// ", about 40 s left"; empty where that is not known. See seconds_left().
+    /// Returns ", about 40 s left", by seconds_left(); empty if that is not known.
     std::string left() const;
 
 private:
@@ -42,16 +42,16 @@ private:
     std::string left_unlocked() const;
 };
 
-/// Remaining seconds at a share done: first from the estimate, later more and more from the time taken. Without an estimate (0), from the
-/// time taken alone; 0 where nothing is done.
+/// Returns the remaining time [s]: at first from the estimate, later more and more from the time taken. Without an estimate (0), from the
+/// time taken alone; 0 if nothing is done.
 double seconds_left(double expected, double taken, double fraction);
 
-/// "40 s", "12 min", "3.5 h".
+/// Returns a time as text: "40 s", "12 min", "3.5 h".
 std::string time_text(double seconds);
 
-/// What a command works on while the object lives. On a terminal, a command that runs for more than two seconds shows its innermost stage
-/// on stderr with the seconds it has taken: "inspect: reading bunny.off, 12 s". Elsewhere, and beside a ProgressDisplay, nothing is shown.
-/// Stages are nested and belong to one thread; advance() may be called from any.
+/// A stage of a command, for as long as the object lives. After two seconds, a terminal shows the innermost stage and the time taken:
+/// "inspect: reading bunny.off, 12 s". Nothing is shown without a terminal or while a ProgressDisplay is there. Stages are nested and
+/// belong to one thread; any thread may call advance().
 class Stage {
 public:
     explicit Stage(const std::string& what);
@@ -59,23 +59,23 @@ public:
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
-    /// The share that is done, in [0, 1], where it is known.
+    /// Sets the share that is done, in [0, 1].
     void advance(double fraction);
 
 private:
     std::size_t depth_;
 };
 
-/// "inspect: reading bunny.off, 45 %, 12 s", shortened to `width` columns; no share where `fraction` is negative.
+/// Returns "inspect: reading bunny.off, 45 %, 12 s", shortened to `width` columns; without the share if `fraction` is negative.
 std::string stage_line(std::string_view what, double fraction, int seconds, int width);
 
 /// Erases the stage line on the terminal, before other text is written.
 void make_room_on_terminal();
 
-/// "[#########···········]  45 %  q4: 150 eigenpairs", shortened to `width` columns (counted in code points).
+/// Returns "[#########···········]  45 %  q4: 150 eigenpairs", shortened to `width` columns (code points).
 std::string progress_line(double fraction, std::string_view step, int width);
 
-/// True when stderr is a terminal that can redraw a line.
+/// Returns true if stderr is a terminal that can redraw a line.
 bool stderr_is_terminal();
 
 }   // namespace meshfolio::run

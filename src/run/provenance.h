@@ -1,5 +1,5 @@
 /// @file
-/// The program as what made a report.
+/// The provenance of a report: program, source, settings.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,17 @@ class SourceListing;
 
 namespace meshfolio::run {
 
-/// src.txt of this program, with the index of all sections of the report.
+/// Returns src.txt of this program, with the index of all sections of the report.
 const submission::SourceListing& own_source();
 
-/// What results depend on besides inputs and settings: a digest of the running executable, of the names, sizes and dates of the shared
-/// libraries in use, of the processor's kind and abilities, and of the variables that choose among numerical kernels. Empty where it cannot
-/// be determined. Computed once.
+/// Returns a digest of everything that results depend on besides inputs and settings: the executable, the shared libraries in use (names,
+/// sizes, dates), the processor and its features, and the variables that choose numerical kernels. Empty if it cannot be determined.
 const std::string& program_identity();
 
-/// What made this report: version, commit, compiler, libraries; settings and seed as given.
+/// Returns version, commit, compiler and libraries of this program, with the given settings and seed.
 report::Provenance provenance_of(std::map<std::string, std::string> settings, std::uint64_t seed);
 
-/// What two reports of the same inputs may still not have in common, which sections they have aside: "seed 2, and not 1". Empty: nothing.
+/// Returns the first difference between two provenances, the choice of sections aside: "seed 2, and not 1". Empty: none.
 std::string difference(const report::Provenance& one, const report::Provenance& other);
 
 }   // namespace meshfolio::run

@@ -30,7 +30,7 @@ std::map<std::string, Meshes> meshes_by_role(const report::Document& document) {
     return meshes;
 }
 
-/// Names a role whose meshes differ. One section may read some meshes of a role and another all, so subsets are equal.
+/// Names a mesh that only one of two documents has for a role. A section may read some meshes of a role only, so subsets count as equal.
 std::string mesh_difference(const report::Document& one, const report::Document& other) {
     const auto a = meshes_by_role(one), b = meshes_by_role(other);
     for (const auto& [role, meshes] : a) {
@@ -39,14 +39,6 @@ std::string mesh_difference(const report::Document& one, const report::Document&
         Meshes others;
         std::ranges::set_difference(meshes, same->second, std::inserter(others, others.end()));
         return "another " + others.begin()->first + " (SHA-256 " + others.begin()->second.substr(0, 12) + " …)";
-    }
-    return "";
-}
-
-std::string title_difference(const report::Document& one, const report::Document& other) {
-    for (const auto& [name, words] :
-         {std::pair{"title", &report::Document::title}, {"author", &report::Document::author}, {"course", &report::Document::course}}) {
-        if (one.*words != other.*words) return std::string(name) + " '" + one.*words + "', and not '" + other.*words + "'";
     }
     return "";
 }
@@ -80,7 +72,11 @@ void require_alike(const Parts& parts) {
     for (const auto& part : parts) {
         std::string found = difference(part->document.provenance, first.document.provenance);
         if (found.empty()) found = mesh_difference(part->document, first.document);
-        if (found.empty()) found = title_difference(part->document, first.document);
+        for (const auto& [name, words] :
+             {std::pair{"title", &report::Document::title}, {"author", &report::Document::author}, {"course", &report::Document::course}}) {
+            const std::string &own = part->document.*words, &other = first.document.*words;
+            if (found.empty() && own != other) found = std::string(name) + " '" + own + "', and not '" + other + "'";
+        }
         if (!found.empty()) throw InputError({part->file}, "was made with " + found + " as " + first.file, "make the parts alike");
         for (const Section& section : part->document.sections) {
             const StoredReport& taken = part_with(parts, section.id);
@@ -91,40 +87,26 @@ void require_alike(const Parts& parts) {
     }
 }
 
-/// Returns the sections that a part was asked for; without the setting, those that it has.
-std::vector<std::string> asked_for(const report::Document& document) {
-    if (const auto only = document.provenance.settings.find("only"); only != document.provenance.settings.end()) {
-        std::string list = only->second;
-        std::erase(list, ' ');
-        return split(list, ',');
-    }
-    std::vector<std::string> ids;
-    for (const Section& section : document.sections) ids.push_back(section.id);
-    return ids;
-}
-
 /// Returns title, author, course and provenance of a run that was asked for all sections of the parts together.
 report::Document merged_head(const Parts& parts) {
     report::Document head = parts.front()->document;
     head.sections.clear();
     std::vector<std::string> ids;
-    for (const auto& part : parts) std::ranges::copy(asked_for(part->document), std::back_inserter(ids));
+    for (const auto& part : parts) {
+        const auto& asked = part->document.provenance.settings;
+        if (const auto only = asked.find("only"); only != asked.end()) {
+            std::string list = only->second;
+            std::erase(list, ' ');
+            std::ranges::copy(split(list, ','), std::back_inserter(ids));
+        } else {
+            for (const Section& section : part->document.sections) ids.push_back(section.id);
+        }
+    }
     auto& settings = head.provenance.settings;
     const bool with_earlier = settings.contains("experiments") || settings["earlier"] == "yes";
     settings["only"] = meshfolio::joined(sections_in_order(ids, with_earlier), ", ");
     std::erase_if(settings, [](const auto& setting) { return setting.second.empty(); });
     return head;
-}
-
-/// Returns the ids of all sections in their order.
-std::vector<std::string> section_ids_of(const Parts& parts) {
-    std::vector<std::string> ids;
-    for (const auto& part : parts)
-        for (const Section& section : part->document.sections)
-            if (!contains(ids, section.id)) ids.push_back(section.id);
-    std::ranges::sort(ids, {},
-                      [](const std::string& id) { return std::ranges::find(chapter_list(), id, &Chapter::id) - chapter_list().begin(); });
-    return ids;
 }
 
 /// Merges laboratories of the same data: "q5 q7".
@@ -137,15 +119,6 @@ std::vector<report::Lab> merged_labs(const Parts& parts) {
     for (const auto& [data, ids] : questions) labs.push_back({meshfolio::joined({ids.begin(), ids.end()}, " "), data});
     std::ranges::sort(labs, {}, &report::Lab::questions);
     return labs;
-}
-
-void refuse_computing_options(const ReportFlags& flags) {
-    const std::pair<const char*, bool> options[] = {
-        {"MESH", !flags.meshes.empty()}, {"--only", !flags.only.empty()}, {"--data", !flags.data.empty()},
-        {"--size", !flags.size.empty()}, {"--quick", flags.quick},        {"--fail-fast", flags.fail_fast},
-        {"--part", !flags.part.empty()}, {"--time", !flags.time.empty()}, {"--plan", flags.plan || flags.json}};
-    for (const auto& [name, is_given] : options)
-        if (is_given) throw UsageError(std::string(name) + " cannot be given with --from", "nothing is computed; leave one of them out");
 }
 
 /// Takes title, author, course and page from the flags and the settings file; the other settings of the file have no use here.
@@ -166,7 +139,16 @@ void take_words(const ReportFlags& flags, ReportRequest& request, ReportSettings
 }   // namespace
 
 ReportRequest rendering_request(const ReportFlags& flags) {
-    refuse_computing_options(flags);
+    for (const auto& [name, is_given] : {std::pair{"MESH", !flags.meshes.empty()},
+                                         {"--only", !flags.only.empty()},
+                                         {"--data", !flags.data.empty()},
+                                         {"--size", !flags.size.empty()},
+                                         {"--quick", flags.quick},
+                                         {"--fail-fast", flags.fail_fast},
+                                         {"--part", !flags.part.empty()},
+                                         {"--time", !flags.time.empty()},
+                                         {"--plan", flags.plan || flags.json}})
+        if (is_given) throw UsageError(std::string(name) + " cannot be given with --from", "nothing is computed; leave one of them out");
     auto settings = std::make_shared<ReportSettings>(report_settings(flags));
     check_output("--junit", flags.junit, {".xml"}, settings->out);
     const std::shared_ptr<tbb::global_control> threads = limited_threads(*settings);
@@ -184,7 +166,10 @@ ReportRequest rendering_request(const ReportFlags& flags) {
     settings->timings = parts.size() == 1 && parts.front()->timings && !flags.no_timings;   // those of parts add up to nothing
     request.settings = settings;
     if (!flags.no_cache) request.store = cache_for_report();
-    request.ids = section_ids_of(parts);
+    for (const auto& part : parts)
+        for (const Section& section : part->document.sections)
+            if (!contains(request.ids, section.id)) request.ids.push_back(section.id);
+    std::ranges::sort(request.ids, {}, [](const std::string& id) { return std::ranges::find(chapter_list(), id, &Chapter::id); });
     request.sources = {[parts, threads](std::string_view id, const fs::path& folder, ProgressDisplay&) -> std::optional<ReportSection> {
         const StoredReport& part = part_with(parts, id);
         return part.section(*section_in(part, id), folder);

@@ -27,11 +27,13 @@ using Origin = ReportSection::Origin;
 
 double seconds_since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
 
-ReportSection first_of(const std::vector<Source>& sources, const std::string& id, const fs::path& folder, ProgressDisplay& display) {
-    for (const Source& source : sources)
-        if (std::optional<ReportSection> section = source(id, folder, display)) return std::move(*section);
-    throw std::logic_error("no source has the section " + id);
-}
+/// A report at work.
+struct Work {
+    const ReportRequest& request;
+    const fs::path& folder;   // that the report is written into
+    ProgressDisplay& display;
+    Paper& paper;
+};
 
 std::string outcome_of(const ReportSection& section, double seconds) {
     if (section.origin == Origin::cache) return ": from the cache";
@@ -39,6 +41,7 @@ std::string outcome_of(const ReportSection& section, double seconds) {
     return section.answer.section.status == report::Status::failed ? ": failed" : ": stopped";
 }
 
+/// Takes every section from the first source that has it.
 Sections gather(const ReportRequest& request, const fs::path& folder, ProgressDisplay& display) {
     double planned = 0;   // [CPU s]
     for (const auto& [id, effort] : request.settings->efforts) planned += effort.cpu_seconds;
@@ -48,7 +51,10 @@ Sections gather(const ReportRequest& request, const fs::path& folder, ProgressDi
     for_each_task(sections.size(), [&](std::size_t) {
         const std::size_t i = --left;
         const Clock::time_point began = Clock::now();
-        sections[i] = first_of(request.sources, request.ids[i], folder, display);
+        std::optional<ReportSection> section;
+        for (auto source = request.sources.begin(); !section && source != request.sources.end(); ++source)
+            section = (*source)(request.ids[i], folder, display);
+        sections[i] = std::move(section.value());
         const Origin origin = sections[i].origin;
         if (origin != Origin::answered && origin != Origin::cache) return;
         const double seconds = seconds_since(began);
@@ -68,52 +74,53 @@ report::Document assembled(const ReportRequest& request, const Sections& section
 }
 
 /// Draws the figures of the sections answered now, those of the appendix first: its paper takes longest to print.
-report::DrawnFigures drawn(const ReportRequest& request, const Sections& sections, const report::Document& document, const fs::path& folder,
-                           Paper& paper, ProgressDisplay& display) {
+report::DrawnFigures draw(const Work& work, const Sections& sections, const report::Document& document) {
     std::vector<output::FigureRequest> requests;
     for (const ReportSection& section : sections) std::ranges::copy(section.answer.figures, std::back_inserter(requests));
     const auto with_stored = [&](report::DrawnFigures figures) {
         for (const ReportSection& section : sections) figures.insert(section.figures.begin(), section.figures.end());
         return figures;
     };
-    display.step("drawing");
+    work.display.step("drawing");
     const output::DrawEvents events{
-        .progress = [&](double share) { display.advance(0.7 + 0.25 * share); },
+        .progress = [&](double share) { work.display.advance(0.7 + 0.25 * share); },
         .early = report::figures_in(document, report::Volume::appendix),
         .early_drawn =
             [&](report::DrawnFigures of_appendix) {
-                paper.begin(report::Volume::appendix, document, with_stored(std::move(of_appendix)), folder);
+                work.paper.begin(report::Volume::appendix, document, with_stored(std::move(of_appendix)), work.folder);
             },
     };
-    const ReportSettings& settings = *request.settings;
-    report::DrawnFigures figures = with_stored(output::draw_figures(requests, folder,
+    const ReportSettings& settings = *work.request.settings;
+    report::DrawnFigures figures = with_stored(output::draw_figures(requests, work.folder,
                                                                     {.width = settings.size.width,
                                                                      .height = settings.size.height,
                                                                      .view_files = settings.view_files,
                                                                      .sheets_only = settings.sheets_only},
                                                                     events));
-    if (!requests.empty()) display.milestone(std::to_string(requests.size()) + " figures drawn");
+    if (!requests.empty()) work.display.milestone(std::to_string(requests.size()) + " figures drawn");
     return figures;
 }
 
-/// Writes everything but the pictures of meshes and the paper.
-void write(const ReportRequest& request, const Sections& sections, const report::Document& document, const report::DrawnFigures& figures,
-           bool has_paper, const fs::path& folder) {
+/// Writes everything but the pictures of meshes, while the report is printed.
+void write(const Work& work, const Sections& sections, const report::Document& document, const report::DrawnFigures& figures) {
+    const ReportRequest& request = work.request;
+    work.display.step(work.paper.is_wanted() ? "writing and printing" : "writing");
+    work.paper.begin(report::Volume::report, document, figures, work.folder);
     report::WriteOptions options{
-        .timings = request.settings->timings, .plot_files = true, .paper = has_paper, .design = request.settings->page.design};
+        .timings = request.settings->timings, .plot_files = true, .paper = work.paper.is_wanted(), .design = request.settings->page.design};
     run_tasks(
         [&] {
             if (request.labs) options.labs = request.labs(sections);
-            write_report_files(document, figures, request.templates, options, folder);
+            write_report_files(document, figures, request.templates, options, work.folder);
         },
-        [&] { for_each_task(sections.size(), [&](std::size_t i) { write_meshes(sections[i].answer, folder); }); },
+        [&] { for_each_task(sections.size(), [&](std::size_t i) { write_meshes(sections[i].answer, work.folder); }); },
         [&] {
             const std::string source = request.source_text ? request.source_text() : "";
-            if (!source.empty()) write_file(folder / "src.txt", source);
+            if (!source.empty()) write_file(work.folder / "src.txt", source);
         });
 }
 
-/// Stores the sections answered now, whose files are all written. A cache that cannot be written to is warned of.
+/// Stores the sections answered now, after all their files are written. Warns of a cache that cannot be written to.
 /// @return known digests of files in the report's folder
 output::Digests store(const ReportRequest& request, const Sections& sections, const report::DrawnFigures& figures, const fs::path& folder) {
     output::Digests digests;
@@ -133,35 +140,41 @@ output::Digests store(const ReportRequest& request, const Sections& sections, co
     return digests;
 }
 
+/// Returns a warning for each file of a stored section that is gone; after some, their number.
+std::vector<std::string> missing_files(const Sections& sections) {
+    constexpr std::size_t most_named = 8;
+    std::vector<std::string> notes;
+    std::size_t count = 0;
+    for (const ReportSection& section : sections)
+        for (const std::string& path : section.missing)
+            if (++count <= most_named) notes.push_back(path + " is missing from the earlier report");
+    if (count > most_named) notes.push_back("… and " + std::to_string(count - most_named) + " files more");
+    return notes;
+}
+
 }   // namespace
 
 MadeReport make_report(const ReportRequest& request) {
     Paper paper(*request.settings, request.templates, request.store.get());
     output::Publication publication(request.settings->out);
-    const fs::path& folder = publication.folder();
     ProgressDisplay display(stderr_is_terminal(), request.expected_seconds);
+    const Work work{request, publication.folder(), display, paper};
     const Clock::time_point began = Clock::now();
 
-    const Sections sections = gather(request, folder, display);
+    const Sections sections = gather(request, work.folder, display);
     const double gathered = seconds_since(began);
-    MadeReport made{.document = assembled(request, sections)};
-    const report::DrawnFigures figures = drawn(request, sections, made.document, folder, paper, display);
-    if (!request.renders_again) {
-        const double all = seconds_since(began);
-        for (const auto& [part, seconds] : {std::pair{"all questions", gathered}, {"drawing", all - gathered}, {"up to writing", all}})
-            made.document.timings.push_back({part, seconds});
-    }
-    display.step(paper.is_wanted() ? "writing and printing" : "writing");
-    paper.begin(report::Volume::report, made.document, figures, folder);
-    write(request, sections, made.document, figures, paper.is_wanted(), folder);
-    made.notes = paper.finish();
-    made.published =
-        publish_report(publication, made.document, store(request, sections, figures, folder), *request.settings, request.junit);
-    std::ranges::copy(request.notes, std::back_inserter(made.notes));
-    for (const ReportSection& section : sections)
-        for (const std::string& path : section.missing) made.published.missing.push_back(path);
-    made.seconds = request.renders_again ? 0 : seconds_since(began);
-    return made;
+    report::Document document = assembled(request, sections);
+    const report::DrawnFigures figures = draw(work, sections, document);
+    const double drawn = seconds_since(began);
+    if (!request.renders_again) document.timings = {{"all questions", gathered}, {"drawing", drawn - gathered}, {"up to writing", drawn}};
+    write(work, sections, document, figures);
+    std::vector<std::string> notes = missing_files(sections);
+    std::ranges::copy(paper.finish(), std::back_inserter(notes));
+    std::ranges::copy(request.notes, std::back_inserter(notes));
+    const output::Digests known = store(request, sections, figures, work.folder);
+    Published published = publish_report(publication, document, known, *request.settings, request.junit);
+    const double seconds = request.renders_again ? 0 : seconds_since(began);
+    return {std::move(document), std::move(published), std::move(notes), seconds};
 }
 
 report::Document gathered_document(const ReportRequest& request) {
@@ -170,11 +183,7 @@ report::Document gathered_document(const ReportRequest& request) {
 }
 
 ExitCode print_outcome(const MadeReport& made) {
-    constexpr std::size_t most_named = 8;
     tell_of(made.published.notes);
-    const std::vector<std::string>& missing = made.published.missing;
-    for (std::size_t i = 0; i < missing.size() && i < most_named; ++i) warn(missing[i] + " is missing from the earlier report");
-    if (missing.size() > most_named) warn("… and " + std::to_string(missing.size() - most_named) + " files more");
     for (const std::string& note : made.notes)
         if (!note.empty()) warn(note);
     summarise(made.document);

@@ -31,7 +31,6 @@ void summarise(const report::Document& document);
 struct Published {
     std::filesystem::path folder, wanted;   // of the report, and the one that was asked for
     output::Notes notes;
-    std::vector<std::string> missing = {};   // files of stored sections that are gone
 };
 
 /// Publishes a report that has been written. A report with a failure does not replace one without: it goes to `<out>.failed`, which the

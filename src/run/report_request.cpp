@@ -1,4 +1,4 @@
-// The request of `meshfolio report`: what is computed, what is in the cache, and what stays of the report that --only renews.
+// The request of `meshfolio report`: sections computed, taken from the cache, or kept from the report that --only renews.
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -49,16 +49,12 @@ std::shared_ptr<Computation> planned(const ReportFlags& flags) {
     return std::shared_ptr<Computation>(new Computation{std::move(settings), std::move(templates), std::move(meshes), std::move(plan)});
 }
 
-/// Returns the provenance without how much is done of each section: that follows from the other settings, and from what is named.
-report::Provenance without_efforts(report::Provenance provenance) {
-    std::erase_if(provenance.settings, [](const auto& setting) { return setting.first.ends_with(effort_suffix); });
-    return provenance;
-}
-
 /// Returns a difference between what the earlier report was made of and what this run would make it of; empty: none.
 std::string difference_to(const StoredReport& earlier, const std::set<std::string>& kept, const Computation& now) {
-    const report::Provenance provenance = without_efforts(provenance_of(described(now.settings), now.settings.seed));
-    if (const std::string found = difference(without_efforts(earlier.document.provenance), provenance); !found.empty()) return found;
+    report::Provenance before = earlier.document.provenance, provenance = provenance_of(described(now.settings), now.settings.seed);
+    for (report::Provenance* one : {&before, &provenance})   // efforts follow from the other settings and from the sections that are named
+        std::erase_if(one->settings, [](const auto& setting) { return setting.first.ends_with(effort_suffix); });
+    if (const std::string found = difference(before, provenance); !found.empty()) return found;
     std::set<std::tuple<std::string, std::string, std::string, std::string>> seen;
     for (const report::Section& section : earlier.document.sections) {
         if (!kept.contains(section.id)) continue;
@@ -119,17 +115,15 @@ report::Document head_of(const Computation& now) {
     return head;
 }
 
-/// Takes a section from the report that is renewed. @throws InputError if a file of it is gone
-ReportSection kept_section(const StoredReport& renewed, std::string_view id, const fs::path& folder) {
-    ReportSection section = renewed.section(*std::ranges::find(renewed.document.sections, id, &report::Section::id), folder);
-    if (!section.missing.empty()) throw InputError({section.missing.front()}, "is missing", "make the report anew");
-    section.answer.section.timings.clear();   // of that run
-    return section;
-}
-
 std::vector<Source> sources_of(const std::shared_ptr<Computation>& now, const std::shared_ptr<const SectionCache>& cache) {
     const Source not_computed = [now](std::string_view id, const fs::path& folder, ProgressDisplay&) -> std::optional<ReportSection> {
-        if (now->kept.contains(std::string(id))) return kept_section(*now->renewed, id, folder);
+        if (now->kept.contains(std::string(id))) {
+            ReportSection section =
+                now->renewed->section(*std::ranges::find(now->renewed->document.sections, id, &report::Section::id), folder);
+            if (!section.missing.empty()) throw InputError({section.missing.front()}, "is missing", "make the report anew");
+            section.answer.section.timings.clear();   // of that run
+            return section;
+        }
         if (!is_asked_for(now->settings, id)) return ReportSection{{skipped_section(id, "not asked for")}};
         if (effort_of(now->settings, std::string(id)).left_out) return ReportSection{{skipped_section(id, left_out_to_fit())}};
         return {};

@@ -79,7 +79,7 @@ std::optional<ReportSection> SectionCache::find(const Chapter& chapter, const fs
 }
 
 output::Digests SectionCache::keep(const report::Section& section, const report::DrawnFigures& all, const fs::path& folder) const {
-    if (section.status != report::Status::ok || lacks_a_mesh(section) || !has_plain_names(section)) return {};
+    if (section.status != report::Status::ok || misses_a_mesh(section) || !has_plain_names(section)) return {};
     report::DrawnFigures figures;
     for (const auto& [id, figure] : all)
         if (id.starts_with(section.id + "_")) figures.emplace(id, figure);

@@ -1,7 +1,6 @@
 /// @file
-/// What earlier runs made, to be taken instead of made again: bytes under a key, and files by their content. Nothing is trusted: whatever
-/// does not have the digest it was stored with is removed and counts as not there. Runs may share a cache; every change is one rename. The
-/// least recently used goes first when the cache grows over its limit.
+/// Results of earlier runs: bytes under a key, and files by their content. Bytes that do not match their digest are removed and count as
+/// missing. Runs may share a cache; every change is one rename. Above the limit, the least recently used files are removed.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +11,10 @@
 
 namespace meshfolio::output {
 
-/// $XDG_CACHE_HOME/meshfolio, else ~/.cache/meshfolio; nothing where neither is set to an absolute path.
+/// Returns $XDG_CACHE_HOME/meshfolio, else ~/.cache/meshfolio; nothing if neither variable holds an absolute path.
 std::optional<std::filesystem::path> default_cache_folder();
 
-/// A key from the words it is made of: no two lists of words have the same.
+/// Makes a key from a list of words; different lists have different keys.
 class KeyMaker {
 public:
     KeyMaker& add(std::string_view word);
@@ -34,15 +33,14 @@ public:
     /// Creates the folder. @throws OutputError if it cannot be used
     ResultCache(std::filesystem::path folder, std::uintmax_t limit);
 
-    /// Bytes stored under a key, if they are there whole.
+    /// Returns the bytes under a key; nothing if they are missing or damaged.
     std::optional<std::string> get(const std::string& key);
-    /// @throws OutputError
+    /// Stores bytes under a key. @throws OutputError
     void put(const std::string& key, std::string_view bytes);
 
-    /// Bytes by their SHA-256, as put() stores them without a key.
+    /// Returns the bytes with this SHA-256, as keep() stored them; nothing if they are missing or damaged.
     std::optional<std::string> bytes_of(const std::string& digest);
-    /// Stores bytes. A hard link to the file would be faster, but editing a picture of one report in place, or making it
-    /// executable, would then change the cache and every other report.
+    /// Stores bytes by their content. (A hard link would be faster; but then a change of one report in place would change the cache.)
     /// @return the SHA-256
     /// @throws OutputError
     std::string keep(std::string_view bytes);

@@ -53,7 +53,7 @@ struct Chapter {
     std::string title() const { return words().line("title"); }
     /// The assignment's question in one sentence.
     std::string asked() const { return words().line("asked"); }
-    /// Without lines; src/submission finds those.
+    /// Returns the cited code without line numbers, which src/submission finds.
     std::vector<report::CodeReference> cited_code() const;
 };
 

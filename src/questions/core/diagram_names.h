@@ -1,5 +1,5 @@
 /// @file
-/// What diagrams are drawn of, in short names: `using namespace diagram_names;` where one is drawn.
+/// Short names of the elements of diagrams, for `using namespace diagram_names;`.
 #pragma once
 
 #include "report/diagram.h"

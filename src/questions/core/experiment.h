@@ -1,6 +1,6 @@
 /// @file
-/// An experiment of an earlier report as plain data: what it was done on, with which parameters, and what it showed. A settings file holds
-/// them as [[experiment]]; data/reports has those of four reports.
+/// An experiment of an earlier report as plain data: its meshes, parameters and findings. Settings files hold them as [[experiment]];
+/// data/reports has those of four reports.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct OriginalMesh {
 
 enum class ExperimentKind { curvature, forms, reconstruction, smoothing, denoising, error_curve };
 
-/// How a mesh is smoothed: a scheme, its operator frozen or rebuilt from the current positions at every step.
+/// A smoothing scheme, with its operator frozen or rebuilt from the current positions at every step.
 struct SmoothingMethod {
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;
     bool rebuild = false;
@@ -38,7 +38,7 @@ struct SmoothingMethod {
 /// Unit of a noise level: model units; extent of the box along each axis; box diagonal; mean edge.
 enum class NoiseUnit { raw, box, diagonal, edge };
 
-/// What the pictures are coloured by: nothing, H by cotangent or uniform weights, K, or the distance to the original.
+/// The colours of pictures: none, H by cotangent or uniform weights, K, or the distance to the original.
 enum class ExperimentColour { none, h_cotan, h_uniform, gauss, distance };
 
 struct Experiment {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* own_role = "your mesh";
 
-/// Folders do not count: a mesh is looked for further, by the same name.
+/// Returns true for a path that exists and is no folder.
 bool is_no_folder(const fs::path& path) {
     std::error_code unknown;
     return may_be_there(path) && !fs::is_directory(path, unknown);
@@ -29,12 +29,12 @@ std::optional<fs::path> first_that_exists(const std::vector<fs::path>& candidate
     return it == candidates.end() ? std::nullopt : std::optional(*it);
 }
 
-/// How the report enters a file, before it is read.
+/// Returns the entry of a file in the report, before it is read.
 report::Input input_of(std::string_view role, std::string_view asked, const fs::path& file, bool stand_in = false) {
     return {std::string(role), std::string(asked), file.filename().string(), stand_in, "", 0, 0};
 }
 
-/// `path` in the first of `folders` that has it, by the path itself or by the bare file name.
+/// Returns `path` in the first folder that has it, by the path itself or by the bare file name.
 std::optional<fs::path> in_folders(const std::vector<fs::path>& folders, const fs::path& path) {
     std::vector<fs::path> candidates;
     for (const fs::path& folder : folders) {

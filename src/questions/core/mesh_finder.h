@@ -1,5 +1,5 @@
 /// @file
-/// Where a mesh that is asked for comes from: the user's own, the data folders, the bundled ones.
+/// Finds the file of a mesh: among the user's own, in the data folders, among the bundled ones.
 #pragma once
 
 #include <compare>
@@ -16,7 +16,7 @@
 
 namespace meshfolio {
 
-/// A mesh as it is asked for, before anyone knows which file that is.
+/// A request for a mesh, before its file is known.
 struct MeshLookup {
     enum class By { role, file, original, in_data, own };
     By by = By::role;
@@ -26,7 +26,7 @@ struct MeshLookup {
     auto operator<=>(const MeshLookup&) const = default;
 };
 
-/// Where it comes from, before it is read.
+/// The file of a mesh, before it is read.
 struct FoundMesh {
     std::optional<std::filesystem::path> path;   // of a file; none: `bundled_file`
     std::string_view bundled_file;
@@ -34,7 +34,7 @@ struct FoundMesh {
     std::string name;    // short_name(), or that with a number
     report::Input input;
 
-    /// Reads the file if there is one, else the bundled mesh; `from_file` keeps what was read. @throws InputError naming the label
+    /// Returns the bytes of the file or of the bundled mesh. @param from_file  holds the bytes of a file. @throws InputError
     std::string_view bytes(std::string& from_file) const;
 };
 
@@ -45,8 +45,10 @@ public:
                const std::vector<std::filesystem::path>& listed);
 
     const std::vector<std::filesystem::path>& own() const { return own_; }
-    /// None where no data folder has it. @throws InputError where it is nowhere; UsageError for an unknown role
+    /// Returns the file of a mesh; nothing for By::in_data if no data folder has it.
+    /// @throws InputError if the mesh is nowhere; UsageError for an unknown role
     std::optional<FoundMesh> found(const MeshLookup& lookup, const std::filesystem::path& base) const;
+    /// Returns true if this finder would find the same mesh as the report that has this input.
     bool still_has(const report::Input& input, const std::filesystem::path& base) const;
 
 private:
@@ -61,10 +63,10 @@ private:
     FoundMesh found_own(const std::filesystem::path& path) const;
 };
 
-/// The same message about a file that goes by another name.
+/// Returns the error with another name of the file at the beginning of its message.
 InputError renamed(const Error& error, const std::string& before, const std::string& after);
 
-/// The stem of a file name made safe for ids: [a-z0-9_], at most 40 characters, never empty.
+/// Returns the stem of a file name, made safe for ids: [a-z0-9_], at most 40 characters, never empty.
 std::string short_name(const std::filesystem::path& path);
 
 }   // namespace meshfolio

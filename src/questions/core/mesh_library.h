@@ -28,7 +28,7 @@ struct LibraryMesh {
 using SharedMesh = std::shared_ptr<const LibraryMesh>;
 using LibraryMeshes = std::vector<SharedMesh>;
 
-/// What is measured on one mesh of the library.
+/// The base of studies that measure one mesh of the library.
 struct OnMesh {
     SharedMesh source = {};
     const std::string& name() const { return source->name; }
@@ -37,30 +37,30 @@ struct OnMesh {
     const Preflight& preflight() const { return source->preflight(); }
 };
 
-/// Looks a role up in the user's own meshes, then the data folders by the assignment's path, then the bundled meshes
-/// compiled into the program. Each file is read and prepared once; thread-safe.
+/// Finds roles among the user's own meshes, then in the data folders by the assignment's path, then among the bundled meshes. Each file is
+/// read and prepared once. Thread-safe.
 class MeshLibrary {
 public:
-    /// @param listed  the paths later asked for by file(), so that those with the same stem get names of their own in a fixed order
+    /// @param listed  paths that file() will be asked for: files with the same stem get distinct names, in this order
     MeshLibrary(std::vector<std::filesystem::path> data_folders, std::vector<std::filesystem::path> own_meshes,
                 const std::vector<std::filesystem::path>& listed = {});
 
     /// @throws InputError if the file is missing or unusable; UsageError for an unknown role; std::logic_error for one not offered
     SharedMesh role(const std::string& role) const;
-    /// A mesh named in the settings: relative to `base`, then the data folders, then the bundled data.
+    /// Returns a mesh that the settings name: relative to `base`, then in the data folders, then among the bundled ones.
     SharedMesh file(const std::filesystem::path& path, const std::filesystem::path& base) const;
 
-    /// A mesh of an earlier report, with the bundled one that stands in for it: `path` relative to `base`, then by its whole path in any
-    /// data folder, then by its bare name. An empty path is that of a mesh not to be had. The user's own mesh takes its place, too.
+    /// Returns a mesh of an earlier report: `path` relative to `base`, then by its whole path in a data folder, then by its bare name; else
+    /// the bundled mesh that stands in for it. An empty path is that of a lost mesh. The user's own mesh replaces it.
     SharedMesh original(const std::string& name, const std::filesystem::path& path, const std::string& stand_in,
                         const std::filesystem::path& base) const;
-    /// A mesh that only a data folder may have, by its file name; null where none has it.
+    /// Returns a mesh by its file name from the data folders; null if none has it.
     SharedMesh in_data(const std::filesystem::path& file) const;
 
     bool has_own_meshes() const { return !finder_.own().empty(); }
-    /// The user's own meshes (`report MY.obj …`), which replace every list of roles. @throws InputError, MeshError
+    /// Returns the user's own meshes (`report MY.obj …`), which replace every list of roles. @throws InputError, MeshError
     LibraryMeshes own_meshes() const;
-    /// Reads them, before any work begins. @throws InputError naming the first that cannot be used by its path
+    /// Reads the user's own meshes before any work begins. @throws InputError naming the first that cannot be used by its path
     void open_own_meshes() const;
 
     /// Returns true if this run would find the same mesh as the earlier report that has this input. @param base  folder of the settings

@@ -1,5 +1,5 @@
 /// @file
-/// Which bundled file stands for which mesh of the assignment.
+/// The meshes of the assignment, and the bundled files that stand for them.
 #pragma once
 
 #include <optional>

@@ -58,7 +58,7 @@ std::string left_out_to_fit() { return report::Words("figures").line("left_out")
 
 report::Check unusable_mesh_check(const std::string& reason) { return report::check_at_most(unusable, 0, 1, 0, printable(reason)); }
 
-bool lacks_a_mesh(const report::Section& section) {
+bool misses_a_mesh(const report::Section& section) {
     return std::ranges::find(section.checks, unusable, &report::Check::name) != section.checks.end();
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// What the files of a chapter share: the tools that fill a section, and the headers that nearly all of them need.
+/// The tools with which chapters fill their sections, and the headers that nearly all of them need.
 #pragma once
 
 #include <algorithm>
@@ -32,11 +32,12 @@ using Names = std::vector<std::string>;
 
 // ---- the section ----------------------------------------------------------------------------------------------------------
 
-/// An empty section of the chapter `id`, with its title, what it asks and the code it cites.
+/// Returns an empty section of the chapter `id`, with its title, question and cited code.
 report::Section section_of(std::string_view id);
 
-/// Says that the section has small settings, so that the report ends in time; and why one is left out.
+/// Adds the warning that the section has small settings, so that the report ends in time.
 void say_small_settings(report::Section& section);
+/// Returns the reason why a section is left out, so that the report ends in time.
 std::string left_out_to_fit();
 
 /// Appends a block. A plot, map or figure without an alternative text gets its caption.
@@ -45,9 +46,9 @@ inline void add_one(report::Section& section, report::Check check) { section.che
 /// Appends tables, plots, … and checks, in this order.
 void add(report::Section& section, auto&&... parts) { (add_one(section, std::forward<decltype(parts)>(parts)), ...); }
 void append_checks(report::Section& section, const std::vector<report::Check>& checks);
-/// What is added from here on is in the appendix of the report.
+/// Puts all blocks that are added from here on into the appendix of the report.
 inline void begin_appendix(report::Section& section) { section.appendix_from = static_cast<int>(section.blocks.size()); }
-/// Heading, paragraphs, formulas: whatever the message has.
+/// Appends the heading, paragraphs and formulas of a message.
 void add_words(report::Section& section, const report::Words& words, std::string_view key, const report::Facts& facts);
 void add_words(report::Section& section, const report::Words& words, std::string_view key, auto... facts) {
     add_words(section, words, key, report::Facts{std::move(facts)...});
@@ -72,13 +73,13 @@ LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& set
 LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, const std::vector<std::string_view>& roles,
                          report::Section& section);
 
-/// The failed check of a section that had to go without one of its meshes, and why.
+/// Returns the failed check of a section that had to go without one of its meshes.
 report::Check unusable_mesh_check(const std::string& reason);
-/// Whether such a check is there. Its answer is not cached: the mesh may be usable the next time, once it is mended or memory is free.
-bool lacks_a_mesh(const report::Section& section);
+/// Returns true if the section has such a check. It is not cached: the mesh may be usable the next time.
+bool misses_a_mesh(const report::Section& section);
 
-/// Studies one mesh after the other and reports each as it begins: "denoising of cube". A mesh whose study fails (its operator has no
-/// factor, say) becomes a failed check of `section`, and the others go on.
+/// Studies the meshes one after the other and reports each as it begins: "denoising of cube". If a study fails, for example because an
+/// operator cannot be factored, the mesh becomes a failed check of `section`, and the others go on.
 /// @throws SolverError if none can be studied
 template <class StudyOf>
 auto studies_of(const LibraryMeshes& meshes, const std::string& work, const QuestionSettings& settings, const Progress& progress,
@@ -99,7 +100,7 @@ auto studies_of(const LibraryMeshes& meshes, const std::string& work, const Ques
     return studies;
 }
 
-/// Names of the studies that `chosen` holds for; of all.
+/// Returns the names of the studies for which `chosen` is true.
 template <class Study>
 Names names_where(const std::vector<Study>& studies, const auto& chosen) {
     Names names;
@@ -119,14 +120,14 @@ auto each_of(auto&& range, const auto& f) {
     for (const auto& element : range) values.push_back(std::invoke(f, element));
     return values;
 }
-/// The largest f of an element, at least 0; NaN is left out.
+/// Returns the largest f of an element, at least 0; NaN is left out.
 double largest_of(auto&& range, const auto& f) {
     double largest = 0;
     for (const auto& element : range) largest = std::max<double>(largest, std::invoke(f, element));
     return largest;
 }
 
-/// Ascending, each value once: a step named twice in the settings is one run.
+/// Returns the values in ascending order, each once: a step that the settings name twice is one run.
 template <class Number>
 std::vector<Number> each_once(std::vector<Number> values) {
     std::sort(values.begin(), values.end());
@@ -134,10 +135,10 @@ std::vector<Number> each_once(std::vector<Number> values) {
     return values;
 }
 
-/// The last of the settings' values, or the question's own where they have none.
+/// Returns the last of the settings' values, or the question's own if there is none.
 inline int last_or(const std::vector<int>& given, int own) { return given.empty() ? own : given.back(); }
 
-/// Largest rise from one value to the next; 0 where none rises.
+/// Returns the largest rise from one value to the next; 0 if none rises.
 template <class Values>
 double largest_rise(const Values& values) {
     double rise = 0;
@@ -160,7 +161,7 @@ ValueSummary summary_of(const Vector& values);
 /// √(Σ A (f − g)² / Σ A g²): the relative L2 error of `f` against the truth `g`, over the vertices where both are finite.
 double relative_error(const Vector& f, const Vector& g, const Vector& areas);
 
-/// A number in a table, or an empty cell where it is not defined (NaN, or `defined` is false).
+/// Returns a number in a table, or an empty cell if it is NaN or `defined` is false.
 report::Cell cell_of(double x, bool defined = true);
 
 inline void add_point(report::Series& series, double x, double y) {
@@ -175,18 +176,18 @@ report::Text paragraph_of(std::initializer_list<report::Text> sentences);
 /// Appends a sentence to a paragraph, unless it is empty.
 void go_on(report::Text& paragraph, const report::Text& sentence);
 
-/// "a", "a and b", "a, b and c".
+/// Returns "a", "a and b", "a, b and c".
 std::string listed(const Names& names);
-/// "a; b; c".
+/// Returns "a; b; c".
 std::string joined(const Names& parts, std::string_view separator = "; ");
 
-/// "0.3 to 0.9", or "0.3" where both are alike.
+/// Returns "0.3 to 0.9", or "0.3" if both are alike.
 std::string span_of(const std::string& low, const std::string& high);
 
-/// The message about these {{meshes}}; nothing where there are none.
+/// Returns the message about these {{meshes}}; empty if there are none.
 report::Text said_of(const Names& meshes, const report::Words& words, std::string_view key);
 
-/// "1 mesh", "4 meshes", "40 962 vertices".
+/// Returns "1 mesh", "4 meshes", "40 962 vertices".
 std::string counted(int n, std::string_view singular, std::string_view plural = "");
 
 }   // namespace meshfolio

@@ -1,5 +1,5 @@
 /// @file
-/// What a run may vary. Defaults are those of data/report.toml.
+/// The settings of chapters. Defaults are those of data/report.toml.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct QuestionSettings {
     bool own_experiments = false;   // they come from the settings file
 };
 
-/// What settings may hold; each limit is named in the message about a value beyond it.
+/// Limits of settings; messages about a value beyond a limit name it.
 namespace limits {
 inline constexpr long long smallest_size = 16, largest_size = 4096;   // pixels of one view
 inline constexpr long long largest_k = 100000;                        // modes

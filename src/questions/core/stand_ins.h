@@ -1,5 +1,5 @@
 /// @file
-/// The meshes earlier reports worked on which are not ours to distribute, and what stands for each where no data folder has it.
+/// The meshes of earlier reports that are not ours to distribute, and the bundled meshes that stand in for them.
 #pragma once
 
 #include <memory>
@@ -22,15 +22,15 @@ struct StandIn {
 };
 std::span<const StandIn> stand_in_list();
 
-/// A mesh that is spoken of by name: the original, or what is measured in its place.
+/// A mesh of an earlier report: the original, or its stand-in.
 struct ReportMesh {
     SharedMesh mesh;
-    bool original = false;            // the very mesh that is spoken of
+    bool original = false;            // not a stand-in
     bool own = false;                 // the user's, which takes every place
     const StandIn* entry = nullptr;   // null for the roles of the assignment
-    std::string_view asked = {};      // what the name means: "bunny.off", "curvatures/plane.obj", or a bundled file
+    std::string_view asked = {};      // file that the name stands for: "bunny.off", "curvatures/plane.obj", or a bundled one
 
-    /// "bunny", or "creature in place of bunny.off"; of the user's own mesh, its name.
+    /// Returns "bunny", "creature in place of bunny.off", or the name of the user's own mesh.
     std::string called() const;
     report::Input input() const;
 };

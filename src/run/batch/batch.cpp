@@ -35,7 +35,7 @@ using report::BatchRow;
 
 constexpr std::size_t most_failures_told = 20;
 
-/// Empty where it cannot be read; the run on the mesh says why.
+/// Returns the SHA-256 of a file; empty if it cannot be read, which the run on the mesh reports.
 std::string digest_of(const std::string& file) try { return sha256_of_file(file); } catch (const InputError&) {
     return "";
 }
@@ -101,7 +101,7 @@ private:
         return list;
     }
 
-    /// What cannot be read has its row already.
+    /// Estimates the cost of each task, and drops meshes that cannot be read: their rows say why.
     void estimate() {
         std::vector<char> can_be_read(tasks_.size());
         run_jobs(std::min<int>(cores_, static_cast<int>(tasks_.size())), memories(), 0,

@@ -1,5 +1,5 @@
 /// @file
-/// What `meshfolio batch` does: a report a mesh, each by a run of this program of its own, so that what ends one costs only its row.
+/// `meshfolio batch`: one report for each mesh. Each report is a process of its own, so that a crash costs only one row.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 namespace meshfolio::run {
 
 struct BatchFlags {
-    ReportFlags report;   // of every report; its `out` is the folder of them all
+    ReportFlags report;   // of every report; `out` is the folder of the batch
     std::vector<std::string> meshes, lists;
     std::string jobs;
-    bool plan = false;   // only say which folder each mesh gets
+    bool plan = false;   // only print the folder of each mesh
 };
 
-/// Finished reports of the same meshes, settings and program are kept, the others made; the index is renewed after each.
-/// @return failed where a mesh has no report or one with a failure; output where one could not be written
-/// @throws UsageError, InputError, OutputError, EngineError before any work; OutputError when the index cannot be written
+/// Makes the reports and, after each, the index. A finished report of the same mesh, settings and program is not made again.
+/// @return failed if a mesh has no report or one with a failure; output if a report could not be written
+/// @throws UsageError, InputError, OutputError, EngineError before any work; OutputError if the index cannot be written
 ExitCode run_batch(const BatchFlags& flags);
 
 }   // namespace meshfolio::run

@@ -1,5 +1,5 @@
 /// @file
-/// The folder of a batch: a report a mesh in folders of their own, and the index of them.
+/// The folder of a batch: one folder for the report of each mesh, and the index.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@ namespace meshfolio::run {
 class BatchFolder {
 public:
     /// Creates the folder if it is missing, and locks it against other runs while this object lives.
-    /// @throws OutputError if it holds what is neither of a batch nor a report, another run is writing there, or it cannot be written
+    /// @throws OutputError if the folder holds other files, cannot be written, or another run is writing there
     explicit BatchFolder(std::filesystem::path path);
     const std::filesystem::path& path() const { return path_; }
 
@@ -25,18 +25,18 @@ private:
     std::optional<output::OpenFolder> lock_;
 };
 
-/// Writes index.html, batch.json, batch.csv and junit.xml, at most a few seconds behind. Thread-safe.
+/// The index: index.html, batch.json, batch.csv and junit.xml, a few seconds behind at most. Thread-safe.
 class BatchIndex {
 public:
     /// @param templates  must outlive this
     BatchIndex(std::filesystem::path folder, report::Batch batch, const report::Templates& templates)
         : folder_(std::move(folder)), batch_(std::move(batch)), templates_(templates) {}
 
-    /// Replaces each file, all at once. @throws OutputError
+    /// Writes all four files. @throws OutputError
     void write();
-    /// Replaces a row. Rewrites the files only if the last write was some seconds ago, as each holds all rows. @throws OutputError
+    /// Replaces a row. Writes the files if the last write was more than three seconds ago. @throws OutputError
     void set(std::size_t place, report::BatchRow row);
-    /// Read it only after the last set().
+    /// Returns the rows. Not thread-safe: call it after the last set().
     const report::Batch& batch() const { return batch_; }
 
 private:

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Small enough that the page can hold hundreds.
+/// Returns the cover picture of a report, so small that a page can hold hundreds.
 std::optional<report::BatchRow::Picture> thumbnail(const StoredReport& report) {
     constexpr int side = 192, quality = 80;   // pixels; of JPEG
     const report::Figure* figure = report::cover_figure(report.document, report.figures);
@@ -55,7 +55,7 @@ bool has_the_words_of(const report::Document& document, const ReportSettings& se
     return document.title == settings.title && document.author == settings.author && document.course == settings.course;
 }
 
-/// What is asked for is there, as far as the plan does it, and went well.
+/// Returns true if every section that is asked for and planned is there and has no failure.
 bool is_complete(const report::Document& document, const ReportSettings& settings) {
     return std::ranges::all_of(document.sections, [&](const report::Section& section) {
         if (section.status == report::Status::skipped)

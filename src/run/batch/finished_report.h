@@ -1,5 +1,5 @@
 /// @file
-/// What a batch takes from an existing report.
+/// The row of a batch, from a finished report.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +13,18 @@
 
 namespace meshfolio::run {
 
-/// The settings of the report on one mesh. @param vertices  of the mesh, or half its triangles if that is more
+/// Returns the settings of the report on one mesh.
+/// @param vertices  of the mesh, or half the number of triangles if that is larger
 ReportSettings settings_on(const BatchMesh& mesh, double vertices, ReportSettings settings);
 
-/// Its row, with the picture of its first page.
-/// @param out     the folder of the batch
-/// @param folder  of the report, inside it
-/// @throws InputError for a report that is not there, or not what it was
+/// Returns the row of a finished report, with the picture of its first page.
+/// @param out     folder of the batch
+/// @param folder  folder of the report, inside `out`
+/// @throws InputError if the report is missing or damaged
 report::BatchRow row_of_report(const BatchMesh& mesh, const std::filesystem::path& out, const std::string& folder);
 
-/// The same of a report that need not be made again: it is of the mesh with this content, these settings, this program, none of its
-/// sections failed, and each of its files is as SHA256SUMS says. Nothing if there is no such report.
+/// Returns the row of a report that need not be made again; nothing if there is none. Such a report is of the same mesh, settings and
+/// program, has no failed section, and each of its files matches SHA256SUMS.
 /// @param settings  of the batch
 std::optional<report::BatchRow> finished_row(const BatchMesh& mesh, const std::string& sha256, const ReportSettings& settings);
 

@@ -13,8 +13,8 @@ namespace meshfolio::run {
 /// @param available  [bytes]; 0: not known
 int jobs_for(std::vector<double> memories, double available, int processors);
 
-/// Calls task(i) for each, in order, from `jobs` threads. One begins only when its memory fits beside that of those at work, or none is
-/// at work. What a task throws first is thrown again once those at work have ended; no other begins.
+/// Calls task(i) for each i in order, from `jobs` threads. A task begins when its memory fits beside the tasks at work, or no task is at
+/// work. Once a task throws, no other begins; the first exception is thrown again at the end.
 void run_jobs(int jobs, const std::vector<double>& memories, double available, const std::function<void(std::size_t)>& task);
 
 }   // namespace meshfolio::run

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uintmax_t largest_list = std::uintmax_t{16} << 20;
 
-/// Sorted by their paths. What is hidden, a folder that may not be listed, and our own outputs are passed by.
+/// Returns the meshes below a folder, sorted by path, without hidden files, unreadable folders and outputs of this program.
 std::vector<std::string> meshes_below(const fs::path& folder) {
     std::vector<std::string> files;
     std::error_code error;

@@ -1,5 +1,5 @@
 /// @file
-/// The meshes of `batch` from files, folders, patterns and lists: each once, in an order independent of the file system.
+/// The meshes of `batch`, from files, folders, patterns and lists: each once, in an order that does not depend on the file system.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@ struct BatchMesh {
     std::string name;   // of its folder
 };
 
-/// @param named  files; folders, which stand for all meshes in them that belong to no output of ours; patterns such as "*.obj", likewise;
-///               "@list.txt"
-/// @param lists  files with one of these a line, relative to their own folder; empty lines and those that begin with # aside
-/// @param out    must contain no mesh
-/// @throws InputError for what is not there, naming the line of a list; UsageError for a mesh inside `out` or for none at all
+/// Returns all meshes that the arguments name. Outputs of this program are left out.
+/// @param named  files, folders, patterns such as "*.obj", and "@list.txt"
+/// @param lists  files with one such name a line, relative to their own folder; empty lines and lines that begin with # do not count
+/// @param out    folder of the batch
+/// @throws InputError for a missing file, with the line of a list; UsageError for a mesh inside `out`, or if there is no mesh
 std::vector<BatchMesh> batch_meshes(const std::vector<std::string>& named, const std::vector<std::string>& lists,
                                     const std::filesystem::path& out);
 

@@ -1,5 +1,5 @@
 /// @file
-/// One report by a run of this program of its own.
+/// One report of a batch, made by a child process.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,16 @@
 
 namespace meshfolio::run {
 
-/// `report MESH …` with what a batch was asked for. @param more  words for this run alone
+/// Returns the arguments `report MESH …` with the flags of the batch. @param more  arguments for this run alone
 std::vector<std::string> report_words(const BatchFlags& flags, const BatchMesh& mesh, const std::vector<std::string>& more);
 
-/// Runs this program with these words, here. It ends when this process does.
+/// Runs this program with these arguments in the current folder. The child ends when this process ends.
 report::ChildEnd run_this_program(const std::vector<std::string>& words);
 
-/// Vertices of the mesh in the output of `report --plan --json`, if it names one.
+/// Returns the number of vertices in the output of `report --plan --json`; nothing if it names no mesh.
 std::optional<double> planned_vertices(const std::string& output);
 
-/// The reason of the failure, in one line.
+/// Returns the reason why a child failed, in one line.
 std::string failure_of(const report::ChildEnd& end);
 
 }   // namespace meshfolio::run

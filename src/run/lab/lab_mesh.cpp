@@ -58,7 +58,7 @@ void add_settings(LabMesh& lab, const Spectrum& spectrum, const std::map<std::st
     lab.readings = readings_at(lab, spectrum, settings);
 }
 
-/// All modes in 16 bits; of fewer, which are only added up, those that move the vertices less are rounded more.
+/// Rounds all modes to 16 bits. If the page has only some, it only adds them up: modes that move vertices less are rounded more.
 void quantise(LabMesh& lab, const Spectrum& spectrum) {
     Vector precision;
     if (!lab.has_all_modes()) {
@@ -92,7 +92,7 @@ void append(std::string& bytes, const Values& values) {
     bytes.append(reinterpret_cast<const char*>(rows.data()), static_cast<std::size_t>(rows.size()) * sizeof(Number));
 }
 
-/// As a state of the page (templates/viewer/lab_state.js), σ in percent.
+/// Returns a setting as a state of the page (templates/viewer/lab_state.js), σ in percent.
 nlohmann::json json_of(const LabSetting& setting) {
     nlohmann::json state = {{"scheme", setting.scheme}, {"sigma", 100 * setting.sigma}, {"seed", setting.seed}};
     state[setting.scheme == "projection" ? "k" : "t"] = setting.count;

@@ -1,6 +1,6 @@
 /// @file
-/// A small mesh for the live laboratory of the page: all its modes, so that every filter of the report is a weighted sum there, and what
-/// the program itself computes at some settings, for the page to be held against.
+/// A small mesh for the live laboratory of the page. With all its modes, every filter of the report is a weighted sum. The program's own
+/// results at some settings are there for comparison.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace meshfolio::run {
 
-/// Measured on the positions that the program's own steps lead to; the energy with the operator of the clean mesh.
+/// Measures of the positions that the program's own steps lead to; the energy is that of the clean mesh's operator.
 struct LabReading {
     LabSetting setting;
     double energy = 0;                // ½ Σ C_ij |x_i − x_j|² [length²]
@@ -50,18 +50,19 @@ struct LabMesh {
     bool has_all_modes() const { return eigenvalues.size() >= (laplacian.M.array() > 0).count(); }   // a vertex without area has none
 };
 
-/// What the program itself computes at these settings, to stand beside what the page does; none where a run has blown up.
+/// Computes the readings at these settings by the program's own methods; a run that blows up has none.
 std::vector<LabReading> readings_at(const LabMesh& lab, const Spectrum& spectrum, const std::vector<LabSetting>& settings);
 
-/// @param questions  whose panels open on this mesh, with the user's settings; "lab": one that belongs to none
+/// Prepares a mesh for the laboratory; decimates a large one.
+/// @param questions  ids of the panels that open on this mesh, with the user's settings; "lab" stands for the page of `meshfolio lab`
 /// @throws MeshError if the mesh cannot be decimated
 LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std::map<std::string, QuestionSettings>& questions,
                  const LabLimits& limits = {});
 
-/// What the page reads (templates/viewer/lab_math.js): length of the header in 4 bytes, the header as JSON, then little endian, from a
-/// multiple of 8 on: eigenvalues, areas, positions, coefficients, scales (doubles), corners of the triangles (4 bytes each), the modes'
-/// numbers: all their high bytes, then all their low bytes, which packs better. Where not all modes are there, what each number differs
-/// by from the mean of those of its neighbours before it, rounded down: d ≥ 0 as 2d, d < 0 as −2d − 1, modulo 2¹⁶.
+/// Returns the data that templates/viewer/lab_math.js reads: the length of the header (4 bytes) and the header (JSON); then, little endian
+/// and aligned to 8 bytes: eigenvalues, areas, positions, coefficients, scales (doubles), corners of the triangles (4 bytes each), and the
+/// numbers of the modes, all high bytes before all low bytes, which compresses better. If the page has only some modes, each number is
+/// stored as its difference d from the mean of its neighbours before it, rounded down: d ≥ 0 as 2d, d < 0 as −2d − 1, modulo 2¹⁶.
 std::string bytes_of(const LabMesh& lab);
 
 }   // namespace meshfolio::run

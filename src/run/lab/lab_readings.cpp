@@ -26,7 +26,7 @@ Vector factors(const LabMesh& lab, const LabSetting& setting, const Vector& mu) 
     return (1 - lambda * mu.array()) * (1 - taubin_mu_of(lab.laplacian, {.lambda = lambda}) * mu.array());
 }
 
-/// By `meshfolio smooth`, with the operator of what it starts from; of the exact flow, which has no steps, by its modes.
+/// Returns the filtered positions: by `meshfolio smooth`, with the operator of the initial positions; the exact flow by its modes.
 Positions filtered(const LabMesh& lab, const Spectrum& spectrum, const LabSetting& setting, Positions X) {
     if (setting.scheme == "projection") return reconstruct(spectrum, lab.laplacian.M, X, setting.count);
     if (setting.scheme == "heat") {
@@ -43,7 +43,7 @@ Positions filtered(const LabMesh& lab, const Spectrum& spectrum, const LabSettin
     return std::move(run.X);
 }
 
-/// As questions 5 to 7 have it, over the vertices; of projections by area, as question 4 has it.
+/// Returns the rms distance over the vertices, as in questions 5 to 7; of projections weighted by area, as in question 4. [length]
 double rms_of(const LabMesh& lab, const LabSetting& setting, const Positions& X) {
     if (setting.scheme != "projection") return vertex_rms(lab.mesh.X, X);
     const Vector& M = lab.laplacian.M;
@@ -55,7 +55,7 @@ double finest_factor(const LabMesh& lab, const LabSetting& setting) {
     return has_own_modes ? factors(lab, setting, Vector::Constant(1, lab.largest_eigenvalue))[0] : NAN;
 }
 
-/// A state of the search, where it did not search: what is judged there.
+/// Returns the three errors of some positions as a state of the denoising search.
 SearchState judged(const LabMesh& lab, const Positions& normals, const Positions& X) {
     return {.shape = shape_rms(lab.mesh, X),
             .rms = vertex_rms(lab.mesh.X, X),

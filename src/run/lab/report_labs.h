@@ -1,5 +1,5 @@
 /// @file
-/// Which meshes of a report its page can experiment with.
+/// The live laboratories of a report's page.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace meshfolio::run {
 
-/// For each of the questions 4 to 7 that is answered the small one of its meshes, or one decimated; a mesh that several share once.
+/// Returns a laboratory for the mesh of each answered panel, decimated if it is large; panels share the laboratory of a common mesh.
 /// @param store  the cache, or null
 std::vector<report::Lab> report_labs(const std::vector<ReportSection>& sections, const MeshLibrary& meshes, const ReportSettings& settings,
                                      output::ResultCache* store);

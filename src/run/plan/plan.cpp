@@ -74,7 +74,7 @@ std::vector<PlannedMesh> meshes_of(const Chapter& chapter, const QuestionSetting
     return meshes;
 }
 
-/// Every section, at the top of what the settings allow.
+/// Returns every section at the top of its ladder, as far as the settings allow.
 template <class MeshesOf>
 Plan started(const ReportSettings& settings, bool alone, const MeshesOf& meshes_of_section) {
     Plan plan;
@@ -159,8 +159,8 @@ double Plan::cpu_seconds() const {
 
 double Plan::seconds() const { return cpu_seconds() / (cores * busy_share); }
 
-/// Beside all meshes the largest sections, or one mesh being decimated and the largest sections that work on no copy of it. What decimating
-/// took in small pieces is not given back.
+/// Adds to all meshes the largest sections, or the decimation of one mesh and the largest sections that work on no copy. The memory that
+/// decimation took in small pieces is not returned.
 double Plan::memory(int at_a_time) const {
     double copies = 0;
     if (std::ranges::any_of(sections, &PlannedSection::works_on_copies))

@@ -22,9 +22,9 @@ inline constexpr double base_memory = 60;   // of the program itself [MB]
 
 struct PlannedMesh {
     std::string file;
-    double vertices = 0;   // or half its triangles, where these are more
+    double vertices = 0;   // or half the number of triangles if that is larger
 
-    /// Of the copy that is worked on. @param most  0: the mesh itself
+    /// Returns the vertices of the copy that a section works on. @param most  limit of the copies; 0: none
     double within(int most) const { return most > 0 ? std::min<double>(vertices, most) : vertices; }
 };
 
@@ -34,45 +34,46 @@ struct PlannedSection {
     double work_full = 1, work_small = 1;   // ChapterCost::work_of()
     std::size_t rung = 0;                   // of its ladder, from the top
 
-    Effort effort() const;         // with its cost
+    Effort effort() const;         // of the rung, with its cost
     double memory() const;         // beyond the meshes [bytes]
-    double largest_mesh() const;   // vertices; 0: none
+    double largest_mesh() const;   // vertices; 0: no mesh
     bool works_on_copies() const;
 };
 
 struct Plan {
-    std::vector<PlannedSection> sections;   // those asked for
-    std::map<std::string, Effort> others;   // of the whole report, of which these are a part; without their costs
-    std::vector<PlannedMesh> meshes;        // each once
+    std::vector<PlannedSection> sections;   // the sections asked for
+    std::map<std::string, Effort> others;   // the other sections of the whole report, without their costs
+    std::vector<PlannedMesh> meshes;        // of all sections, each once
     bool printed = false;                   // a PDF may be made
-    double time = 0;                        // asked for or promised [s]
+    double time = 0;                        // limit: asked for or promised [s]
 
-    double rest_cpu() const;                         // beside the sections [s]
-    double cpu_seconds() const;                      // of everything
-    double seconds() const;                          // on two cores
-    double memory(int at_a_time = cores) const;      // at the peak, so many sections being worked on [bytes]
-    std::map<std::string, Effort> efforts() const;   // of the others as well: parts of a report say the same
+    double rest_cpu() const;                         // CPU time of everything but the sections [s]
+    double cpu_seconds() const;                      // CPU time of the report [s]
+    double seconds() const;                          // wall time on two cores [s]
+    double memory(int at_a_time = cores) const;      // peak, with this number of sections at work [bytes]
+    std::map<std::string, Effort> efforts() const;   // of all sections of the whole report
 };
 
-/// What is asked for has the time for itself (alone); or is done as in the whole report, to which it may be added. What the whole one
-/// leaves out is done nevertheless, where `only` names it; not in a part, which is joined to the bytes of the whole one.
+/// The sections asked for have the time for themselves (alone), or are done as in the whole report. A section that the whole report leaves
+/// out is done if `only` names it, except in a part: merged parts equal the whole report.
 enum class Scope { alone, report, part };
 
-/// Seconds on two cores that a report of so many triangles is promised in.
+/// Returns the promised time of a report on two cores [s].
 double promised_seconds(double triangles, bool quick);
 
-/// From the most that a section may do, one step at a time: the one that saves most, half as gladly where a question is answered, until
-/// the time is kept. The steps do not depend on the time, so that more of it never gives less. Questions are always answered.
+/// Plans a report. Every section begins at the top of its ladder. Step by step, the section that saves most goes down one rung, until the
+/// time is kept; savings of a question count half. The order of steps does not depend on the time, so that a longer time never gives less.
+/// Questions are always answered.
 Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes, Scope scope);
-/// The same of meshes of these sizes, each given to every section. For tests, and to say what would fit.
+/// Plans a report on meshes of these sizes, each given to every section.
 Plan plan_for(const ReportSettings& settings, const std::vector<PlannedMesh>& meshes);
 
-/// For people: a line for each section, then the total.
+/// Returns the plan as text: a line for each section, then the total.
 std::string text_of(const Plan& plan);
-/// For programs; "alone" is what a report of that section only takes.
+/// Returns the plan as JSON; "alone" is the cost of a report of one section.
 std::string json_of(const Plan& plan);
 
-/// @throws InputError if the report needs more memory than is available, saying what would fit
+/// @throws InputError if the report needs more memory than is available; the message says what would fit
 void require_memory(const Plan& plan, const ReportSettings& settings, const AvailableMemory& available);
 
 }   // namespace meshfolio::run

@@ -1,4 +1,4 @@
-// A plan for people and for programs, and what is said where it does not fit into memory.
+// A plan as text and as JSON, and the error for a plan that does not fit into memory.
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -73,7 +73,7 @@ std::string json_of(const Plan& plan) {
 }
 
 void require_memory(const Plan& plan, const ReportSettings& settings, const AvailableMemory& available) {
-    constexpr double always_tried = 300 * megabyte;   // what so little does not suffice for says so itself
+    constexpr double always_tried = 300 * megabyte;   // a run that fails below this says so itself
     const int threads = settings.threads > 0 ? settings.threads : tbb::this_task_arena::max_concurrency();
     const double needed = plan.memory(threads);
     if (available.bytes <= 0 || needed <= std::max(available.bytes, always_tried)) return;

@@ -88,7 +88,7 @@ template <class Table, class Visit>
 requires std::same_as<std::remove_const_t<Table>, QuestionTable>
 void for_each_setting(Table& table, Visit visit) {
     auto& [meshes, k, iterations, lambda, noise, seed, threads, output] = table;
-    visit(Setting{.key = "mesh"}, meshes);
+    visit(Setting{.key = "mesh", .shapes_answers = true}, meshes);
     visit(Setting{.key = "k", .name = "k", .shapes_answers = true, .least = 1, .most = limits::largest_k}, k);
     visit(Setting{.key = "lambda", .name = "lambda", .shapes_answers = true, .largest = limits::largest_lambda, .is_above_zero = true},
           lambda);

@@ -60,7 +60,7 @@ TEST_P(UnusableMesh, IsAFailedCheckBesideTheAnswerOnTheOther) {
     const Answer answer = question->answer(MeshLibrary({}, {flat, good}), quick_settings(), no_progress);
     EXPECT_EQ(answer.section.status, report::Status::ok);
     EXPECT_NE(answer.section.extent.find("good"), std::string::npos) << answer.section.extent;
-    if (lacks_a_mesh(answer.section)) {
+    if (misses_a_mesh(answer.section)) {
         EXPECT_EQ(answer.section.extent.find("pressed"), std::string::npos) << answer.section.extent;
     }
     int failed = 0;
