@@ -8,10 +8,10 @@ const LabOffer lab{
     .role = "cube",
     .presets =
         [](const std::vector<BestDenoising>&) {
-            return std::vector<LabPreset>{{"just below λ_crit", {"explicit", 0.99, 40}},
-                                          {"just above", {"explicit", 1.05, 40}},
-                                          {"twice λ_crit", {"explicit", 2, 5}},
-                                          {"Taubin: smooth, keep the volume", {"taubin", 0.5, 20}}};
+            return std::vector<LabPreset>{{words.line("preset.below"), {"explicit", 0.99, 40}},
+                                          {words.line("preset.above"), {"explicit", 1.05, 40}},
+                                          {words.line("preset.twice"), {"explicit", 2, 5}},
+                                          {words.line("preset.taubin"), {"taubin", 0.5, 20}}};
         },
     .reported =
         [](const QuestionSettings& settings, const LabScale& scale, const std::vector<BestDenoising>&) {

@@ -8,10 +8,10 @@ const LabOffer lab{
     .role = "fandisk_ns",
     .presets =
         [](const std::vector<BestDenoising>&) {
-            return std::vector<LabPreset>{{"moderate", {"implicit", 2, 1}},
-                                          {"explicit at the same λ", {"explicit", 2, 6}},
-                                          {"implicit at 100 λ_crit", {"implicit", 100, 1}},
-                                          {"exact heat flow for that time", {"heat", 100, 1}}};
+            return std::vector<LabPreset>{{words.line("preset.moderate"), {"implicit", 2, 1}},
+                                          {words.line("preset.explicit"), {"explicit", 2, 6}},
+                                          {words.line("preset.large"), {"implicit", 100, 1}},
+                                          {words.line("preset.heat"), {"heat", 100, 1}}};
         },
     .reported =
         [](const QuestionSettings& settings, const LabScale& scale, const std::vector<BestDenoising>&) {

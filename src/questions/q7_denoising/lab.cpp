@@ -21,11 +21,11 @@ std::vector<LabPreset> presets_of(const std::vector<BestDenoising>& denoised) {
     LabSetting noisy = best, longer = best;
     noisy.count = 0;
     longer.count *= 4;
-    return {{"noisy", noisy},
-            {"nearest to the surface", best},
-            {"nearest to the vertices’ places", noise->at(noise->found.by_rms)},
-            {"four times as long", longer},
-            {"what is left along the surface", best, true}};
+    return {{words.line("preset.noisy"), noisy},
+            {words.line("preset.surface"), best},
+            {words.line("preset.places"), noise->at(noise->found.by_rms)},
+            {words.line("preset.longer"), longer},
+            {words.line("preset.drift"), best, true}};
 }
 
 std::vector<BestDenoising> denoised_at_each_level(const TriangleMesh& clean, double mean_edge, double diagonal,

@@ -1,6 +1,6 @@
 /// @file
 /// The cost of a report, and the settings scaled down so that it ends in the time that is asked for or promised. Nothing here depends on
-/// the machine: times are for two cores like those of the cost models (questions/core/cost.h).
+/// the machine: times are for two cores like those of the cost models (questions/core/chapter.h).
 #pragma once
 
 #include <algorithm>
