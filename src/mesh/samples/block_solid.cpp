@@ -10,10 +10,10 @@ namespace {
 
 using Index3 = std::array<int, 3>;
 
-/// Cells of all blocks along one axis, and the block coordinate of each cell boundary.
+/// The cells of all blocks along one axis.
 struct Axis {
     std::vector<int> block;      // of each cell
-    std::vector<double> place;   // of each node, one more than cells
+    std::vector<double> place;   // block coordinate of each node, one more than cells
 };
 
 Axis axis_of(const std::vector<int>& divisions) {
@@ -67,8 +67,8 @@ private:
         }
     }
 
-    /// The side of a cell across axis a, corners in the order (0,0) (1,0) (1,1) (0,1) of the two following axes, turned round
-    /// on the lower side.
+    /// Adds the lower (0) or upper (1) side of a cell across axis a. Corners are in the order (0,0) (1,0) (1,1) (0,1) of the two following
+    /// axes, turned round on the lower side.
     void add_side(const Index3& cell, int a, int side) {
         int u = (a + 1) % 3, v = (a + 2) % 3;
         if (side == 0) std::swap(u, v);

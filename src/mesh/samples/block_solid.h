@@ -1,6 +1,6 @@
 /// @file
-/// Surfaces of solids put together from blocks, before they are bent into shape. Feature edges of the shape are edges of
-/// the blocks, hence represented exactly however finely the blocks are divided.
+/// Surfaces of solids put together from blocks, before they are bent into shape. Feature edges of the shape are edges of the blocks, and so
+/// are represented exactly however finely the blocks are divided.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace meshfolio {
 
-/// For each axis, into how many cells each block along it is divided: {{{4}, {2, 3}, {5}}} is 1 × 2 × 1 blocks.
+/// The number of cells of each block along each axis: {{{4}, {2, 3}, {5}}} is 1 × 2 × 1 blocks.
 using BlockDivisions = std::array<std::vector<int>, 3>;
 
 struct BlockSurface {
@@ -20,10 +20,10 @@ struct BlockSurface {
     std::vector<std::array<int, 2>> cell;    // place of each quad within its side: cells along its first and second edge
 };
 
-/// The quads between filled and empty. Closed; manifold unless filled blocks touch along an edge or a corner only.
+/// Returns the quads between filled and empty blocks: a closed surface, manifold unless filled blocks touch along an edge or a corner only.
 BlockSurface surface_of_blocks(const BlockDivisions& divisions, const std::function<bool(int i, int j, int k)>& filled);
 
-/// Cuts quad q along its corners 0–2 where `first_diagonal(surface, q)`, else along 1–3.
+/// Cuts quad q in two along its corners 0–2 if `first_diagonal(surface, q)`, else along 1–3.
 TriangleMesh triangulated(const BlockSurface& surface, const std::function<bool(const BlockSurface&, int q)>& first_diagonal);
 
 }   // namespace meshfolio

@@ -5,29 +5,19 @@
 #include <cmath>
 #include <vector>
 
+#include "base/at.h"
 #include "mesh/edge_flips.h"
 
 namespace meshfolio {
 
 namespace {
 
-constexpr double difference_step = 1e-5;   // for gradients of shapes of size about 1
-
-Vector3 gradient(ImplicitFunction f, const Vector3& p) {
-    Vector3 g;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Vector3 step = difference_step * Vector3::Unit(axis);
-        g[axis] = (f(p + step) - f(p - step)) / (2 * difference_step);
-    }
-    return g;
-}
-
 /// Values of f on the nodes of a grid, and the net of its zero set.
 class Net {
 public:
     Net(ImplicitFunction f, const Box& box, double cell) : low_(box.low), cell_(cell) {
         for (int axis = 0; axis < 3; ++axis) nodes_[axis] = 2 + static_cast<int>(std::ceil(box.extent()[axis] / cell));
-        value_.resize(static_cast<std::size_t>(nodes_.prod()));
+        value_.resize(at(nodes_.prod()));
         vertex_.assign(value_.size(), -1);
         for_each_node([&](const Eigen::Vector3i& n) { value_[slot(n)] = f(place(n)); });
     }
@@ -54,16 +44,13 @@ private:
                 for (int i = 0; i < nodes_[0]; ++i) action(Eigen::Vector3i(i, j, k));
     }
 
-    std::size_t slot(const Eigen::Vector3i& n) const {
-        const int place = (n[2] * nodes_[1] + n[1]) * nodes_[0] + n[0];
-        return static_cast<std::size_t>(place);
-    }
+    std::size_t slot(const Eigen::Vector3i& n) const { return at((n[2] * nodes_[1] + n[1]) * nodes_[0] + n[0]); }
     Vector3 place(const Eigen::Vector3i& n) const { return low_ + cell_ * n.cast<double>(); }
     double value(const Eigen::Vector3i& n) const { return value_[slot(n)]; }
     bool cut(const Eigen::Vector3i& a, const Eigen::Vector3i& b) const { return (value(a) < 0) != (value(b) < 0); }
 
-    /// No face and no cell of the grid may have its only inside nodes, or its only outside nodes, at opposite corners: there
-    /// two sheets would share a vertex (Latecki 1997). The outside node nearest to the surface is drawn in, until none is left.
+    /// Draws outside nodes in until no face and no cell of the grid has its only inside nodes, or its only outside nodes, at opposite
+    /// corners: there two sheets would share a vertex (Latecki 1997).
     void make_well_composed() {
         bool changed = true;
         while (changed) {
@@ -81,16 +68,13 @@ private:
 
     using Nodes = std::vector<Eigen::Vector3i>;
 
-    bool all_inside(const Nodes& nodes) const {
-        return std::ranges::all_of(nodes, [&](const auto& n) { return value(n) < 0; });
-    }
-    bool all_outside(const Nodes& nodes) const {
-        return std::ranges::all_of(nodes, [&](const auto& n) { return value(n) >= 0; });
-    }
-
-    /// If one of two sets is inside and the other outside, draws the nearest node of the latter in.
+    /// If one of two sets is inside and the other outside, draws the node of the latter that is nearest to the surface in.
     bool joins_opposite_corners(const Nodes& one, const Nodes& other) {
-        const Nodes* outside = all_inside(one) && all_outside(other) ? &other : all_outside(one) && all_inside(other) ? &one : nullptr;
+        const auto is_inside = [&](const auto& n) { return value(n) < 0; };
+        const auto are_apart = [&](const Nodes& in, const Nodes& out) {
+            return std::ranges::all_of(in, is_inside) && std::ranges::none_of(out, is_inside);
+        };
+        const Nodes* outside = are_apart(one, other) ? &other : are_apart(other, one) ? &one : nullptr;
         if (outside == nullptr) return false;
         const auto nearest = std::ranges::min_element(*outside, {}, [&](const auto& n) { return value(n); });
         value_[slot(*nearest)] = -1e-3 * cell_;
@@ -107,7 +91,7 @@ private:
         return false;
     }
 
-    /// Mean of the zeros on the twelve edges of the cell above node n.
+    /// Adds the mean of the zeros on the twelve edges of the cell above node n, if there are any.
     void add_vertex(const Eigen::Vector3i& n) {
         Vector3 sum = Vector3::Zero();
         int zeros = 0;
@@ -127,7 +111,7 @@ private:
         for (const double x : Vector3(sum / zeros)) coordinates_.push_back(x);
     }
 
-    /// The four cells around the grid edge from node n along an axis, when f changes sign on it.
+    /// Adds the quad of the four cells around the grid edge from node n along an axis, if f changes sign on that edge.
     void add_quad(const Eigen::Vector3i& n, int axis) {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
         if (n[axis] + 1 >= nodes_[axis] || n[u] == 0 || n[v] == 0 || n[u] + 1 >= nodes_[u] || n[v] + 1 >= nodes_[v]) return;
@@ -150,9 +134,14 @@ private:
 }   // namespace
 
 Vector3 projected(ImplicitFunction f, Vector3 p, int steps) {
+    constexpr double difference = 1e-5;   // for gradients of shapes of size about 1
     for (int i = 0; i < steps; ++i) {
-        const Vector3 g = gradient(f, p);
-        p -= f(p) / g.squaredNorm() * g;
+        Vector3 gradient;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vector3 step = difference * Vector3::Unit(axis);
+            gradient[axis] = (f(p + step) - f(p - step)) / (2 * difference);
+        }
+        p -= f(p) / gradient.squaredNorm() * gradient;
     }
     return p;
 }

@@ -1,24 +1,20 @@
-#include "mesh/samples/random_sphere.h"
-
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "base/errors.h"
+#include "mesh/samples/sample_shapes.h"
 #include "mesh/vertex_noise.h"
 
 namespace meshfolio {
+
 namespace {
 
-/// A triangle and one of its corners; also the edge opposite that corner.
-struct Corner {
-    int triangle, k;
-};
-
-/// The hull of points on a sphere by insertion: a point splits the triangle it lies over, then edges below which the surface is not
-/// convex are flipped (Lawson 1977). On a sphere this is the Delaunay triangulation.
+/// The hull of points on a sphere, by insertion: a new point splits the triangle below it, then edges at which the surface is not convex
+/// are flipped (Lawson 1977). On a sphere this is the Delaunay triangulation.
 class GrowingHull {
 public:
     explicit GrowingHull(const Positions& X) : X_(X) {
@@ -66,37 +62,25 @@ private:
     std::array<int, 3>& at(int t) { return vertices_[index(t)]; }
     Vector3 point(int v) const { return X_.row(v).transpose(); }
 
-    /// Walks from the triangle last changed towards p, across edges that p lies beyond.
+    /// Finds the triangle below p: walks from the triangle last changed across edges beyond which p lies.
     int triangle_below(int p) {
         int t = last_;
-        for (bool moved = true; moved;) {
-            moved = false;
-            for (std::size_t k = 0; k < 3 && !moved; ++k) {
-                const Vector3 a = point(at(t)[(k + 1) % 3]), b = point(at(t)[(k + 2) % 3]);
-                if (!(a.cross(b).dot(point(p)) < 0)) continue;
-                t = across_[index(t)][k];
-                moved = true;
-            }
+        for (std::size_t k = 0; k < 3;) {
+            const Vector3 a = point(at(t)[(k + 1) % 3]), b = point(at(t)[(k + 2) % 3]);
+            const bool is_beyond = a.cross(b).dot(point(p)) < 0;
+            if (is_beyond) t = across_[index(t)][k];
+            k = is_beyond ? 0 : k + 1;
         }
         return t;
     }
 
-    void rename_neighbour(int t, int before, int after) {
-        for (int& neighbour : across_[index(t)])
-            if (neighbour == before) neighbour = after;
-    }
+    void rename_neighbour(int t, int before, int after) { std::ranges::replace(across_[index(t)], before, after); }
 
-    Corner corner_opposite(int t, int neighbour) const {
-        const auto& across = across_[index(t)];
-        return {t, across[0] == neighbour ? 0 : across[1] == neighbour ? 1 : 2};
-    }
-
-    /// Triangle t = (p, b, c) has the new point first. Where the apex d beyond b–c lies above its plane, b–c becomes p–d.
+    /// Replaces edge b–c of triangle t = (p, b, c), p the new point, by p–d if the apex d beyond b–c lies above the plane of t.
     void flip_where_not_convex(int t) {
         const auto [p, b, c] = at(t);
-        const Corner there = corner_opposite(across_[index(t)][0], t);
-        const int s = there.triangle;
-        const auto k = index(there.k);
+        const int s = across_[index(t)][0];
+        const auto k = index(std::ranges::find(across_[index(s)], t) - across_[index(s)].begin());
         const int d = at(s)[k];
         if (!((point(b) - point(p)).cross(point(c) - point(p)).dot(point(d) - point(p)) > 0)) return;
         // s = (d, c, b) from its corner k: beyond d–c and beyond b–d.
@@ -115,7 +99,7 @@ private:
     const Positions& X_;
     std::vector<std::array<int, 3>> vertices_;   // of each triangle
     std::vector<std::array<int, 3>> across_;     // the triangle beyond the edge opposite each corner
-    std::vector<int> pending_;                   // triangles whose edge opposite corner 0 is to be looked at
+    std::vector<int> pending_;                   // triangles with an edge opposite corner 0 to be checked
     int last_ = 0;
 };
 

@@ -13,7 +13,7 @@ namespace meshfolio {
 
 namespace {
 
-/// Piecewise linear through values[0], values[1], … at 0, 1, …
+/// Returns the piecewise linear function through values[0], values[1], … at 0, 1, …
 template <std::size_t n>
 double piecewise(const std::array<double, n>& values, double x) {
     const std::size_t i = std::min(static_cast<std::size_t>(x), n - 2);
@@ -30,13 +30,13 @@ bool is_filled(int radius, int angle, int height) {
     return (radius == 0 && angle <= 1) || (radius >= 2 && angle >= 1);   // hub and rim rise over different angles
 }
 
-/// How far x has come from i to i + 1, in [0, 1].
+/// Returns x − i, clamped to [0, 1].
 double within(double x, double i) { return std::clamp(x - i, 0.0, 1.0); }
 
-/// 0 at both ends of [0, 1], 1 in the middle.
+/// Returns a parabola: 0 at both ends of [0, 1], 1 in the middle.
 double arc(double t) { return 4 * t * (1 - t); }
 
-/// Block coordinates (radius, angle, height) to space. The axis is z; the sector stands upright.
+/// Maps block coordinates (radius, angle, height) to space. The axis is z; the sector stands upright.
 Vector3 bent(const Vector3& block) {
     constexpr std::array<double, 5> radii{0.8, 1.08, 1.7, 1.95, 2.2};
     constexpr std::array<double, 4> angles{-0.72, -0.25, 0.25, 0.72}, heights{-0.5, -0.15, 0.2, 0.55};

@@ -19,7 +19,7 @@ constexpr int petals = 6;
 constexpr double tube_end = 0.25;   // along the midrib: above, the petals are separate
 constexpr double half_angle = std::numbers::pi / petals;
 
-/// How far up the free part of a petal, in [0, 1].
+/// Returns the place along the free part of a petal, in [0, 1].
 double along_petal(double u) { return std::max(0.0, (u - tube_end) / (1 - tube_end)); }
 
 /// A point of the midrib in the half plane through the axis, and the direction there from the petal to the inside of the flower.
@@ -28,7 +28,7 @@ struct MidribPoint {
     double inwards_from_axis, inwards_height;
 };
 
-/// A cubic Bézier curve; every other petal bends farther back.
+/// Returns a point of a cubic Bézier curve; every other petal bends farther back.
 MidribPoint midrib(double u, bool bent_back) {
     constexpr std::array<double, 4> out{0.09, 0.13, 0.4, 1.2}, up{0, 0.7, 1.25, 0.92};
     const double s = 1 - u, t = along_petal(u);
@@ -39,14 +39,14 @@ MidribPoint midrib(double u, bool bent_back) {
     return {value(out) + 0.1 * sag, value(up) - sag, -(1 - turned) - turned * slope(up) / speed, turned * slope(out) / speed};
 }
 
-/// Half the chord of a petal across. In the tube: of a sixth of the circle.
+/// Returns half the chord across a petal; in the tube, across a sixth of the circle.
 double half_width(double u, bool bent_back) {
     const double t = along_petal(u), narrowing = std::sqrt(1 - t) * std::sqrt(std::sqrt(1 - t));
     const double of_tube = midrib(std::min(u, tube_end), bent_back).from_axis * std::sin(half_angle);
     return (of_tube + (bent_back ? 0.78 : 1.06) * t * std::sqrt(t)) * narrowing;
 }
 
-/// The point u ∈ [0, 1] along and v ∈ [−1, 1] across one petal. In the tube it lies on a circle about the axis.
+/// Returns the point at u ∈ [0, 1] along and v ∈ [−1, 1] across a petal. In the tube it lies on a circle about the axis.
 Vector3 petal_point(double u, double v, int petal) {
     const bool bent_back = petal % 2 == 1;
     const MidribPoint rib = midrib(u, bent_back);
@@ -62,16 +62,7 @@ Vector3 petal_point(double u, double v, int petal) {
     return {from_axis * cos - across * sin, from_axis * sin + across * cos, rib.height + lift * rib.inwards_height};
 }
 
-/// Triangles between two rows of `lower` and `upper` segments, numbered from `first_lower` and `first_upper`.
-void stitch(int lower, int upper, int first_lower, int first_upper, std::vector<int>& corners) {
-    for (int a = 0, b = 0; a < lower || b < upper;) {
-        const bool step_below = b == upper || (a < lower && (2 * a + 1) * upper <= (2 * b + 1) * lower);
-        corners.insert(corners.end(), {first_lower + a, first_upper + b, step_below ? first_lower + a + 1 : first_upper + b + 1});
-        ++(step_below ? a : b);
-    }
-}
-
-/// Rows across one petal, as many points in each as its width takes. Rows of X are (u, v, petal).
+/// Returns a petal of rows of triangles, with as many points in a row as its width takes. Rows of X are (u, v, petal).
 TriangleMesh petal_parameters(int petal) {
     constexpr int rows = 36;
     constexpr double spacing = 0.058;
@@ -86,14 +77,19 @@ TriangleMesh petal_parameters(int petal) {
             const double v = segments == 0 ? 0 : static_cast<double>(2 * i - segments) / segments;
             coordinates.insert(coordinates.end(), {u, v, static_cast<double>(petal)});
         }
-        if (row > 0) stitch(last_segments, segments, first - last_segments - 1, first, corners);
+        const int first_below = first - last_segments - 1;
+        for (int a = 0, b = 0; row > 0 && (a < last_segments || b < segments);) {   // between this row and the one below
+            const bool step_below = b == segments || (a < last_segments && (2 * a + 1) * segments <= (2 * b + 1) * last_segments);
+            corners.insert(corners.end(), {first_below + a, first + b, step_below ? first_below + a + 1 : first + b + 1});
+            ++(step_below ? a : b);
+        }
         last_segments = segments;
     }
     return {Eigen::Map<const Positions>(coordinates.data(), static_cast<Eigen::Index>(coordinates.size() / 3), 3),
             Eigen::Map<const Faces>(corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3)};
 }
 
-/// All petals one after the other, in parameters.
+/// Returns all petals one after the other. Rows of X are (u, v, petal).
 TriangleMesh flower_parameters(int subdivide) {
     TriangleMesh all;
     for (int petal = 0; petal < petals; ++petal) {
@@ -108,25 +104,20 @@ TriangleMesh flower_parameters(int subdivide) {
     return all;
 }
 
-/// In the tube, the right edge of a petal is the left edge of the next: the same u, v = 1 and v = −1.
-Faces joined_in_the_tube(const TriangleMesh& parameters) {
-    std::map<std::pair<int, double>, int> left_edge;   // (petal, u) → vertex
-    const auto in_tube = [&](int i) { return parameters.X(i, 0) <= tube_end; };
-    for (int i = 0; i < parameters.vertex_count(); ++i)
-        if (in_tube(i) && parameters.X(i, 1) == -1) left_edge[{static_cast<int>(parameters.X(i, 2)), parameters.X(i, 0)}] = i;
-    std::vector<int> joined(static_cast<std::size_t>(parameters.vertex_count()));
-    for (int i = 0; i < parameters.vertex_count(); ++i) {
-        const int next_petal = (static_cast<int>(parameters.X(i, 2)) + 1) % petals;
-        joined[static_cast<std::size_t>(i)] = in_tube(i) && parameters.X(i, 1) == 1 ? left_edge.at({next_petal, parameters.X(i, 0)}) : i;
-    }
-    return parameters.F.unaryExpr([&](int i) { return joined[static_cast<std::size_t>(i)]; });
-}
-
 }   // namespace
 
 TriangleMesh lily_sample(int subdivide) {
     TriangleMesh lily = flower_parameters(subdivide);
-    lily.F = joined_in_the_tube(lily);
+    // In the tube, the right edge of a petal (v = 1) is the left edge of the next (v = −1).
+    std::map<std::pair<int, double>, int> left_edge;   // (petal, u) → vertex
+    const auto petal_of = [&](int i) { return static_cast<int>(lily.X(i, 2)); };
+    for (int i = 0; i < lily.vertex_count(); ++i)
+        if (lily.X(i, 1) == -1) left_edge[{petal_of(i), lily.X(i, 0)}] = i;
+    lily.F = lily.F
+                 .unaryExpr([&](int i) {
+                     return lily.X(i, 0) <= tube_end && lily.X(i, 1) == 1 ? left_edge.at({(petal_of(i) + 1) % petals, lily.X(i, 0)}) : i;
+                 })
+                 .eval();
     for (int i = 0; i < lily.vertex_count(); ++i) {
         const Vector3 parameter = lily.X.row(i);
         lily.X.row(i) = petal_point(parameter[0], parameter[1], static_cast<int>(parameter[2]));

@@ -1,5 +1,5 @@
 /// @file
-/// The shapes behind the named samples; `subdivide` as in Sample::make. Coordinates are not yet rounded.
+/// The shapes of the named samples, before their coordinates are rounded; `subdivide` as in Sample::make.
 #pragma once
 
 #include <functional>
@@ -15,10 +15,10 @@ TriangleMesh creature_sample(int subdivide);
 TriangleMesh bumpy_cube_sample(int subdivide);
 TriangleMesh fandisk_sample(int subdivide);
 
-/// Hermite's cubic from 0 at t = 0 to 1 at t = 1, level at both.
+/// Returns Hermite's cubic of t in [0, 1]: from 0 to 1, level at both ends.
 inline double smooth_step(double t) { return t * t * (3 - 2 * t); }
 
-/// Every triangle into four, `times` over; afterwards each vertex is moved by `onto_surface`.
+/// Divides every triangle into four, `times` times, and moves each vertex by `onto_surface` after each division.
 TriangleMesh subdivided_onto(TriangleMesh mesh, int times, const std::function<Vector3(const Vector3&)>& onto_surface);
 
 }   // namespace meshfolio

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
+#include "mesh/edge_flips.h"
 #include "mesh/samples/sample_parts.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
@@ -15,13 +16,13 @@ namespace meshfolio {
 
 namespace {
 
-/// Six decimals: seven significant digits at the size of the samples, which lies between 1 and 10.
+/// Rounds coordinates to six decimals: seven significant digits at the size of the samples, which lies between 1 and 10.
 TriangleMesh rounded(TriangleMesh mesh) {
     mesh.X = mesh.X.unaryExpr([](double x) { return std::round(x * 1e6) / 1e6 + 0.0; });   // + 0.0: no negative zero
     return mesh;
 }
 
-/// sigma is in mean edges. Noise comes after subdivision, so that a finer mesh is not a smoother one.
+/// Adds noise of sigma mean edges to the subdivided mesh, so that a finer mesh is not a smoother one.
 TriangleMesh noisy(TriangleMesh mesh, const Vector3& sigma, std::uint64_t seed) {
     mesh.X = with_gaussian_noise(mesh.X, mean_edge_length(mesh) * sigma, seed);
     return mesh;
@@ -58,6 +59,30 @@ TriangleMesh subdivided_onto(TriangleMesh mesh, int times, const std::function<V
         for (int v = 0; v < mesh.vertex_count(); ++v) mesh.X.row(v) = onto_surface(mesh.X.row(v));
     }
     return mesh;
+}
+
+TriangleMesh saddle_sample(int subdivide) {
+    TriangleMesh mesh = grid_mesh(33, 33, 2, 2);
+    const auto onto_saddle = [](const Vector3& p) { return Vector3(p.x(), p.y(), 0.5 * (p.x() * p.x() - p.y() * p.y())); };
+    mesh.X.leftCols<2>().array() -= 1;
+    for (int v = 0; v < mesh.vertex_count(); ++v) mesh.X.row(v) = onto_saddle(mesh.X.row(v));
+    return subdivided_onto(mesh, subdivide, onto_saddle);
+}
+
+TriangleMesh uneven_plane_sample(int subdivide) {
+    constexpr int points = 45;
+    constexpr double spacing = 0.05, width = spacing * (points - 1), jitter = 0.25 * spacing;
+    TriangleMesh mesh = grid_mesh(points, points, width, width);
+    NormalNumbers random(45);
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        for (int axis = 0; axis < 2; ++axis) {
+            const double step = jitter * (2 * random.uniform() - 1);
+            const int place = axis == 0 ? v % points : v / points;
+            if (place > 0 && place + 1 < points) mesh.X(v, axis) += step;   // the outline stays a square
+        }
+    }
+    mesh.F = delaunay_flipped(mesh);
+    return subdivided(mesh, subdivide);
 }
 
 std::span<const Sample> sample_list() { return samples; }

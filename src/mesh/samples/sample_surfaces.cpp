@@ -31,13 +31,10 @@ TriangleMesh icosahedron() {
     return mesh;
 }
 
-/// Diagonals of the squares of a face run towards its corners in every quarter, so that the eight corners of the cube are alike.
-bool diagonal_runs_to_the_corner(int i, int j, int n) { return (2 * i + 1 < n) == (2 * j + 1 < n); }
-
 }   // namespace
 
 TriangleMesh subdivide_midpoint(const TriangleMesh& mesh) {
-    std::map<std::pair<int, int>, int> midpoint;   // numbered as the triangles meet them
+    std::map<std::pair<int, int>, int> midpoint;   // numbered in the order of the triangles
     int n = mesh.vertex_count();
     const auto middle_of = [&](int a, int b) {
         const auto [entry, is_new] = midpoint.try_emplace(std::minmax({a, b}), n);
@@ -117,7 +114,8 @@ TriangleMesh cube_mesh(int n, double half) {
     require(n >= 1, "cube_mesh: the number of divisions is not positive");
     const BlockSurface surface = surface_of_blocks({{{n}, {n}, {n}}}, [](int, int, int) { return true; });
     TriangleMesh cube = triangulated(surface, [&](const BlockSurface& s, int q) {
-        return diagonal_runs_to_the_corner(s.cell[static_cast<std::size_t>(q)][0], s.cell[static_cast<std::size_t>(q)][1], n);
+        const auto [i, j] = s.cell[static_cast<std::size_t>(q)];
+        return (2 * i + 1 < n) == (2 * j + 1 < n);   // in every quarter of a side towards its corner, so that all corners are alike
     });
     cube.X = (2 * half) * (cube.X.array() - 0.5);
     return cube;

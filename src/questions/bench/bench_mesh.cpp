@@ -8,7 +8,7 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "mesh/edge_flips.h"
-#include "mesh/samples/random_sphere.h"
+#include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 

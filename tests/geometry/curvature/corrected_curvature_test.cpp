@@ -8,7 +8,7 @@
 #include "geometry/curvature/analytic_surfaces.h"
 #include "geometry/operator_test_meshes.h"
 #include "geometry/operators/vertex_areas.h"
-#include "mesh/samples/random_sphere.h"
+#include "mesh/samples/sample_shapes.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;

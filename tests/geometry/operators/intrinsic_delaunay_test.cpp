@@ -7,7 +7,7 @@
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/operators/triangle_shape.h"
 #include "geometry/solver_test_meshes.h"
-#include "mesh/samples/random_sphere.h"
+#include "mesh/samples/sample_shapes.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;

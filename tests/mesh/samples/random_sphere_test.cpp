@@ -1,4 +1,4 @@
-#include "mesh/samples/random_sphere.h"
+#include "mesh/samples/sample_shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
-// A small creature: body, head with snout, eyes and ears, a waving arm, feet with toes, a tail, spines along the back.
-// It looks towards +z and stands on y = −1. Nothing in it is symmetric, so that no two eigenvalues of its Laplacian coincide.
+// The samples that are smooth unions of bodies: the bumpy cube and the creature.
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
+#include "base/at.h"
 #include "mesh/samples/implicit_surface.h"
 #include "mesh/samples/sample_parts.h"
 #include "mesh/samples/signed_distance.h"
@@ -12,9 +13,51 @@ namespace meshfolio {
 
 namespace {
 
-constexpr double ground = -1;
+// A rounded cube with the pips of a die as smooth bumps: 1 on +z, 2 on +x, 3 on +y, opposite sides adding up to seven, so that each of the
+// six views is known by its number.
 
-/// A chain of round cones along the cubic Bézier curve of four points, radii falling from one end to the other.
+using Pips = std::vector<std::pair<double, double>>;   // places on a side, in units of the distance between rows
+
+Pips pips_of(int number) {
+    static const std::array<Pips, 3> pairs{{{{-1, -1}, {1, 1}}, {{-1, 1}, {1, -1}}, {{-1, 0}, {1, 0}}}};
+    Pips pips;
+    if (number % 2 == 1) pips.emplace_back(0, 0);
+    for (int i = 0; i < number / 2; ++i) pips.insert(pips.end(), pairs[at(i)].begin(), pairs[at(i)].end());
+    return pips;
+}
+
+std::vector<Ball> bumps() {
+    constexpr double half = 0.8, row = 0.42, height = 0.16;   // of each bump above the side
+    std::vector<Ball> balls;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int number = std::array{2, 3, 1}[at(axis)];
+        for (const int side : {1, -1}) {
+            const int pips = side > 0 ? number : 7 - number;
+            const double radius = 0.36 - 0.023 * pips;   // the fewer, the larger
+            for (const auto& [u, v] : pips_of(pips)) {
+                Vector3 centre;
+                centre[axis] = side * (half + height - radius);
+                centre[(axis + 1) % 3] = row * u;
+                centre[(axis + 2) % 3] = row * v;
+                balls.push_back({centre, radius});
+            }
+        }
+    }
+    return balls;
+}
+
+double bumpy_cube(const Vector3& p) {
+    static const RoundBox box{{0.8, 0.8, 0.8}, 0.3};
+    static const std::vector<Ball> balls = bumps();
+    double d = signed_distance(box, p);
+    for (const Ball& ball : balls) d = smooth_union(d, signed_distance(ball, p), 0.16);
+    return d;
+}
+
+// A small creature: body, head with snout, eyes and ears, a waving arm, feet with toes, a tail, spines along the back. It looks towards +z
+// and stands on y = −1. Nothing in it is symmetric, so that no two eigenvalues of its Laplacian coincide.
+
+/// Returns a chain of round cones along the cubic Bézier curve of four points, with radii linear in the parameter.
 std::vector<RoundCone> tapered_tube(const std::array<Vector3, 4>& p, double radius_from, double radius_to) {
     constexpr int pieces = 10;
     const auto point = [&](double t) {
@@ -126,26 +169,31 @@ double spines(const Vector3& p) {
     return nearest(cones, p);
 }
 
-/// A part, how softly it grows out of those before it, and a ball around it: where the ball is farther away than what is
-/// there already, the part adds nothing and need not be computed.
-struct Part {
+struct BodyPart {
     double (*distance)(const Vector3& p);
-    double blend;
-    Ball around;
+    double blend;   // how softly it grows out of the parts before it
+    Ball around;    // the part need not be computed at points nearer to other parts than to this ball
 };
 
 double creature(const Vector3& p) {
-    static const std::vector<Part> parts{
+    static const std::vector<BodyPart> parts{
         {legs, 0.1, {{0, -0.78, 0.2}, 0.75}},         {head, 0.14, {{0.05, 0.62, 0.2}, 0.6}},       {ears, 0.09, {{0, 1, 0}, 0.8}},
         {right_arm, 0.07, {{-0.55, 0.3, 0.1}, 0.62}}, {left_arm, 0.07, {{0.48, -0.12, 0.2}, 0.62}}, {tail, 0.1, {{0.4, -0.55, -0.6}, 0.85}},
         {spines, 0.09, {{0.02, 0.25, -0.3}, 0.95}}};
     double d = trunk(p);
-    for (const Part& part : parts)
+    for (const BodyPart& part : parts)
         if (signed_distance(part.around, p) < d + part.blend) d = smooth_union(d, part.distance(p), part.blend);
-    return smooth_difference(d, p.y() - ground, 0.05);   // flat soles
+    return smooth_difference(d, p.y() + 1, 0.05);   // flat soles on the ground
 }
 
 }   // namespace
+
+TriangleMesh bumpy_cube_sample(int subdivide) {
+    // The box is not symmetric about the cube, so that no node of the grid lies on a plane of symmetry.
+    const Box box{{-1.083, -1.072, -1.061}, {1.1, 1.1, 1.1}};
+    const TriangleMesh mesh = relaxed_on(bumpy_cube, surface_net(bumpy_cube, box, 0.0631), 20);
+    return subdivided_onto(mesh, subdivide, [](const Vector3& p) { return projected(bumpy_cube, p, 4); });
+}
 
 TriangleMesh creature_sample(int subdivide) {
     const Box box{{-1.1, -1.1, -1.25}, {1.1, 1.6, 0.8}};
