@@ -1,7 +1,6 @@
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
-#include "base/at.h"
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {
@@ -12,80 +11,62 @@ struct BoundaryEdge {
     int from, to;   // as its triangle runs through it
 };
 
-/// The boundary edges, sorted by their ends, each running as in its one triangle.
+/// Returns the boundary edges, sorted by their ends.
 std::vector<BoundaryEdge> boundary_edges(const TriangleMesh& mesh, const std::vector<Edge>& edges) {
     std::vector<char> on_boundary(at(mesh.vertex_count()), 0);
     for (const Edge& e : edges)
         if (e.faces == 1) on_boundary[at(e.a)] = on_boundary[at(e.b)] = 1;
     const auto faces_at = [&](int a, int b) {
-        const auto before = [](const Edge& e, const Edge& f) { return e.a != f.a ? e.a < f.a : e.b < f.b; };
-        return std::lower_bound(edges.begin(), edges.end(), Edge{std::min(a, b), std::max(a, b), 0}, before)->faces;
+        const auto ends = [](const Edge& e) { return std::pair(e.a, e.b); };
+        return std::ranges::lower_bound(edges, std::pair(std::min(a, b), std::max(a, b)), {}, ends)->faces;
     };
     std::vector<BoundaryEdge> boundary;
     for (int t = 0; t < mesh.face_count(); ++t) {
         for (int k = 0; k < 3; ++k) {
-            const int a = mesh.F(t, k);
-            const int b = mesh.F(t, (k + 1) % 3);
+            const int a = mesh.F(t, k), b = mesh.F(t, (k + 1) % 3);
             if (on_boundary[at(a)] != 0 && on_boundary[at(b)] != 0 && a != b && faces_at(a, b) == 1) boundary.push_back({a, b});
         }
     }
-    std::sort(boundary.begin(), boundary.end(), [](auto& e, auto& f) { return e.from != f.from ? e.from < f.from : e.to < f.to; });
+    std::ranges::sort(boundary, {}, [](const BoundaryEdge& e) { return std::pair(e.from, e.to); });
     return boundary;
 }
 
-/// The edges at each vertex, and how many of them were looked at: a row may be as long as the boundary, and is gone through once.
-class Rows {
-public:
-    template <class End>
-    Rows(int vertices, const std::vector<BoundaryEdge>& edges, End end) : start_(at(vertices) + 1, 0), item_(edges.size()) {
-        for (const BoundaryEdge& e : edges) ++start_[at(end(e)) + 1];
-        std::partial_sum(start_.begin(), start_.end(), start_.begin());
-        next_.assign(start_.begin(), start_.end() - 1);
-        std::vector<int> free = next_;
-        for (std::size_t e = 0; e < edges.size(); ++e) item_[at(free[at(end(edges[e]))]++)] = static_cast<int>(e);
-    }
-
-    /// The next edge at v, or −1.
-    int take(int v) { return next_[at(v)] < start_[at(v) + 1] ? item_[at(next_[at(v)]++)] : -1; }
-
-private:
-    std::vector<int> start_, item_, next_;
-};
-
-/// A walk over the boundary that uses each edge once, forwards where it can: where triangles disagree about the orientation, or
-/// non-manifold edges end the boundary, an edge may have to be walked backwards, or the walk to stop.
+/// A walk over the boundary that uses each edge once, forwards if possible: at edges on which triangles disagree about the orientation, or
+/// at non-manifold ones, it may have to go backwards or to stop.
 class BoundaryWalk {
 public:
-    BoundaryWalk(int vertices, const std::vector<BoundaryEdge>& edges)
-        : edges_(edges),
-          used_(edges.size(), 0),
-          out_(vertices, edges, [](const BoundaryEdge& e) { return e.from; }),
-          in_(vertices, edges, [](const BoundaryEdge& e) { return e.to; }) {}
+    BoundaryWalk(int vertices, const std::vector<BoundaryEdge>& edges) : edges_(edges), used_(edges.size(), 0) {
+        std::vector<int> from, to;
+        for (const BoundaryEdge& e : edges) {
+            from.push_back(e.from);
+            to.push_back(e.to);
+        }
+        leaving_ = grouped_by_row(vertices, from);
+        arriving_ = grouped_by_row(vertices, to);
+        next_leaving_ = leaving_.start;
+        next_arriving_ = arriving_.start;
+    }
 
-    /// Takes the next edge at v and gives its other end, or −1.
+    /// Uses the next edge at v. Returns its other end, or −1 if no edge is left.
     int step(int v) {
-        if (const int e = unused(out_, v); e >= 0) return edges_[at(e)].to;
-        if (const int e = unused(in_, v); e >= 0) return edges_[at(e)].from;
+        if (const int e = take(leaving_, next_leaving_, v); e >= 0) return edges_[at(e)].to;
+        if (const int e = take(arriving_, next_arriving_, v); e >= 0) return edges_[at(e)].from;
         return -1;
     }
 
 private:
-    int unused(Rows& rows, int v) {
-        int e = rows.take(v);
-        while (e >= 0 && used_[at(e)] != 0) e = rows.take(v);
-        if (e >= 0) used_[at(e)] = 1;
-        return e;
+    /// A row may be as long as the boundary, so it is searched once, from `next` on.
+    int take(const Incidence& rows, std::vector<int>& next, int v) {
+        while (next[at(v)] < rows.start[at(v) + 1])
+            if (const int e = rows.item[at(next[at(v)]++)]; std::exchange(used_[at(e)], 1) == 0) return e;
+        return -1;
     }
 
     const std::vector<BoundaryEdge>& edges_;
     std::vector<char> used_;
-    Rows out_, in_;
+    Incidence leaving_, arriving_;
+    std::vector<int> next_leaving_, next_arriving_;   // of each vertex
 };
-
-std::vector<int> from_smallest(std::vector<int> loop) {
-    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-    return loop;
-}
 
 }   // namespace
 
@@ -98,13 +79,14 @@ std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh, const std
     std::vector<int> path;
     std::vector<int> place(at(mesh.vertex_count()), -1);   // of each vertex on the path
     const auto cut_off = [&](int first) {
-        loops.push_back(from_smallest({path.begin() + first, path.end()}));
-        for (auto v = path.begin() + first; v != path.end(); ++v) place[at(*v)] = -1;
-        path.erase(path.begin() + first, path.end());
+        std::vector<int>& loop = loops.emplace_back(path.begin() + first, path.end());
+        for (const int v : loop) place[at(v)] = -1;
+        std::ranges::rotate(loop, std::ranges::min_element(loop));
+        path.resize(at(first));
     };
     for (const BoundaryEdge& start : edges) {
         for (int v = start.from; v >= 0; v = walk.step(v)) {
-            // A vertex seen before closes a loop, which leaves the path; the walk goes on from there.
+            // A vertex that is on the path already closes a loop, which leaves the path; the walk goes on from there.
             if (place[at(v)] >= 0) cut_off(place[at(v)]);
             place[at(v)] = static_cast<int>(path.size());
             path.push_back(v);
@@ -113,7 +95,7 @@ std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh, const std
         for (const int v : path) place[at(v)] = -1;
         path.clear();
     }
-    std::sort(loops.begin(), loops.end());
+    std::ranges::sort(loops);
     return loops;
 }
 

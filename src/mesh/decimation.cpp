@@ -10,24 +10,24 @@
 #include <tuple>
 #include <vector>
 
+#include "base/at.h"
 #include "base/errors.h"
-#include "mesh/mesh_topology.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 
 namespace {
 
-/// The weight of staying near merged vertices, beside that of the planes; on flat parts it alone decides, and spaces vertices evenly.
-constexpr double memory = 1e-3;
-/// The weight of the boundary's own planes, through its edges and across the surface.
+/// Weight of the distance to merged vertices, relative to that of the planes; on flat parts it decides alone and spaces vertices evenly.
+constexpr double point_weight = 1e-3;
+/// Weight of the planes through boundary edges, across the surface.
 constexpr double boundary_weight = 10;
-/// A triangle may turn by no more than its arc cosine.
+/// Cosine of the largest angle by which a collapse may turn a triangle.
 constexpr double least_cosine = 0.3;
 
 using Triangle = std::array<int, 3>;
 
-/// weight · (squared distance of x) as a form on (x, 1).
+/// A quadratic form on (x, 1): weight · (squared distance of x).
 using Quadric = Eigen::Matrix4d;
 Quadric distance_to_plane(const Vector3& normal, const Vector3& point, double weight) {
     Eigen::Vector4d h;
@@ -41,16 +41,13 @@ Quadric distance_to_point(const Vector3& point, double weight) {
     Q(3, 3) = point.squaredNorm();
     return weight * Q;
 }
-double value(const Quadric& Q, const Vector3& x) {
-    const Eigen::Vector4d h = x.homogeneous();
-    return std::max(0.0, h.dot(Q * h));
-}
 
-/// One edge, and what its collapse costs. Counted anew whenever an end has changed.
+/// The collapse of an edge. It is out of date if an end has changed since.
 struct Candidate {
     double cost;
-    int a, b, version;   // a < b
-    Vector3 place;       // of the vertex that is left
+    int a, b;        // a < b
+    int version;     // sum of the ends' versions
+    Vector3 place;   // of the vertex that is left
 };
 struct Dearer {
     bool operator()(const Candidate& p, const Candidate& q) const {
@@ -61,7 +58,7 @@ struct Dearer {
 class Decimation {
 public:
     explicit Decimation(const TriangleMesh& mesh) : topology_(topology_of(mesh)), X_(mesh.X), boundary_(topology_.on_boundary) {
-        const std::size_t n = static_cast<std::size_t>(mesh.vertex_count());
+        const std::size_t n = at(mesh.vertex_count());
         around_.resize(n);
         quadric_.resize(n, Quadric::Zero());
         version_.resize(n);
@@ -78,7 +75,9 @@ public:
         while (vertices_ > vertices && !queue_.empty()) {
             const Candidate edge = queue_.top();
             queue_.pop();
-            if (edge.version == version_[at(edge.a)] + version_[at(edge.b)] && is_allowed(edge)) collapse(edge);
+            const auto [cost, a, b, version, place] = edge;
+            const bool is_current = version == version_[at(a)] + version_[at(b)];
+            if (is_current && keeps_topology(a, b) && !turns_a_triangle(a, b, place) && !turns_a_triangle(b, a, place)) collapse(edge);
         }
     }
 
@@ -102,11 +101,10 @@ private:
     int vertices_ = 0;                       // left
     std::priority_queue<Candidate, std::vector<Candidate>, Dearer> queue_;
 
-    static std::size_t at(int index) { return static_cast<std::size_t>(index); }
     Vector3 position(int v) const { return X_.row(v); }
     static bool has(const Triangle& face, int v) { return std::find(face.begin(), face.end(), v) != face.end(); }
 
-    /// Each triangle gives its plane, weighted by its area, to its corners; a boundary edge the plane across the surface through it.
+    /// Adds the plane of each triangle, weighted by its area, to its corners, and the plane through each boundary edge to its ends.
     void enter_quadrics(const TriangleMesh& mesh) {
         const Vector areas = face_areas(mesh);
         const Positions normals = face_normals(mesh);
@@ -115,13 +113,13 @@ private:
             const Vector3 normal = normals.row(row);
             for (const int v : faces_[t]) {
                 quadric_[at(v)] +=
-                    distance_to_plane(normal, position(v), areas[row] / 3) + distance_to_point(position(v), memory * areas[row] / 3);
+                    distance_to_plane(normal, position(v), areas[row] / 3) + distance_to_point(position(v), point_weight * areas[row] / 3);
             }
             for (std::size_t k = 0; k < 3; ++k) {
                 const int a = faces_[t][k], b = faces_[t][(k + 1) % 3];
                 if (faces_with(a, b).size() != 1) continue;
-                const Vector3 along = position(b) - position(a), across = along.cross(normal).normalized();
-                const Quadric wall = distance_to_plane(across, position(a), boundary_weight * along.squaredNorm());
+                const Vector3 edge = position(b) - position(a), across = edge.cross(normal).normalized();
+                const Quadric wall = distance_to_plane(across, position(a), boundary_weight * edge.squaredNorm());
                 quadric_[at(a)] += wall;
                 quadric_[at(b)] += wall;
             }
@@ -146,7 +144,7 @@ private:
         return ring;
     }
 
-    /// Where both quadrics together are least; on the boundary if one end is there.
+    /// Returns the point at which Q is least, or the end on the boundary if there is one such end.
     Vector3 best_place(int a, int b, const Quadric& Q) const {
         if (boundary_[at(a)] != boundary_[at(b)]) return position(boundary_[at(a)] ? a : b);
         const Vector3 middle = 0.5 * (position(a) + position(b));   // the form is solved about it: places far from 0 keep their digits
@@ -160,10 +158,11 @@ private:
         if (topology_.nonmanifold[at(a)] || topology_.nonmanifold[at(b)]) return;
         const Quadric Q = quadric_[at(a)] + quadric_[at(b)];
         const Vector3 place = best_place(a, b, Q);
-        queue_.push({value(Q, place), std::min(a, b), std::max(a, b), version_[at(a)] + version_[at(b)], place});
+        const Eigen::Vector4d h = place.homogeneous();
+        queue_.push({std::max(0.0, h.dot(Q * h)), std::min(a, b), std::max(a, b), version_[at(a)] + version_[at(b)], place});
     }
 
-    /// The link condition: the ends have no other neighbours in common than the corners opposite the edge, and something is left.
+    /// True if the ends have no common neighbours but the corners opposite the edge (the link condition), and something is left.
     bool keeps_topology(int a, int b) const {
         const std::size_t shared = faces_with(a, b).size();
         if (shared == 0 || (shared == 2 && boundary_[at(a)] && boundary_[at(b)])) return false;
@@ -186,12 +185,7 @@ private:
         return false;
     }
 
-    bool is_allowed(const Candidate& edge) const {
-        return keeps_topology(edge.a, edge.b) && !turns_a_triangle(edge.a, edge.b, edge.place) &&
-               !turns_a_triangle(edge.b, edge.a, edge.place);
-    }
-
-    /// b becomes a.
+    /// Replaces b by a and moves a to its place.
     void collapse(const Candidate& edge) {
         const auto [cost, a, b, version, place] = edge;
         for (const int t : faces_with(a, b)) {
@@ -207,11 +201,9 @@ private:
         quadric_[at(a)] += quadric_[at(b)];
         boundary_[at(a)] |= boundary_[at(b)];
         --vertices_;
-        // What was refused around here may be allowed now.
-        std::vector<int> ring = neighbours(a);
         ++version_[at(a)];
         ++version_[at(b)];
-        for (const int v : ring) enter_candidate(a, v);
+        for (const int v : neighbours(a)) enter_candidate(a, v);   // including edges refused before, which may be allowed now
     }
 };
 
@@ -219,7 +211,7 @@ private:
 
 TriangleMesh decimated(const TriangleMesh& mesh, int vertices) {
     if (vertices < 4) throw MeshError("decimated: " + std::to_string(vertices) + " vertices", "ask for at least four");
-    // In units of the box and about its centre: quadrics hold fourth powers of coordinates.
+    // The box is moved to the origin and scaled to 1, because quadrics hold fourth powers of coordinates.
     const Box box = bounding_box(mesh);
     const Eigen::RowVector3d centre = box.centre();
     const double unit = box.diagonal() > 0 ? box.diagonal() : 1;
@@ -241,6 +233,26 @@ TriangleMesh small_copy(const TriangleMesh& mesh, int vertices) {
     TriangleMesh copy = decimated(mesh, vertices);
     require_few(copy.vertex_count());
     return copy;
+}
+
+CompactMesh surface_patch(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int most_vertices) {
+    if (vertex < 0 || vertex >= mesh.vertex_count())
+        throw MeshError("surface_patch: no vertex " + std::to_string(vertex) + " among " + std::to_string(mesh.vertex_count()));
+    if (mesh.vertex_count() <= most_vertices) return {mesh, Eigen::VectorXi::LinSpaced(mesh.vertex_count(), 0, mesh.vertex_count() - 1)};
+    std::vector<char> inside(at(mesh.vertex_count()), 0);
+    std::vector<int> reached{vertex};
+    inside[at(vertex)] = 1;
+    for (std::size_t next = 0; next < reached.size() && reached.size() < at(most_vertices); ++next) {
+        for (const int* w = topology.neighbours.begin(reached[next]); w != topology.neighbours.end(reached[next]); ++w) {
+            if (inside[at(*w)] || reached.size() >= at(most_vertices)) continue;
+            inside[at(*w)] = 1;
+            reached.push_back(*w);
+        }
+    }
+    std::vector<int> faces;
+    for (int t = 0; t < mesh.face_count(); ++t)
+        if (inside[at(mesh.F(t, 0))] && inside[at(mesh.F(t, 1))] && inside[at(mesh.F(t, 2))]) faces.push_back(t);
+    return without_unreferenced_vertices({mesh.X, mesh.F(faces, Eigen::all)});
 }
 
 }   // namespace meshfolio

@@ -12,23 +12,20 @@
 
 namespace meshfolio {
 
-/// Disjoint sets of the integers below n, which several threads may join at once. In the end the smallest member stands for its set.
+/// Disjoint sets of the integers below n; several threads may join them at once. The smallest member represents its set in the end.
 class DisjointSets {
 public:
-    explicit DisjointSets(int n) { reset(n); }
-    void reset(int n) {
-        parent_.resize(at(n));
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
+    explicit DisjointSets(int n) : parent_(at(n)) { std::iota(parent_.begin(), parent_.end(), 0); }
+    /// Returns the member that represents the set of i.
     int find(int i) {
         for (int above = parent_of(i); above != i;) {
             const int next = parent_of(above);
-            if (next != above) parent(i).store(next, std::memory_order_relaxed);   // a shorter way, whoever writes last
+            if (next != above) parent(i).store(next, std::memory_order_relaxed);   // shortens the way
             i = std::exchange(above, next);
         }
         return i;
     }
-    /// @return whether they were apart
+    /// Joins the sets of i and j. Returns whether they were different.
     bool join(int i, int j) {
         if (parent_of(i) == parent_of(j)) return false;
         for (int a = find(i), b = find(j); a != b; a = find(a), b = find(b)) {

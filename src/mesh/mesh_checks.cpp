@@ -1,6 +1,5 @@
 #include "mesh/mesh_checks.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +12,6 @@
 #include "mesh/io/polygon_list.h"
 #include "mesh/orientation.h"
 #include "mesh/point_table.h"
-#include "mesh/prefetch.h"
 #include "mesh/triangle_kind.h"
 #include "mesh/triangle_measures.h"
 
@@ -45,15 +43,14 @@ bool names_a_corner_twice(const TriangleMesh& mesh, int t) {
     return mesh.F(t, 0) == mesh.F(t, 1) || mesh.F(t, 1) == mesh.F(t, 2) || mesh.F(t, 2) == mesh.F(t, 0);
 }
 
-/// Triangles on corners that another has, too. Of several that run the same way round all but the first are superfluous. One that runs the
-/// other way is the other side of a wall without thickness.
+/// Triangles on the same three corners as another one.
 struct FacesOnFaces {
-    std::vector<char> repeated;   // m flags: superfluous
-    int opposite = 0;             // pairs of opposite orientation
+    std::vector<char> repeated;   // m flags: runs the same way round as an earlier one, and is superfluous
+    int opposite = 0;             // pairs of opposite orientation: the two sides of a wall without thickness
     int first_opposite = -1;      // the later one of the first pair
 };
 
-/// Compares only triangles with equal smallest corner.
+/// Finds such triangles by comparing those with equal smallest corner. @param around  triangles_around(mesh)
 FacesOnFaces faces_on_faces(const TriangleMesh& mesh, const Incidence& around) {
     struct Corners {
         int middle, largest;
@@ -89,7 +86,7 @@ FacesOnFaces faces_on_faces(const TriangleMesh& mesh, const Incidence& around) {
     return found;
 }
 
-/// Takes a loaded mesh through repairs and counts, and keeps what there is to say.
+/// Repairs a loaded mesh, counts its parts and defects, and collects the warnings.
 class Preparation {
 public:
     Preparation(LoadedMesh loaded, Checks checks) : checks_(checks), lines_(std::move(loaded.face_lines)) {
@@ -101,59 +98,39 @@ public:
 
     PreparedMesh run() {
         drop_faces();
-        look_at_vertices();
-        if (counts().box_low == counts().box_high) {
-            throw InputError({prepared_.file, 0}, "all vertices coincide (the bounding box is a point)",
-                             "the export may have lost the coordinates");
-        }
+        find_box();
         orient();
         if (checks_ == Checks::all || !topology().oriented_manifold) prepared_.topology = with_edges(std::move(topology()), mesh());
         count_connections();
-        warn_of(counts().vertices - counts().vertices_in_use, "isolated vertex ignored", "isolated vertices ignored");
-        if (checks_ == Checks::all)
-            measure();
-        else
-            count_shapes();
+        warn(counts().vertices - counts().vertices_in_use, "isolated vertex ignored", "isolated vertices ignored");
+        if (checks_ == Checks::all) measure();
+        count_shapes();
         return std::move(prepared_);
     }
 
 private:
-    /// Of a block of triangles.
-    struct Tally {
-        int zero_area = 0, first_zero_area = -1, needles = 0;
-    };
-
     Preflight& counts() { return prepared_.preflight; }
     TriangleMesh& mesh() { return prepared_.mesh; }
     MeshTopology& topology() { return prepared_.topology; }
     long line_of(int face) const { return face >= 0 && at(face) < lines_.size() ? lines_[at(face)] : 0; }
-    void warn_of(int count, const std::string& one, const std::string& many, long line = 0) {
+    void warn(int count, const std::string& one, const std::string& many, long line = 0) {
         if (count > 0) prepared_.warnings.push_back({std::to_string(count) + " " + (count == 1 ? one : many), line});
     }
 
-    /// Leaves the topology of the mesh, but for its edges.
+    /// Drops degenerate and repeated faces, and finds the topology without edges.
     void drop_faces() {
         const bool some_degenerate = !all_of_range(mesh().face_count(), [&](int t) { return !names_a_corner_twice(mesh(), t); });
         if (!some_degenerate) topology() = topology_without_edges(mesh());
         if (!some_degenerate && topology().oriented_manifold && mesh().face_count() > 0) return;   // no triangle is there twice
         const FacesOnFaces found = faces_on_faces(mesh(), some_degenerate ? triangles_around(mesh()) : topology().vertex_faces);
         const long opposite_line = line_of(found.first_opposite);
-        drop_degenerate_and(found.repeated);
-        counts().opposite_faces = found.opposite;
-        warn_of(found.opposite, "face lies on another of opposite orientation; both are kept",
-                "faces lie on others of opposite orientation; both of each are kept", opposite_line);
-        if (counts().dropped_degenerate_faces + counts().dropped_duplicate_faces > 0) topology() = topology_without_edges(mesh());
-    }
-
-    void drop_degenerate_and(const std::vector<char>& repeated) {
         std::vector<long>& face_lines = prepared_.attributes.face_lines;
-        long degenerate_line = 0;
-        long repeated_line = 0;
+        long degenerate_line = 0, repeated_line = 0;
         int kept = 0;
         for (int t = 0; t < mesh().face_count(); ++t) {
             if (names_a_corner_twice(mesh(), t)) {
                 if (counts().dropped_degenerate_faces++ == 0) degenerate_line = line_of(t);
-            } else if (repeated[at(t)] != 0) {
+            } else if (found.repeated[at(t)] != 0) {
                 if (counts().dropped_duplicate_faces++ == 0) repeated_line = line_of(t);
             } else {
                 mesh().F.row(kept) = mesh().F.row(t).eval();
@@ -163,17 +140,32 @@ private:
             }
         }
         mesh().F.conservativeResize(kept, 3);
-        warn_of(counts().dropped_degenerate_faces, "degenerate face (a corner named twice) ignored",
-                "degenerate faces (a corner named twice) ignored", degenerate_line);
-        warn_of(counts().dropped_duplicate_faces, "duplicate face ignored", "duplicate faces ignored", repeated_line);
+        counts().opposite_faces = found.opposite;
+        warn(counts().dropped_degenerate_faces, "degenerate face (a corner named twice) ignored",
+             "degenerate faces (a corner named twice) ignored", degenerate_line);
+        warn(counts().dropped_duplicate_faces, "duplicate face ignored", "duplicate faces ignored", repeated_line);
         if (kept == 0)
             throw InputError({prepared_.file, degenerate_line}, "no triangles left: all are degenerate", "the export may be damaged");
+        warn(found.opposite, "face lies on another of opposite orientation; both are kept",
+             "faces lie on others of opposite orientation; both of each are kept", opposite_line);
+        if (counts().dropped_degenerate_faces + counts().dropped_duplicate_faces > 0) topology() = topology_without_edges(mesh());
+    }
+
+    void find_box() {
+        std::vector<int> in_use;
+        for (int v = 0; v < mesh().vertex_count(); ++v)
+            if (topology().vertex_faces.size(v) > 0) in_use.push_back(v);
+        counts().vertices = mesh().vertex_count();
+        counts().vertices_in_use = static_cast<int>(in_use.size());
+        counts().box_low = mesh().X(in_use, Eigen::all).colwise().minCoeff();
+        counts().box_high = mesh().X(in_use, Eigen::all).colwise().maxCoeff();
+        if (counts().box_low == counts().box_high)
+            throw InputError({prepared_.file, 0}, "all vertices coincide (the bounding box is a point)",
+                             "the export may have lost the coordinates");
     }
 
     void orient() {
-        tallies_.resize(at(block_count(mesh().face_count())));
-        const Orientation orientation = consistent_orientation(
-            mesh(), topology(), [&](int begin, int end) { tallies_[at(begin / block_length)] = shapes_of(begin, end); });
+        const Orientation orientation = consistent_orientation(mesh(), topology());
         for_each_index(mesh().face_count(), [&](int t) {
             if (orientation.flip[at(t)] != 0) std::swap(mesh().F(t, 1), mesh().F(t, 2));
         });
@@ -181,19 +173,18 @@ private:
         counts().flipped_faces = orientation.disagreeing_faces;
         counts().inside_out_components = orientation.inside_out_components + orientation.filled_cavities;
         counts().orientable = orientation.unorientable_components == 0;
-        warn_of(orientation.disagreeing_faces, "face turned to agree with its neighbours", "faces turned to agree with their neighbours",
-                line_of(orientation.first_disagreeing));
-        warn_of(orientation.inside_out_components, "closed component was inside out (negative volume), reoriented",
-                "closed components were inside out (negative volume), reoriented", line_of(orientation.first_inside_out));
-        warn_of(orientation.filled_cavities, "closed component within a body pointed outwards (positive volume), reoriented as a cavity",
-                "closed components within bodies pointed outwards (positive volume), reoriented as cavities",
-                line_of(orientation.first_filled_cavity));
-        warn_of(orientation.shells_of_unknown_depth, "closed component left as oriented; the nesting takes too long to find",
-                "closed components left as oriented; their nesting takes too long to find");
-        warn_of(orientation.unorientable_components,
-                "component has no consistent orientation; the sign of mean curvature means nothing there",
-                "components have no consistent orientation; the sign of mean curvature means nothing there",
-                line_of(orientation.first_unorientable));
+        warn(orientation.disagreeing_faces, "face turned to agree with its neighbours", "faces turned to agree with their neighbours",
+             line_of(orientation.first_disagreeing));
+        warn(orientation.inside_out_components, "closed component was inside out (negative volume), reoriented",
+             "closed components were inside out (negative volume), reoriented", line_of(orientation.first_inside_out));
+        warn(orientation.filled_cavities, "closed component within a body pointed outwards (positive volume), reoriented as a cavity",
+             "closed components within bodies pointed outwards (positive volume), reoriented as cavities",
+             line_of(orientation.first_filled_cavity));
+        warn(orientation.shells_of_unknown_depth, "closed component left as oriented; the nesting takes too long to find",
+             "closed components left as oriented; their nesting takes too long to find");
+        warn(orientation.unorientable_components, "component has no consistent orientation; the sign of mean curvature means nothing there",
+             "components have no consistent orientation; the sign of mean curvature means nothing there",
+             line_of(orientation.first_unorientable));
     }
 
     void count_connections() {
@@ -217,7 +208,7 @@ private:
         if (edge != edges.end()) {
             const std::string first = " (first: " + std::to_string(edge->faces) + " faces on vertices " + std::to_string(edge->a) +
                                       " and " + std::to_string(edge->b) + ", counted from 0); curvature is undefined there";
-            warn_of(counts().nonmanifold_edges, "non-manifold edge" + first, "non-manifold edges" + first);
+            warn(counts().nonmanifold_edges, "non-manifold edge" + first, "non-manifold edges" + first);
         }
         int fans = 0;
         int first_vertex = -1;
@@ -226,42 +217,15 @@ private:
             if (fans++ == 0) first_vertex = v;
         }
         const std::string first = " (first: " + std::to_string(first_vertex) + ", counted from 0), where sheets meet in a point only";
-        warn_of(fans, "non-manifold vertex" + first, "non-manifold vertices" + first);
-    }
-
-    void look_at_vertices() {
-        struct Seen {
-            int in_use = 0;
-            Eigen::Array3d low = Eigen::Array3d::Constant(HUGE_VAL), high = -low;
-        };
-        counts().vertices = mesh().vertex_count();
-        const auto blocks = of_blocks(mesh().vertex_count(), [&](int begin, int end) {
-            Seen seen;
-            for (int v = begin; v < end; ++v) {
-                if (topology().vertex_faces.size(v) == 0) continue;
-                const Eigen::Array3d x = mesh().X.row(v).transpose();
-                ++seen.in_use, seen.low = seen.low.min(x), seen.high = seen.high.max(x);
-            }
-            return seen;
-        });
-        Seen all;
-        for (const auto& block : blocks)
-            all = {all.in_use + block.value.in_use, all.low.min(block.value.low), all.high.max(block.value.high)};
-        counts().vertices_in_use = all.in_use;
-        counts().box_low = all.low, counts().box_high = all.high;
-    }
-
-    /// Of the vertices in use, those with the coordinates of an earlier one.
-    int repeated_points() {
-        PointTable points(at(counts().vertices_in_use));
-        for (int v = 0; v < mesh().vertex_count(); ++v)
-            if (topology().vertex_faces.size(v) > 0) points.number_of({mesh().X(v, 0), mesh().X(v, 1), mesh().X(v, 2)});
-        return counts().vertices_in_use - static_cast<int>(points.points().size());
+        warn(fans, "non-manifold vertex" + first, "non-manifold vertices" + first);
     }
 
     void measure() {
         Preflight& p = counts();
-        p.duplicated_positions = repeated_points();
+        PointTable points(at(p.vertices_in_use));
+        for (int v = 0; v < mesh().vertex_count(); ++v)
+            if (topology().vertex_faces.size(v) > 0) points.number_of({mesh().X(v, 0), mesh().X(v, 1), mesh().X(v, 2)});
+        p.duplicated_positions = p.vertices_in_use - static_cast<int>(points.points().size());
         p.euler_characteristic = p.vertices_in_use - p.edges + p.triangles;
         const int handles = 2 - p.euler_characteristic - p.boundary_loops;
         if (p.components == 1 && p.manifold() && p.orientable) p.genus = handles / 2;
@@ -269,35 +233,21 @@ private:
         p.unbalanced_edges = edges_out_of_balance(mesh(), topology());
         if (p.encloses_volume()) p.volume = signed_volume(mesh(), Box{p.box_low, p.box_high}.centre());
         p.mean_edge = mean_edge_length(mesh(), topology().edges);
-        count_shapes();
-    }
-
-    /// Turning a triangle changes nothing of it.
-    Tally shapes_of(int begin, int end) {
-        Tally tally;
-        for (int t = begin; t < end; ++t) {
-            const TriangleKind kind = kind_of(mesh(), t);
-            if (kind == TriangleKind::zero_area && tally.zero_area++ == 0) tally.first_zero_area = t;
-            if (kind == TriangleKind::needle) ++tally.needles;
-        }
-        return tally;
     }
 
     void count_shapes() {
-        int first = -1;
-        for (const Tally& tally : tallies_) {
-            if (counts().zero_area_faces == 0) first = tally.first_zero_area;
-            counts().zero_area_faces += tally.zero_area;
-            counts().needle_faces += tally.needles;
-        }
-        warn_of(counts().zero_area_faces, "face of no area kept; it contributes no stiffness",
-                "faces of no area kept; they contribute no stiffness", line_of(first));
+        std::vector<TriangleKind> kinds(at(mesh().face_count()));
+        for_each_index(mesh().face_count(), [&](int t) { kinds[at(t)] = kind_of(mesh(), t); });
+        counts().needle_faces = static_cast<int>(std::ranges::count(kinds, TriangleKind::needle));
+        counts().zero_area_faces = static_cast<int>(std::ranges::count(kinds, TriangleKind::zero_area));
+        const auto first = std::ranges::find(kinds, TriangleKind::zero_area) - kinds.begin();
+        warn(counts().zero_area_faces, "face of no area kept; it contributes no stiffness",
+             "faces of no area kept; they contribute no stiffness", line_of(static_cast<int>(first)));
     }
 
     Checks checks_;
     std::vector<long> lines_;   // of each triangle; may be empty
     PreparedMesh prepared_;
-    std::vector<Tally> tallies_;
 };
 
 }   // namespace

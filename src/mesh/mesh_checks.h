@@ -1,5 +1,5 @@
 /// @file
-/// Preflight: what a mesh is, what is wrong with it, and what was done about that before anything is computed.
+/// Preflight: counts of a mesh, its defects, and the repairs made before anything is computed.
 #pragma once
 
 #include <limits>
@@ -14,7 +14,7 @@ namespace meshfolio {
 
 struct Preflight {
     int vertices = 0;          // rows of X
-    int vertices_in_use = 0;   // named by a triangle
+    int vertices_in_use = 0;   // those that triangles use
     int triangles = 0;         // kept
     int edges = 0;
     int components = 0;
@@ -28,8 +28,8 @@ struct Preflight {
     int needle_faces = 0;                                       // kept; smallest angle below 1°
     int duplicated_positions = 0;                               // vertices in use that lie exactly on an earlier one
     double area = 0;                                            // [length²]
-    int unbalanced_edges = 0;                                   // edges_out_of_balance() of orientation.h
-    double volume = std::numeric_limits<double>::quiet_NaN();   // signed, of what encloses one [length³]
+    int unbalanced_edges = 0;                                   // edges_out_of_balance() in orientation.h
+    double volume = std::numeric_limits<double>::quiet_NaN();   // signed; NaN unless encloses_volume() [length³]
     double mean_edge = 0;                                       // [length]
     Vector3 box_low{0, 0, 0}, box_high{0, 0, 0};
     bool orientable = true;
@@ -51,19 +51,19 @@ struct PreparedMesh {
     Preflight preflight;
     std::vector<MeshWarning> warnings;   // the reader's, then one for each repair or defect above
     std::string file;
-    Attributes attributes = {};   // the file's, where they were asked for; `face_lines` are those of the triangles that were kept
+    Attributes attributes = {};   // of the file, if they were asked for; `face_lines` belong to the triangles that were kept
 };
 
-/// How much is looked at. Repairs and warnings are the same in all cases.
+/// The extent of the checks. Repairs and warnings are the same in both cases.
 enum class Checks {
     all,
-    /// What a picture or a spectrum needs, in half the time. `edges` and `neighbours` of the topology stay empty, and of the preflight:
+    /// Enough for a picture or a spectrum, in half the time. `edges` and `neighbours` of the topology stay empty; so do, in the preflight,
     /// edges, boundary and unbalanced edges, boundary loops, Euler characteristic, genus, duplicated positions, area, volume, mean edge.
     for_pictures,
 };
 
-/// Drops faces that name a corner twice and repeated faces, orients each component consistently (closed ones by their nesting depth),
-/// counts everything else.
+/// Prepares a mesh for computations: drops faces that name a corner twice and repeated faces, orients each component consistently (closed
+/// ones by their nesting depth), and counts everything else.
 /// @throws InputError if no triangle is left, all vertices coincide, or a coordinate exceeds 1e100 in magnitude
 PreparedMesh prepare_mesh(LoadedMesh loaded, Checks checks = Checks::all);
 

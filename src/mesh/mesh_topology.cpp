@@ -11,7 +11,8 @@
 #include "base/errors.h"
 #include "base/large_pages.h"
 #include "base/parallel.h"
-#include "mesh/vertex_fans.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/prefetch.h"
 
 namespace meshfolio {
 
@@ -34,7 +35,7 @@ void check_faces(const TriangleMesh& mesh) {
     }
 }
 
-/// For each vertex a, the ends b > a of its triangles' edges are sorted; equal ones are one edge.
+/// Sorts, for each vertex a, the ends b > a of the edges of its triangles; equal ends are one edge.
 std::vector<Edge> collected_edges(const TriangleMesh& mesh, const Incidence& vertex_faces) {
     std::vector<Edge> edges;
     edges.reserve(at(mesh.face_count()) * 3 / 2 + at(mesh.vertex_count()) / 8);
@@ -55,26 +56,44 @@ std::vector<Edge> collected_edges(const TriangleMesh& mesh, const Incidence& ver
     return edges;
 }
 
-/// Fills what can be told of each vertex alone.
-void look_at_fans(const TriangleMesh& mesh, MeshTopology& topology) {
-    const int vertices = mesh.vertex_count();
-    topology.on_boundary.resize(at(vertices));
-    topology.nonmanifold.resize(at(vertices));
-    const auto regular = of_blocks(vertices, [&](int begin, int end) {
-        FanReader fans(mesh, topology.vertex_faces);
-        bool all = true;
-        for (int v = begin; v < end; ++v) {
-            const FanFacts facts = fans.facts(v);
-            topology.on_boundary[at(v)] = facts.on_boundary ? 1 : 0;
-            topology.nonmanifold[at(v)] = facts.nonmanifold ? 1 : 0;
-            all &= facts.regular;
-        }
-        return all;
-    });
-    topology.oriented_manifold = std::all_of(regular.begin(), regular.end(), [](const auto& block) { return block.value; });
+/// A triangle around v runs from v to `next`, on to `previous`, and back.
+struct Sides {
+    int next, previous;
+};
+
+const int* corners_of(const TriangleMesh& mesh, int t) { return mesh.F.data() + 3 * at(t); }
+
+Sides sides_at(const int* corner, int v) {
+    const int k = (corner[1] == v ? 1 : 0) + (corner[2] == v ? 2 : 0);
+    constexpr int next[] = {1, 2, 0}, previous[] = {2, 0, 1};
+    return {corner[next[k]], corner[previous[k]]};   // NOLINT(clang-analyzer-core.uninitialized.ArraySubscript): corners differ, no k is 3
 }
 
-/// Joins the corners of each triangle on all processors, and numbers the sets in the order of their first triangles.
+/// True if v has three to eight triangles that form one closed fan and run the same way, as nearly all vertices have: going round once,
+/// from each triangle to the one whose `next` is its `previous`, meets them all. `render` of 776 k triangles takes 1.4 times as long
+/// without.
+bool is_umbrella(const TriangleMesh& mesh, const Incidence& vertex_faces, int v) {
+    constexpr int most = 8, ahead = 64;
+    const int triangles = vertex_faces.size(v);
+    if (triangles < 3 || triangles > most) return false;   // two closed by each other are the same triangle
+    const int* const faces = vertex_faces.begin(v);
+    const int* const last = vertex_faces.item.data() + vertex_faces.item.size() - 1;
+    std::array<Sides, most> sides;
+    for (int i = 0; i < triangles; ++i) {
+        prefetch(corners_of(mesh, last - faces > ahead + i ? faces[i + ahead] : *last));   // triangles lie anywhere in memory
+        sides[at(i)] = sides_at(corners_of(mesh, faces[i]), v);
+    }
+    int t = 0;
+    for (int steps = 1; steps <= triangles; ++steps) {
+        const int end = sides[at(t)].previous;
+        for (t = 0; t < triangles && sides[at(t)].next != end;) ++t;
+        if (t == triangles) return false;
+        if (t == 0) return steps == triangles;
+    }
+    return false;
+}
+
+/// Joins the corners of each triangle on all processors and numbers the sets in the order of their first triangles.
 void label_components(const TriangleMesh& mesh, MeshTopology& topology) {
     DisjointSets sets(mesh.vertex_count());
     for_each_index(mesh.face_count(), [&](int t) {
@@ -102,7 +121,20 @@ int count_where(const Items& items, Condition condition) {
 
 }   // namespace
 
-// Each half of the triangles is counted and placed by itself: what the first has of a row stands before what the second has.
+Incidence grouped_by_row(int rows, const std::vector<int>& row_of) {
+    Incidence groups;
+    groups.start.assign(at(rows) + 1, 0);
+    for (const int row : row_of)
+        if (row >= 0) ++groups.start[at(row) + 1];
+    std::partial_sum(groups.start.begin(), groups.start.end(), groups.start.begin());
+    groups.item.resize(at(groups.start.back()));
+    std::vector<int> next(groups.start.begin(), groups.start.end() - 1);
+    for (std::size_t i = 0; i < row_of.size(); ++i)
+        if (row_of[i] >= 0) groups.item[at(next[at(row_of[i])]++)] = static_cast<int>(i);
+    return groups;
+}
+
+// Each half of the triangles is counted and placed by one thread; in a row, the triangles of the first half come first.
 Incidence triangles_around(const TriangleMesh& mesh) {
     constexpr int halves = 2;
     std::array<std::vector<int>, halves> next;   // of each row
@@ -130,10 +162,56 @@ Incidence triangles_around(const TriangleMesh& mesh) {
 
 std::vector<Edge> edges_of(const TriangleMesh& mesh) { return collected_edges(mesh, triangles_around(mesh)); }
 
+VertexFan fan_around(const TriangleMesh& mesh, const Incidence& vertex_faces, int v) {
+    if (vertex_faces.size(v) == 0 || is_umbrella(mesh, vertex_faces, v)) return {};
+    struct Spoke {   // an edge from v to `other`, as a triangle runs through it: away from v or towards it
+        int other;
+        bool away;
+    };
+    std::vector<Spoke> spokes;
+    for (const int* t = vertex_faces.begin(v); t != vertex_faces.end(v); ++t) {
+        const Sides sides = sides_at(corners_of(mesh, *t), v);
+        spokes.push_back({sides.next, true});
+        spokes.push_back({sides.previous, false});
+    }
+    std::ranges::sort(spokes, {}, &Spoke::other);
+    VertexFan fan;
+    std::vector<int> ring;   // distinct neighbours, ascending
+    for (auto spoke = spokes.begin(); spoke != spokes.end();) {
+        const auto end = std::find_if(spoke, spokes.end(), [&](const Spoke& s) { return s.other != spoke->other; });
+        const auto triangles = end - spoke, away = std::count_if(spoke, end, [](const Spoke&s) { return s.away; });
+        if (triangles == 1) fan.on_boundary = true;
+        if (triangles > 2) fan.nonmanifold = true;
+        if (away > 1 || triangles - away > 1) fan.regular = false;
+        ring.push_back(spoke->other);
+        spoke = end;
+    }
+    int fans = static_cast<int>(ring.size());   // sets of neighbours joined by triangles
+    DisjointSets joined(fans);
+    const auto place = [&](int w) { return static_cast<int>(std::ranges::lower_bound(ring, w) - ring.begin()); };
+    for (const int* t = vertex_faces.begin(v); t != vertex_faces.end(v); ++t) {
+        const Sides sides = sides_at(corners_of(mesh, *t), v);
+        if (joined.join(place(sides.next), place(sides.previous))) --fans;
+    }
+    if (fans > 1) fan.nonmanifold = true;
+    const bool one_triangle_twice = ring.size() == 2 && !fan.on_boundary;
+    if (fan.nonmanifold || one_triangle_twice) fan.regular = false;
+    return fan;
+}
+
 MeshTopology topology_without_edges(const TriangleMesh& mesh) {
     MeshTopology topology;
     topology.vertex_faces = triangles_around(mesh);
-    look_at_fans(mesh, topology);
+    topology.on_boundary.resize(at(mesh.vertex_count()));
+    topology.nonmanifold.resize(at(mesh.vertex_count()));
+    std::vector<char> regular(at(mesh.vertex_count()));
+    for_each_index(mesh.vertex_count(), [&](int v) {
+        const VertexFan fan = fan_around(mesh, topology.vertex_faces, v);
+        topology.on_boundary[at(v)] = fan.on_boundary ? 1 : 0;
+        topology.nonmanifold[at(v)] = fan.nonmanifold ? 1 : 0;
+        regular[at(v)] = fan.regular ? 1 : 0;
+    });
+    topology.oriented_manifold = std::ranges::count(regular, 0) == 0;
     label_components(mesh, topology);
     return topology;
 }

@@ -1,9 +1,10 @@
 /// @file
-/// Who touches whom. Built once from the faces; rows are sorted, so nothing depends on hash order.
+/// Edges, neighbours, components and boundaries of a mesh. Rows are sorted, so nothing depends on hash order.
 #pragma once
 
 #include <vector>
 
+#include "base/at.h"
 #include "mesh/triangle_mesh.h"
 
 namespace meshfolio {
@@ -12,14 +13,17 @@ namespace meshfolio {
 struct Incidence {
     std::vector<int> start;   // size rows + 1
     std::vector<int> item;
-    int size(int row) const { return start[static_cast<std::size_t>(row) + 1] - start[static_cast<std::size_t>(row)]; }
-    const int* begin(int row) const { return item.data() + start[static_cast<std::size_t>(row)]; }
-    const int* end(int row) const { return item.data() + start[static_cast<std::size_t>(row) + 1]; }
+    int size(int row) const { return start[at(row) + 1] - start[at(row)]; }
+    const int* begin(int row) const { return item.data() + start[at(row)]; }
+    const int* end(int row) const { return item.data() + start[at(row) + 1]; }
 };
+
+/// Returns the integers i < row_of.size() as rows: row r lists those with row_of[i] = r, ascending. Entries −1 belong to no row.
+Incidence grouped_by_row(int rows, const std::vector<int>& row_of);
 
 struct Edge {
     int a, b;    // a < b
-    int faces;   // how many triangles share it: 1 boundary, 2 manifold, more non-manifold
+    int faces;   // triangles that share it: 1 boundary, 2 manifold, more non-manifold
 };
 
 struct MeshTopology {
@@ -30,32 +34,39 @@ struct MeshTopology {
     std::vector<char> nonmanifold;   // n flags: v touches a non-manifold edge, or its triangles form more than one fan
     std::vector<int> component;      // m labels from 0, in order of first triangle; triangles are joined by shared vertices
     int component_count = 0;
-    /// Around each vertex lies one fan of different triangles that run round it the same way: a manifold, with or without boundary, in
-    /// which all triangles agree and none is there twice.
-    bool oriented_manifold = false;
+    bool oriented_manifold = false;   // every vertex is regular (VertexFan): a manifold, with or without boundary, oriented consistently
 
     int boundary_edge_count() const;
     int nonmanifold_edge_count() const;
     int nonmanifold_vertex_count() const;
 };
 
-/// Row v: triangles around v, ascending; a triangle that names v twice stands there twice.
+/// Returns row v: the triangles around v, ascending; a triangle that names v twice is listed twice.
 Incidence triangles_around(const TriangleMesh& mesh);
 
-/// Just the edges, sorted by (a, b). Where a triangle names a vertex twice its edges are counted twice.
+/// The triangles around one vertex.
+struct VertexFan {
+    bool on_boundary = false;   // an edge at the vertex has one triangle
+    bool nonmanifold = false;   // an edge at the vertex has more than two, or the triangles form more than one fan
+    bool regular = true;        // one fan (or none) of different triangles that all run round the vertex the same way
+};
+VertexFan fan_around(const TriangleMesh& mesh, const Incidence& vertex_faces, int v);
+
+/// Returns the edges, sorted by (a, b). Edges of a triangle that names a vertex twice are counted twice.
 std::vector<Edge> edges_of(const TriangleMesh& mesh);
 
 /// @throws MeshError if a triangle names a vertex twice or one that does not exist
 MeshTopology topology_of(const TriangleMesh& mesh);
-/// The same but for `edges` and `neighbours`, which take as long as all the rest and are filled by `with_edges`. Every triangle must name
-/// three different vertices that exist.
+/// Returns the topology with empty `edges` and `neighbours`, in half the time. Every triangle must name three different vertices that
+/// exist.
 MeshTopology topology_without_edges(const TriangleMesh& mesh);
+/// Fills `edges` and `neighbours` of a topology of this mesh.
 MeshTopology with_edges(MeshTopology topology, const TriangleMesh& mesh);
 
-/// Boundary loops: vertices in order, the surface to their left, each loop starting at its smallest index. A vertex where
-/// several loops touch belongs to each. Where non-manifold edges break the boundary up, its open pieces count as loops.
+/// Returns the boundary loops: vertices in order, the surface to their left, each loop from its smallest index. A vertex at which
+/// several loops touch belongs to each. If non-manifold edges break the boundary up, its open pieces count as loops.
 std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh);
-/// The same where the edges are known.
+/// @param edges  of the mesh, all of them
 std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh, const std::vector<Edge>& edges);
 
 }   // namespace meshfolio

@@ -9,8 +9,8 @@
 #include <numeric>
 
 #include "base/at.h"
-#include "mesh/box_tree.h"
 #include "mesh/mesh_topology.h"
+#include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 
@@ -19,14 +19,69 @@ namespace {
 constexpr int most_sampled_faces = 4096;
 constexpr long most_visits = 200'000'000;   // of boxes; some seconds
 
-/// The triangles of one shell, for questions about points.
+/// A binary tree over boxes, split at the median of their centres along the longest side.
+class BoxTree {
+public:
+    explicit BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
+        std::iota(order_.begin(), order_.end(), 0);
+        if (!boxes_.empty()) build(0, 0, order_.size());
+    }
+
+    /// Calls found(i) for each box i that passes wanted(box), until found returns false. Returns false then. A box around others must pass
+    /// wanted if one of them does.
+    template <class Wanted, class Found>
+    bool visit(const Wanted& wanted, const Found& found) const {
+        return boxes_.empty() || visit(0, 0, order_.size(), wanted, found);
+    }
+
+private:
+    static constexpr std::size_t leaf_size = 4;
+
+    void build(std::size_t node, std::size_t begin, std::size_t end) {
+        Box around = boxes_[at(order_[begin])];
+        for (std::size_t i = begin; i < end; ++i) {
+            around.low = around.low.cwiseMin(boxes_[at(order_[i])].low);
+            around.high = around.high.cwiseMax(boxes_[at(order_[i])].high);
+        }
+        if (node >= around_.size()) around_.resize(2 * node + 1);
+        around_[node] = around;
+        if (end - begin <= leaf_size) return;
+        int axis = 0;
+        around.extent().maxCoeff(&axis);
+        const auto place = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+        const std::size_t middle = begin + (end - begin) / 2;
+        std::nth_element(place(begin), place(middle), place(end), [&](int i, int j) {
+            const double x = boxes_[at(i)].centre()[axis], y = boxes_[at(j)].centre()[axis];
+            return std::pair(x, i) < std::pair(y, j);
+        });
+        build(2 * node + 1, begin, middle);
+        build(2 * node + 2, middle, end);
+    }
+
+    template <class Wanted, class Found>
+    bool visit(std::size_t node, std::size_t begin, std::size_t end, const Wanted& wanted, const Found& found) const {
+        if (!wanted(around_[node])) return true;
+        if (end - begin > leaf_size) {
+            const std::size_t middle = begin + (end - begin) / 2;
+            return visit(2 * node + 1, begin, middle, wanted, found) && visit(2 * node + 2, middle, end, wanted, found);
+        }
+        for (std::size_t i = begin; i < end; ++i)
+            if (wanted(boxes_[at(order_[i])]) && !found(order_[i])) return false;
+        return true;
+    }
+
+    std::vector<Box> boxes_, around_;   // `around_` as a heap: node k is around 2k + 1 and 2k + 2
+    std::vector<int> order_;
+};
+
+/// The triangles of one shell, to find where points lie relative to it.
 class ShellSurface {
 public:
     ShellSurface(const TriangleMesh& mesh, const std::vector<char>& flip, const int* begin, const int* end, long& visits)
         : mesh_(mesh), flip_(flip), faces_(begin, end), visits_(visits), tree_(boxes_of(mesh, faces_)) {}
 
-    /// Signed crossings of the ray from p in the direction of an axis. A crossing is decided edge by edge, each in the order of its
-    /// vertices, so that the ray hits exactly one of two triangles at an edge; a ray that meets it is moved to one side.
+    /// Returns the signed crossings of the ray from p along an axis. Each is decided edge by edge, in the order of the edge's vertices, so
+    /// that the ray hits exactly one of two triangles at an edge; a ray that meets an edge is moved to one side.
     int winding_number(const Vector3& p, int axis) const {
         const int x = (axis + 1) % 3, y = (axis + 2) % 3;
         int sum = 0;
@@ -43,7 +98,7 @@ public:
 
     bool is_outside(const Vector3& p) const { return winding_number(p, 2) == 0 && winding_number(p, 0) == 0; }
 
-    /// Whether p lies within a distance of a triangle of some area.
+    /// True if p lies within a distance of a triangle of nonzero area.
     bool is_near(const Vector3& p, double distance) const {
         const auto wanted = [&](const Box& box) {
             ++visits_;
@@ -64,7 +119,7 @@ private:
 
     Vector3 corner(int t, int k) const { return mesh_.X.row(mesh_.F(t, k)); }
 
-    /// The side of the projected edge from u to v on which p lies: 1 left, −1 right; p on it counts as moved by (ε, ε²).
+    /// Returns the side of the projected edge from u to v on which p lies: 1 left, −1 right; p on it counts as moved by (ε, ε²).
     int side(const Vector3& p, int u, int v, int x, int y) const {
         if (u > v) return -side(p, v, u, x, y);
         const double ux = mesh_.X(u, x) - p[x], uy = mesh_.X(u, y) - p[y], vx = mesh_.X(v, x) - p[x], vy = mesh_.X(v, y) - p[y];
@@ -73,6 +128,7 @@ private:
         return 0;
     }
 
+    /// Returns 1 or −1 if the ray from p crosses triangle t, else 0.
     int crossing(int t, const Vector3& p, int x, int y) const {
         const int a = mesh_.F(t, 0), b = mesh_.F(t, 1), c = mesh_.F(t, 2);
         const int s = side(p, a, b, x, y);
@@ -102,13 +158,22 @@ private:
 class Nesting {
 public:
     Nesting(const TriangleMesh& mesh, const std::vector<char>& flip, const Shells& shells)
-        : mesh_(mesh), flip_(flip), shells_(shells), surfaces_(shells.sign.size()) {
-        sort_faces();
-        find_boxes();
+        : mesh_(mesh), flip_(flip), shells_(shells), faces_(grouped_by_row(count(), shells.of_face)), surfaces_(shells.sign.size()) {
+        for (int s = 0; s < count(); ++s) {
+            const Vector3 first = mesh_.X.row(mesh_.F(*faces_.begin(s), 0));
+            Box box{first, first};
+            for (const int* t = faces_.begin(s); t != faces_.end(s); ++t) {
+                const auto corners = mesh_.X(mesh_.F.row(*t), Eigen::all);
+                box.low = box.low.cwiseMin(corners.colwise().minCoeff().transpose());
+                box.high = box.high.cwiseMax(corners.colwise().maxCoeff().transpose());
+            }
+            farthest_ = std::max({farthest_, box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff()});
+            boxes_.push_back(box);
+        }
     }
 
     std::vector<Turn> turns() {
-        std::map<std::array<double, 11>, std::vector<int>> shells_in;   // copies of one shell in one place are one
+        std::map<std::array<double, 11>, std::vector<int>> shells_in;   // copies of a shell in one place form a group
         for (int s = 0; s < count(); ++s) shells_in[numbers_of(s)].push_back(s);
         std::vector<Box> boxes;
         std::vector<std::vector<int>> groups;
@@ -131,7 +196,7 @@ private:
 
     int count() const { return static_cast<int>(shells_.sign.size()); }
 
-    /// Box, number of faces, and moments of the corners: alike for shells of the same faces in the same order.
+    /// Returns box, number of faces, and moments of the corners: alike for shells of the same faces in the same order.
     std::array<double, 11> numbers_of(int s) const {
         const Box& box = boxes_[at(s)];
         Vector3 sum = Vector3::Zero();
@@ -145,35 +210,10 @@ private:
                 sum.x(),     sum.y(),     sum.z(),     squares};
     }
 
-    void sort_faces() {
-        faces_.start.assign(at(count()) + 1, 0);
-        for (const int s : shells_.of_face)
-            if (s >= 0) ++faces_.start[at(s) + 1];
-        std::partial_sum(faces_.start.begin(), faces_.start.end(), faces_.start.begin());
-        faces_.item.resize(at(faces_.start.back()));
-        std::vector<int> next(faces_.start.begin(), faces_.start.end() - 1);
-        for (int t = 0; t < mesh_.face_count(); ++t)
-            if (const int s = shells_.of_face[at(t)]; s >= 0) faces_.item[at(next[at(s)]++)] = t;
-    }
-
-    void find_boxes() {
-        for (int s = 0; s < count(); ++s) {
-            const Vector3 first = mesh_.X.row(mesh_.F(*faces_.begin(s), 0));
-            Box box{first, first};
-            for (const int* t = faces_.begin(s); t != faces_.end(s); ++t) {
-                const auto corners = mesh_.X(mesh_.F.row(*t), Eigen::all);
-                box.low = box.low.cwiseMin(corners.colwise().minCoeff().transpose());
-                box.high = box.high.cwiseMax(corners.colwise().maxCoeff().transpose());
-            }
-            farthest_ = std::max({farthest_, box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff()});
-            boxes_.push_back(box);
-        }
-    }
-
-    /// How far from a surface a point of shell s may be and still lie on it: coordinates in files seldom have more than seven digits.
+    /// Returns the distance up to which a point of shell s lies on a surface: coordinates in files seldom have more than seven digits.
     double tolerance(int s) const { return std::max(1e-6 * boxes_[at(s)].diagonal(), 0x1p-50 * farthest_); }
 
-    /// Shells of other groups whose boxes hold the box of this group.
+    /// Returns the shells of other groups with boxes around the box of this group.
     std::vector<int> shells_around(const std::vector<int>& group, const std::vector<std::vector<int>>& groups, const BoxTree& tree) {
         const Box& inner = boxes_[at(group.front())];
         const double t = tolerance(group.front());
@@ -211,11 +251,11 @@ private:
         return right_sign > 0 ? Turn::outwards : Turn::inwards;
     }
 
-    /// Where shell s lies to another that is closer than the digits of most files: what all its points say.
+    /// Returns the place of shell s relative to one that is nearer than the digits of most files, by all its points.
     Relation exact_relation(int s, int other) { return relation_of(s, other, 0x1p-46 * farthest_, true); }
 
-    /// Where shell s lies to another.
-    /// @param near  points so close to the other shell tell nothing
+    /// Returns the place of shell s relative to another.
+    /// @param near  points within this distance of the other shell do not count
     /// @param all  points inside and points outside together mean the same place, not outside
     Relation relation_of(int s, int other, double near, bool all) {
         const ShellSurface& surface = surface_of(other);
@@ -245,10 +285,10 @@ private:
     const TriangleMesh& mesh_;
     const std::vector<char>& flip_;
     const Shells& shells_;
-    Incidence faces_;   // of each shell
-    std::vector<Box> boxes_;
-    std::vector<std::unique_ptr<ShellSurface>> surfaces_;   // built where they are asked for
-    double farthest_ = 0;                                   // largest coordinate
+    Incidence faces_;                                       // of each shell
+    std::vector<Box> boxes_;                                // of each shell
+    std::vector<std::unique_ptr<ShellSurface>> surfaces_;   // built on demand
+    double farthest_ = 0;                                   // largest magnitude of a coordinate
     long visits_ = 0;
 };
 

@@ -7,19 +7,21 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/at.h"
+
 namespace meshfolio {
 
-/// Numbers points from 0 in the order in which they first appear; equal coordinates (−0 equals 0) get the same number.
-/// Open addressing; nothing depends on where a point lands in the table.
+/// Numbers points from 0 in the order of their first appearance; equal coordinates (−0 equals 0) get the same number.
+/// Open addressing; nothing depends on the slot of a point in the table.
 class PointTable {
 public:
     explicit PointTable(std::size_t expected) : slots_(std::bit_ceil(2 * expected + 2), -1) { points_.reserve(expected); }
 
-    /// Adds at most as many points as were expected.
+    /// Returns the number of a point, which is added if it is new. At most the expected number of points may be added.
     int number_of(std::array<double, 3> point) {
         for (double& x : point) x += 0.0;   // −0 becomes 0
         std::size_t slot = hash(point) & (slots_.size() - 1);
-        while (slots_[slot] >= 0 && points_[static_cast<std::size_t>(slots_[slot])] != point) slot = (slot + 1) & (slots_.size() - 1);
+        while (slots_[slot] >= 0 && points_[at(slots_[slot])] != point) slot = (slot + 1) & (slots_.size() - 1);
         if (slots_[slot] < 0) {
             slots_[slot] = static_cast<int>(points_.size());
             points_.push_back(point);

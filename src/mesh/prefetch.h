@@ -1,9 +1,10 @@
 /// @file
-/// Prefetches the corners of triangles: they lie anywhere in memory, and a loop over a large mesh waits for each.
+/// Prefetches the corners of triangles: they lie anywhere in memory, and a loop over a large mesh would wait for each.
 #pragma once
 
 #include <algorithm>
 
+#include "base/at.h"
 #include "mesh/triangle_mesh.h"
 
 namespace meshfolio {
@@ -14,12 +15,12 @@ inline void prefetch([[maybe_unused]] const void* address) {
 #endif
 }
 
-/// At triangle t, fetches the corners of the triangle 24 places ahead.
+/// Prefetches the corners of the triangle 24 places after t.
 inline void prefetch_corners(const TriangleMesh& mesh, int t) {
     constexpr int ahead = 24;
     const int later = std::min(t, mesh.face_count() - 1 - ahead) + ahead;
     for (int k = 0; k < 3 && later >= 0; ++k) {
-        const double* const corner = mesh.X.data() + 3 * static_cast<std::size_t>(mesh.F(later, k));
+        const double* const corner = mesh.X.data() + 3 * at(mesh.F(later, k));
         prefetch(corner);
         prefetch(corner + 2);   // every fourth lies on two cache lines
     }

@@ -1,18 +1,19 @@
 /// @file
-/// Triangles that formulas stumble over.
+/// Triangles on which formulas fail: those without area, and needles.
 #pragma once
 
 #include "mesh/triangle_mesh.h"
 
 namespace meshfolio {
 
-/// |u × v| over the squared longest edge, at or below which a triangle has no area: rounding of its corners makes up what is left. Such a
-/// triangle bounds no surface. It gives neither stiffness nor mass to any operator.
+/// A triangle has no area if |u × v| is at most this share of its squared longest edge: the rest is rounding of its corners. It then gives
+/// neither stiffness nor mass to any operator.
 inline constexpr double no_area = 1e-12;
 
-/// Needle: smallest angle below 1°. Zero area: as `no_area` says.
+/// Needle: smallest angle below 1°. Zero area: see `no_area`.
 enum class TriangleKind { sound, needle, zero_area };
 
+/// Returns the kind of triangle t.
 TriangleKind kind_of(const TriangleMesh& mesh, int t);
 
 }   // namespace meshfolio

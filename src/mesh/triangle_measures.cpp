@@ -12,10 +12,10 @@ namespace meshfolio {
 
 namespace {
 
-/// Position of corner k of triangle t; k counts on from 2 to 0.
+/// Returns the position of corner k mod 3 of triangle t.
 inline Vector3 corner(const TriangleMesh& mesh, int t, int k) { return mesh.X.row(mesh.F(t, k % 3)); }
 
-/// |v|, scaled by a power of two where squares would leave the range of a double. Both ways give the same digits.
+/// Returns |v|, by way of a scaled v if squares would leave the range of a double. Both ways give the same digits.
 inline double length(const Vector3& v) {
     const double squared = v.squaredNorm(), largest = v.cwiseAbs().maxCoeff();
     if (squared > 1e-280 && squared < 1e300) return std::sqrt(squared);
@@ -30,18 +30,10 @@ inline Vector3 unit_or_zero(const Vector3& v) {
     return norm > 0 ? Vector3(v / norm) : Vector3::Zero();
 }
 
-/// (x₁ − x₀) × (x₂ − x₀): normal direction, twice the area long.
+/// Returns (x₁ − x₀) × (x₂ − x₀): along the normal, twice the area long.
 inline Vector3 area_vector(const TriangleMesh& mesh, int t) {
     const Vector3 x0 = corner(mesh, t, 0);
     return (corner(mesh, t, 1) - x0).cross(corner(mesh, t, 2) - x0);
-}
-
-/// Angle at corner k between the edges to the two others.
-inline double angle_at(const TriangleMesh& mesh, int t, int k) {
-    const Vector3 apex = corner(mesh, t, k);
-    const Vector3 u = corner(mesh, t, k + 1) - apex;
-    const Vector3 v = corner(mesh, t, k + 2) - apex;
-    return std::atan2(length(u.cross(v)), u.dot(v));
 }
 
 inline void include(const Vector3& x, Box& box) {
@@ -57,7 +49,7 @@ Box bounding_box(const TriangleMesh& mesh) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Box nothing{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
     const auto boxes = of_blocks(mesh.face_count(), [&](int begin, int end) {
-        std::array around{nothing, nothing, nothing};   // of each corner its own, so that none waits for another
+        std::array around{nothing, nothing, nothing};   // one box per corner, so that no update waits for another
         for (int t = begin; t < end; ++t)
             for (int k = 0; k < 3; ++k) include(corner(mesh, t, k), around[static_cast<std::size_t>(k)]);
         return Box{around[0].low.cwiseMin(around[1].low).cwiseMin(around[2].low),
@@ -93,8 +85,12 @@ double mean_edge_length(const TriangleMesh& mesh, const std::vector<Edge>& edges
 
 CornerValues corner_angles(const TriangleMesh& mesh) {
     CornerValues angles(mesh.face_count(), 3);
-    for (int t = 0; t < mesh.face_count(); ++t)
-        for (int k = 0; k < 3; ++k) angles(t, k) = angle_at(mesh, t, k);
+    for (int t = 0; t < mesh.face_count(); ++t) {
+        for (int k = 0; k < 3; ++k) {
+            const Vector3 apex = corner(mesh, t, k), u = corner(mesh, t, k + 1) - apex, v = corner(mesh, t, k + 2) - apex;
+            angles(t, k) = std::atan2(length(u.cross(v)), u.dot(v));
+        }
+    }
     return angles;
 }
 

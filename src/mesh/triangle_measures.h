@@ -16,29 +16,31 @@ struct Box {
     double diagonal() const { return extent().norm(); }
 };
 
-/// Smallest axis-aligned box of the vertices that triangles use (of all vertices when there are no triangles).
+/// Returns the smallest axis-aligned box of the vertices that triangles use, or of all vertices if there are no triangles.
 Box bounding_box(const TriangleMesh& mesh);
 
-/// m × 3 lengths; entry (t, k) is the edge opposite corner k. [length]
+/// Returns m × 3 lengths; entry (t, k) is the edge opposite corner k. [length]
 CornerValues edge_lengths(const TriangleMesh& mesh);
-/// Mean length over the distinct edges. [length]
+/// Returns the mean length of the distinct edges, 0 if there are none. [length]
 double mean_edge_length(const TriangleMesh& mesh);
+/// @param edges  of the mesh, at least one
 double mean_edge_length(const TriangleMesh& mesh, const std::vector<Edge>& edges);
 
-/// m × 3 interior angles by atan2(|u × v|, u · v), in [0, π]; a triangle of no area sums to π or is all zero. [rad]
+/// Returns m × 3 interior angles by atan2(|u × v|, u · v), in [0, π]. Those of a triangle of no area sum to π or are all zero. [rad]
 CornerValues corner_angles(const TriangleMesh& mesh);
 
-/// m areas ½|u × v|. [length²]
+/// Returns m areas ½|u × v|. [length²]
 Vector face_areas(const TriangleMesh& mesh);
+/// Returns the sum of the face areas. [length²]
 double surface_area(const TriangleMesh& mesh);
-/// Σ x₀ · (x₁ × x₂) / 6 about the box centre: the enclosed volume of a closed mesh, positive when normals point out. [length³]
+/// Returns Σ x₀ · (x₁ × x₂) / 6 about the box centre: the volume in a closed mesh, positive if normals point out. [length³]
 double signed_volume(const TriangleMesh& mesh);
-/// The same about another point.
+/// @param centre  of the sum, instead of the box centre
 double signed_volume(const TriangleMesh& mesh, const Vector3& centre);
 
-/// m × 3 unit normals; (0, 0, 0) where the area is zero.
+/// Returns m × 3 unit normals; (0, 0, 0) for a triangle without area.
 Positions face_normals(const TriangleMesh& mesh);
-/// n × 3 unit normals, area-weighted mean of the faces around; (0, 0, 0) at vertices without area.
+/// Returns n × 3 unit normals, the normalised sums of the area vectors around each vertex; (0, 0, 0) for a sum of zero.
 Positions vertex_normals(const TriangleMesh& mesh);
 
 }   // namespace meshfolio

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/at.h"
 #include "base/errors.h"
 
 namespace meshfolio {
@@ -15,22 +16,16 @@ TriangleMesh moved_to(TriangleMesh mesh, Positions X) {
 }
 
 CompactMesh without_unreferenced_vertices(const TriangleMesh& mesh) {
-    std::vector<int> renamed(static_cast<std::size_t>(mesh.vertex_count()), -1);
-    for (const int v : mesh.F.reshaped()) renamed[static_cast<std::size_t>(v)] = 0;
-    int used = 0;
-    for (int& name : renamed)
-        if (name == 0) name = used++;
-    CompactMesh compact;
-    compact.mesh.X.resize(used, 3);
-    compact.original.resize(used);
+    std::vector<int> new_index(at(mesh.vertex_count()), -1);
+    for (const int v : mesh.F.reshaped()) new_index[at(v)] = 0;
+    std::vector<int> original;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
-        const int name = renamed[static_cast<std::size_t>(v)];
-        if (name < 0) continue;
-        compact.mesh.X.row(name) = mesh.X.row(v);
-        compact.original[name] = v;
+        if (new_index[at(v)] < 0) continue;
+        new_index[at(v)] = static_cast<int>(original.size());
+        original.push_back(v);
     }
-    compact.mesh.F = mesh.F.unaryExpr([&](int v) { return renamed[static_cast<std::size_t>(v)]; });
-    return compact;
+    return {{mesh.X(original, Eigen::all), mesh.F.unaryExpr([&](int v) { return new_index[at(v)]; })},
+            Eigen::Map<const Eigen::VectorXi>(original.data(), static_cast<Eigen::Index>(original.size()))};
 }
 
 }   // namespace meshfolio

@@ -6,11 +6,11 @@
 
 namespace meshfolio {
 
-/// One row a point, stored x y z x y z … so that a row is contiguous.
+/// n × 3 points; each row is contiguous in memory.
 using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-/// One row a triangle of 0-based vertex indices, counter-clockwise seen from outside.
+/// m × 3 vertex indices from 0, one triangle per row, counter-clockwise seen from outside.
 using Faces = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
-/// One value a corner: entry (t, k) belongs to corner k of triangle t, or to the edge opposite it.
+/// m × 3 values; entry (t, k) belongs to corner k of triangle t, or to the edge opposite it.
 using CornerValues = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Vector = Eigen::VectorXd;
 using Vector3 = Eigen::Vector3d;
@@ -23,14 +23,14 @@ struct TriangleMesh {
     int face_count() const { return static_cast<int>(F.rows()); }
 };
 
-/// The same triangles over other positions.
+/// Returns the mesh with its vertices at the positions X. @throws MeshError if X has another number of rows
 [[nodiscard]] TriangleMesh moved_to(TriangleMesh mesh, Positions X);
 
-/// Without the vertices no triangle uses. Rows keep their order.
 struct CompactMesh {
     TriangleMesh mesh;
     Eigen::VectorXi original;   // row i of `mesh.X` is row original[i] of the input
 };
+/// Returns the mesh without the vertices that no triangle uses. Rows keep their order.
 [[nodiscard]] CompactMesh without_unreferenced_vertices(const TriangleMesh& mesh);
 
 }   // namespace meshfolio

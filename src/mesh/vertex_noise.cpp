@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "base/errors.h"
 #include "mesh/triangle_measures.h"
@@ -20,6 +19,29 @@ constexpr std::array kinds{
                "Independent normal numbers on every coordinate, each axis scaled by its extent of the bounding box."},
     NoiseEntry{NoiseKind::impulsive, "impulsive", "impulsive", "Strong normal numbers on every coordinate of one vertex in ten."},
 };
+
+/// Returns X_i + σ z_i n_i: standard normal z, n the unit vertex normals. Vertices without a normal stay.
+Positions with_normal_noise(const TriangleMesh& mesh, double sigma, std::uint64_t seed) {
+    NormalNumbers normal(seed);
+    const Positions N = vertex_normals(mesh);
+    Positions noisy = mesh.X;
+    for (Eigen::Index i = 0; i < N.rows(); ++i) noisy.row(i) += sigma * normal.next() * N.row(i);
+    return noisy;
+}
+
+/// Returns X with Gaussian noise on `count` rows, every set of them equally likely.
+Positions with_impulsive_noise(const Positions& X, int count, double sigma, std::uint64_t seed) {
+    NormalNumbers random(seed);
+    Positions noisy = X;
+    // Knuth 1997, algorithm 3.4.2 S: a row is chosen with probability (still to choose)/(rows left).
+    int chosen = 0;
+    for (Eigen::Index i = 0; i < X.rows() && chosen < count; ++i) {
+        if (static_cast<double>(X.rows() - i) * random.uniform() >= count - chosen) continue;
+        for (int axis = 0; axis < 3; ++axis) noisy(i, axis) += sigma * random.next();
+        ++chosen;
+    }
+    return noisy;
+}
 
 }   // namespace
 
@@ -46,29 +68,6 @@ Positions with_gaussian_noise(const Positions& X, const Vector3& sigma, std::uin
     return noisy;
 }
 
-Positions with_normal_noise(const TriangleMesh& mesh, double sigma, std::uint64_t seed) {
-    NormalNumbers normal(seed);
-    const Positions N = vertex_normals(mesh);
-    Positions noisy = mesh.X;
-    for (Eigen::Index i = 0; i < N.rows(); ++i) noisy.row(i) += sigma * normal.next() * N.row(i);
-    return noisy;
-}
-
-Positions with_impulsive_noise(const Positions& X, int count, double sigma, std::uint64_t seed) {
-    if (count < 0 || count > X.rows())
-        throw MeshError("impulsive noise on " + std::to_string(count) + " of " + std::to_string(X.rows()) + " vertices");
-    NormalNumbers random(seed);
-    Positions noisy = X;
-    // Knuth 1997, algorithm 3.4.2 S: a row is chosen with probability (still to choose)/(rows left).
-    int chosen = 0;
-    for (Eigen::Index i = 0; i < X.rows() && chosen < count; ++i) {
-        if (static_cast<double>(X.rows() - i) * random.uniform() >= count - chosen) continue;
-        for (int axis = 0; axis < 3; ++axis) noisy(i, axis) += sigma * random.next();
-        ++chosen;
-    }
-    return noisy;
-}
-
 std::span<const NoiseEntry> noise_list() { return kinds; }
 
 const NoiseEntry& noise_entry(NoiseKind kind) {
@@ -88,9 +87,8 @@ Positions with_noise(const TriangleMesh& mesh, NoiseKind kind, double sigma, std
             return with_gaussian_noise(mesh.X, std::sqrt(3) * sigma / diagonal * extent, seed);
         }
         case NoiseKind::impulsive: {
-            const int n = mesh.vertex_count();
-            const int count = std::min(n, std::max(1, static_cast<int>(std::lround(impulsive_share * n))));
-            return with_impulsive_noise(mesh.X, count, sigma * std::sqrt(static_cast<double>(n) / std::max(1, count)), seed);
+            const int n = mesh.vertex_count(), count = std::max(1, static_cast<int>(std::lround(impulsive_share * n)));
+            return with_impulsive_noise(mesh.X, count, sigma * std::sqrt(static_cast<double>(n) / count), seed);
         }
     }
     throw UsageError("with_noise: unknown kind");

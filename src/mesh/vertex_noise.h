@@ -11,13 +11,12 @@
 
 namespace meshfolio {
 
-/// Standard normal numbers by Box–Muller over mt19937_64, whose bits the standard fixes.
-/// (std::normal_distribution gives other numbers in other libraries.)
+/// Standard normal numbers by Box–Muller over mt19937_64: the standard fixes its bits, but not those of std::normal_distribution.
 class NormalNumbers {
 public:
     explicit NormalNumbers(std::uint64_t seed) : bits_(seed) {}
     double next();
-    double uniform();   // in [0, 1), 53 bits
+    double uniform();   // uniformly distributed in [0, 1), 53 bits
 
 private:
     std::mt19937_64 bits_;
@@ -25,15 +24,8 @@ private:
     bool has_spare_ = false;
 };
 
-/// X + noise, iid per coordinate with standard deviation sigma[axis], row by row in x y z order. [length]
+/// Returns X plus independent normal noise, of standard deviation sigma[axis], drawn row by row in the order x y z. [length]
 Positions with_gaussian_noise(const Positions& X, const Vector3& sigma, std::uint64_t seed);
-
-/// X_i + σ z_i n_i, z standard normal, along unit vertex normals of the mesh; vertices without a normal stay. [length]
-Positions with_normal_noise(const TriangleMesh& mesh, double sigma, std::uint64_t seed);
-
-/// Every set of `count` rows is equally likely to be chosen; each of these gets Gaussian noise as above, the others stay. [length]
-/// @throws MeshError for a count below 0 or beyond the rows
-Positions with_impulsive_noise(const Positions& X, int count, double sigma, std::uint64_t seed);
 
 enum class NoiseKind { gaussian, normal, box, impulsive };
 inline constexpr double impulsive_share = 0.1;   // of the vertices, but at least one
@@ -44,11 +36,12 @@ struct NoiseEntry {
     std::string_view title;         // in tables and pictures
     std::string_view description;   // one sentence
 };
+/// Returns the entries of all kinds.
 std::span<const NoiseEntry> noise_list();
 const NoiseEntry& noise_entry(NoiseKind kind);
 
-/// Noise of any kind, equally strong: the expected squared displacement, averaged over the vertices (that have a normal, where it acts
-/// along normals), is 3σ², as that of σ per coordinate.
+/// Returns the positions with noise of the given kind. All kinds are equally strong: the expected squared displacement, averaged over the
+/// vertices (that have a normal, for `normal`), is 3σ².
 ///   gaussian   σ per coordinate
 ///   normal     √3 σ along the vertex normal
 ///   box        √3 σ e_a/|e| on axis a, e the extents of the bounding box: a share s of every extent when σ = s|e|/√3

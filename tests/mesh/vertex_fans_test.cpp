@@ -1,10 +1,9 @@
-#include "mesh/vertex_fans.h"
-
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
+#include "mesh/mesh_topology.h"
 #include "mesh/random_triangles.h"
 #include "mesh/small_meshes.h"
 
@@ -13,7 +12,7 @@ using namespace meshfolio::testing;
 
 namespace {
 
-/// The edges at v by their other ends: how many triangles run away from v through them, and how many towards it.
+/// The edges at v by their other ends, each with the numbers of triangles that run through it away from v and towards v.
 struct SlowFan {
     std::map<int, std::array<int, 2>> edges;
     std::vector<std::array<int, 2>> triangles;   // next and previous vertex
@@ -30,7 +29,7 @@ struct SlowFan {
         }
     }
 
-    /// Neighbours reached from one of them by way of triangles.
+    /// Returns how many neighbours can be reached from the first one through triangles.
     std::size_t reach_of_first() const {
         std::set<int> reached;
         if (!edges.empty()) reached.insert(edges.begin()->first);
@@ -60,15 +59,14 @@ struct SlowFan {
     }
 };
 
-void expect_facts(const TriangleMesh& mesh) {
+void expect_true_fans(const TriangleMesh& mesh) {
     const Incidence around = triangles_around(mesh);
-    FanReader fans(mesh, around);
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         const SlowFan slow(mesh, v);
-        const FanFacts facts = fans.facts(v);
-        EXPECT_EQ(facts.on_boundary, slow.on_boundary()) << v;
-        EXPECT_EQ(facts.nonmanifold, slow.nonmanifold()) << v;
-        EXPECT_EQ(facts.regular, slow.regular()) << v;
+        const VertexFan fan = fan_around(mesh, around, v);
+        EXPECT_EQ(fan.on_boundary, slow.on_boundary()) << v;
+        EXPECT_EQ(fan.nonmanifold, slow.nonmanifold()) << v;
+        EXPECT_EQ(fan.regular, slow.regular()) << v;
     }
 }
 
@@ -83,21 +81,21 @@ TriangleMesh umbrella(int n) {
 
 }   // namespace
 
-TEST(VertexFans, AreWhatTheDefinitionsSayAmongRandomTriangles) {
+TEST(VertexFans, FollowTheDefinitionsAmongRandomTriangles) {
     for (unsigned seed = 0; seed < 400; ++seed)
-        expect_facts(random_triangles(4 + static_cast<int>(seed % 5), 3 + static_cast<int>(seed % 13), seed));
+        expect_true_fans(random_triangles(4 + static_cast<int>(seed % 5), 3 + static_cast<int>(seed % 13), seed));
 }
 
-TEST(VertexFans, AreWhatTheDefinitionsSayOnSurfaces) {
-    for (const TriangleMesh& mesh : {tetrahedron(), unit_cube(), torus(7, 5), flat_grid(4, 5), moebius_strip(7)}) expect_facts(mesh);
+TEST(VertexFans, FollowTheDefinitionsOnSurfaces) {
+    for (const TriangleMesh& mesh : {tetrahedron(), unit_cube(), torus(7, 5), flat_grid(4, 5), moebius_strip(7)}) expect_true_fans(mesh);
 }
 
 TEST(VertexFans, UmbrellasOfEverySizeAreRegular) {
     for (int n = 3; n <= 20; ++n) {
         const TriangleMesh mesh = umbrella(n);
-        expect_facts(mesh);
+        expect_true_fans(mesh);
         const Incidence around = triangles_around(mesh);
-        EXPECT_TRUE(FanReader(mesh, around).facts(0).regular) << n;
+        EXPECT_TRUE(fan_around(mesh, around, 0).regular) << n;
     }
 }
 
@@ -108,7 +106,7 @@ TEST(VertexFans, AnUmbrellaWithOneTriangleChangedIsNone) {
                 for (int v = 1; v <= n; ++v) {
                     TriangleMesh mesh = umbrella(n);
                     mesh.F(t, k) = v;
-                    if (mesh.F(t, 0) != mesh.F(t, 1)) expect_facts(mesh);
+                    if (mesh.F(t, 0) != mesh.F(t, 1)) expect_true_fans(mesh);
                 }
             }
         }
@@ -119,8 +117,8 @@ TEST(VertexFans, TwoUmbrellasAtOneVertexAreNotOne) {
     for (int n = 3; n <= 5; ++n) {
         TriangleMesh two = joined(umbrella(n), umbrella(8 - n));
         for (int& v : two.F.reshaped()) v = v == n + 1 ? 0 : v;
-        expect_facts(two);
+        expect_true_fans(two);
         const Incidence around = triangles_around(two);
-        EXPECT_TRUE(FanReader(two, around).facts(0).nonmanifold) << n;
+        EXPECT_TRUE(fan_around(two, around, 0).nonmanifold) << n;
     }
 }

@@ -148,9 +148,9 @@ TEST(NoiseKinds, AllAreEquallyStrong) {
     }
 }
 
-TEST(NoiseKinds, NormalNoiseIsAlongTheNormalsAndOfTheAskedDeviation) {
+TEST(NoiseKinds, NormalNoiseIsAlongTheNormalsAndHasTheRequestedDeviation) {
     const TriangleMesh mesh = ellipsoid_mesh(4, {3, 2, 0.5});
-    const Positions noise = with_normal_noise(mesh, 0.2, 7) - mesh.X, N = vertex_normals(mesh);
+    const Positions noise = noise_on(mesh, NoiseKind::normal, 0.2 / std::sqrt(3), 7), N = vertex_normals(mesh);
     EXPECT_LT((noise - N.cwiseProduct(noise.cwiseProduct(N).rowwise().sum().replicate<1, 3>())).cwiseAbs().maxCoeff(), 1e-14);
     const Vector along = noise.cwiseProduct(N).rowwise().sum();
     EXPECT_NEAR(std::sqrt(along.squaredNorm() / mesh.vertex_count()) / 0.2, 1, four_sigma / std::sqrt(2.0 * mesh.vertex_count()));
@@ -171,7 +171,7 @@ TEST(NoiseKinds, VerticesWithoutANormalStay) {
     const Positions X = mesh.X;
     mesh.X.conservativeResize(X.rows() + 1, 3);
     mesh.X.row(X.rows()) << 7, 8, 9;
-    EXPECT_EQ(with_normal_noise(mesh, 0.1, 3).row(X.rows()), mesh.X.row(X.rows()));
+    EXPECT_EQ(with_noise(mesh, NoiseKind::normal, 0.1, 3).row(X.rows()), mesh.X.row(X.rows()));
 }
 
 TEST(NoiseKinds, BoxNoiseIsAShareOfEveryExtent) {
@@ -206,14 +206,9 @@ TEST(NoiseKinds, ImpulsesHitTheStatedShareAndAllVerticesAlike) {
 TEST(NoiseKinds, NoNoiseMovesNothing) {
     const TriangleMesh mesh = icosphere(1);
     for (const NoiseEntry& entry : noise_list()) EXPECT_EQ(with_noise(mesh, entry.kind, 0, 1), mesh.X) << entry.name;
-    EXPECT_EQ(with_impulsive_noise(mesh.X, 0, 1, 1), mesh.X);
-    EXPECT_EQ(moved_rows(with_impulsive_noise(mesh.X, mesh.vertex_count(), 1, 1) - mesh.X), mesh.vertex_count());
 }
 
-TEST(NoiseKinds, ImpossibleSettingsAreRefused) {
-    const Positions X = Positions::Zero(4, 3);
-    EXPECT_THROW(with_impulsive_noise(X, 5, 1, 1), MeshError);
-    EXPECT_THROW(with_impulsive_noise(X, -1, 1, 1), MeshError);
+TEST(NoiseKinds, BoxNoiseOnAPointIsRefused) {
     TriangleMesh point = cube_mesh(1);
     point.X.setZero();
     EXPECT_THROW(with_noise(point, NoiseKind::box, 1, 1), MeshError);

@@ -1,7 +1,7 @@
 #include "base/parallel_tasks.h"
 #include "geometry/denoising/component_size.h"
 #include "geometry/spectrum/stability.h"
-#include "mesh/surface_patch.h"
+#include "mesh/decimation.h"
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
