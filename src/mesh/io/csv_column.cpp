@@ -30,7 +30,7 @@ std::string_view without_blanks(std::string_view word) {
     return first == std::string_view::npos ? std::string_view() : word.substr(first, last - first + 1);
 }
 
-/// A cell, or a line that is one.
+/// Returns a cell without blanks and quotes around it.
 std::string_view bare(std::string_view word) {
     word = without_blanks(word);
     const bool is_quoted = word.size() > 1 && word.front() == '"' && word.back() == '"';
@@ -42,7 +42,7 @@ bool same_but_for_case(std::string_view a, std::string_view b) {
     return std::ranges::equal(a, b, {}, lower, lower);
 }
 
-/// The cells of a line, one after another.
+/// Iterates over the cells of a line.
 class CellScanner {
 public:
     CellScanner(std::string_view line, char separator) : rest_(line), separator_(separator) {}
@@ -83,7 +83,7 @@ struct Number {
     bool is_infinite = false;
 };
 
-/// Half a unit of the last digit of a decimal number: 0.00005 for "0.0012".
+/// Returns half a unit of the last digit of a decimal number: 0.00005 for "0.0012".
 double rounding_of(std::string_view number) {
     const std::size_t power = number.find_first_of("eE"), end = std::min(power, number.size()), point = std::min(number.find('.'), end);
     const long long exponent = power < number.size() ? parse_integer(number.substr(power + 1)).value_or(0) : 0;
@@ -91,7 +91,7 @@ double rounding_of(std::string_view number) {
     return 0.5 * std::pow(10.0, static_cast<double>(exponent) - static_cast<double>(decimals));
 }
 
-/// The number of a cell; nothing where it is none.
+/// Returns the number in a cell, or nothing if it is not a number.
 std::optional<Number> number_in(std::string_view cell, char separator) {
     constexpr std::array undefined{"nan"sv, "nan(ind)"sv, "na"sv};
     constexpr std::array infinite{"inf"sv, "infinity"sv};
@@ -109,12 +109,12 @@ std::optional<Number> number_in(std::string_view cell, char separator) {
 struct Header {
     LineScanner rows;   // before the first one
     char separator = blanks;
-    std::size_t columns = 1, place = 0;   // how many there are, and which is asked for
+    std::size_t columns = 1, place = 0;   // their number, and the requested one
 };
 
-/// Where a line has one of the names; nothing where it has none.
+/// Returns the header in a line, or nothing if the line has none of the names.
 std::optional<Header> header_in(std::string_view line, const std::vector<std::string>& names, const LineScanner& rows) {
-    std::size_t best = 2 * names.size();   // names as they are come before names in another case
+    std::size_t best = 2 * names.size();   // the names in their own case, then the names in another case
     const auto is_better = [&](std::string_view cell) {
         for (std::size_t i = 0; i < best; ++i) {
             const std::string& name = names[i % names.size()];
@@ -133,6 +133,7 @@ std::optional<Header> header_in(std::string_view line, const std::vector<std::st
     return best < 2 * names.size() ? std::optional(header) : std::nullopt;
 }
 
+/// Returns the header of the table. @throws InputError if there is none
 Header header_of(std::string_view bytes, const std::string& file, const std::vector<std::string>& names) {
     std::string seen;
     LineScanner lines(without_bom(bytes)), rows = lines;   // rows: behind the last comment, where blank lines may be empty cells
@@ -153,7 +154,7 @@ Header header_of(std::string_view bytes, const std::string& file, const std::vec
     throw InputError({file, 0}, seen.empty() ? "file is empty" : "no row of numbers", csv_remedy);
 }
 
-/// The next row that is not left out; false at the end.
+/// Moves to the next row that is not left out; false at the end.
 bool next_row(LineScanner& lines, bool with_blank_ones) {
     while (lines.next()) {
         const std::string_view line = without_blanks(lines.line());
@@ -162,6 +163,7 @@ bool next_row(LineScanner& lines, bool with_blank_ones) {
     return false;
 }
 
+/// Returns the number in the requested column of a line.
 Number number_of(const LineScanner& line, const Header& header, const std::string& file) {
     const Location here{file, line.number()};
     std::size_t count = 0;

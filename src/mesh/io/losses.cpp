@@ -6,7 +6,6 @@
 #include "base/joined.h"
 #include "base/lower_case.h"
 #include "base/number_text.h"
-#include "mesh/io/column_groups.h"
 #include "mesh/io/glb/glb_parts.h"
 #include "mesh/io/mesh_encoders.h"
 #include "mesh/io/mesh_files.h"
@@ -18,19 +17,11 @@ namespace {
 
 using Strings = std::vector<std::string>;
 
-Strings values_without_place(const std::string& format, const Attributes& attributes) {
-    Strings names;
-    for (const VertexColumn& column : attributes.columns)
-        if (!is_normal(column)) names.push_back(column.name);
-    if (names.empty()) return {};
-    return {format + " holds no values of vertices: not kept are " + first_of_many(names) + "; write PLY or VTP for them"};
-}
-
-/// "N values of a, b …" for each kind of value that a float of glTF does not hold.
+/// Returns "N values of a, b …" for each kind of value that a float of glTF does not hold.
 Strings values_that_change(const Attributes& attributes) {
     struct Kind {
         bool (*is_met)(double);
-        const char* told;
+        const char* message;
         long long count = 0;
         Strings names = {};
     };
@@ -62,12 +53,12 @@ Strings values_that_change(const Attributes& attributes) {
     }
     for (const Kind& kind : kinds)
         if (kind.count > 0)
-            sentences.push_back(std::to_string(kind.count) + " values of " + first_of_many(kind.names) + " " + kind.told +
+            sentences.push_back(std::to_string(kind.count) + " values of " + first_of_many(kind.names) + " " + kind.message +
                                 "; PLY and VTP keep them");
     return sentences;
 }
 
-/// What becomes of the surface where coordinates are rounded to floats, and where a reader welds what lies at one place.
+/// Returns sentences on damage to the surface by rounding coordinates to floats, and by readers that weld vertices at one place.
 Strings corners_that_move(const std::string& format, const TriangleMesh& mesh) {
     constexpr double turned = 0.996;         // the cosine of 5°
     constexpr double worth_telling = 1e-3;   // of an edge: curvatures change by some per cent
@@ -103,8 +94,11 @@ std::vector<std::string> losses(const TriangleMesh& mesh, const std::string& fil
     std::ranges::transform(format, format.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
     const Strings holding = column_endings();
     const bool is_same_text = ending == ".obj" && !attributes.obj.empty();
-    Strings found =
-        is_same_text || std::ranges::find(holding, ending) != holding.end() ? Strings() : values_without_place(format, attributes);
+    Strings found, names;
+    for (const VertexColumn& column : attributes.columns)
+        if (!is_normal(column)) names.push_back(column.name);
+    if (!is_same_text && !names.empty() && std::ranges::find(holding, ending) == holding.end())
+        found.push_back(format + " holds no values of vertices: not kept are " + first_of_many(names) + "; write PLY or VTP for them");
     if (ending != ".obj" && (attributes.obj.find("\nvt ") != std::string::npos || attributes.obj.find("\nusemtl ") != std::string::npos))
         found.push_back("texture coordinates, groups and materials are kept from OBJ to OBJ only");
     for (const Strings& more : {ending == ".glb" ? values_that_change(attributes) : Strings(),

@@ -23,11 +23,9 @@ constexpr Format formats[] = {
     {".stl", "STL", parse_stl}, {".vtp", "VTP", parse_vtp}, {".glb", "GLB", parse_glb},
 };
 
-/// First bytes of what is sometimes saved under a mesh's name.
+/// The first bytes of files that sometimes have the name of a mesh.
 struct Signature {
-    std::string_view begin;
-    std::string_view what;
-    std::string_view remedy;
+    std::string_view begin, name, remedy;
 };
 
 using namespace std::string_view_literals;
@@ -38,9 +36,7 @@ constexpr Signature signatures[] = {
     {"PK\x03\x04"sv, "ZIP archive, not a mesh"sv, "unpack it first"sv},
     {"\x1f\x8b"sv, "gzip data within gzip data"sv, "unpack it with gunzip first"sv},
     {"BZh"sv, "bzip2 data, not a mesh"sv, "unpack it first"sv},
-    {"\xfd"
-     "7zXZ"sv,
-     "xz data, not a mesh"sv, "unpack it first"sv},
+    {"\3757zXZ"sv, "xz data, not a mesh"sv, "unpack it first"sv},
     {"7z\xbc\xaf"sv, "7-Zip archive, not a mesh"sv, "unpack it first"sv},
     {"\x28\xb5\x2f\xfd"sv, "zstd data, not a mesh"sv, "unpack it first"sv},
     {"version https://git-lfs"sv, "Git LFS pointer, not the mesh itself"sv, "run 'git lfs pull'"sv},
@@ -51,7 +47,7 @@ constexpr Signature signatures[] = {
     {"Kaydara FBX"sv, "FBX, which is not supported"sv, other_remedy},
 };
 
-/// The format that the first word belongs to, by its ending; empty where it could be anything.
+/// Returns the ending of the format that begins like these bytes; empty if it could be any.
 std::string_view ending_of_content(std::string_view bytes) {
     if (bytes.starts_with("glTF")) return ".glb";
     const std::string_view start = without_bom(bytes).substr(0, 4096);
@@ -69,9 +65,10 @@ std::string_view ending_of_content(std::string_view bytes) {
     return lower_case(std::string(word)) == "solid" ? ".stl" : "";
 }
 
+/// @throws InputError if the bytes are no mesh in a format that is read
 void refuse_other_content(std::string_view bytes, const std::string& file) {
     for (const Signature& s : signatures)
-        if (bytes.starts_with(s.begin)) throw InputError({file, 0}, std::string(s.what), std::string(s.remedy));
+        if (bytes.starts_with(s.begin)) throw InputError({file, 0}, std::string(s.name), std::string(s.remedy));
     std::string_view start = without_bom(bytes).substr(0, 256);
     start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
     const std::string text = lower_case(std::string(start.substr(0, 16)));
@@ -85,7 +82,7 @@ std::filesystem::path without_gz(const std::filesystem::path& file) {
     return lower_case_ending(file) == ".gz" ? file.parent_path() / file.stem() : file;
 }
 
-/// A format that is read, by its ending; null: none.
+/// Returns the format of that ending, or null.
 const Format* format_of(std::string_view ending) {
     const auto format = std::ranges::find(formats, ending, &Format::ending);
     return format == std::end(formats) ? nullptr : format;
@@ -116,10 +113,9 @@ LoadedMesh parse_mesh(std::string_view bytes, const std::string& file, Keep keep
     if (format == nullptr)
         throw InputError({file, 0}, "unknown mesh format '" + ending + "'", "meshes end in .obj, .off, .ply, .stl, .vtp or .glb");
     refuse_other_content(bytes, file);
-    if (other != nullptr && other != format) {
+    if (other != nullptr && other != format)
         throw InputError({file, 0}, "looks like " + std::string(other->name) + ", but the name says " + ending,
                          "rename it to end in " + std::string(content));
-    }
     return format->parse(bytes, file, keep);
 }
 

@@ -1,9 +1,8 @@
 /// @file
-/// Meshes from and to files. Reading is strict: what cannot be understood is an InputError with file and line; what
-/// was understood but looked odd is a warning. Vertex order is the file's; STL and each mesh of a GLB, whose vertices are there once for
-/// each of their faces or normals, are welded where positions are equal.
+/// Meshes from and to files. Readers are strict: errors of a file are InputErrors with file and line; oddities are warnings. Vertices have
+/// the order of the file. STL and GLB repeat vertices for each face or normal: those at equal positions, in one mesh of a GLB, become one.
 ///
-/// A new format is one `parse_…` function here, one line in the table of mesh_files.cpp, one encoder when it is written too.
+/// A new format needs a `parse_…` function here, a line in the table of mesh_files.cpp, and an encoder if it is written too.
 #pragma once
 
 #include <filesystem>
@@ -23,12 +22,13 @@ struct MeshWarning {
 
 struct LoadedMesh {
     TriangleMesh mesh;                   // every polygon triangulated
-    std::string file;                    // as it was asked for; for messages
+    std::string file;                    // its name, for messages
     std::vector<long> face_lines;        // line of each triangle in the file; empty for binary formats
-    std::vector<MeshWarning> warnings;   // at most one a kind: later ones are counted into the first
-    Attributes attributes = {};          // where they were asked for
+    std::vector<MeshWarning> warnings;   // at most one per kind, with the number of cases
+    Attributes attributes = {};          // if they were asked for
 };
 
+/// Keep the mesh alone, or attributes as well.
 enum class Keep { mesh, attributes };
 
 inline constexpr char formats_read[] = "OBJ, OFF, PLY, STL, VTP or GLB, also packed by gzip; - for standard input";
@@ -39,16 +39,17 @@ inline constexpr char attributes_are_kept[] =
     "those\n"
     "of the new mesh.\n";
 
-/// What a mesh from standard input is called. Its format is told by its content.
+/// The name of a mesh from standard input, the format of which is found by its content.
 inline constexpr char standard_input[] = "standard input";
 
-/// OBJ, OFF, PLY, STL, VTP or GLB by the file's ending (any case), gzip by its content.
+/// Reads OBJ, OFF, PLY, STL, VTP or GLB, by the file's ending (any case); recognises gzip by its content.
 /// @throws InputError if the file is missing, unusable, of unknown format, or has no triangle
 LoadedMesh read_mesh(const std::filesystem::path& path, Keep keep = Keep::mesh);
 
-/// The same from memory; `file` gives the format by its ending and stands in the messages.
+/// Reads a mesh from memory. @param file  gives the format by its ending and is named in messages
 LoadedMesh parse_mesh(std::string_view bytes, const std::string& file, Keep keep = Keep::mesh);
 
+/// Read one format from memory, whatever the ending of `file`.
 LoadedMesh parse_obj(std::string_view text, const std::string& file, Keep keep = Keep::mesh);
 LoadedMesh parse_off(std::string_view text, const std::string& file, Keep keep = Keep::mesh);
 LoadedMesh parse_ply(std::string_view bytes, const std::string& file, Keep keep = Keep::mesh);
@@ -56,36 +57,29 @@ LoadedMesh parse_stl(std::string_view bytes, const std::string& file, Keep keep 
 LoadedMesh parse_vtp(std::string_view bytes, const std::string& file, Keep keep = Keep::mesh);
 LoadedMesh parse_glb(std::string_view bytes, const std::string& file, Keep keep = Keep::mesh);
 
-/// OBJ (also for "-") or OFF (shortest exact decimals), PLY or VTP (binary little endian, double), STL or GLB (float) by the ending of
-/// `file`.
+/// Returns the bytes of a file: OBJ (also for "-") or OFF (shortest exact decimals), PLY or VTP (binary little endian, double), STL or GLB
+/// (float), by the ending of `file`.
 /// @param attributes  of the file that the mesh was read from: its columns go into PLY, VTP and GLB, the text of an OBJ file is written
 ///                    with the new positions. Normals are those of the mesh.
-/// @throws UsageError for another ending
+/// @throws MeshError if a coordinate is beyond the format; UsageError for another ending
 std::string encode_mesh(const TriangleMesh& mesh, const std::string& file, const Attributes& attributes = {});
 
-/// What of it is lost or changed there, a sentence each: values that the format cannot hold, and triangles that rounding to its floats
-/// spoils. To be told to whoever writes it.
+/// Returns a sentence for each loss in that file: values that the format cannot hold, and damage by rounding to its floats. Whoever writes
+/// the file should show them.
 std::vector<std::string> losses(const TriangleMesh& mesh, const std::string& file, const Attributes& attributes = {});
 
-/// Of the formats that are read and written: ".obj" …
+/// Returns the endings of the formats that are read and written: ".obj" …
 std::vector<std::string> mesh_endings();
-/// Of those among them that hold columns.
+/// Returns the endings of the formats that hold columns.
 std::vector<std::string> column_endings();
 
-/// The file's name without folder and ending: "cow" of "meshes/cow.obj.gz".
+/// Returns the file's name without folder and ending: "cow" for "meshes/cow.obj.gz".
 std::string mesh_name(const std::string& file);
 
-/// Of a format that is read, by its ending?
+/// True if the file has the ending of a format that is read.
 bool is_mesh_file(const std::string& file);
 
-/// encode_mesh into a file, checked.
-/// @throws OutputError
+/// Writes encode_mesh() into a file. @throws OutputError as well
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
-
-/// Triangles of a polygon given by its corner positions in order: the fan around its first corner where that is right (always
-/// when convex), ear clipping in the plane of the Newell normal otherwise. Indices are into `corners`. Independent of where
-/// the polygon lies and how large it is.
-/// @throws MeshError with fewer than 3 corners or more than 32768
-Faces triangulate_polygon(const Positions& corners);
 
 }   // namespace meshfolio

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <set>
@@ -18,51 +19,18 @@ namespace meshfolio {
 
 namespace {
 
-void check_coordinates(const TriangleMesh& mesh, const std::string& file) {
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        if (!mesh.X.row(v).allFinite())
-            throw MeshError("vertex " + std::to_string(v) + " is not finite", "such a mesh is not written", {file, 0});
-        if (mesh.X.row(v).cwiseAbs().maxCoeff() > largest_coordinate)
-            throw MeshError("vertex " + std::to_string(v) + " has a coordinate beyond 1e100", "no reader of ours would take it", {file, 0});
-    }
-}
-
-void append_vertices(std::string& text, const TriangleMesh& mesh, const char* prefix) {
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        text += prefix;
-        text += exact_text(mesh.X(v, 0)) + ' ' + exact_text(mesh.X(v, 1)) + ' ' + exact_text(mesh.X(v, 2)) + '\n';
-    }
-}
-
-void append_faces(std::string& text, const TriangleMesh& mesh, const char* prefix, int first_index) {
+/// Returns the text with a line for each vertex and then for each face.
+std::string with_lines_of(const TriangleMesh& mesh, std::string text, const char* before_vertex, const char* before_face, int first_index) {
+    for (int v = 0; v < mesh.vertex_count(); ++v)
+        text += before_vertex + exact_text(mesh.X(v, 0)) + ' ' + exact_text(mesh.X(v, 1)) + ' ' + exact_text(mesh.X(v, 2)) + '\n';
     for (int t = 0; t < mesh.face_count(); ++t) {
-        text += prefix;
+        text += before_face;
         for (int k = 0; k < 3; ++k) text += std::to_string(mesh.F(t, k) + first_index) + (k < 2 ? ' ' : '\n');
     }
-}
-
-std::string obj_text(const TriangleMesh& mesh) {
-    std::string text;
-    append_vertices(text, mesh, "v ");
-    append_faces(text, mesh, "f ", 1);
     return text;
 }
 
-std::string off_text(const TriangleMesh& mesh) {
-    std::string text = "OFF\n" + std::to_string(mesh.vertex_count()) + ' ' + std::to_string(mesh.face_count()) + " 0\n";
-    append_vertices(text, mesh, "");
-    append_faces(text, mesh, "3 ", 0);
-    return text;
-}
-
-/// A name as headers take it: without blanks, and none that is there already.
-std::string property_name(std::string name, std::set<std::string>& taken) {
-    for (char& c : name) c = c > ' ' && c < 127 ? c : '_';
-    while (name.empty() || !taken.insert(name).second) name += '_';
-    return name;
-}
-
-/// A vertex without area has no normal, but viewers want one.
+/// Replaces normals among the columns by those of the mesh.
 std::vector<VertexColumn> with_normals_of(const TriangleMesh& mesh, std::vector<VertexColumn> columns) {
     if (std::ranges::none_of(columns, is_normal)) return columns;
     const Positions normals = vertex_normals(mesh);
@@ -87,15 +55,17 @@ std::string stl_bytes(const TriangleMesh& mesh, const std::string& file) {
     return bytes;
 }
 
-}   // namespace
-
+/// Writes binary PLY, little endian, coordinates as double.
 std::string ply_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>& columns) {
     std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.vertex_count()) +
                         "\nproperty double x\nproperty double y\nproperty double z\n";
     std::set<std::string> taken{"x", "y", "z"};
     std::size_t row = 24;
     for (const VertexColumn& column : columns) {
-        bytes += "property " + std::string(ply_name_of(column.type)) + ' ' + property_name(column.name, taken) + '\n';
+        std::string name = column.name;
+        for (char& c : name) c = c > ' ' && c < 127 ? c : '_';
+        while (name.empty() || !taken.insert(name).second) name += '_';
+        bytes += "property " + std::string(ply_name_of(column.type)) + ' ' + name + '\n';
         row += size_of(column.type);
     }
     bytes += "element face " + std::to_string(mesh.face_count()) + "\nproperty list uchar int vertex_indices\nend_header\n";
@@ -112,11 +82,89 @@ std::string ply_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>&
     return bytes;
 }
 
+/// The two parts of a VTP file: descriptions of arrays, and their values.
+struct VtpWriter {
+    std::string xml, data;
+
+    /// Adds an array; value(i) is component i % components of entry i / components.
+    template <class Value>
+    void array(ScalarType type, const std::string& name, int components, int entries, const Value& value) {
+        xml.append("<DataArray type=\"").append(vtk_type_names[static_cast<std::size_t>(type)]).append("\" Name=\"");
+        for (const char c : name) xml += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+        xml += "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"appended\" offset=\"" + std::to_string(data.size()) +
+               "\"/>\n";
+        const std::size_t count = at(entries) * at(components);
+        with_zero_of(type, [&](auto zero) {
+            append_little_endian(data, std::uint64_t{count * sizeof(zero)});
+            for (std::size_t i = 0; i < count; ++i) append_little_endian(data, static_cast<decltype(zero)>(value(i)));
+        });
+    }
+};
+
+/// Writes PolyData of VTK in XML, its arrays appended as raw data, coordinates as double. Colours and normals are arrays of components.
+std::string vtp_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>& columns) {
+    const int n = mesh.vertex_count(), m = mesh.face_count();
+    VtpWriter vtp;
+    vtp.xml =
+        "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n<Piece "
+        "NumberOfPoints=\"" +
+        std::to_string(n) + "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" + std::to_string(m) +
+        "\">\n<PointData>\n";
+    for (const ColumnGroup group : groups_of(columns)) {
+        const std::size_t size = group.size();
+        const VertexColumn& front = group.front();
+        const std::string name = size == 1              ? front.name
+                                 : !front.array.empty() ? front.array
+                                 : front.name == "nx"   ? "Normals"
+                                 : size == 3            ? "RGB"
+                                                        : "RGBA";
+        vtp.array(front.type, name, static_cast<int>(size), n,
+                  [&](std::size_t i) { return group[i % size].values[static_cast<Eigen::Index>(i / size)]; });
+    }
+    vtp.xml += "</PointData>\n<Points>\n";
+    vtp.array(ScalarType::float64, "Points", 3, n, [&](std::size_t i) { return mesh.X.data()[i]; });
+    vtp.xml += "</Points>\n<Polys>\n";
+    vtp.array(ScalarType::int32, "connectivity", 1, 3 * m, [&](std::size_t i) { return mesh.F.data()[i]; });
+    vtp.array(ScalarType::int32, "offsets", 1, m, [&](std::size_t i) { return 3 * i + 3; });
+    vtp.xml += "</Polys>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
+    return vtp.xml + vtp.data + "\n</AppendedData>\n</VTKFile>\n";
+}
+
+}   // namespace
+
+std::vector<ColumnGroup> groups_of(const std::vector<VertexColumn>& columns) {
+    static constexpr std::array<std::string_view, 4> rgba{"red", "green", "blue", "alpha"};
+    static constexpr std::array<std::string_view, 3> normal{"nx", "ny", "nz"};
+    const auto fits = [](ColumnGroup left, std::span<const std::string_view> names) {
+        return left.size() >= names.size() && std::ranges::equal(left.first(names.size()), names, [&](const VertexColumn& c, auto name) {
+                   return c.name == name && c.type == left.front().type;
+               });
+    };
+    const auto of_array = [](ColumnGroup left) {
+        const auto differs = [&](const VertexColumn& c) { return c.array != left.front().array || c.type != left.front().type; };
+        return left.front().array.empty() ? 0 : static_cast<std::size_t>(std::ranges::find_if(left, differs) - left.begin());
+    };
+    std::vector<ColumnGroup> groups;
+    for (ColumnGroup left(columns); !left.empty(); left = left.subspan(groups.back().size())) {
+        const std::size_t named = fits(left, rgba) ? 4 : fits(left, std::span(rgba).first(3)) || fits(left, normal) ? 3 : 1;
+        groups.push_back(left.first(std::max(named, of_array(left))));
+    }
+    return groups;
+}
+
 std::string encode_mesh(const TriangleMesh& mesh, const std::string& file, const Attributes& attributes) {
-    check_coordinates(mesh, file);
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        if (!mesh.X.row(v).allFinite())
+            throw MeshError("vertex " + std::to_string(v) + " is not finite", "such a mesh is not written", {file, 0});
+        if (mesh.X.row(v).cwiseAbs().maxCoeff() > largest_coordinate)
+            throw MeshError("vertex " + std::to_string(v) + " has a coordinate beyond 1e100", "no reader of ours would take it", {file, 0});
+    }
     const std::string ending = file == "-" ? ".obj" : lower_case_ending(file);
-    if (ending == ".obj") return attributes.obj.empty() ? obj_text(mesh) : obj_with_positions(attributes, mesh);
-    if (ending == ".off") return off_text(mesh);
+    if (ending == ".obj") return attributes.obj.empty() ? with_lines_of(mesh, "", "v ", "f ", 1) : obj_with_positions(attributes, mesh);
+    if (ending == ".off") {
+        const std::string counts = std::to_string(mesh.vertex_count()) + ' ' + std::to_string(mesh.face_count());
+        return with_lines_of(mesh, "OFF\n" + counts + " 0\n", "", "3 ", 0);
+    }
     if (ending == ".ply") return ply_bytes(mesh, with_normals_of(mesh, attributes.columns));
     if (ending == ".vtp") return vtp_bytes(mesh, with_normals_of(mesh, attributes.columns));
     if (ending == ".stl") return stl_bytes(mesh, file);

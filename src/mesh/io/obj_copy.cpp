@@ -15,6 +15,7 @@ namespace meshfolio {
 
 namespace {
 
+/// Copies the text of an OBJ file with new positions and normals.
 class ObjCopy {
 public:
     ObjCopy(const Attributes& of, const TriangleMesh& mesh) : of_(of), mesh_(mesh), statements_(of.obj) {}
@@ -64,7 +65,7 @@ private:
         out_->append(rest) += '\n';   // a weight, a colour
     }
 
-    /// An index of the file from 0: those below 0 count back from the last one so far.
+    /// Returns an index from 0 for an index of the file: those below 0 count back from the last one so far.
     static long long index(std::string_view word, long long seen) {
         const long long number = parse_integer(word).value_or(0);
         return number < 0 ? seen + number : number - 1;
@@ -103,22 +104,18 @@ private:
         *out_ += '\n';
     }
 
-    /// Does the polygon, read again, fall into the triangles from `begin` on?
+    /// True if the polygon, when it is read again, becomes the triangles from `begin` on.
     bool is_whole(int begin) {
         const auto count = static_cast<Eigen::Index>(corners_.size());
         if (triangle_ == begin || triangle_ - begin != count - 2) return false;
-        Positions X(count, 3);
-        for (Eigen::Index k = 0; k < count; ++k) X.row(k) = mesh_.X.row(corners_[static_cast<std::size_t>(k)].vertex);
-        const Faces triangles = count == 3 ? Faces(Eigen::RowVector3i(0, 1, 2)) : triangulated_polygon(X).triangles;
-        if (triangles.rows() != count - 2) return false;
-        for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
-            for (int k = 0; k < 3; ++k)
-                if (corners_[at(triangles(t, k))].vertex != mesh_.F(begin + t, k)) return false;
-        }
-        return true;
+        std::vector<int> vertices;
+        for (const Corner& corner : corners_) vertices.push_back(corner.vertex);
+        const Faces triangles = triangulated_polygon(mesh_.X(vertices, Eigen::all)).triangles;
+        return triangles.rows() == count - 2 &&
+               triangles.unaryExpr([&](int k) { return vertices[at(k)]; }) == mesh_.F.middleRows(begin, count - 2);
     }
 
-    /// Of the normal that the corner gets. What shared vertex and normal shares it again.
+    /// Returns the number of the corner's new normal. Corners that share vertex and normal share the new one.
     int number_of(const Corner& corner) {
         const auto key = static_cast<std::uint64_t>(corner.vertex) << 32 | static_cast<std::uint32_t>(corner.normal);
         const auto [place, is_new] = numbers_.try_emplace(key, static_cast<int>(normals_.size()));

@@ -1,7 +1,6 @@
 #include <tiny_obj_loader.h>
 
-#include <istream>
-#include <streambuf>
+#include <sstream>
 #include <utility>
 
 #include "base/errors.h"
@@ -14,69 +13,40 @@ namespace meshfolio {
 
 namespace {
 
-/// Lets a stream read from memory without a copy.
-class MemoryBuffer : public std::streambuf {
-public:
-    explicit MemoryBuffer(std::string& text) { setg(text.data(), text.data(), text.data() + text.size()); }
-};
-
-/// The faces that tinyobjloader finds, handed to us one by one: it then stores nothing, and polygons may have any size. The
-/// coordinates do not go through it, because it rounds about half of all decimal numbers wrongly in the last digits.
-struct Found {
-    const CheckedObj& checked;
-    std::size_t vertices;
+/// The faces that tinyobjloader finds and passes on one by one: so it stores nothing, and polygons may have any size. It does not read the
+/// coordinates, because it rounds about half of all decimal numbers wrongly in the last digits.
+struct FoundFaces {
+    const std::vector<long>& lines;
     PolygonList polygons;
-    int too_large = 0;   // the first index beyond the vertices, from 1; 0: none
-    long too_large_line = 0;
 };
 
 void add_face(void* user, tinyobj::index_t* corners, int count) {
-    Found& found = *static_cast<Found*>(user);
+    FoundFaces& found = *static_cast<FoundFaces*>(user);
+    for (int k = 0; k < count; ++k) found.polygons.add_corner(corners[k].vertex_index - 1);
     const std::size_t number = found.polygons.size();
-    const long line = number < found.checked.face_lines.size() ? found.checked.face_lines[number] : 0;
-    for (int k = 0; k < count; ++k) {
-        const int index = corners[k].vertex_index;
-        if (found.too_large == 0 && static_cast<std::size_t>(index) > found.vertices) {
-            found.too_large = index;
-            found.too_large_line = line;
-        }
-        found.polygons.add_corner(index - 1);
-    }
-    found.polygons.end_polygon(line);
+    found.polygons.end_polygon(number < found.lines.size() ? found.lines[number] : 0);
 }
 
-void parse_checked(CheckedObj& checked, Found& found) {
-    tinyobj::callback_t callback;
-    callback.index_cb = add_face;
-    MemoryBuffer buffer(checked.text);
-    std::istream stream(&buffer);
-    std::string warnings, errors;
-    // No material reader: no other file is ever opened.
-    const bool parsed = tinyobj::LoadObjWithCallback(stream, callback, &found, nullptr, &warnings, &errors);
-    if (!parsed || found.polygons.size() != checked.face_lines.size())
-        throw MeshError("tinyobjloader disagrees with the check of the file: " + errors + warnings);
-}
+std::string vertex_count(int n) { return std::to_string(n) + (n == 1 ? " vertex" : " vertices"); }
 
-std::string vertex_count(std::size_t n) { return std::to_string(n) + (n == 1 ? " vertex" : " vertices"); }
-
-void check_content(const Found& found, const std::string& file) {
-    const CheckedObj& checked = found.checked;
+/// @throws InputError if an index is too large, or there are no vertices or no faces
+void check_content(const CheckedObj& checked, const PolygonList& polygons, const std::string& file) {
     const std::string hint = checked.unknown.empty() ? "" : "the first unknown statement is " + checked.unknown;
-    if (found.too_large > 0) {
-        throw InputError(
-            {file, found.too_large_line},
-            "vertex index " + std::to_string(found.too_large) + " is not a valid index (file has " + vertex_count(found.vertices) + ")",
-            hint.empty() ? "the file may be cut off" : hint);
-    }
-    if (found.vertices == 0) throw InputError({file, 0}, "no vertices", hint.empty() ? "is this a mesh in OBJ format?" : hint);
-    if (found.polygons.size() == 0) {
+    const int vertices = static_cast<int>(checked.coordinates.size() / 3);
+    for (std::size_t i = 0; i < polygons.size(); ++i)
+        for (const int v : polygons.polygon(i))
+            if (v >= vertices)
+                throw InputError(
+                    {file, polygons.line(i)},
+                    "vertex index " + std::to_string(v + 1) + " is not a valid index (file has " + vertex_count(vertices) + ")",
+                    hint.empty() ? "the file may be cut off" : hint);
+    if (vertices == 0) throw InputError({file, 0}, "no vertices", hint.empty() ? "is this a mesh in OBJ format?" : hint);
+    if (polygons.size() == 0)
         throw InputError({file, 0}, checked.free_form ? "no polygon faces (free-form surfaces are not supported)" : "no polygon faces",
                          hint.empty() ? "export the mesh as polygons" : hint);
-    }
 }
 
-/// As bytes, which other formats take for colours. The largest value tells whether they go up to 1 or to 255; vertices without one are
-/// white.
+/// Returns the colours as columns of bytes. Colours go up to 255 if one is above 1, else up to 1; vertices without a colour are white.
 std::vector<VertexColumn> colors_of(CheckedObj& checked) {
     if (checked.colored.empty()) return {};
     const auto vertices = static_cast<Eigen::Index>(checked.coordinates.size() / 3);
@@ -103,12 +73,19 @@ std::vector<VertexColumn> colors_of(CheckedObj& checked) {
 
 LoadedMesh parse_obj(std::string_view text, const std::string& file, Keep keep) {
     CheckedObj checked = check_obj(text, file);
-    Found found{checked, checked.coordinates.size() / 3, {}};
+    FoundFaces found{checked.face_lines, {}};
     found.polygons.reserve(checked.face_lines.size());
-    parse_checked(checked, found);
-    check_content(found, file);
+    tinyobj::callback_t callback;
+    callback.index_cb = add_face;
+    std::istringstream stream(std::move(checked.text));
+    std::string warnings, errors;
+    // No material reader: no other file is ever opened.
+    const bool parsed = tinyobj::LoadObjWithCallback(stream, callback, &found, nullptr, &warnings, &errors);
+    if (!parsed || found.polygons.size() != checked.face_lines.size())
+        throw MeshError("tinyobjloader disagrees with the check of the file: " + errors + warnings);
+    check_content(checked, found.polygons, file);
     std::vector<VertexColumn> colors = keep == Keep::attributes ? colors_of(checked) : std::vector<VertexColumn>();
-    Positions X = Eigen::Map<const Positions>(checked.coordinates.data(), static_cast<Eigen::Index>(found.vertices), 3);
+    Positions X = Eigen::Map<const Positions>(checked.coordinates.data(), static_cast<Eigen::Index>(checked.coordinates.size() / 3), 3);
     LoadedMesh loaded = triangulated(found.polygons, std::move(X), file, std::move(checked.warnings));
     if (keep == Keep::attributes) {
         loaded.attributes.obj = without_bom(text);

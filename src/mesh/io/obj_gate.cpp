@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <limits>
 #include <span>
 #include <utility>
@@ -18,8 +17,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-// The statements of the format's description (Wavefront, appendix B), old ones included, other than v, vt, vn and f.
-// Names, materials and how things are shown: nothing for a triangle mesh.
+// The statements in the description of the format (Wavefront, appendix B), old ones included, other than v, vt, vn and f.
+// Names, materials and display: not needed for a triangle mesh.
 constexpr std::array dropped{"g"sv,     "o"sv,        "s"sv,        "mg"sv,  "usemtl"sv,     "mtllib"sv,    "usemap"sv, "maplib"sv,
                              "bevel"sv, "c_interp"sv, "d_interp"sv, "lod"sv, "shadow_obj"sv, "trace_obj"sv, "vp"sv};
 constexpr std::array free_form{"cstype"sv, "deg"sv,   "bmat"sv, "step"sv, "curv"sv, "curv2"sv, "surf"sv,
@@ -36,14 +35,14 @@ bool is_keyword(std::string_view word) {
     return is_one_of(read, word) || is_one_of(dropped, word) || is_one_of(free_form, word) || is_one_of(commands, word);
 }
 
-/// Texture coordinates or normals: not used, but indices that miss them tell of a damaged file.
+/// Texture coordinates or normals. They are not used, but wrong indices are signs of a damaged file.
 struct UnusedAttribute {
     const char* name;
     const char* one;
     const char* many;
     long long count = 0;
-    /// Indices beyond the count so far, each larger than those before: they are wrong unless enough follow.
-    std::vector<std::pair<long long, long>> ahead;   // index, line
+    /// Indices beyond the count so far, each larger than those before, with their lines. They are wrong unless enough follow.
+    std::vector<std::pair<long long, long>> ahead;
 };
 
 class ObjGate {
@@ -79,7 +78,7 @@ public:
 private:
     Location here() const { return {file_, line_}; }
 
-    /// v x y z, and behind it a weight, a colour, or both.
+    /// Reads "v x y z" and what may follow: a weight, a colour, or both.
     void vertex(std::string_view rest) {
         std::array<double, 7> value{};
         std::size_t count = 0;
@@ -104,7 +103,7 @@ private:
         checked_.text += 'f';
         int corners = 0;
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
-            append(corner(word));
+            checked_.text += ' ' + std::to_string(corner(word));
             ++corners;
         }
         checked_.text += '\n';
@@ -113,13 +112,7 @@ private:
         checked_.warnings.add(line_, "face with fewer than 3 vertices ignored", "faces with fewer than 3 vertices ignored");
     }
 
-    void append(int index) {
-        std::array<char, 16> digits;
-        char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), index).ptr;
-        checked_.text.append(" ").append(digits.data(), static_cast<std::size_t>(end - digits.data()));
-    }
-
-    /// The vertex (counted from 1) of a corner v, v/vt, v//vn or v/vt/vn.
+    /// Returns the vertex (counted from 1) of a corner v, v/vt, v//vn or v/vt/vn.
     int corner(std::string_view word) {
         const std::size_t slash = word.find('/');
         if (slash == std::string_view::npos) return vertex_index(word);

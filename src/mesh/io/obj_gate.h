@@ -1,6 +1,6 @@
 /// @file
-/// The gate in front of tinyobjloader, which takes many bad files without a word, and crashes on some. Every statement of the
-/// file is checked here first; what comes out is a text that cannot be misread.
+/// The gate in front of tinyobjloader, which accepts many bad files silently and crashes on some. Every statement of a file is checked
+/// first; the result is a text that cannot be misread.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ namespace meshfolio {
 
 struct CheckedObj {
     std::vector<double> coordinates;   // x y z of each vertex, correctly rounded
-    std::vector<double> colors;        // r g b of those that have one, one after the other
-    std::vector<int> colored;          // the vertices that have one
+    std::vector<double> colors;        // r g b of each vertex with a colour
+    std::vector<int> colored;          // the vertices with a colour
     std::string text;                  // "f a b c …" only, one face a line, indices counted from 1
     std::vector<long> face_lines;      // in the file, of each "f" of the text
     WarningTally warnings;
@@ -23,24 +23,24 @@ struct CheckedObj {
     std::string unknown;      // the first unknown statement and its line, for messages; empty: none
 };
 
-/// Checks every number, index and keyword, but not whether an index is too large: faces may name vertices that come later.
+/// Checks every number, index and keyword of an OBJ file. Too large indices pass, because faces may name vertices that come later.
 /// @throws InputError with the physical line
 CheckedObj check_obj(std::string_view text, const std::string& file);
 
-/// The statements of an OBJ file: lines with a word, continued lines joined, comments left out. A line that ends in "\\" is continued, but
-/// where what follows begins with a keyword and the statement is none of positions or faces: names may end so ("g C:\\parts\\").
+/// Iterates over the statements of an OBJ file: lines with a word, continued lines joined, comments left out. A line that ends in "\\" is
+/// continued, unless the next line begins with a keyword and the statement is no position or face: names may end so ("g C:\\parts\\").
 class ObjStatements {
 public:
     explicit ObjStatements(std::string_view text) : start_(text.data()), lines_(text) {}
 
     bool next();   // false at the end of the text
 
-    std::string_view text() const { return statement_; }                // until the next one
-    long line() const { return line_; }                                 // on which it begins, from 1
-    std::size_t begin() const { return begin_; }                        // of its first line in the text
-    std::size_t end() const { return lines_.offset(); }                 // of its last line, behind what ends it
+    std::string_view text() const { return statement_; }                // valid until the next call of next()
+    long line() const { return line_; }                                 // its first line, from 1
+    std::size_t begin() const { return begin_; }                        // offset of its first line in the text
+    std::size_t end() const { return lines_.offset(); }                 // offset behind its last line and its line end
     bool is_cut_off() const { return cut_off_; }                        // continued beyond the end of the text
-    bool ends_before_keyword() const { return ends_before_keyword_; }   // with a "\\" all the same
+    bool ends_before_keyword() const { return ends_before_keyword_; }   // ends in "\\" that does not continue it
 
 private:
     const char* start_;

@@ -11,12 +11,6 @@ namespace meshfolio {
 
 namespace {
 
-/// The keyword [ST][C][N][4][n]OFF says what stands on a vertex line.
-struct Layout {
-    std::string name = "OFF";
-    int fewest_numbers = 3;   // on a vertex line
-};
-
 bool take_prefix(std::string_view& word, std::string_view prefix) {
     if (!word.starts_with(prefix)) return false;
     word.remove_prefix(prefix.size());
@@ -25,8 +19,8 @@ bool take_prefix(std::string_view& word, std::string_view prefix) {
 
 std::string vertex_count(long long n) { return std::to_string(n) + (n == 1 ? " vertex" : " vertices"); }
 
-/// Reader of Geomview's object file format (geomview.org, "OFF Files"). White space is free but for one thing: what follows the
-/// coordinates of a vertex or the corners of a face on their last line belongs to them (colours, normals) and is left out.
+/// Reader of Geomview's object file format (geomview.org, "OFF Files"). White space is free, except that anything behind the coordinates of
+/// a vertex or the corners of a face on their last line belongs to them (colours, normals) and is left out.
 class OffReader {
 public:
     OffReader(std::string_view text, const std::string& file) : size_(text.size()), words_(text), file_(file) {}
@@ -52,27 +46,27 @@ private:
         throw InputError({file_, line}, problem, remedy);
     }
 
+    /// Reads [ST][C][N][4][n]OFF, which says what is on a vertex line.
     void read_keyword(std::string_view keyword) {
         const long line = words_.line();
         std::string_view rest = keyword;
-        layout_.name = std::string(keyword.substr(0, 8));
-        if (take_prefix(rest, "ST")) layout_.fewest_numbers += 2;
-        if (take_prefix(rest, "C")) layout_.fewest_numbers += 3;
-        if (take_prefix(rest, "N")) layout_.fewest_numbers += 3;
+        name_ = std::string(keyword.substr(0, 8));
+        if (take_prefix(rest, "ST")) fewest_numbers_ += 2;
+        if (take_prefix(rest, "C")) fewest_numbers_ += 3;
+        if (take_prefix(rest, "N")) fewest_numbers_ += 3;
         const bool four = take_prefix(rest, "4");
         const bool any_dimension = take_prefix(rest, "n");
         if (rest != "OFF") fail(line, in_quotes(keyword) + " is not an OFF keyword", "an OFF file begins with OFF");
-        if (four || any_dimension) {
-            fail(line, layout_.name + (any_dimension ? " (n-dimensional vertices)" : " (4-component vertices)") + " is not supported",
+        if (four || any_dimension)
+            fail(line, name_ + (any_dimension ? " (n-dimensional vertices)" : " (4-component vertices)") + " is not supported",
                  "export the mesh with x y z vertices");
-        }
         std::string_view same_line = words_.rest_of_line();
         if (take_word(same_line) == "BINARY") fail(line, "binary OFF is not supported", "save it as text");
     }
 
-    /// Vertices, faces, edges; the last is often wrong or missing, and not needed.
+    /// Reads the counts of vertices, faces and edges. The last is not needed, and often wrong or missing.
     void read_counts(std::string_view first) {
-        if (first.empty()) fail(0, "no counts after " + layout_.name, "the file may be cut off");
+        if (first.empty()) fail(0, "no counts after " + name_, "the file may be cut off");
         counts_line_ = words_.line();
         vertices_ = count(first, "vertex");
         faces_ = count(words_.next(), "face");
@@ -89,12 +83,11 @@ private:
             fail(counts_line_, "no faces (" + vertex_count(vertices_) + " alone)",
                  vertices_ == 0 ? "export the mesh again" : "points are not a mesh; export it with its faces");
         }
-        if (vertices_ < 1 || faces_ < 1 || vertices_ > most || faces_ > most || vertices_ > room / 6 || faces_ > room / 2) {
+        if (vertices_ < 1 || faces_ < 1 || vertices_ > most || faces_ > most || vertices_ > room / 6 || faces_ > room / 2)
             fail(counts_line_,
                  "impossible counts (" + vertex_count(vertices_) + ", " + std::to_string(faces_) + " faces in a file of " +
                      std::to_string(size_) + " bytes)",
                  "the file may be cut off or damaged");
-        }
         X_.resize(vertices_, 3);
     }
 
@@ -107,21 +100,19 @@ private:
     void read_vertex(long long i) {
         int numbers = 0;
         for (int axis = 0; axis < 3; ++axis, ++numbers) {
-            // With normals or colours a vertex stands on one line: free white space would hide missing ones.
-            const std::string_view word = axis == 0 || layout_.fewest_numbers == 3 ? words_.next() : words_.next_on_line();
-            if (word.empty() && axis > 0 && layout_.fewest_numbers > 3) break;
+            // A vertex with normals or colours must be on one line: free white space would hide missing numbers.
+            const std::string_view word = axis == 0 || fewest_numbers_ == 3 ? words_.next() : words_.next_on_line();
+            if (word.empty() && axis > 0 && fewest_numbers_ > 3) break;
             if (word.empty())
                 fail(words_.line(), "ends early: vertex " + std::to_string(i + 1) + " of " + std::to_string(vertices_) + " is missing",
                      "the file may be cut off");
             X_(i, axis) = checked_coordinate(word, file_, words_.line());
         }
         while (!words_.next_on_line().empty()) ++numbers;
-        if (numbers < layout_.fewest_numbers) {
-            fail(words_.line(),
-                 layout_.name + " vertex needs " + std::to_string(layout_.fewest_numbers) + " numbers, has " + std::to_string(numbers),
+        if (numbers < fewest_numbers_)
+            fail(words_.line(), name_ + " vertex needs " + std::to_string(fewest_numbers_) + " numbers, has " + std::to_string(numbers),
                  "check the keyword on the first line");
-        }
-        if (numbers > 3 && layout_.fewest_numbers == 3)
+        if (numbers > 3 && fewest_numbers_ == 3)
             warnings_.add(words_.line(), "extra numbers on a vertex ignored", "vertices with extra numbers, which are ignored");
     }
 
@@ -135,17 +126,16 @@ private:
         for (long long k = 0; k < *corners; ++k) {
             const std::string_view corner = words_.next();
             if (words_.line() != line && broken_line_ == 0) broken_line_ = line;
-            if (corner.empty()) {
+            if (corner.empty())
                 fail(broken_line_ > 0 ? broken_line_ : line, "face of " + std::to_string(*corners) + " corners has " + std::to_string(k),
                      "the file may be cut off");
-            }
             polygons_.add_corner(vertex_index(corner));
         }
         polygons_.end_polygon(line);
         words_.skip_line();
     }
 
-    /// A face that goes on over the end of its line is allowed, but when faces are missing in the end it took those of others.
+    /// Reports that faces are missing. A face that continues on the next line is allowed, but then it may have taken another face.
     [[noreturn]] void ends_after(long long faces) const {
         const std::string announced = std::to_string(faces_) + " faces announced, file ends after " + std::to_string(faces);
         if (broken_line_ > 0) fail(broken_line_, "fewer corners than the face says (" + announced + ")", "correct its count");
@@ -154,19 +144,19 @@ private:
 
     int vertex_index(std::string_view word) const {
         const std::optional<long long> index = parse_integer(word);
-        if (!index || *index < 0 || *index >= vertices_) {
+        if (!index || *index < 0 || *index >= vertices_)
             fail(words_.line(), "vertex index " + in_quotes(word) + " is not a valid index (file has " + vertex_count(vertices_) + ")",
                  "indices are whole numbers from 0");
-        }
         return static_cast<int>(*index);
     }
 
     std::size_t size_;
     WordScanner words_;
     const std::string& file_;
-    Layout layout_;
+    std::string name_ = "OFF";
+    int fewest_numbers_ = 3;   // on a vertex line
     long counts_line_ = 0;
-    long broken_line_ = 0;   // the first face whose corners did not fit on its line
+    long broken_line_ = 0;   // the first face that continues on the next line
     long long vertices_ = 0, faces_ = 0;
     Positions X_;
     PolygonList polygons_;

@@ -1,9 +1,8 @@
 /// @file
-/// What follows the header of a PLY file, as text or binary: values one after the other, which look alike to the reader of elements.
+/// The data behind the header of a PLY file, as text or binary: values one after the other, through the same interface.
 #pragma once
 
 #include <bit>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +16,7 @@
 
 namespace meshfolio {
 
+/// Values as text: a row of an element is a line.
 class TextBody {
 public:
     TextBody(std::string_view bytes, const PlyHeader& header, const std::string& file)
@@ -24,7 +24,7 @@ public:
 
     long line() const { return header_lines_ + lines_.number(); }
 
-    /// A row is a line.
+    /// Moves to the next line that is not blank, which is the row.
     void begin_row(const PlyElement& element) {
         while (lines_.next()) {
             rest_ = lines_.line();
@@ -48,17 +48,14 @@ public:
         return *i;
     }
 
-    /// Of a column: NaN and infinities too, and what does not fit its type is refused.
+    /// Returns the value of a column, which may be NaN or infinite but must fit its type.
     double any_number(ScalarType type) {
-        std::string_view value = word();
-        value.remove_prefix(value.starts_with('+') ? 1 : 0);
-        double x = 0;
-        const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), x);
-        if (error != std::errc() || end != value.data() + value.size() || !fits_type(x, type)) {
+        const std::string_view value = word();
+        const std::optional<double> x = value_of_type(value, type);
+        if (!x)
             throw InputError(here(), in_quotes(value) + " is no number of type " + std::string(ply_name_of(type)),
                              "the header says what belongs here");
-        }
-        return x;
+        return *x;
     }
 
     void skip(ScalarType, long long times) {
@@ -88,6 +85,7 @@ private:
     const std::string& file_;
 };
 
+/// Values as bytes, without lines.
 class BinaryBody {
 public:
     BinaryBody(std::string_view bytes, const PlyHeader& header, const std::string& file)
@@ -115,7 +113,7 @@ public:
         at_ += bytes;
     }
 
-    /// The first of `count` rows of `size` bytes each, to be read at once and then skipped; null where there are not so many.
+    /// Returns the first of `count` rows of `size` bytes each, without skipping them; null if there are fewer.
     const char* rows(long long count, std::size_t size) const {
         return static_cast<std::size_t>(count) <= (bytes_.size() - at_) / size ? bytes_.data() + at_ : nullptr;
     }

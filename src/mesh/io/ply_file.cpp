@@ -19,7 +19,7 @@ namespace meshfolio {
 
 namespace {
 
-/// Reads the elements in the order of the header, whatever it is.
+/// Reads the elements in the order of the header.
 template <class Body>
 class PlyReader {
 public:
@@ -49,7 +49,7 @@ private:
         throw InputError({file_, line}, problem, remedy);
     }
 
-    /// Other elements than vertices and faces, what faces have beside their corners, and lists.
+    /// Returns the names of other elements than vertices and faces, of properties of faces other than corners, and of lists of vertices.
     std::vector<std::string> not_kept() const {
         std::vector<std::string> names;
         for (const PlyElement& element : header_.elements) {
@@ -61,7 +61,7 @@ private:
         return names;
     }
 
-    /// Of every property of a vertex that is one number and no coordinate.
+    /// Makes a column for every property of a vertex that is one number and no coordinate.
     void make_columns() {
         const std::vector<PlyProperty>& properties = parts_.vertices->properties;
         column_of_.assign(properties.size(), -1);
@@ -72,8 +72,8 @@ private:
         }
     }
 
-    /// Reads all rows of a binary file at once, as if each list had three items: good(body, i, values) takes row i, whose property p begins
-    /// at values(p), and checks it. False where a row is refused; reading them one by one then reports which.
+    /// Reads all rows of an element of a binary file at once, as if each list had three items. good(body, i, values) stores row i, of which
+    /// property p is at values(p), and returns whether it is right. Returns false if a row is not: they must be read one by one then.
     template <class Good>
     bool read_even_rows(const PlyElement& element, const Good& good) {
         if constexpr (std::is_same_v<Body, BinaryBody>) {
@@ -107,7 +107,6 @@ private:
         });
     }
 
-    /// Into F_.
     bool read_even_triangles(const PlyElement& element) {
         if (std::ranges::count_if(element.properties, &PlyProperty::is_list) > 1 || element.count > most_triangles) return false;
         const PlyProperty& list = element.properties[parts_.corners];
@@ -129,7 +128,7 @@ private:
         return read;
     }
 
-    /// read(i, p) for each property p of each row i.
+    /// Calls read(i, p) for each property p of each row i.
     template <class Read>
     void for_each_value(const PlyElement& element, const Read& read) {
         for (long long i = 0; i < element.count; ++i) {
@@ -153,7 +152,7 @@ private:
         });
     }
 
-    /// Faces, strips, and elements that are passed over.
+    /// Reads faces or strips; skips other elements.
     void read_others(const PlyElement& element) {
         const bool are_faces = &element == parts_.faces && !parts_.are_strips;
         if (are_faces && read_even_triangles(element)) return;
@@ -170,13 +169,11 @@ private:
     }
 
     void read_coordinate(long long i, int axis, ScalarType type) {
-        const double x = body_.number(type);
-        if (!(std::abs(x) <= largest_coordinate)) {
-            const std::string name = "vertex " + std::to_string(i) + ": " + "xyz"[axis];
-            if (!std::isfinite(x)) fail(body_.line(), name + (std::isnan(x) ? " is nan" : " is inf"), "every coordinate must be finite");
-            fail(body_.line(), name + ": coordinate out of the supported range (1e100)", "scale the mesh down");
-        }
-        X_(i, axis) = x;
+        const double x = X_(i, axis) = body_.number(type);
+        if (std::abs(x) <= largest_coordinate) return;
+        const std::string name = "vertex " + std::to_string(i) + ": " + "xyz"[axis];
+        if (!std::isfinite(x)) fail(body_.line(), name + (std::isnan(x) ? " is nan" : " is inf"), "every coordinate must be finite");
+        fail(body_.line(), name + ": coordinate out of the supported range (1e100)", "scale the mesh down");
     }
 
     void read_corners(long long face, const PlyProperty& property) {
@@ -186,17 +183,16 @@ private:
     }
 
     int checked_index(long long index, const char* what, long long number) const {
-        if (index < 0 || index >= parts_.vertices->count) {
+        if (index < 0 || index >= parts_.vertices->count)
             fail(body_.line(),
                  what + std::to_string(number) + ": index " + std::to_string(index) + " out of range (" +
                      std::to_string(parts_.vertices->count) + " vertices)",
                  "indices are whole numbers from 0");
-        }
         return static_cast<int>(index);
     }
 
-    /// Strips one after the other, each ended by −1 or by the end of the list. Corner k ≥ 2 of a strip makes a triangle with the two before
-    /// it; every second one is turned, so that all of a strip face the same side.
+    /// Reads strips, each ended by −1 or by the end of the list. Corner k ≥ 2 of a strip makes a triangle with the two before it; every
+    /// second one is turned, so that all triangles of a strip face the same side.
     void read_strip_list(long long row, const PlyProperty& property) {
         const long long items = list_length(property);
         std::array<int, 3> last{};   // corners of the strip
@@ -216,7 +212,7 @@ private:
         end_strip(last, corners);
     }
 
-    /// Too short a strip is told as a face of so few corners.
+    /// Adds a strip of one or two corners as a polygon, which is left out with a warning.
     void end_strip(const std::array<int, 3>& last, long long corners) {
         if (corners == 1 || corners == 2) add_polygon({last.data() + 3 - corners, static_cast<std::size_t>(corners)});
     }
@@ -240,10 +236,10 @@ private:
     Body body_;
     const std::string& file_;
     Positions X_;
-    Faces F_;                             // of a file that was read at once; else:
-    PolygonList polygons_;                // as they come
-    std::vector<VertexColumn> columns_;   // those that are kept
-    std::vector<int> column_of_;          // of each property of a vertex; −1: none
+    Faces F_;   // if they could be read at once; else:
+    PolygonList polygons_;
+    std::vector<VertexColumn> columns_;   // if they are kept
+    std::vector<int> column_of_;          // the column of each property of a vertex; −1: none
 };
 
 }   // namespace

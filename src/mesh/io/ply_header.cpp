@@ -22,14 +22,6 @@ constexpr std::pair<std::string_view, ScalarType> type_names[] = {
     {"int32", ScalarType::int32}, {"uint32", ScalarType::uint32}, {"float32", ScalarType::float32}, {"float64", ScalarType::float64},
 };
 
-/// Fewest bytes of one row: in a binary file of its values and list lengths, in text a digit and a separator each.
-std::size_t smallest_row(const PlyElement& element, PlyHeader::Format format) {
-    std::size_t bytes = 0;
-    for (const PlyProperty& p : element.properties)
-        bytes += format == PlyHeader::Format::ascii ? 2 : size_of(p.is_list ? p.count_type : p.type);
-    return bytes;
-}
-
 class HeaderReader {
 public:
     HeaderReader(std::string_view bytes, const std::string& file) : bytes_(bytes), lines_(bytes), file_(file) {}
@@ -43,7 +35,7 @@ public:
         if (!has_format_) fail(0, "no format line", "the second line should be 'format ascii 1.0' or a binary one");
         header_.size = lines_.offset();
         header_.lines = lines_.number();
-        // Where lines end in \r alone, a \n behind the last one is the first byte of the data.
+        // If lines end in \r alone, a \n behind the last one is the first byte of the data.
         if (only_returns && bytes_.substr(0, header_.size).ends_with("\r\n")) --header_.size;
         check_counts();
         return std::move(header_);
@@ -54,7 +46,7 @@ private:
         throw InputError({file_, line}, problem, remedy);
     }
 
-    /// False behind end_header.
+    /// Returns false for end_header.
     bool read_line(std::string_view line) {
         std::string_view rest = line;
         const std::string_view keyword = take_word(rest);
@@ -90,10 +82,9 @@ private:
         const std::string_view name = take_word(rest);
         const std::string_view word = take_word(rest);
         const std::optional<long long> count = parse_integer(word);
-        if (!count || *count < 0 || *count > std::numeric_limits<int>::max()) {
+        if (!count || *count < 0 || *count > std::numeric_limits<int>::max())
             fail(lines_.number(), "impossible count " + in_quotes(word) + " of element " + in_quotes(name),
                  "counts are whole numbers from 0 to " + std::to_string(std::numeric_limits<int>::max()));
-        }
         if (!elements_.emplace(name).second) fail(lines_.number(), "element " + in_quotes(name) + " a second time", second_remedy);
         properties_.clear();
         header_.elements.push_back({std::string(name), *count, lines_.number(), {}});
@@ -114,10 +105,9 @@ private:
         property.name = take_word(rest);
         if (property.name.empty()) fail(lines_.number(), "property without a name", "the header may be damaged");
         PlyElement& element = header_.elements.back();
-        if (!properties_.insert(property.name).second) {
+        if (!properties_.insert(property.name).second)
             fail(lines_.number(), "property " + in_quotes(property.name) + " of element " + in_quotes(element.name) + " a second time",
                  second_remedy);
-        }
         element.properties.push_back(std::move(property));
     }
 
@@ -133,14 +123,15 @@ private:
         for (const PlyElement& element : header_.elements) {
             if (element.count > 0 && element.properties.empty())
                 fail(element.line, "element " + in_quotes(element.name) + " has no properties", "the header may be damaged");
-            const std::size_t row = smallest_row(element, header_.format);
+            std::size_t row = 0;   // at least: in a binary file its values and list lengths, in text a digit and a separator each
+            for (const PlyProperty& p : element.properties)
+                row += header_.format == PlyHeader::Format::ascii ? 2 : size_of(p.is_list ? p.count_type : p.type);
             const auto count = static_cast<std::size_t>(element.count);
-            if (count > 0 && count > left / row) {
+            if (count > 0 && count > left / row)
                 fail(element.line,
                      "ends early: impossible count, " + std::to_string(count) + " of element " + in_quotes(element.name) + " with " +
                          std::to_string(bytes_.size() - header_.size) + " bytes of data",
                      "the file may be cut off");
-            }
             left -= count * row;
         }
     }
@@ -159,16 +150,11 @@ private:
     throw InputError({file, line}, problem, remedy);
 }
 
-const PlyElement* element_named(const PlyHeader& header, std::string_view name) {
-    const auto e = std::find_if(header.elements.begin(), header.elements.end(), [&](auto& element) { return element.name == name; });
-    return e == header.elements.end() ? nullptr : &*e;
-}
-
-/// Place of a property among those of its element; nothing when it has none of that name.
-std::optional<std::size_t> property_named(const PlyElement& element, std::string_view name) {
-    const auto p = std::find_if(element.properties.begin(), element.properties.end(), [&](auto& q) { return q.name == name; });
-    if (p == element.properties.end()) return std::nullopt;
-    return static_cast<std::size_t>(p - element.properties.begin());
+/// Returns the element or property of that name, or null.
+template <class Named>
+const Named* named(const std::vector<Named>& list, std::string_view name) {
+    const auto found = std::ranges::find_if(list, [&](const Named& entry) { return entry.name == name; });
+    return found == list.end() ? nullptr : &*found;
 }
 
 }   // namespace
@@ -181,28 +167,28 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& file) { re
 
 PlyMeshParts mesh_parts(const PlyHeader& header, const std::string& file) {
     PlyMeshParts parts{};
-    parts.vertices = element_named(header, "vertex");
+    parts.vertices = named(header.elements, "vertex");
     if (parts.vertices == nullptr) fail(file, 0, "no vertex element", "export the mesh with its vertices");
-    for (const char* name : {"x", "y", "z"}) {
-        const auto p = property_named(*parts.vertices, name);
-        if (!p) fail(file, 0, std::string("element vertex has no property '") + name + "'", "a mesh needs x, y and z");
-        const PlyProperty& property = parts.vertices->properties[*p];
-        if (property.is_list) fail(file, property.line, std::string("property '") + name + "' is a list", "it must be one number");
-        parts.axis[static_cast<std::size_t>(*name - 'x')] = *p;
+    const std::vector<PlyProperty>& properties = parts.vertices->properties;
+    for (const std::string name : {"x", "y", "z"}) {
+        const PlyProperty* const p = named(properties, name);
+        if (p == nullptr) fail(file, 0, "element vertex has no property '" + name + "'", "a mesh needs x, y and z");
+        if (p->is_list) fail(file, p->line, "property '" + name + "' is a list", "it must be one number");
+        parts.axis[static_cast<std::size_t>(name[0] - 'x')] = static_cast<std::size_t>(p - properties.data());
     }
-    const PlyElement* const faces = element_named(header, "face");
-    const PlyElement* const strips = element_named(header, "tristrips");
+    const PlyElement* const faces = named(header.elements, "face");
+    const PlyElement* const strips = named(header.elements, "tristrips");
     parts.are_strips = strips != nullptr && (faces == nullptr || faces->count == 0);
     parts.faces = parts.are_strips ? strips : faces;
     parts.ignored = parts.are_strips ? nullptr : strips;
     if (parts.faces == nullptr) fail(file, 0, "no face element", "export the mesh as polygons");
-    const auto indices = property_named(*parts.faces, "vertex_indices"), index = property_named(*parts.faces, "vertex_index");
-    if (!indices && !index)
+    const auto is_corners = [](const PlyProperty& p) { return p.name == "vertex_indices" || p.name == "vertex_index"; };
+    const auto corners = std::find_if(parts.faces->properties.rbegin(), parts.faces->properties.rend(), is_corners);
+    if (corners == parts.faces->properties.rend())
         fail(file, parts.faces->line, "element " + parts.faces->name + " has no property 'vertex_indices'", "export the mesh as polygons");
-    parts.corners = std::max(indices.value_or(0), index.value_or(0));
-    const PlyProperty& corners = parts.faces->properties[parts.corners];
-    if (!corners.is_list || !is_integer(corners.type))
-        fail(file, corners.line, "vertex index type must be a list of an integer type", "such as int");
+    parts.corners = static_cast<std::size_t>(parts.faces->properties.rend() - corners) - 1;
+    if (!corners->is_list || !is_integer(corners->type))
+        fail(file, corners->line, "vertex index type must be a list of an integer type", "such as int");
     return parts;
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// The header of a PLY file (Turk 1994): which elements follow, what each is made of, and where among them the mesh stands.
+/// The header of a PLY file (Turk 1994): its elements, their properties, and which of them make up the mesh.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace meshfolio {
 
-/// "uchar", "float" … @return the name that a header gives the type
+/// Returns the name of the type in a header: "uchar", "float" …
 std::string_view ply_name_of(ScalarType type);
 
 struct PlyProperty {
@@ -26,7 +26,7 @@ struct PlyProperty {
 struct PlyElement {
     std::string name;
     long long count;
-    long line;   // in the header
+    long line;   // of the header
     std::vector<PlyProperty> properties;
 };
 
@@ -38,23 +38,23 @@ struct PlyHeader {
     long lines = 0;
 };
 
-/// Counts are checked against the bytes that follow.
+/// Reads the header, and checks its counts against the bytes that follow.
 /// @throws InputError with the header's line
 PlyHeader parse_ply_header(std::string_view bytes, const std::string& file);
 
 /// The elements and properties that make up the mesh.
 struct PlyMeshParts {
     const PlyElement* vertices;
-    const PlyElement* faces;           // or `tristrips`, where there are no faces
-    std::array<std::size_t, 3> axis;   // which property of a vertex is x, y, z
-    std::size_t corners;               // which property of a face is the list of its corners
+    const PlyElement* faces;           // or `tristrips`, if there are no faces
+    std::array<std::size_t, 3> axis;   // the properties x, y, z of a vertex
+    std::size_t corners;               // the property of a face that lists its corners
     bool are_strips;                   // a row of `faces` holds strips of triangles, ended by −1
-    const PlyElement* ignored;         // strips beside faces; null without
+    const PlyElement* ignored;         // strips if there are faces as well; null: none
 
     bool is_corners(const PlyElement& element, std::size_t property) const { return &element == faces && property == corners; }
 };
 
-/// @throws InputError naming what is missing
+/// Finds the parts of the mesh. @throws InputError naming the missing one
 PlyMeshParts mesh_parts(const PlyHeader& header, const std::string& file);
 
 }   // namespace meshfolio

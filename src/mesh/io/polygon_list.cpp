@@ -1,5 +1,6 @@
 #include "mesh/io/polygon_list.h"
 
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,10 +16,13 @@ namespace meshfolio {
 
 namespace {
 
-/// Appends the triangles of polygons to a mesh whose positions are known.
+/// Appends the triangles of polygons to a mesh with known positions.
 class Triangulation {
 public:
-    Triangulation(LoadedMesh& loaded, WarningTally& warnings) : loaded_(loaded), warnings_(warnings) {}
+    Triangulation(LoadedMesh& loaded, WarningTally& warnings, std::size_t polygons) : loaded_(loaded), warnings_(warnings) {
+        triangles_.reserve(3 * polygons);
+        loaded_.face_lines.reserve(polygons);
+    }
 
     void add(std::span<const int> corners, long line) {
         if (corners.size() < 3)
@@ -30,18 +34,12 @@ public:
     }
 
     void finish() {
-        if (triangles_.size() / 3 > static_cast<std::size_t>(most_triangles)) {
-            throw InputError({loaded_.file, 0},
-                             std::to_string(triangles_.size() / 3) + " triangles (limit " + std::to_string(most_triangles) + ")",
+        const std::size_t count = triangles_.size() / 3;
+        if (count > static_cast<std::size_t>(most_triangles))
+            throw InputError({loaded_.file, 0}, std::to_string(count) + " triangles (limit " + std::to_string(most_triangles) + ")",
                              "simplify the mesh first");
-        }
-        loaded_.mesh.F = Eigen::Map<const Faces>(triangles_.data(), static_cast<Eigen::Index>(triangles_.size() / 3), 3);
-        if (loaded_.mesh.F.rows() == 0) throw InputError({loaded_.file, 0}, "no triangles", "export the mesh with its faces");
-    }
-
-    void reserve(std::size_t triangles) {
-        triangles_.reserve(3 * triangles);
-        loaded_.face_lines.reserve(triangles);
+        if (count == 0) throw InputError({loaded_.file, 0}, "no triangles", "export the mesh with its faces");
+        loaded_.mesh.F = Eigen::Map<const Faces>(triangles_.data(), static_cast<Eigen::Index>(count), 3);
     }
 
 private:
@@ -50,7 +48,7 @@ private:
         if (line > 0) loaded_.face_lines.push_back(line);
     }
 
-    /// A corner written twice in a row (a quad that is a triangle) is one corner.
+    /// Counts a corner that is written twice in a row (as in a quad that is a triangle) once.
     void add_polygon(std::span<const int> corners, long line) {
         distinct_.clear();
         for (const int v : corners)
@@ -59,25 +57,19 @@ private:
         if (distinct_.size() < corners.size())
             warnings_.add(line, "repeated corner of a polygon ignored", "polygons with repeated corners, which are ignored");
         if (distinct_.size() <= 3) return add(distinct_, line);
-        if (distinct_.size() > static_cast<std::size_t>(max_polygon_corners)) {
+        if (distinct_.size() > at(max_polygon_corners))
             throw InputError(
                 {loaded_.file, line},
                 "polygon of " + std::to_string(distinct_.size()) + " corners (limit " + std::to_string(max_polygon_corners) + ")",
                 "triangulate it before export");
-        }
-        Positions X(static_cast<Eigen::Index>(distinct_.size()), 3);
-        for (Eigen::Index i = 0; i < X.rows(); ++i) X.row(i) = loaded_.mesh.X.row(distinct_[static_cast<std::size_t>(i)]);
-        const PolygonTriangles cut = triangulated_polygon(X);
-        if (!cut.simple) {
+        const PolygonTriangles cut = triangulated_polygon(loaded_.mesh.X(distinct_, Eigen::all));
+        if (!cut.simple)
             warnings_.add(line, "polygon crosses itself or has no area; its triangles may overlap",
                           "polygons cross themselves or have no area; their triangles may overlap");
-        }
-        if (cut.spikes > 0) {
+        if (cut.spikes > 0)
             warnings_.add(line, "polygon goes out and back on the same line, which is left out",
                           "polygons go out and back on the same line, which is left out");
-        }
-        const auto vertex = [&](Eigen::Index t, int k) { return distinct_[static_cast<std::size_t>(cut.triangles(t, k))]; };
-        for (Eigen::Index t = 0; t < cut.triangles.rows(); ++t) push(vertex(t, 0), vertex(t, 1), vertex(t, 2), line);
+        for (const auto& t : cut.triangles.rowwise()) push(distinct_[at(t[0])], distinct_[at(t[1])], distinct_[at(t[2])], line);
     }
 
     LoadedMesh& loaded_;
@@ -117,11 +109,8 @@ void PolygonList::end_polygon(long line) {
 }
 
 LoadedMesh triangulated(const PolygonList& polygons, Positions X, const std::string& file, WarningTally warnings) {
-    LoadedMesh loaded;
-    loaded.mesh.X = std::move(X);
-    loaded.file = file;
-    Triangulation triangulation(loaded, warnings);
-    triangulation.reserve(polygons.size());
+    LoadedMesh loaded{{std::move(X), {}}, file, {}, {}};
+    Triangulation triangulation(loaded, warnings, polygons.size());
     for (std::size_t i = 0; i < polygons.size(); ++i) triangulation.add(polygons.polygon(i), polygons.line(i));
     triangulation.finish();
     loaded.warnings = warnings.warnings();
@@ -168,6 +157,17 @@ bool fits_type(double x, ScalarType type) {
         return !Limits::is_integer ||
                (x >= static_cast<double>(Limits::lowest()) && x <= static_cast<double>(Limits::max()) && x == std::trunc(x));
     });
+}
+
+std::optional<double> value_of_type(std::string_view word, ScalarType type) {
+    std::optional<double> x = parse_number(word);
+    if (!x && !is_integer(type)) {   // "nan", "-inf" or "Infinity", in letters of any case
+        word.remove_prefix(word.starts_with('+') ? 1 : 0);
+        double number = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+        if (error == std::errc{} && end == word.data() + word.size() && !std::isfinite(number)) x = number;
+    }
+    return x && fits_type(*x, type) ? x : std::nullopt;
 }
 
 void check_range(double x, const std::string& file, long line) {

@@ -1,9 +1,10 @@
 /// @file
-/// What every reader ends with: positions and polygons of any size become a triangle mesh.
+/// The last steps of every reader: checks of numbers, and a triangle mesh from positions and polygons of any size.
 #pragma once
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,14 +14,14 @@
 
 namespace meshfolio {
 
-/// Warnings of a reader: a file with 20 000 odd faces gives one line, not 20 000.
+/// Warnings of a reader, one per kind: a file with 20 000 odd faces gives one line, not 20 000.
 class WarningTally {
 public:
-    /// `one` is the whole message of a single case; of several it is "N `many`". The first one's line is kept, and its `example`
-    /// stands in brackets. Cases of the same `many` are one kind.
+    /// Counts a case of the kind `many`. The message is `one` for a single case and "N `many`" for several, with the line of the first case
+    /// and its `example` in brackets.
     void add(long line, std::string_view one, std::string_view many, const std::string& example = "");
 
-    /// One warning a kind, in the order of their first cases.
+    /// Returns one warning per kind, in the order of their first cases.
     std::vector<MeshWarning> warnings() const;
 
 private:
@@ -33,19 +34,19 @@ private:
     std::vector<Kind> kinds_;
 };
 
-/// Largest magnitude of a coordinate: areas and volumes must stay within the range of a double.
+/// Largest magnitude of a coordinate, so that areas and volumes stay within the range of a double.
 inline constexpr double largest_coordinate = 1e100;
 
-/// Three corners a triangle are counted in int elsewhere (Incidence::start).
+/// Largest number of triangles: three corners each are counted by int (Incidence::start).
 inline constexpr long long most_triangles = std::numeric_limits<int>::max() / 3;
 
 /// Polygons in file order, corner indices one after the other.
 class PolygonList {
 public:
     void reserve(std::size_t polygons);
-    /// The next polygon is what was added by add_corner since the last call.
     void add_corner(int vertex) { corners_.push_back(vertex); }
-    void end_polygon(long line);   // line 0: binary file
+    /// Makes the corners added since the last call the next polygon. @param line  of the file; 0: binary file
+    void end_polygon(long line);
 
     std::size_t size() const { return first_.size() - 1; }
     std::span<const int> polygon(std::size_t i) const { return {corners_.data() + first_[i], first_[i + 1] - first_[i]}; }
@@ -57,31 +58,35 @@ private:
     std::vector<long> lines_;   // empty for binary files
 };
 
-/// Triangulates. Corners must be indices of rows of X. Polygons of fewer than three corners are left out with a warning.
+/// Returns the mesh of the triangulated polygons, with the warnings. Corners must be indices of rows of X. Polygons of fewer than three
+/// corners are left out with a warning.
 /// @throws InputError naming the polygon if one has more than max_polygon_corners, or if there is no triangle or too many
 LoadedMesh triangulated(const PolygonList& polygons, Positions X, const std::string& file, WarningTally warnings);
 
-/// A mesh whose file repeats a vertex for each of its faces or normals.
+/// The mesh of a file that repeats vertices.
 struct WeldedMesh {
     LoadedMesh loaded;
-    std::vector<int> first;    // of each vertex, the first of the points there
-    std::vector<int> vertex;   // of each point
+    std::vector<int> first;    // the first point of each vertex
+    std::vector<int> vertex;   // the vertex of each point
 };
 
-/// Points with equal coordinates become one vertex, in the order of the first of them.
-/// @param corners  of triangles, three each, as numbers of points; empty: the points one after the other
+/// Returns the mesh in which points with equal coordinates are one vertex, in the order of their first points.
+/// @param corners  three points per triangle; empty: the points in order
 /// @param lines  of the triangles; empty: binary file
-/// @param groups  ascending from 0: points from one of them to the next are welded with one another only; empty: all are
+/// @param groups  first points of groups, ascending from 0; points are welded within a group only; empty: one group
 /// @throws InputError as `triangulated`
 WeldedMesh welded(const std::vector<std::array<double, 3>>& points, std::span<const int> corners, const std::vector<long>& lines,
                   const std::string& file, WarningTally warnings, std::vector<std::size_t> groups = {});
 
-/// A coordinate read from a file.
+/// Returns a word of a file as a coordinate.
 /// @throws InputError if `word` is not a finite decimal number or exceeds largest_coordinate
 double checked_coordinate(std::string_view word, const std::string& file, long line);
 
-/// Can a number of that type be x? Any can be one of floating point.
+/// True if the type has the value x; types of floating point have any value.
 bool fits_type(double x, ScalarType type);
+
+/// Returns a word of a file as a value of the type, or nothing if it is none. NaN and infinities are values of floating point.
+std::optional<double> value_of_type(std::string_view word, ScalarType type);
 
 /// @throws InputError if x exceeds largest_coordinate
 void check_range(double x, const std::string& file, long line);

@@ -1,13 +1,15 @@
 /// @file
-/// The kinds of numbers that binary formats hold, and the columns of such numbers that meshes carry.
+/// The types of numbers in binary files, and columns of such numbers: the values of vertices.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -17,7 +19,11 @@ namespace meshfolio {
 
 enum class ScalarType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
-/// use(zero), the zero being of the C++ type that `type` stands for.
+/// The names of the types in VTK's XML files, in the same order.
+inline constexpr std::array<std::string_view, 10> vtk_type_names{"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
+                                                                 "UInt32", "Int64", "UInt64", "Float32", "Float64"};
+
+/// Returns use(zero), where zero has the C++ type for `type`.
 template <class Use>
 auto with_zero_of(ScalarType type, const Use& use) {
     switch (type) {
@@ -45,7 +51,7 @@ auto with_zero_of(ScalarType type, const Use& use) {
     return use(double{});
 }
 
-/// Bytes in a binary file.
+/// Returns the bytes that a number takes in a binary file.
 inline std::size_t size_of(ScalarType type) {
     return with_zero_of(type, [](auto zero) { return sizeof(zero); });
 }
@@ -54,7 +60,7 @@ inline bool is_integer(ScalarType type) {
     return with_zero_of(type, [](auto zero) { return std::is_integral_v<decltype(zero)>; });
 }
 
-/// A number that begins at `raw`, in the machine's order of bytes or in the other one.
+/// Returns the number at `raw`. @param swapped  its bytes are in the opposite of the machine's order
 template <class T>
 T value_at(const char* raw, bool swapped) {
     std::array<char, sizeof(T)> bytes;
@@ -63,12 +69,13 @@ T value_at(const char* raw, bool swapped) {
     return std::bit_cast<T>(bytes);
 }
 
+/// Returns the little-endian number at `raw`.
 template <class T>
 T little_endian(const char* raw) {
     return value_at<T>(raw, std::endian::native == std::endian::big);
 }
 
-/// Little endian, as everything binary that we write.
+/// Appends the bytes of a number, little endian.
 template <class T>
 void append_little_endian(std::string& bytes, T value) {
     auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
@@ -76,24 +83,29 @@ void append_little_endian(std::string& bytes, T value) {
     bytes.append(raw.data(), raw.size());
 }
 
-/// One number a vertex, beside its place: a channel of its colour, a quality, a curvature.
+/// One number per vertex: a channel of its colour, a quality, a curvature.
 struct VertexColumn {
     std::string name;
     Vector values;                           // n, each within the range of the type; NaN: not defined
-    ScalarType type = ScalarType::float64;   // as files hold it
-    std::string array = {};                  // of several numbers a vertex, which this is one of; empty: it stands alone
+    ScalarType type = ScalarType::float64;   // in files
+    std::string array = {};                  // name of the array of several numbers per vertex that it is part of; empty: none
 };
 
-/// The column of number `part` of such an array: "velocity_x", or "stress_4" where they are not three.
+/// Returns the name of the column for number `part` of an array: "velocity_x", or "stress_4" if there are not three.
 inline std::string component_name(const std::string& array, std::size_t part, std::size_t parts) {
     return array + "_" + (parts == 3 ? std::string(1, "xyz"[part]) : std::to_string(part));
 }
 
-/// What a file says beside positions and triangles.
+/// Converts a channel of a colour in [0, 1] from sRGB, as PLY, OBJ and VTP hold it, to linear light, as COLOR_0 of glTF does, and back
+/// (IEC 61966-2-1).
+inline double linear_of_srgb(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
+inline double srgb_of_linear(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055; }
+
+/// The content of a file beyond positions and triangles.
 struct Attributes {
-    std::vector<VertexColumn> columns = {};   // those of nx, ny, nz are no values: whoever writes them computes normals anew
+    std::vector<VertexColumn> columns = {};   // values, and perhaps normals nx, ny, nz, which writers compute anew
     std::string obj = {};                     // the text of an OBJ file; empty for other formats
-    std::vector<long> face_lines = {};        // in that text, of each triangle
+    std::vector<long> face_lines = {};        // the line of each triangle in that text
 };
 
 }   // namespace meshfolio

@@ -18,13 +18,13 @@ namespace {
 constexpr std::size_t header_bytes = 84;   // 80 of text, 4 of count
 constexpr std::size_t triangle_bytes = 50;
 
-/// Upper and lower case are the same.
+/// True if the words are equal but for case.
 bool same_word(std::string_view word, std::string_view keyword) {
     return std::ranges::equal(word, keyword, {}, [](char c) { return lower_case(c); });
 }
 
-/// "solid name  facet normal … outer loop  vertex … (3) endloop endfacet … endsolid name", any number of solids. Keywords of two words may
-/// be written as one, those of one word as two, and lines may end anywhere but within a vertex.
+/// Reader of "solid name  facet normal … outer loop  vertex … (3) endloop endfacet … endsolid name", any number of solids. Keywords of two
+/// words may be written as one, those of one word as two, and lines may end anywhere but within a vertex.
 class TextStl {
 public:
     TextStl(std::string_view text, const std::string& file) : words_(text), file_(file) {}
@@ -53,7 +53,7 @@ private:
         throw InputError({file_, words_.line()}, problem, "the file may be damaged or cut off");
     }
 
-    /// Is it this keyword, or its first word before the second one on the same line? Takes the second one then.
+    /// True if the word is the keyword, or its first half and the second half is next on the line, which is then taken.
     bool is_keyword(std::string_view word, const std::string& first, const std::string& second) {
         std::string_view rest = words_.rest_of_line();
         if (!same_word(word, first) || !same_word(take_word(rest), second)) return same_word(word, first + second);
@@ -61,7 +61,7 @@ private:
         return true;
     }
 
-    /// Leaves out the name of a solid, which a facet on the same line ends. @return whether there is such a facet
+    /// Skips the name of a solid, which ends at a facet on the same line. Returns true if there is such a facet.
     bool skip_name() {
         for (;;) {
             std::string_view rest = words_.rest_of_line();
@@ -92,7 +92,7 @@ private:
         expect("end", "facet");
     }
 
-    /// The normal is left out: the winding says the same, and more exactly. Its numbers may stand on later lines.
+    /// Skips the normal, because the winding gives it more exactly. Its numbers may be on later lines.
     void skip_normal(bool has_normal) {
         int numbers = has_normal ? 0 : -1;   // behind "normal"
         for (std::string_view word = words_.next(); !is_keyword(word, "outer", "loop"); word = words_.next(), ++numbers) {
@@ -121,10 +121,9 @@ LoadedMesh parse_binary(std::string_view bytes, const std::string& file) {
         throw InputError({file, 0}, "too short for binary STL (" + std::to_string(bytes.size()) + " bytes)", "the file may be cut off");
     const std::size_t count = little_endian<std::uint32_t>(bytes.data() + 80);
     const std::size_t room = (bytes.size() - header_bytes) / triangle_bytes;
-    if (count > room) {
+    if (count > room)
         throw InputError({file, 0}, std::to_string(count) + " triangles announced, room for " + std::to_string(room),
                          "the file may be cut off, or is not STL");
-    }
     WarningTally warnings;
     const std::size_t trailing = bytes.size() - header_bytes - count * triangle_bytes;
     if (trailing > 0)
@@ -135,17 +134,16 @@ LoadedMesh parse_binary(std::string_view bytes, const std::string& file) {
         const std::size_t at = header_bytes + i / 3 * triangle_bytes + 12 + i % 3 * 12;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const float x = little_endian<float>(bytes.data() + at + 4 * axis);
-            if (!std::isfinite(x)) {
+            if (!std::isfinite(x))
                 throw InputError({file, 0}, "triangle " + std::to_string(i / 3) + ": coordinate is " + (std::isnan(x) ? "nan" : "inf"),
                                  "every coordinate must be finite");
-            }
             corners[i][axis] = x;
         }
     }
     return welded(corners, {}, {}, file, std::move(warnings)).loaded;
 }
 
-/// Some binary files begin with "solid" too, but their size fits their count, or they have bytes that no text has.
+/// True for text. Some binary files begin with "solid" too, but their size fits their count, or they have NUL bytes.
 bool is_text(std::string_view bytes) {
     if (bytes.size() >= header_bytes && bytes.size() == header_bytes + triangle_bytes * little_endian<std::uint32_t>(bytes.data() + 80))
         return false;

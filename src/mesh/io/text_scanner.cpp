@@ -1,17 +1,12 @@
 #include "mesh/io/text_scanner.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "base/errors.h"
 
 namespace meshfolio {
 
-namespace {
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-
-}   // namespace
+static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
 std::string_view take_word(std::string_view& line) {
     std::size_t begin = 0;

@@ -7,19 +7,19 @@
 
 namespace meshfolio {
 
-/// Takes the first word off `line` and returns it; empty when only white space was left.
+/// Removes the first word from `line` and returns it; empty if only white space is left.
 std::string_view take_word(std::string_view& line);
 
-/// `text` without the UTF-8 byte order mark that some editors put in front.
+/// Returns the text without the UTF-8 byte order mark that some editors put in front.
 std::string_view without_bom(std::string_view text);
 
-/// `line` without its comment, which begins with a '#' at the start of a word. ("-1.#IND" is a bad number, not a good one.)
+/// Returns the line without its comment, which begins with a '#' at the start of a word. ("-1.#IND" is a bad number.)
 std::string_view without_comment(std::string_view line);
 
 /// @throws InputError at the line of the first NUL byte, which no text file has
 void refuse_nul_bytes(std::string_view text, const std::string& file);
 
-/// Goes through the lines of a text. They may end in \n, \r\n or \r.
+/// Iterates over the lines of a text. They may end in \n, \r\n or \r.
 class LineScanner {
 public:
     explicit LineScanner(std::string_view text);
@@ -38,24 +38,24 @@ private:
     std::string_view line_;
     std::size_t offset_ = 0;
     long number_ = 0;
-    bool has_returns_;   // looked for once: most files have none
+    bool has_returns_;   // found once: most files have none
 };
 
-/// Goes through the words of a text wherever its lines end, leaving comments ("# …") out.
+/// Iterates over the words of a text, on all its lines, without comments ("# …").
 class WordScanner {
 public:
     explicit WordScanner(std::string_view text) : lines_(text) {}
 
-    /// The next word on this or a later line; empty at the end of the text.
+    /// Returns the next word on this or a later line; empty at the end of the text.
     std::string_view next();
-    /// The next word of the current line; empty at its end.
+    /// Returns the next word of the current line; empty at its end.
     std::string_view next_on_line() { return take_word(rest_); }
-    /// Leaves the current line.
+    /// Skips the rest of the current line.
     void skip_line() { rest_ = {}; }
 
     long line() const { return lines_.number(); }
     std::string_view rest_of_line() const { return rest_; }
-    std::size_t offset() const { return lines_.offset() - rest_.size(); }   // bytes read so far, nearly
+    std::size_t offset() const { return lines_.offset() - rest_.size(); }   // bytes read so far, about
 
 private:
     LineScanner lines_;

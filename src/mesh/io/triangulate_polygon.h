@@ -1,12 +1,12 @@
 /// @file
-/// Ear clipping for the readers: like triangulate_polygon of mesh_files.h, and says whether the polygon was simple.
+/// Triangles of polygons, for the readers.
 #pragma once
 
 #include "mesh/triangle_mesh.h"
 
 namespace meshfolio {
 
-/// Largest polygon that is triangulated. Ear clipping is quadratic in the worst case; this many corners stay within seconds.
+/// Most corners of a polygon that is triangulated. Ear clipping is quadratic in the worst case; so many corners take seconds.
 inline constexpr int max_polygon_corners = 32768;
 
 struct PolygonTriangles {
@@ -15,6 +15,8 @@ struct PolygonTriangles {
     int spikes = 0;       // corners left out because the polygon goes out to them and back on the same line
 };
 
+/// Triangulates a polygon given by its corner positions in order: by the fan around its first corner if that is right (always if convex),
+/// else by ear clipping in the plane of the Newell normal. The triangles depend neither on the place nor on the size of the polygon.
 /// @throws MeshError with fewer than 3 corners or more than max_polygon_corners
 PolygonTriangles triangulated_polygon(const Positions& corners);
 

@@ -2,12 +2,8 @@
 
 #include <libdeflate.h>
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,34 +11,15 @@
 #include "base/base64.h"
 #include "base/errors.h"
 #include "base/in_quotes.h"
-#include "base/number_text.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/io/text_scanner.h"
 
 namespace meshfolio {
 
-namespace {
-
-const std::map<std::string_view, ScalarType> types{
-    {"Int8", ScalarType::int8},       {"UInt8", ScalarType::uint8},     {"Int16", ScalarType::int16}, {"UInt16", ScalarType::uint16},
-    {"Int32", ScalarType::int32},     {"UInt32", ScalarType::uint32},   {"Int64", ScalarType::int64}, {"UInt64", ScalarType::uint64},
-    {"Float32", ScalarType::float32}, {"Float64", ScalarType::float64},
-};
-
-/// "nan", "-inf" or "Infinity", in letters of any case, as VTK and others write them.
-std::optional<double> not_finite(std::string_view word) {
-    double number = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc{} || end != word.data() + word.size() || std::isfinite(number)) return std::nullopt;
-    return number;
-}
-
-}   // namespace
-
 void VtkFile::fail(const std::string& problem, const std::string& remedy) const { throw InputError({file_, 0}, problem, remedy); }
 
 VtkFile::VtkFile(std::string_view bytes, std::string file) : file_(std::move(file)), left_(50 * bytes.size() + (1 << 20)) {
-    // What follows "_" may be binary, which no reader of XML takes.
+    // The data behind "_" may be binary, which is no XML.
     const std::size_t end = bytes.find("<AppendedData"), begin = end == bytes.npos ? end : bytes.find('_', bytes.find('>', end));
     std::string text(bytes.substr(0, end));
     if (begin != bytes.npos) {
@@ -65,18 +42,17 @@ VtkFile::VtkFile(std::string_view bytes, std::string file) : file_(std::move(fil
 VtkArray VtkFile::array(const pugi::xml_node& element) {
     const std::string name = "array " + in_quotes(element.attribute("Name").value());
     const std::string_view format = element.attribute("format").value();
-    const auto type = types.find(element.attribute("type").value());
+    const auto type = std::ranges::find(vtk_type_names, std::string_view(element.attribute("type").value()));
     VtkArray array;
     array.components = element.attribute("NumberOfComponents").as_int(1);
-    if (type == types.end() || array.components < 1 || array.components > 1000)
+    if (type == vtk_type_names.end() || array.components < 1 || array.components > 1000)
         fail(name + " is of an unknown type", "the file may be damaged");
-    array.type = type->second;
+    array.type = static_cast<ScalarType>(type - vtk_type_names.begin());
     if (format == "ascii") {
         WordScanner words(element.child_value());
         for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-            const std::optional<double> finite = parse_number(word), number = finite || is_integer(array.type) ? finite : not_finite(word);
-            if (!number || !fits_type(*number, array.type))
-                fail(name + ": " + in_quotes(word) + " is no number of its type", "the file may be damaged");
+            const std::optional<double> number = value_of_type(word, array.type);
+            if (!number) fail(name + ": " + in_quotes(word) + " is no number of its type", "the file may be damaged");
             array.values.push_back(*number);
         }
         return array;
@@ -103,8 +79,8 @@ VtkArray VtkFile::array(const pugi::xml_node& element) {
     return array;
 }
 
-/// Sizes, then data. Of packed data: the number of blocks, their size, that of the last (0: as the others), the packed size of each.
-/// In base64, sizes and data are encoded together or apart.
+/// Decodes sizes and then data. Packed data have the number of blocks, their size, the size of the last (0: the same), and the packed size
+/// of each. In base64, sizes and data are encoded together or apart.
 std::string VtkFile::data_of(std::string_view encoded, bool is_text, const std::string& name) {
     const std::size_t word = size_of(header_);
     const auto bytes = [&](std::size_t count) {   // the first so many

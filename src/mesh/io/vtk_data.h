@@ -18,15 +18,15 @@ struct VtkArray {
     ScalarType type = ScalarType::float64;
 };
 
-/// A file: what of it is XML, and the data behind that.
+/// A file: its XML, and the data behind it.
 class VtkFile {
 public:
-    /// @throws InputError for what is no XML of VTK, or needs what is not read
+    /// @throws InputError if the bytes are no XML of VTK, or use another compression than zlib
     VtkFile(std::string_view bytes, std::string file);
 
     pugi::xml_node root() const { return root_; }
 
-    /// What a DataArray holds: text, or binary data within the element or behind the XML, packed by zlib or not.
+    /// Returns the values of a DataArray: text, or binary data in the element or behind the XML, packed by zlib or not.
     /// @throws InputError naming the array
     VtkArray array(const pugi::xml_node& element);
 
@@ -38,9 +38,9 @@ private:
     pugi::xml_document document_;
     pugi::xml_node root_;
     std::string_view appended_;
-    std::size_t left_;   // bytes that arrays may still have: few of a file could ask for any amount
+    std::size_t left_;   // bytes that arrays may still take: small files could claim any amount
     bool appended_is_text_ = false, swapped_ = false, is_packed_ = false;
-    ScalarType header_ = ScalarType::uint32;   // of the sizes in front of data
+    ScalarType header_ = ScalarType::uint32;   // type of the sizes in front of data
 };
 
 }   // namespace meshfolio

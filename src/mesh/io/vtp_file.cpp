@@ -19,7 +19,7 @@ namespace meshfolio {
 
 namespace {
 
-constexpr std::size_t most_columns = 10000;   // numbers a point, of all arrays
+constexpr std::size_t most_columns = 10000;   // numbers per point, of all arrays
 
 /// Reader of VTK's PolyData as XML (VTK, "VTK XML File Formats"): points, polygons and strips of all pieces, one after the other.
 class VtpReader {
@@ -36,7 +36,7 @@ public:
         LoadedMesh loaded = triangulated(polygons_, Eigen::Map<const Positions>(points_.data(), vertices(), 3), file_, warnings_);
         for (const Column& column : columns_) {
             if (std::ssize(column.values) != vertices()) continue;                                        // not in every piece
-            const bool is_long = column.type == ScalarType::int64 || column.type == ScalarType::uint64;   // which other formats lack
+            const bool is_long = column.type == ScalarType::int64 || column.type == ScalarType::uint64;   // other formats lack them
             const bool is_short = std::ranges::all_of(column.values, [](double x) { return fits_type(x, ScalarType::int32); });
             loaded.attributes.columns.push_back({column.name, Eigen::Map<const Vector>(column.values.data(), vertices()),
                                                  !is_long   ? column.type
@@ -76,11 +76,10 @@ private:
             if (!is_ghost_array(element)) not_kept_.insert(element.attribute("Name").value());
     }
 
-    /// Which points and cells of a piece stand in others as well, or are hidden (vtkDataSetAttributes, bits of vtkGhostType). The array's
-    /// earlier name held levels: 0, or how far the cell lies from its piece.
+    /// Points and cells of a piece that are in others as well, or hidden (vtkDataSetAttributes, bits of vtkGhostType).
     struct Ghosts {
-        std::vector<double> points, cells;   // empty: none is said to be one
-        bool levels = false;                 // of cells
+        std::vector<double> points, cells;   // empty: no ghosts
+        bool levels = false;                 // cells hold levels (vtkGhostLevels, the earlier array): 0, or the distance from the piece
     };
 
     static bool is_ghost_array(const pugi::xml_node& element) {
@@ -99,8 +98,8 @@ private:
         return ghosts;
     }
 
-    /// Is cell number `cell` of a piece left out? VTK draws no cell with a hidden point; points alone make a duplicate of a cell whose
-    /// corners all are.
+    /// True if a cell of a piece is left out. VTK draws no cell with a hidden point; without ghost cells, a cell is a duplicate if all its
+    /// corners are.
     static bool is_left_out(const Ghosts& ghosts, std::size_t cell, std::span<const double> corners) {
         constexpr unsigned duplicate_cell = 1, refined_cell = 8, hidden_cell = 32, duplicate_point = 1, hidden_point = 2;
         const auto bits = [](double x) { return x >= 0 && x <= 255 ? static_cast<unsigned>(x) : 0U; };
@@ -116,7 +115,8 @@ private:
         return ghosts.cells.empty() && std::ranges::all_of(corners, is_point(duplicate_point));
     }
 
-    /// `offsets` says behind which entry of `connectivity` each cell ends. @return number of the next cell
+    /// Reads polygons or strips: each cell ends before the entry of `connectivity` that `offsets` gives. Returns the number of the next
+    /// cell.
     std::size_t read_cells(const pugi::xml_node& cells, bool strips, std::size_t first, const Ghosts& ghosts, std::size_t cell) {
         const pugi::xml_node connectivity = cells.find_child_by_attribute("DataArray", "Name", "connectivity");
         const pugi::xml_node offsets = cells.find_child_by_attribute("DataArray", "Name", "offsets");
@@ -141,7 +141,7 @@ private:
         return cell;
     }
 
-    /// A polygon, or a strip, in which every second triangle is turned.
+    /// Adds a polygon, or the triangles of a strip, every second one turned.
     void add_cell(std::span<const double> corners, bool is_strip, int first) {
         const std::size_t size = is_strip ? 3 : corners.size(), cells = is_strip ? std::max<std::size_t>(corners.size(), 2) - 2 : 1;
         for (std::size_t i = 0; i < cells; ++i) {
@@ -176,7 +176,7 @@ private:
         }
     }
 
-    /// As PLY calls it: the first colour by its channels.
+    /// Returns the name of a column, by the conventions of PLY for normals and for the first colour.
     std::string column_name(const std::string& name, const VtkArray& array, std::size_t part) const {
         static constexpr std::array channels{"red", "green", "blue", "alpha"}, axes{"nx", "ny", "nz", ""};
         if (array.components == 1) return name;
@@ -201,7 +201,7 @@ private:
     PolygonList polygons_;
     std::vector<Column> columns_;
     std::map<std::pair<std::string, std::size_t>, std::size_t> first_columns_;   // of arrays, by name and components
-    std::set<std::string> names_, not_kept_;                                     // of columns; of arrays
+    std::set<std::string> names_, not_kept_;                                     // names of columns; names of arrays
 };
 
 }   // namespace

@@ -7,17 +7,8 @@
 
 #include "base/at.h"
 #include "base/joined.h"
-#include "mesh/io/srgb_curve.h"
 
 namespace meshfolio {
-
-namespace {
-
-bool is_column(const std::string& attribute) { return attribute == "COLOR_0" || attribute.starts_with('_'); }
-
-double nearest_byte(double linear) { return std::round(255 * srgb_of_linear(linear)); }
-
-}   // namespace
 
 void GlbColumns::Column::fill(std::size_t points) {
     has_gaps |= values.size() < points;
@@ -28,7 +19,7 @@ void GlbColumns::add(const GlbDocument::Json& primitive, const std::vector<std::
     const GlbDocument::Json& attributes = primitive.at("attributes");
     document_.spend(8 * attributes.size());
     for (const auto& [name, index] : attributes.items()) {
-        if (is_column(name))
+        if (name == "COLOR_0" || name.starts_with('_'))
             add_attribute(name, document_.accessor(attributes, name), vertices, before);
         else if (name != "POSITION" && name != "NORMAL" && !name.starts_with("JOINTS_") && !name.starts_with("WEIGHTS_"))
             not_kept_.insert(name);
@@ -36,7 +27,7 @@ void GlbColumns::add(const GlbDocument::Json& primitive, const std::vector<std::
     if (primitive.contains("material")) not_kept_.insert("material");
 }
 
-/// The column of a component, made where it is new.
+/// Returns the column of a component, which is added if it is new.
 GlbColumns::Column& GlbColumns::column(const std::string& attribute, const GlbAccessor& values, int component) {
     static constexpr std::array channels{"red", "green", "blue", "alpha"};
     const auto found =
@@ -71,7 +62,7 @@ void GlbColumns::add_attribute(const std::string& name, const GlbAccessor& value
     }
 }
 
-/// 8 bits where every channel is that of such a colour to the rounding of 16 bits, or where the file has no more.
+/// Returns 8 bits if these hold every channel up to the rounding of 16 bits, else the widest type of a colour in the file.
 ScalarType GlbColumns::color_type() const {
     constexpr double rounded = 1.5 / 65535;
     ScalarType type = ScalarType::uint8;
@@ -80,30 +71,26 @@ ScalarType GlbColumns::color_type() const {
         if (!column.is_color()) continue;
         type = std::max(type, column.type);
         is_byte = is_byte && std::ranges::all_of(column.values, [&](double x) {
-                      const double near = column.component == 3 ? std::round(255 * x) / 255 : linear_of_srgb(nearest_byte(x) / 255);
+                      const double near =
+                          column.component == 3 ? std::round(255 * x) / 255 : linear_of_srgb(std::round(255 * srgb_of_linear(x)) / 255);
                       return std::abs(x - near) <= rounded;
                   });
     }
     return is_byte || type <= ScalarType::uint8 ? ScalarType::uint8 : type <= ScalarType::uint16 ? ScalarType::uint16 : ScalarType::float32;
 }
 
-void GlbColumns::count_seams(const WeldedMesh& mesh) {
+std::vector<VertexColumn> GlbColumns::of_vertices(const WeldedMesh& mesh) {
     std::vector<char> differs(mesh.first.size(), 0);
-    for (const Column& column : columns_) {
+    for (Column& column : columns_) {
+        column.fill(mesh.vertex.size());
         for (std::size_t point = 0; point < column.values.size(); ++point) {
             const double here = column.values[point], kept = column.values[at(mesh.first[at(mesh.vertex[point])])];
             if (here != kept && !(std::isnan(here) && std::isnan(kept))) differs[at(mesh.vertex[point])] = 1;
         }
     }
-    for (const char d : differs)
-        if (d != 0)
-            warnings_.add(0, "vertex has other colours or values across a seam: the first are kept",
-                          "vertices have other colours or values across a seam: the first are kept");
-}
-
-std::vector<VertexColumn> GlbColumns::of_vertices(const WeldedMesh& mesh) {
-    for (Column& column : columns_) column.fill(mesh.vertex.size());
-    count_seams(mesh);
+    for (auto count = std::ranges::count(differs, 1); count > 0; --count)
+        warnings_.add(0, "vertex has other colours or values across a seam: the first are kept",
+                      "vertices have other colours or values across a seam: the first are kept");
     const ScalarType color = color_type();
     const double largest = color == ScalarType::uint8 ? 255 : color == ScalarType::uint16 ? 65535 : 1;
     std::vector<VertexColumn> kept;

@@ -10,11 +10,7 @@
 
 namespace meshfolio {
 
-namespace {
-
-std::uint32_t word(std::string_view bytes, std::size_t at) { return little_endian<std::uint32_t>(bytes.data() + at); }
-
-}   // namespace
+static std::uint32_t word(std::string_view bytes, std::size_t offset) { return little_endian<std::uint32_t>(bytes.data() + offset); }
 
 std::size_t GlbAccessor::replaced_index(std::size_t slot) const {
     return with_zero_of(index_type,
@@ -63,7 +59,7 @@ std::string_view GlbDocument::take_chunk(std::string_view& bytes, std::string_vi
     return chunk;
 }
 
-/// What is read, and what changes looks only, may be required.
+/// @throws InputError unless the extension is supported or changes the look only
 void GlbDocument::refuse_unknown(const std::string& extension) const {
     static constexpr std::array harmless{
         "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"};
@@ -89,7 +85,7 @@ const GlbDocument::Json& GlbDocument::entry(const char* list, std::size_t index)
     return json_.at(list)[index];
 }
 
-/// `size` bytes from `offset` within the view (§3.6.1).
+/// Returns `size` bytes from `offset` in the view (§3.6.1).
 const char* GlbDocument::bytes_of_view(const Json& view, std::size_t offset, std::size_t size, const std::string& name) const {
     if (view.contains("extensions") && view["extensions"].contains("EXT_meshopt_compression")) refuse_unknown("EXT_meshopt_compression");
     const std::size_t buffer = number(view, "buffer", 0);
@@ -100,7 +96,7 @@ const char* GlbDocument::bytes_of_view(const Json& view, std::size_t offset, std
     return data_.data() + begin + offset;
 }
 
-/// The indices are unsigned integers that rise strictly (§5.3, §5.4).
+/// Reads replaced elements. Their indices are unsigned integers that rise strictly (§5.3, §5.4).
 void GlbDocument::add_replacements(GlbAccessor& made, const Json& sparse, const std::string& name) {
     static const std::map<std::size_t, ScalarType> types{{5121, ScalarType::uint8}, {5123, ScalarType::uint16}, {5125, ScalarType::uint32}};
     const Json &indices = sparse.at("indices"), &values = sparse.at("values");
@@ -119,7 +115,7 @@ void GlbDocument::add_replacements(GlbAccessor& made, const Json& sparse, const 
 }
 
 GlbAccessor GlbDocument::accessor(std::size_t index) {
-    spend(32);   // as long as it takes to read that many numbers
+    spend(32);   // takes as long as reading 32 numbers
     const Json& json = entry("accessors", index);
     const std::string name = "accessor " + std::to_string(index);
     static const std::map<std::size_t, ScalarType> types{{5120, ScalarType::int8},   {5121, ScalarType::uint8},

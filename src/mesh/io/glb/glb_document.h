@@ -12,21 +12,22 @@
 
 namespace meshfolio {
 
-/// Elements of numbers (§3.6.2), perhaps with some of them replaced (§3.6.2.3, sparse accessors). Zeros where there is no data.
+/// A list of elements of 1 to 16 numbers (§3.6.2), some of which may be replaced (§3.6.2.3, sparse accessors).
 struct GlbAccessor {
-    const char* data = nullptr;   // null: zeros
+    const char* data = nullptr;   // null: all zeros
     std::size_t count = 0, stride = 0;
     ScalarType type = ScalarType::float32;
     int components = 1;
     bool normalized = false;
 
-    std::size_t replaced = 0;   // elements; their numbers rise
+    std::size_t replaced = 0;   // number of replaced elements; their indices rise
     ScalarType index_type = ScalarType::uint32;
     const char *indices = nullptr, *replacements = nullptr;
 
     std::size_t element_size() const { return size_of(type) * static_cast<std::size_t>(components); }
+    /// Returns the index of the element that replacement number `slot` replaces.
     std::size_t replaced_index(std::size_t slot) const;
-    /// Component k of element i < count; normalised integers as §3.11 converts them.
+    /// Returns component k of element i < count; normalised integers are converted (§3.11).
     double operator()(std::size_t i, int k) const;
 };
 
@@ -34,24 +35,24 @@ class GlbDocument {
 public:
     using Json = nlohmann::json;
 
-    /// @throws InputError unless the bytes are chunks of JSON and data that use no required extension beyond what is read
+    /// @throws InputError if the bytes are no chunks of JSON and data, or require an extension that is not supported
     GlbDocument(std::string_view bytes, const std::string& file, WarningTally& warnings);
 
     const Json& json() const { return json_; }
-    /// Entry `index` of a list at the top, and how many entries the list has.
+    /// Returns entry `index` of a list at the top. @throws InputError if there is none
     const Json& entry(const char* list, std::size_t index) const;
+    /// Returns the number of entries of a list at the top; 0 if there is no such list.
     std::size_t size_of_list(const char* list) const;
-    /// A whole number of an object, from 0; `otherwise` where it is not there.
+    /// Returns a whole number of an object, from 0; `otherwise` if it has none.
     std::size_t number(const Json& object, const char* key, std::size_t otherwise) const;
+    /// Returns accessor `index`, with its data. @throws InputError if they do not fit the file
     GlbAccessor accessor(std::size_t index);
-    /// The accessor of an attribute, which must be there.
+    /// Returns the accessor of an attribute. @throws InputError if there is none
     GlbAccessor accessor(const Json& attributes, const std::string& name);
 
-    /// Refuses more points or triangles than `most`: a million, or as many as the file has bytes, because instances may multiply what a
-    /// small file holds.
+    /// @throws InputError for more points or triangles than 200,000 or a quarter of the file's bytes: instances may multiply a small mesh
     void refuse_too_many(std::size_t count) const;
-    std::size_t most() const { return most_; }
-    /// Counts what is read again for each instance, and refuses more than 32 times `most`.
+    /// Adds steps of reading, which instances repeat. @throws InputError beyond 32 times that number
     void spend(std::size_t steps);
 
     [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const { throw InputError({file_, 0}, problem, remedy); }

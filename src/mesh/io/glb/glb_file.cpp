@@ -8,7 +8,6 @@
 #include "base/in_quotes.h"
 #include "mesh/io/glb/glb_columns.h"
 #include "mesh/io/glb/glb_scene.h"
-#include "mesh/io/glb/glb_shape.h"
 #include "mesh/io/mesh_files.h"
 
 namespace meshfolio {
@@ -17,8 +16,8 @@ namespace {
 
 using Json = GlbDocument::Json;
 
-/// Reads binary glTF 2.0 whose data is all in its own chunk: the triangles of its scene at rest, each where its nodes put it. A vertex that
-/// a mesh has once for each of its normals or texture coordinates is welded; those of different nodes are not.
+/// Reads binary glTF 2.0 with all data in its own chunk: the triangles of its scene at rest, in the places of their nodes. Vertices that a
+/// mesh repeats for each normal or texture coordinate are welded; those of different nodes are not.
 class GlbReader {
 public:
     GlbReader(std::string_view bytes, const std::string& file, Keep keep)
@@ -42,7 +41,7 @@ public:
     }
 
 private:
-    /// Do the nodes show one primitive, once? It keeps its vertices that no triangle uses, as other formats do.
+    /// True if the nodes show one primitive, once. It keeps vertices that no triangle uses, as in other formats.
     bool has_one_primitive(const std::vector<std::size_t>& nodes) const {
         std::size_t primitives = 0;
         for (const std::size_t number : nodes) {
@@ -58,13 +57,15 @@ private:
         const Json& node = document_.entry("nodes", number);
         const Json& mesh = document_.entry("meshes", document_.number(node, "mesh", 0));
         const auto weights = node.value("weights", mesh.value("weights", std::vector<double>()));   // §3.7.2.2
-        const GlbInstances instances(document_, node);
+        const std::vector<Eigen::Matrix4d> instances = instances_of(document_, node);
         const std::vector<Eigen::Matrix4d>* joints = nullptr;
         if (node.contains("skin")) {
-            joints = &skins_.joints(document_.number(node, "skin", 0));
-            if (instances.count() > 1) document_.fail("instances of a skinned mesh are not supported", "export one of each mesh");
+            const auto [of_skin, is_new] = joints_.try_emplace(document_.number(node, "skin", 0));
+            if (is_new) of_skin->second = joints_of(document_, of_skin->first, global_);
+            joints = &of_skin->second;
+            if (instances.size() > 1) document_.fail("instances of a skinned mesh are not supported", "export one of each mesh");
         }
-        for (std::size_t i = 0; i < instances.count(); ++i) place_mesh(mesh, weights, global_[number] * instances(i), joints);
+        for (const Eigen::Matrix4d& instance : instances) place_mesh(mesh, weights, global_[number] * instance, joints);
     }
 
     void place_mesh(const Json& mesh, const std::vector<double>& weights, const Eigen::Matrix4d& place,
@@ -89,14 +90,14 @@ private:
         }
     }
 
-    /// Its accessors have no data; a file that names the extension as required is refused before.
+    /// Refuses a primitive without data because of compression. A file that requires the extension has been refused before.
     void refuse_draco(const Json& primitive) const {
         if (primitive.contains("extensions") && primitive["extensions"].contains("KHR_draco_mesh_compression") &&
             !document_.entry("accessors", document_.number(primitive.at("attributes"), "POSITION", 0)).contains("bufferView"))
             document_.fail("needs the extension 'KHR_draco_mesh_compression'", "export it without compression or extensions");
     }
 
-    /// Of the triangles, in the order of the primitive, as numbers of elements.
+    /// Returns the corners of the triangles, in the order of the primitive, as indices of its points.
     std::vector<std::uint32_t> corners_of(const Json& primitive, std::size_t points) {
         std::vector<std::uint32_t> corners;
         if (!primitive.contains("indices")) {
@@ -119,8 +120,8 @@ private:
         return corners;
     }
 
-    /// The elements that become points, ascending; `corners` become numbers of these. A buffer may serve many primitives (§3.7.2), so that
-    /// only what this one's triangles use counts.
+    /// Returns the points that are used, ascending, and makes `corners` indices of these. A buffer may serve many primitives (§3.7.2), so
+    /// that only the points count that the triangles of this one use.
     std::vector<std::uint32_t> used_vertices(std::vector<std::uint32_t>& corners, std::size_t count) const {
         if (is_alone_) {
             document_.refuse_too_many(count);
@@ -135,7 +136,7 @@ private:
         return used;
     }
 
-    /// @return whether they are mirrored, which turns triangles (§3.5.3)
+    /// Adds vertices of a shape. Returns true if they are mirrored, which turns triangles (§3.5.3).
     bool add_points(const GlbShape& shape, const std::vector<std::uint32_t>& vertices, const Eigen::Matrix4d& place) {
         document_.refuse_too_many(points_.size() + vertices.size());
         document_.spend(vertices.size() * shape.cost());
@@ -152,7 +153,7 @@ private:
         return is_mirrored;
     }
 
-    /// Independent ones (mode 4), a strip whose every second one is turned (5), or a fan (6).
+    /// Adds separate triangles (mode 4), a strip with every second triangle turned (5), or a fan (6).
     void add_triangles(const std::vector<std::uint32_t>& corners, std::size_t mode, int first, bool turned) {
         if (mode == 4 && corners.size() % 3 != 0) document_.damaged("the number of corners is no multiple of 3");
         const std::size_t step = mode == 4 ? 3 : 1;
@@ -169,11 +170,11 @@ private:
     WarningTally warnings_;
     GlbDocument document_;
     GlbColumns columns_;
-    std::vector<Eigen::Matrix4d> global_;   // of nodes
-    GlbSkins skins_{document_, global_};
+    std::vector<Eigen::Matrix4d> global_;                          // of nodes
+    std::map<std::size_t, std::vector<Eigen::Matrix4d>> joints_;   // of skins
     std::vector<std::array<double, 3>> points_;
-    std::vector<std::size_t> placed_;   // where the points of each mesh that a node places begin
-    std::vector<int> corners_;          // of triangles, as numbers of points
+    std::vector<std::size_t> placed_;   // the first point of each mesh that a node places
+    std::vector<int> corners_;          // of triangles, as indices of points
 };
 
 }   // namespace

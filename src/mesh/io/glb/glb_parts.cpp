@@ -1,10 +1,7 @@
 #include "mesh/io/glb/glb_parts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <nlohmann/json.hpp>
 
 #include "base/at.h"
 #include "mesh/disjoint_sets.h"
@@ -15,7 +12,7 @@ namespace meshfolio {
 
 namespace {
 
-/// Of each vertex, the number of its place among those of equal coordinates.
+/// Returns a number for each vertex, the same for equal coordinates.
 std::vector<int> places_of(const Positions& X) {
     PointTable table(static_cast<std::size_t>(X.rows()));
     std::vector<int> places;
@@ -24,14 +21,6 @@ std::vector<int> places_of(const Positions& X) {
 }
 
 }   // namespace
-
-nlohmann::ordered_json GlbFrame::node(std::size_t mesh) const {
-    nlohmann::ordered_json node{{"mesh", mesh}};
-    if (translation.isZero(0) && scale == 1) return node;
-    node["translation"] = std::array{translation[0], translation[1], translation[2]};
-    node["scale"] = std::array{scale, scale, scale};
-    return node;
-}
 
 GlbFrame float_frame(const TriangleMesh& mesh) {
     GlbFrame frame;

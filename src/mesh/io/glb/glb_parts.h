@@ -1,9 +1,7 @@
 /// @file
-/// How a mesh goes into a GLB: relative to which point and in which unit, so that floats hold it, and in how many parts.
+/// The layout of a mesh in a GLB: the origin and the unit with which floats hold it, and its parts.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <string>
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
@@ -16,23 +14,21 @@ struct GlbFrame {
     double scale = 1;
 
     double stored(double x, int axis) const { return (x - translation[axis]) / scale; }
-    /// A node with these; without them where they change nothing.
-    nlohmann::ordered_json node(std::size_t mesh) const;
 };
 
-/// The frame in which floats hold the mesh best: none where they hold it exactly, or where it is near the origin for its size and of usual
-/// size. Translation and scale are multiples and powers of 2, so that a mesh that was read is written the same again.
+/// Returns the frame in which floats hold the mesh best: the identity if they hold it exactly, or if it has a usual size and is near the
+/// origin. Translation and scale are multiples and powers of 2, so that a mesh that was read is written the same again.
 GlbFrame float_frame(const TriangleMesh& mesh);
-/// The coordinates that a reader finds.
+/// Returns the coordinates that a reader finds.
 Positions stored_as_floats(const TriangleMesh& mesh, const GlbFrame& frame);
 
-/// Of each vertex, in which of the file's meshes it is, from 0 in ascending order; −1 where no triangle uses it. Readers weld what a mesh
-/// has at one place, so that components that touch go into different ones where their vertices do not lie mixed in the list.
-/// @param X  as the file holds them
+/// Returns the part of each vertex, from 0 in ascending order; −1 for vertices that no triangle uses. Each part becomes a mesh of the file:
+/// readers weld vertices of a mesh at one place, so components that touch are in different parts, unless their vertices are mixed in order.
+/// @param X  the coordinates that a reader finds
 std::vector<int> parts_that_keep_apart(const TriangleMesh& mesh, const Positions& X);
-/// How many vertices fewer a reader finds that welds within these parts.
+/// Returns the number of vertices that vanish when vertices at one place are welded within each part.
 int count_of_welded(const Positions& X, const std::vector<int>& parts);
-/// Part 0 for every vertex of a triangle.
+/// Returns part 0 for every vertex of a triangle, −1 for the others.
 std::vector<int> one_part(const TriangleMesh& mesh);
 
 }   // namespace meshfolio

@@ -7,10 +7,8 @@
 #include <utility>
 
 #include "base/at.h"
-#include "mesh/io/column_groups.h"
 #include "mesh/io/glb/glb_parts.h"
 #include "mesh/io/mesh_encoders.h"
-#include "mesh/io/srgb_curve.h"
 
 namespace meshfolio {
 
@@ -20,7 +18,7 @@ using OrderedJson = nlohmann::ordered_json;
 enum Component { unsigned_short = 5123, unsigned_int = 5125, float_type = 5126 };
 enum Target { vertex_data = 34962, index_data = 34963 };
 
-/// As near as a float of glTF comes, which is neither NaN nor infinite.
+/// Returns the nearest finite float; 0 for NaN.
 float finite(double x) {
     constexpr double largest = std::numeric_limits<float>::max();
     return std::isnan(x) ? 0 : static_cast<float>(std::clamp(x, -largest, largest));
@@ -28,7 +26,7 @@ float finite(double x) {
 
 void append_uint32(std::string& bytes, std::size_t number) { append_little_endian(bytes, static_cast<std::uint32_t>(number)); }
 
-/// The lists of a file of glTF, and its data.
+/// Collects the lists of a file of glTF and its data.
 class GlbWriter {
 public:
     explicit GlbWriter(const TriangleMesh& mesh) : mesh_(mesh), frame_(float_frame(mesh)) {}
@@ -51,7 +49,7 @@ public:
         });
     }
 
-    /// Linear light (§3.7.2.1): 16 bits, which hold all of 8 bits of sRGB, or floats. The alpha is linear already.
+    /// Adds a colour in linear light (§3.7.2.1): 16 bits, which hold all values of 8 bits of sRGB, or floats. The alpha is linear already.
     void add_color(ColumnGroup channels) {
         const ScalarType type = channels.front().type;
         const double largest = type == ScalarType::uint8 ? 255 : type == ScalarType::uint16 ? 65535 : 1;
@@ -74,7 +72,7 @@ public:
         });
     }
 
-    /// A node and a mesh for each part, all with the same vertices.
+    /// Adds a node and a mesh for each part, all with the same vertices.
     void add_parts() {
         const std::vector<int> parts = parts_that_keep_apart(mesh_, stored_as_floats(mesh_, frame_));
         std::vector<std::vector<int>> corners(1 + at(std::max(0, *std::ranges::max_element(parts))));
@@ -84,7 +82,11 @@ public:
             const std::size_t indices = accessor(description, {{"target", index_data}}, [&] {
                 for (const int v : of_part) append_uint32(data_, at(v));
             });
-            nodes_.push_back(frame_.node(meshes_.size()));
+            OrderedJson& node = nodes_.emplace_back(OrderedJson{{"mesh", meshes_.size()}});
+            if (!frame_.translation.isZero(0) || frame_.scale != 1) {
+                node["translation"] = std::array{frame_.translation[0], frame_.translation[1], frame_.translation[2]};
+                node["scale"] = std::array{frame_.scale, frame_.scale, frame_.scale};
+            }
             meshes_.push_back({{"primitives", {{{"attributes", attributes_}, {"indices", indices}}}}});
         }
     }
@@ -106,7 +108,7 @@ public:
 private:
     float stored(double x, int axis) const { return finite(frame_.stored(x, axis)); }
 
-    /// What `write` appends. @return its number
+    /// Adds an accessor of the data that `write` appends. Returns its index.
     template <class Write>
     std::size_t accessor(OrderedJson description, OrderedJson view, const Write& write) {
         view.update({{"buffer", 0}, {"byteOffset", data_.size()}});
@@ -118,7 +120,7 @@ private:
         return accessors_.size() - 1;
     }
 
-    /// `write` appends `row` bytes a vertex.
+    /// Adds an attribute: write(v) appends `row` bytes for vertex v.
     template <class Write>
     void attribute(const std::string& name, OrderedJson description, std::size_t row, const Write& write) {
         description["count"] = mesh_.X.rows();
