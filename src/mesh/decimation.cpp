@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iterator>
 #include <queue>
 #include <string>
@@ -48,10 +49,9 @@ struct Candidate {
     int a, b;        // a < b
     int version;     // sum of the ends' versions
     Vector3 place;   // of the vertex that is left
-};
-struct Dearer {
-    bool operator()(const Candidate& p, const Candidate& q) const {
-        return std::tie(p.cost, p.a, p.b) > std::tie(q.cost, q.a, q.b);   // ties by number: one order on every machine
+
+    friend bool operator>(const Candidate& p, const Candidate& q) {   // ties by number: one order on every machine
+        return std::tie(p.cost, p.a, p.b) > std::tie(q.cost, q.a, q.b);
     }
 };
 
@@ -99,7 +99,7 @@ private:
     std::vector<Quadric> quadric_;           // of each vertex
     std::vector<int> version_;               // of each vertex: how often it has changed
     int vertices_ = 0;                       // left
-    std::priority_queue<Candidate, std::vector<Candidate>, Dearer> queue_;
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
 
     Vector3 position(int v) const { return X_.row(v); }
     static bool has(const Triangle& face, int v) { return std::find(face.begin(), face.end(), v) != face.end(); }

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <numeric>
 #include <string>
-#include <utility>
 
 #include "base/at.h"
 #include "base/errors.h"
@@ -17,23 +15,6 @@
 namespace meshfolio {
 
 namespace {
-
-void check_faces(const TriangleMesh& mesh) {
-    const auto is_sound = [&](int t) {
-        const int a = mesh.F(t, 0), b = mesh.F(t, 1), c = mesh.F(t, 2);
-        return std::min({a, b, c}) >= 0 && std::max({a, b, c}) < mesh.vertex_count() && a != b && b != c && c != a;
-    };
-    if (all_of_range(mesh.face_count(), is_sound)) return;
-    for (int t = 0; t < mesh.face_count(); ++t) {
-        for (int k = 0; k < 3; ++k) {
-            const int v = mesh.F(t, k);
-            if (v >= 0 && v < mesh.vertex_count() && v != mesh.F(t, (k + 1) % 3)) continue;
-            throw MeshError("topology_of: triangle " + std::to_string(t) + " names a vertex twice or one that does not exist (" +
-                                std::to_string(v) + ", the mesh has " + std::to_string(mesh.vertex_count()) + ")",
-                            "prepare_mesh drops such triangles");
-        }
-    }
-}
 
 /// Sorts, for each vertex a, the ends b > a of the edges of its triangles; equal ends are one edge.
 std::vector<Edge> collected_edges(const TriangleMesh& mesh, const Incidence& vertex_faces) {
@@ -114,49 +95,23 @@ void label_components(const TriangleMesh& mesh, MeshTopology& topology) {
     }
 }
 
-template <class Items, class Condition>
-int count_where(const Items& items, Condition condition) {
-    return static_cast<int>(std::count_if(items.begin(), items.end(), condition));
-}
-
 }   // namespace
 
-Incidence grouped_by_row(int rows, const std::vector<int>& row_of) {
-    Incidence groups;
-    groups.start.assign(at(rows) + 1, 0);
+Incidence grouped_by_row(int rows, std::span<const int> row_of) {
+    Incidence groups{large_vector<int>(at(rows) + 1), {}};
     for (const int row : row_of)
         if (row >= 0) ++groups.start[at(row) + 1];
     std::partial_sum(groups.start.begin(), groups.start.end(), groups.start.begin());
-    groups.item.resize(at(groups.start.back()));
+    groups.item = large_vector<int>(at(groups.start.back()));
     std::vector<int> next(groups.start.begin(), groups.start.end() - 1);
     for (std::size_t i = 0; i < row_of.size(); ++i)
         if (row_of[i] >= 0) groups.item[at(next[at(row_of[i])]++)] = static_cast<int>(i);
     return groups;
 }
 
-// Each half of the triangles is counted and placed by one thread; in a row, the triangles of the first half come first.
 Incidence triangles_around(const TriangleMesh& mesh) {
-    constexpr int halves = 2;
-    std::array<std::vector<int>, halves> next;   // of each row
-    const auto for_each_corner = [&](int half, const auto& visit) {
-        const auto begin = static_cast<int>(std::int64_t{half} * mesh.face_count() / halves);
-        const auto end = static_cast<int>(std::int64_t{half + 1} * mesh.face_count() / halves);
-        std::vector<int>& of_row = next[at(half)];
-        for (int t = begin; t < end; ++t)
-            for (int k = 0; k < 3; ++k) visit(of_row[at(mesh.F(t, k))], t);
-    };
-    tbb::parallel_for(0, halves, [&](int half) {
-        next[at(half)] = large_vector<int>(at(mesh.vertex_count()));
-        for_each_corner(half, [](int& count, int) { ++count; });
-    });
-    Incidence around;
-    around.start = large_vector<int>(at(mesh.vertex_count()) + 1);
-    for (int v = 0, sum = 0; v < mesh.vertex_count(); ++v) {
-        for (std::vector<int>& of_row : next) sum += std::exchange(of_row[at(v)], sum);
-        around.start[at(v) + 1] = sum;
-    }
-    around.item = large_vector<int>(at(mesh.face_count()) * 3);
-    tbb::parallel_for(0, halves, [&](int half) { for_each_corner(half, [&](int& place, int t) { around.item[at(place++)] = t; }); });
+    Incidence around = grouped_by_row(mesh.vertex_count(), {mesh.F.data(), at(mesh.face_count()) * 3});
+    for (int& corner : around.item) corner /= 3;
     return around;
 }
 
@@ -232,20 +187,29 @@ MeshTopology with_edges(MeshTopology topology, const TriangleMesh& mesh) {
 }
 
 MeshTopology topology_of(const TriangleMesh& mesh) {
-    check_faces(mesh);
+    const auto is_sound = [&](int t) {
+        const int a = mesh.F(t, 0), b = mesh.F(t, 1), c = mesh.F(t, 2);
+        return std::min({a, b, c}) >= 0 && std::max({a, b, c}) < mesh.vertex_count() && a != b && b != c && c != a;
+    };
+    const bool all_sound = all_of_range(mesh.face_count(), is_sound);
+    for (int t = 0; !all_sound && t < mesh.face_count(); ++t) {
+        for (int k = 0; k < 3; ++k) {
+            const int v = mesh.F(t, k);
+            if (v >= 0 && v < mesh.vertex_count() && v != mesh.F(t, (k + 1) % 3)) continue;
+            throw MeshError("topology_of: triangle " + std::to_string(t) + " names a vertex twice or one that does not exist (" +
+                                std::to_string(v) + ", the mesh has " + std::to_string(mesh.vertex_count()) + ")",
+                            "prepare_mesh drops such triangles");
+        }
+    }
     return with_edges(topology_without_edges(mesh), mesh);
 }
 
-int MeshTopology::boundary_edge_count() const {
-    return count_where(edges, [](const Edge& e) { return e.faces == 1; });
-}
+int MeshTopology::boundary_edge_count() const { return static_cast<int>(std::ranges::count(edges, 1, &Edge::faces)); }
 
 int MeshTopology::nonmanifold_edge_count() const {
-    return count_where(edges, [](const Edge& e) { return e.faces > 2; });
+    return static_cast<int>(std::ranges::count_if(edges, [](const Edge& e) { return e.faces > 2; }));
 }
 
-int MeshTopology::nonmanifold_vertex_count() const {
-    return count_where(nonmanifold, [](char flag) { return flag != 0; });
-}
+int MeshTopology::nonmanifold_vertex_count() const { return static_cast<int>(std::ranges::count(nonmanifold, 1)); }
 
 }   // namespace meshfolio

@@ -2,6 +2,7 @@
 /// Edges, neighbours, components and boundaries of a mesh. Rows are sorted, so nothing depends on hash order.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/at.h"
@@ -19,7 +20,7 @@ struct Incidence {
 };
 
 /// Returns the integers i < row_of.size() as rows: row r lists those with row_of[i] = r, ascending. Entries −1 belong to no row.
-Incidence grouped_by_row(int rows, const std::vector<int>& row_of);
+Incidence grouped_by_row(int rows, std::span<const int> row_of);
 
 struct Edge {
     int a, b;    // a < b
@@ -50,23 +51,23 @@ struct VertexFan {
     bool nonmanifold = false;   // an edge at the vertex has more than two, or the triangles form more than one fan
     bool regular = true;        // one fan (or none) of different triangles that all run round the vertex the same way
 };
+/// Returns the fan of vertex v. @param vertex_faces  triangles_around(mesh)
 VertexFan fan_around(const TriangleMesh& mesh, const Incidence& vertex_faces, int v);
 
 /// Returns the edges, sorted by (a, b). Edges of a triangle that names a vertex twice are counted twice.
 std::vector<Edge> edges_of(const TriangleMesh& mesh);
 
-/// @throws MeshError if a triangle names a vertex twice or one that does not exist
+/// Returns the whole topology. @throws MeshError if a triangle names a vertex twice or one that does not exist
 MeshTopology topology_of(const TriangleMesh& mesh);
-/// Returns the topology with empty `edges` and `neighbours`, in half the time. Every triangle must name three different vertices that
-/// exist.
+/// Returns the topology with empty `edges` and `neighbours`, in half the time. Triangles must name three different, existing vertices.
 MeshTopology topology_without_edges(const TriangleMesh& mesh);
-/// Fills `edges` and `neighbours` of a topology of this mesh.
+/// Returns the topology of this mesh with `edges` and `neighbours` filled.
 MeshTopology with_edges(MeshTopology topology, const TriangleMesh& mesh);
 
 /// Returns the boundary loops: vertices in order, the surface to their left, each loop from its smallest index. A vertex at which
 /// several loops touch belongs to each. If non-manifold edges break the boundary up, its open pieces count as loops.
 std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh);
-/// @param edges  of the mesh, all of them
+/// Returns the same. @param edges  all edges of the mesh
 std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh, const std::vector<Edge>& edges);
 
 }   // namespace meshfolio

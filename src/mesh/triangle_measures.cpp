@@ -1,7 +1,6 @@
 #include "mesh/triangle_measures.h"
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -49,11 +48,10 @@ Box bounding_box(const TriangleMesh& mesh) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Box nothing{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
     const auto boxes = of_blocks(mesh.face_count(), [&](int begin, int end) {
-        std::array around{nothing, nothing, nothing};   // one box per corner, so that no update waits for another
+        Box box = nothing;
         for (int t = begin; t < end; ++t)
-            for (int k = 0; k < 3; ++k) include(corner(mesh, t, k), around[static_cast<std::size_t>(k)]);
-        return Box{around[0].low.cwiseMin(around[1].low).cwiseMin(around[2].low),
-                   around[0].high.cwiseMax(around[1].high).cwiseMax(around[2].high)};
+            for (int k = 0; k < 3; ++k) include(corner(mesh, t, k), box);
+        return box;
     });
     Box box = nothing;
     for (const auto& block : boxes) {

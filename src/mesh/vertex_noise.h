@@ -15,8 +15,10 @@ namespace meshfolio {
 class NormalNumbers {
 public:
     explicit NormalNumbers(std::uint64_t seed) : bits_(seed) {}
+    /// Returns the next normal number.
     double next();
-    double uniform();   // uniformly distributed in [0, 1), 53 bits
+    /// Returns a number distributed uniformly in [0, 1), of 53 bits.
+    double uniform();
 
 private:
     std::mt19937_64 bits_;
@@ -38,6 +40,7 @@ struct NoiseEntry {
 };
 /// Returns the entries of all kinds.
 std::span<const NoiseEntry> noise_list();
+/// Returns the entry of one kind.
 const NoiseEntry& noise_entry(NoiseKind kind);
 
 /// Returns the positions with noise of the given kind. All kinds are equally strong: the expected squared displacement, averaged over the

@@ -23,7 +23,6 @@ public:
     }
 
     TriangleMesh mesh() {
-        make_well_composed();
         for_each_node([&](const Eigen::Vector3i& n) {
             if ((n.array() + 1 < nodes_.array()).all()) add_vertex(n);
         });
@@ -48,48 +47,6 @@ private:
     Vector3 place(const Eigen::Vector3i& n) const { return low_ + cell_ * n.cast<double>(); }
     double value(const Eigen::Vector3i& n) const { return value_[slot(n)]; }
     bool cut(const Eigen::Vector3i& a, const Eigen::Vector3i& b) const { return (value(a) < 0) != (value(b) < 0); }
-
-    /// Draws outside nodes in until no face and no cell of the grid has its only inside nodes, or its only outside nodes, at opposite
-    /// corners: there two sheets would share a vertex (Latecki 1997).
-    void make_well_composed() {
-        bool changed = true;
-        while (changed) {
-            changed = false;
-            for_each_node([&](const Eigen::Vector3i& n) {
-                if ((n.array() + 1 >= nodes_.array()).any()) return;
-                for (int axis = 0; axis < 3; ++axis) {
-                    const Eigen::Vector3i u = Eigen::Vector3i::Unit((axis + 1) % 3), v = Eigen::Vector3i::Unit((axis + 2) % 3);
-                    changed |= joins_opposite_corners({n, n + u + v}, {n + u, n + v});
-                }
-                changed |= joins_opposite_corners_of_cell(n);
-            });
-        }
-    }
-
-    using Nodes = std::vector<Eigen::Vector3i>;
-
-    /// If one of two sets is inside and the other outside, draws the node of the latter that is nearest to the surface in.
-    bool joins_opposite_corners(const Nodes& one, const Nodes& other) {
-        const auto is_inside = [&](const auto& n) { return value(n) < 0; };
-        const auto are_apart = [&](const Nodes& in, const Nodes& out) {
-            return std::ranges::all_of(in, is_inside) && std::ranges::none_of(out, is_inside);
-        };
-        const Nodes* outside = are_apart(one, other) ? &other : are_apart(other, one) ? &one : nullptr;
-        if (outside == nullptr) return false;
-        const auto nearest = std::ranges::min_element(*outside, {}, [&](const auto& n) { return value(n); });
-        value_[slot(*nearest)] = -1e-3 * cell_;
-        return true;
-    }
-
-    bool joins_opposite_corners_of_cell(const Eigen::Vector3i& n) {
-        for (const int corner : {0, 1, 2, 4}) {   // of bits x y z; its opposite is 7 − corner
-            Nodes diagonal, rest;
-            for (int c = 0; c < 8; ++c)
-                (c == corner || c == 7 - corner ? diagonal : rest).push_back(n + Eigen::Vector3i(c & 1, c >> 1 & 1, c >> 2));
-            if (joins_opposite_corners(diagonal, rest)) return true;
-        }
-        return false;
-    }
 
     /// Adds the mean of the zeros on the twelve edges of the cell above node n, if there are any.
     void add_vertex(const Eigen::Vector3i& n) {

@@ -95,10 +95,9 @@ TriangleMesh make_sample(const std::string& name, int subdivide) {
         throw UsageError("there is no sample \"" + printable(name) + "\"",
                          "did you mean \"" + nearest_word(name, known) + "\"? `meshfolio sample --list` names them all");
     }
-    if (subdivide < 0 || subdivide > most_subdivisions) {
+    if (subdivide < 0 || subdivide > most_subdivisions)
         throw UsageError("a sample cannot be subdivided " + std::to_string(subdivide) + " times",
                          "give a number from 0 to " + std::to_string(most_subdivisions));
-    }
     return sample->make(subdivide);
 }
 

@@ -34,6 +34,7 @@ struct RoundBox {
     double radius;
 };
 
+/// Returns the signed distance from p to the surface of a body.
 inline double signed_distance(const Ball& ball, const Vector3& p) { return (p - ball.centre).norm() - ball.radius; }
 
 inline double signed_distance(const RoundCone& cone, const Vector3& p) {
