@@ -24,7 +24,7 @@ LONGEST_SEED = 4096
 LIMITS = ["-timeout=5", "-rss_limit_mb=1024", "-print_final_stats=1"]
 # Large pieces of memory are kept, not given back after each execution.
 KEEP_MEMORY = {"MALLOC_MMAP_THRESHOLD_": "100000000", "MALLOC_TRIM_THRESHOLD_": "100000000"}
-# What the fast build does without is also the bookkeeping of rare features, a third of its time.
+# The fast build also leaves out the bookkeeping of rare features, a third of its time.
 FAST_LIMITS = ["-entropic=0"]
 SANITIZER_OPTIONS = {"ASAN_OPTIONS": "detect_leaks=1:allocator_may_return_null=1", "UBSAN_OPTIONS": "print_stacktrace=1"}
 FORMATS = {"settings": ".toml", "template": ".html", "results": ".json", "values": ".csv", "sums": "SHA256SUMS", "handed_in": ".zip"}

@@ -1,5 +1,5 @@
 /// @file
-/// What fuzz targets share: bytes as numbers, and a word when a property does not hold.
+/// Helpers of the fuzz targets: numbers from bytes, and a message if a property does not hold.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace meshfolio::fuzzing {
 
-/// A property that does not hold is a crash, which the fuzzer keeps as a file.
+/// Crashes if a property does not hold; the fuzzer then keeps the input as a file.
 inline void require(bool holds, const char* property) {
     if (holds) return;
     std::fprintf(stderr, "does not hold: %s\n", property);
@@ -20,7 +20,7 @@ inline void require(bool holds, const char* property) {
 
 inline std::string_view text_of(const std::uint8_t* bytes, std::size_t size) { return {reinterpret_cast<const char*>(bytes), size}; }
 
-/// Takes numbers off the front of the input; zeros when it is used up.
+/// Takes numbers from the front of the input; zeros at its end.
 class Bytes {
 public:
     Bytes(const std::uint8_t* bytes, std::size_t size) : at_(bytes), left_(size) {}

@@ -1,6 +1,6 @@
 /// @file
-/// The property of every mesh reader: whatever the bytes, either an Error with its one line or a mesh that holds together, and that is the
-/// same after being written and read again.
+/// The property of every mesh reader: any bytes give either an Error of one line or a sound mesh that is the same after it has been written
+/// and read again.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ inline void require_same(const TriangleMesh& a, const TriangleMesh& b) {
     require(a.F.rows() == b.F.rows() && a.F == b.F, "triangles survive writing and reading");
 }
 
-/// But for normals, which are computed anew, and for the last bits of what is written as float.
+/// Requires equal columns, except for normals, which are computed anew, and for the last bits of floats.
 inline void require_same(const std::vector<VertexColumn>& a, const std::vector<VertexColumn>& b) {
     require(a.size() == b.size(), "columns survive writing and reading");
     for (std::size_t i = 0; i < a.size(); ++i) {

@@ -66,7 +66,7 @@ void require_balanced(std::string_view page) {
     fuzzing::require(depth == 0, "everything that opens closes");
 }
 
-/// What lies outside of style sheets and scripts, in which '<' means "less".
+/// Returns the page without style sheets and scripts, in which '<' means "less".
 std::string markup_of(std::string page) {
     for (const std::string name : {"style", "script"}) {
         for (std::size_t from = page.find("<" + name); from != std::string::npos; from = page.find("<" + name)) {
@@ -110,7 +110,7 @@ struct Structure {
     bool operator==(const Structure&) const = default;
 };
 
-/// What only the template makes in Markdown: bars between cells, and lines.
+/// Counts the characters that only the template may write in Markdown: bars between cells, and line ends.
 Structure structure_of(const std::string& page) {
     Structure structure;
     bool escaped = false;
@@ -131,7 +131,7 @@ report::Templates short_templates() {
     return templates;
 }
 
-/// Of every place with a word that needs no escape.
+/// Returns the structure for each place that holds a word without characters to escape.
 std::array<Structure, 8> plain_structures(const report::Templates& templates) {
     std::array<Structure, 8> structures;
     for (unsigned place = 0; place < structures.size(); ++place) {

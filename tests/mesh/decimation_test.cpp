@@ -19,7 +19,7 @@ int euler_number(const TriangleMesh& mesh) {
     return mesh.vertex_count() - static_cast<int>(topology_of(mesh).edges.size()) + mesh.face_count();
 }
 
-/// Of the unit sphere, at the vertices and at the middles of the triangles.
+/// Returns the largest distance to the unit sphere, at the vertices and at the middles of the triangles.
 double distance_to_sphere(const TriangleMesh& mesh) {
     double worst = 0;
     for (int t = 0; t < mesh.face_count(); ++t) {
@@ -34,7 +34,7 @@ double wave(double x, double y) { return 0.1 * std::sin(5 * x) * std::cos(4 * y)
 
 }   // namespace
 
-TEST(Decimation, ReachesTheNumberAskedFor) {
+TEST(Decimation, ReachesTheRequestedNumber) {
     for (const int n : {600, 100, 12}) EXPECT_EQ(decimated(icosphere(4), n).vertex_count(), n);
     EXPECT_EQ(decimated(make_sample("creature"), 500).vertex_count(), 500);
     EXPECT_EQ(decimated(make_sample("fandisk_noisy"), 500).vertex_count(), 500);
@@ -52,7 +52,7 @@ TEST(Decimation, AClosedManifoldStaysOneAndKeepsItsEulerCharacteristic) {
     }
 }
 
-// Asked for less than the topology needs: a tetrahedron is the least of a sphere, seven vertices that of a torus.
+// Fewer vertices are requested than the topology needs: four for a sphere (a tetrahedron), seven for a torus.
 TEST(Decimation, StopsWhereTheTopologyWouldChange) {
     EXPECT_EQ(decimated(meshfolio::testing::tetrahedron(), 4).face_count(), 4);
     const TriangleMesh torus = decimated(torus_mesh(12, 8, 2, 0.7), 4);
@@ -108,7 +108,7 @@ TEST(Decimation, LeavesASmallMeshAloneAndRefusesTooFew) {
     EXPECT_THROW(static_cast<void>(decimated(mesh, 3)), MeshError);
 }
 
-/// Separate triangles keep their corners, whatever is asked for.
+/// Separate triangles keep their corners for any requested number.
 TEST(Decimation, ACopyThatCannotBeSmallIsRefused) {
     constexpr int triangles = 100;
     TriangleMesh mesh{Positions::Random(3 * triangles, 3), Faces(triangles, 3)};
@@ -120,7 +120,7 @@ TEST(Decimation, ACopyThatCannotBeSmallIsRefused) {
 }
 
 TEST(Decimation, NonManifoldVerticesStay) {
-    // Two fans of a shaken sphere that touch in one point: the point is where it was.
+    // Two fans of a perturbed sphere touch in one point, which does not move.
     TriangleMesh sphere = icosphere(2);
     const int n = sphere.vertex_count(), m = sphere.face_count();
     TriangleMesh two{Positions(2 * n, 3), Faces(2 * m, 3)};
@@ -164,7 +164,7 @@ TEST(SurfacePatch, IsAConnectedPartOfTheMeshAroundTheVertex) {
         has_it = has_it || patch.original[i] == 1000;
     }
     EXPECT_TRUE(has_it);
-    // On the unit sphere 300 of 2562 vertices nearest to one are a cap.
+    // The 300 of 2562 vertices of the unit sphere that are nearest to one form a cap.
     for (int i = 0; i < patch.mesh.vertex_count(); ++i) EXPECT_GT(patch.mesh.X.row(i).dot(mesh.X.row(1000)), 0.6);
 }
 

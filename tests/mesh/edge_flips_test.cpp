@@ -15,7 +15,7 @@ using namespace meshfolio;
 
 namespace {
 
-/// A flat grid whose inner points are shaken.
+/// A flat grid with random displacements of the inner points.
 TriangleMesh shaken_grid() {
     TriangleMesh mesh = grid_mesh(20, 20, 19, 19);
     const MeshTopology topology = topology_of(mesh);
@@ -27,7 +27,7 @@ TriangleMesh shaken_grid() {
     return mesh;
 }
 
-/// The smallest sum of the two cotangents opposite an inner edge; Delaunay: not negative.
+/// Returns the smallest sum of the two cotangents opposite an inner edge; Delaunay: not negative.
 double worst_cotangent_sum(const TriangleMesh& mesh) {
     const CornerValues angles = corner_angles(mesh);
     std::map<std::pair<int, int>, double> first;

@@ -20,7 +20,7 @@ using namespace meshfolio::testing;
 
 namespace {
 
-/// As if read from a file with one face a line, from line 101 on.
+/// Returns the mesh as if read from a file with one face per line, from line 101 on.
 LoadedMesh loaded(const TriangleMesh& mesh) {
     LoadedMesh result{mesh, "m.obj", {}, {}};
     for (int t = 0; t < mesh.face_count(); ++t) result.face_lines.push_back(101 + t);
@@ -121,7 +121,7 @@ TEST(MeshChecks, ClosedPiecesAreTurnedOutwardsEachOnItsOwn) {
     EXPECT_EQ(warnings_of(result), "113: 1 closed component was inside out (negative volume), reoriented\n");
 }
 
-// The second box lies across the first one's edge, so that the edge has four triangles; it is closed all the same.
+// Both boxes share an edge, which has four triangles; each is closed.
 TEST(MeshChecks, ClosedPiecesThatShareAnEdgeAreTurnedOutwardsEachOnItsOwn) {
     TriangleMesh beside = unit_cube();
     for (int t = 0; t < beside.face_count(); ++t) flip(beside, t);
@@ -139,7 +139,7 @@ TEST(MeshChecks, ClosedPiecesThatShareAnEdgeAreTurnedOutwardsEachOnItsOwn) {
     EXPECT_NEAR(result.preflight.volume, 2, 1e-14);
 }
 
-// Three pages of a book share a spine; none of them encloses anything, whichever way it is turned.
+// Three pages of a book share a spine; none of them encloses a volume in any orientation.
 TEST(MeshChecks, PagesOfABookAreNotTurned) {
     TriangleMesh book;
     book.X.resize(5, 3);
@@ -244,8 +244,8 @@ TEST(MeshChecks, PicturesGetTheSameRepairsAndWarnings) {
     }
 }
 
-// Where nothing disagrees the orientation comes from the components alone: it must be that of the walk over all edges.
-TEST(MeshChecks, BothWaysToTheOrientationAgree) {
+// In an oriented manifold the orientation is found from the components alone: it must be that of the walk over all edges.
+TEST(MeshChecks, OrientationOfManifoldsAgreesWithTheGeneralWay) {
     TriangleMesh open_torus = torus(9, 7);   // encloses much, but is not closed: it stays as it is
     open_torus.F.conservativeResize(125, 3);
     TriangleMesh mesh = joined(joined(torus(9, 7), open_torus), joined(tetrahedron(), unit_cube()));
@@ -274,7 +274,7 @@ TEST(MeshChecks, CoincidentVerticesAreCountedAsASetCountsThem) {
     }
 }
 
-// Just on either side of the limits, at any scale: the shortcut in squares must not decide what rounding could.
+// Triangles just on either side of the limits, at any scale: the test by squares must leave them to the exact one.
 TEST(MeshChecks, NeedlesAreFoundByTheirAngleAtAnyScale) {
     const double degree = std::numbers::pi / 180;
     for (const double scale : {1e-99, 1e-81, 1e-30, 1e-9, 1.0, 1e20, 1e95}) {

@@ -1,4 +1,4 @@
-// Which way closed shells point, and which surfaces have a volume, against volumes known by construction and winding numbers by solid
+// The orientation of closed shells and the volume of surfaces, compared with volumes known by construction and winding numbers by solid
 // angles.
 #include "mesh/nesting.h"
 
@@ -29,14 +29,14 @@ TriangleMesh turned(TriangleMesh mesh) {
     return mesh;
 }
 
-/// Edge `size`, about `centre`.
+/// Returns a cube of edge `size` about `centre`.
 TriangleMesh cube(double size, const Vector3& centre = Vector3::Zero()) {
     TriangleMesh mesh = unit_cube();
     mesh.X = moved(mesh.X, centre - Vector3::Constant(size / 2), size);
     return mesh;
 }
 
-/// a × b × c, one corner at the origin.
+/// Returns a box of a × b × c with its lowest corner at `low`.
 TriangleMesh box_of_solid(double a, double b, double c, const Vector3& low = Vector3::Zero()) {
     TriangleMesh mesh = unit_cube();
     mesh.X = (mesh.X * Vector3(a, b, c).asDiagonal()).rowwise() + low.transpose();
@@ -49,7 +49,7 @@ TriangleMesh all_of(const std::vector<TriangleMesh>& meshes) {
     return all;
 }
 
-/// Equal positions become one vertex.
+/// Returns the mesh with one vertex for equal positions.
 TriangleMesh welded(TriangleMesh mesh) {
     for (int corner = 0; corner < mesh.F.size(); ++corner) {
         int& v = mesh.F.data()[corner];
@@ -59,7 +59,7 @@ TriangleMesh welded(TriangleMesh mesh) {
     return mesh;
 }
 
-/// Vertices and faces in another order, corners begun elsewhere, and the whole moved rigidly.
+/// Returns the mesh with vertices, faces and corners in another order, moved rigidly.
 TriangleMesh shuffled(const TriangleMesh& mesh, std::mt19937& random, bool move) {
     std::vector<int> vertex(static_cast<std::size_t>(mesh.vertex_count())), face(static_cast<std::size_t>(mesh.face_count()));
     std::iota(vertex.begin(), vertex.end(), 0);
@@ -81,7 +81,7 @@ TriangleMesh shuffled(const TriangleMesh& mesh, std::mt19937& random, bool move)
     return other;
 }
 
-/// Σ of the solid angles of the triangles seen from p, over 4π (van Oosterom & Strackee 1983).
+/// Returns Σ of the solid angles of the triangles seen from p, over 4π (van Oosterom & Strackee 1983).
 double winding_number(const TriangleMesh& mesh, const Vector3& p) {
     double sum = 0;
     for (int t = 0; t < mesh.face_count(); ++t) {
@@ -136,14 +136,14 @@ TriangleMesh octahedron() {
                    {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}});
 }
 
-// A shell that fills the box of the one around it lies within it all the same.
+// A shell may fill the box of the shell around it and still lies within that shell.
 TEST(Nesting, ShellsOfOneBoxAreToldApart) {
     expect_left_alone(all_of({cube(2), turned(octahedron())}), 8 - 4.0 / 3, "a cavity in a cube");
     EXPECT_NEAR(volume_of(all_of({turned(cube(2)), octahedron()})), 8 - 4.0 / 3, 1e-12) << "all inverted";
     EXPECT_NEAR(volume_of(all_of({cube(2), octahedron()})), 8 - 4.0 / 3, 1e-12) << "the cavity outwards";
 }
 
-// Walls thinner than the digits of most files are walls.
+// Walls thinner than the digits of most files count as walls.
 TEST(Nesting, ThinWallsHaveTwoSides) {
     for (const double gap : {1e-5, 1e-6, 1e-7, 1e-9}) {
         const double inner = 2 * (1 - gap), volume = 8 - inner * inner * inner;
@@ -153,7 +153,7 @@ TEST(Nesting, ThinWallsHaveTwoSides) {
     }
 }
 
-// Whichever way the file turned them: bodies outwards, cavities inwards, islands outwards. What agrees stays as it is.
+// For any orientation in the file: bodies point outwards, cavities inwards, islands outwards. Shells that agree stay as they are.
 TEST(Nesting, ShellsAlternateByDepth) {
     std::mt19937 random(1);
     for (int depth = 1; depth <= 4; ++depth) {
@@ -216,7 +216,7 @@ TEST(Nesting, BodiesSideBySideAddUpWhateverTheyShare) {
     EXPECT_NEAR(volume_of(turned(two_tetrahedra(true))), 0.5, 1e-15);   // turned as a whole
 }
 
-// The volume of a wall without a counterpart would depend on the origin, and so on whatever else is in the file.
+// The volume of a wall without a counterpart would depend on the origin, and so on the rest of the file.
 TEST(Nesting, AWallInsideABodyLeavesNoVolume) {
     const PreparedMesh result = prepared_solid(two_tetrahedra(false));
     EXPECT_TRUE(std::isnan(result.preflight.volume));
@@ -280,7 +280,7 @@ TEST(Nesting, OppositeFacesStayAndRepeatedOnesGo) {
     EXPECT_EQ(prepared_solid(closed).preflight.dropped_duplicate_faces, 0);
 }
 
-// Random tetrahedra and cubes of all sizes, apart or one in the other, every one turned at random: afterwards the sum of the winding
+// Random tetrahedra and cubes of all sizes, apart or nested, each turned at random: after preparation the sum of the winding
 // numbers is 1 right inside a body and 0 right inside a cavity.
 TEST(Nesting, AgreesWithSolidAngles) {
     std::mt19937 random(7);

@@ -1,5 +1,5 @@
 /// @file
-/// Triangles between random vertices: few vertices give every kind of neighbourhood there is.
+/// Triangles between random vertices: a few vertices give every kind of neighbourhood.
 #pragma once
 
 #include <random>
@@ -8,7 +8,8 @@
 
 namespace meshfolio::testing {
 
-/// Each of three different vertices. Integers are drawn from the generator itself, whose numbers are the same everywhere.
+/// Returns triangles of three different vertices each. Integers are drawn from the generator itself, as its numbers are the same
+/// everywhere.
 inline TriangleMesh random_triangles(int vertices, int triangles, unsigned seed) {
     std::mt19937 random(seed);
     const auto draw = [&] { return static_cast<int>(random() % static_cast<unsigned>(vertices)); };

@@ -1,5 +1,5 @@
 /// @file
-/// Meshes small enough to know everything about, and ways to move them.
+/// Small meshes with known properties, and ways to move them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -24,12 +24,12 @@ inline TriangleMesh mesh_of(const std::vector<std::array<double, 3>>& points, co
     return mesh;
 }
 
-/// Corner of the unit cube, cut off. Area (3 + √3) / 2, volume 1/6.
+/// Returns the corner of the unit cube, cut off. Area (3 + √3) / 2, volume 1/6.
 inline TriangleMesh tetrahedron() {
     return mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
 }
 
-/// Edge 1, 8 vertices, normals out.
+/// Returns a cube of edge 1, 8 vertices, normals out.
 inline TriangleMesh unit_cube() {
     TriangleMesh cube = mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{0, 2, 1},
                                                                                                                            {0, 3, 2},
@@ -46,7 +46,8 @@ inline TriangleMesh unit_cube() {
     return cube;
 }
 
-/// n × m quads, each cut in two; closed around when so asked, else with a boundary. Vertex (i, j) is row i·columns + j.
+/// Returns the triangles of rows × columns vertices, each quad cut in two, closed around in the directions that wrap. Vertex (i, j) is row
+/// i·columns + j.
 inline Faces grid_faces(int rows, int columns, bool wrap_rows, bool wrap_columns) {
     std::vector<std::array<int, 3>> triangles;
     const auto vertex = [&](int i, int j) { return i % rows * columns + j % columns; };
@@ -59,7 +60,7 @@ inline Faces grid_faces(int rows, int columns, bool wrap_rows, bool wrap_columns
     return mesh_of({}, triangles).F;
 }
 
-/// Torus of radii R and r, normals out.
+/// Returns a torus of radii R and r, normals out.
 inline TriangleMesh torus(int around, int across, double R = 2, double r = 0.5) {
     TriangleMesh mesh;
     mesh.X.resize(around * across, 3);
@@ -74,7 +75,7 @@ inline TriangleMesh torus(int around, int across, double R = 2, double r = 0.5) 
     return mesh;
 }
 
-/// Flat rows × columns vertices one unit apart, normals +z.
+/// Returns flat rows × columns vertices one unit apart, normals +z.
 inline TriangleMesh flat_grid(int rows, int columns) {
     TriangleMesh mesh;
     mesh.X.resize(rows * columns, 3);
@@ -85,7 +86,7 @@ inline TriangleMesh flat_grid(int rows, int columns) {
     return mesh;
 }
 
-/// A strip of n quads with a half turn: one boundary, no consistent orientation.
+/// Returns a strip of n quads with a half turn: one boundary, no consistent orientation.
 inline TriangleMesh moebius_strip(int n) {
     TriangleMesh mesh;
     mesh.X.resize(2 * n, 3);
@@ -108,7 +109,7 @@ inline TriangleMesh moebius_strip(int n) {
     return mesh;
 }
 
-/// Two meshes side by side as one.
+/// Returns two meshes as one, the vertices of a before those of b.
 inline TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
     TriangleMesh both;
     both.X.resize(a.X.rows() + b.X.rows(), 3);

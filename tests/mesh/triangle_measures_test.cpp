@@ -92,7 +92,7 @@ TEST(TriangleMeasures, BoxLeavesUnusedVerticesOut) {
     EXPECT_EQ(bounding_box(mesh).high, Vector3(99, 99, 99));
 }
 
-// The vertices in use are all in one block of those that processors share out.
+// All vertices in use are in one of the blocks that processors share out.
 TEST(TriangleMeasures, BoxOfFewAmongManyUnusedVertices) {
     constexpr int n = 3 * block_length;
     for (const int first : {0, n / 2, n - 3}) {

@@ -99,7 +99,7 @@ TEST(VertexFans, UmbrellasOfEverySizeAreRegular) {
     }
 }
 
-TEST(VertexFans, AnUmbrellaWithOneTriangleChangedIsNone) {
+TEST(VertexFans, AnUmbrellaWithOneTriangleChangedIsNoUmbrella) {
     for (int n = 4; n <= 9; ++n) {
         for (int t = 0; t < n; ++t) {
             for (int k = 0; k < 2; ++k) {

@@ -28,7 +28,7 @@ double moment(const std::vector<double>& numbers, int power) {
     return sum / static_cast<double>(numbers.size());
 }
 
-/// Largest distance between the empirical and the normal distribution function.
+/// Returns the largest distance between the empirical and the normal distribution function.
 double kolmogorov_distance(std::vector<double> numbers) {
     std::ranges::sort(numbers);
     const double n = static_cast<double>(numbers.size());
@@ -79,7 +79,7 @@ TEST(NormalNumbers, FollowTheNormalDistributionFunction) {
 }
 
 TEST(NormalNumbers, NeighboursAreIndependent) {
-    // Box–Muller gives numbers in pairs: partners, and numbers of neighbouring pairs, in value and in size.
+    // Box–Muller gives numbers in pairs: partners and numbers of neighbouring pairs are compared, by value and by size.
     const auto x = normal_numbers(4, many);
     for (const int lag : {1, 2, 3}) {
         const Eigen::Map<const Vector> all(x.data(), many);
@@ -115,7 +115,7 @@ TEST(VertexNoise, IsAddedToThePositions) {
     EXPECT_LT((with_gaussian_noise(X, {0.1, 0.1, 0.1}, 8) - X - noise).cwiseAbs().maxCoeff(), 1e-15);
 }
 
-TEST(VertexNoise, HasTheAskedDeviationAndIndependentAxes) {
+TEST(VertexNoise, HasTheRequestedDeviationAndIndependentAxes) {
     const Vector3 sigma(0.3, 0.02, 5);
     const Positions noise = with_gaussian_noise(Positions::Zero(many, 3), sigma, 9);
     for (int a = 0; a < 3; ++a) {
@@ -129,7 +129,7 @@ namespace {
 
 double mean_square(const Positions& displacement) { return displacement.rowwise().squaredNorm().mean(); }
 
-/// The mesh, and the noise of a kind on it.
+/// Returns the displacements by noise of a kind.
 Positions noise_on(const TriangleMesh& mesh, NoiseKind kind, double sigma, std::uint64_t seed = 5) {
     return with_noise(mesh, kind, sigma, seed) - mesh.X;
 }
@@ -196,7 +196,7 @@ TEST(NoiseKinds, ImpulsesHitTheStatedShareAndAllVerticesAlike) {
         EXPECT_EQ(moved_rows(noise), 64);
         hits += (noise.rowwise().squaredNorm().array() > 0).cast<double>().matrix();
     }
-    // Each vertex is hit with probability 64/642, whatever its place.
+    // Each vertex is hit with the same probability, 64/642.
     const double p = 64.0 / 642, deviation = std::sqrt(p * (1 - p) * seeds);
     EXPECT_LT((hits.array() - p * seeds).abs().maxCoeff(), 4.5 * deviation);
     EXPECT_NEAR(hits.head(321).sum() / hits.sum(), 0.5, 0.02);

@@ -1,5 +1,5 @@
-// A corpus of hostile and odd meshes outside of the project, where MESHFOLIO_BAD_MESHES names its folder: a table says of each file whether
-// it must be refused (and at which line), taken with a warning, or taken silently, and what its numbers are.
+// A corpus of hostile and odd meshes outside of the project, in the folder that MESHFOLIO_BAD_MESHES names. A table says for each file
+// whether it must be refused (and at which line), accepted with a warning, or accepted silently, and gives its counts.
 #include <gtest/gtest.h>
 
 #include <charconv>
@@ -99,7 +99,7 @@ TEST(BadMeshes, EveryRowOfTheTableHolds) {
     int checked = 0;
     for (const Row& row : rows()) {
         if (row.file.starts_with("special/")) continue;
-        // The table is older than the reading of strips and of what gzip has packed.
+        // The table is older than the support of strips and gzip.
         if (row.file == "ply/element_tristrips.ply" || row.file == "obj/packed.obj.gz") continue;
         const Outcome outcome = outcome_of(corpus / row.file);
         ++checked;

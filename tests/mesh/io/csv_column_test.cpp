@@ -15,7 +15,7 @@ Vector values_of(const std::string& table, const std::string& name, Eigen::Index
     return csv_column(table, "f.csv", {name}, rows).values;
 }
 
-/// 1.5 and −2 are in the column, and nothing else.
+/// Expects 1.5 and −2 in column H, and no other rows.
 void expect_read(const std::string& table) {
     try {
         const Vector values = values_of(table, "H", 2);
@@ -28,7 +28,7 @@ void expect_read(const std::string& table) {
 
 }   // namespace
 
-TEST(CsvColumn, HasAsManyRowsAsAreAskedFor) {
+TEST(CsvColumn, HasTheRequestedNumberOfRows) {
     const std::string csv = "a,b\n1,2\n3,\n";
     EXPECT_EQ(values_of(csv, "a", 2), Vector((Vector(2) << 1, 3).finished()));
     EXPECT_TRUE(std::isnan(values_of(csv, "b", 2)[1]));
@@ -70,7 +70,7 @@ TEST(CsvColumn, SeparatorsQuotesAndLineEndsChangeNothing) {
     }
 }
 
-TEST(CsvColumn, TheFirstNameFoundIsTakenAndItsOwnCaseBeforeAnother) {
+TEST(CsvColumn, TheFirstNameInTheHeaderIsTakenAndItsOwnCaseFirst) {
     const auto read = [](const std::string& header, const std::vector<std::string>& names) {
         return csv_column(header + "\n1,2,3\n", "f.csv", names, 1).values[0];
     };
@@ -82,7 +82,7 @@ TEST(CsvColumn, TheFirstNameFoundIsTakenAndItsOwnCaseBeforeAnother) {
     EXPECT_THROW(read("x,y,z", {"H"}), InputError);
 }
 
-TEST(CsvColumn, WhereThereIsNoNumberThereIsNone) {
+TEST(CsvColumn, CellsWithoutANumberAreNan) {
     for (const std::string cell : {"", "nan", "-NaN", "-nan(ind)", "inf", "-Infinity", "NA"}) {
         EXPECT_TRUE(std::isnan(values_of("K,H\n0," + cell + "\n", "H", 1)[0])) << cell;
         EXPECT_TRUE(std::isnan(values_of("H\n1\n" + cell + "\n", "H", 2)[1])) << cell;

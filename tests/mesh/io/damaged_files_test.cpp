@@ -1,4 +1,4 @@
-// Small files of each format, damaged in every place: a mesh that holds together, or one line about the file.
+// Small files of each format, damaged at every byte, give a sound mesh or one line about the file.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -74,7 +74,7 @@ std::vector<std::pair<std::string, std::string>> good_files() {
     };
 }
 
-/// True when the bytes are taken.
+/// True if the bytes are accepted.
 bool read_and_judge(const std::string& file, const std::string& bytes) {
     try {
         const PreparedMesh mesh = prepare_mesh(parse_mesh(bytes, file));
@@ -94,7 +94,7 @@ bool read_and_judge(const std::string& file, const std::string& bytes) {
 
 }   // namespace
 
-TEST(DamagedFiles, AreMeshesOrOneLine) {
+TEST(DamagedFiles, GiveAMeshOrOneLineOfError) {
     for (const auto& [file, bytes] : good_files()) {
         SCOPED_TRACE(file);
         EXPECT_TRUE(read_and_judge(file, bytes));
@@ -107,8 +107,8 @@ TEST(DamagedFiles, AreMeshesOrOneLine) {
 }
 
 // A file cut off anywhere before its last face must be refused: half a mesh is not a mesh. (An OBJ or ASCII STL cut off at the end of a
-// line is a whole file of another mesh, which no reader can tell.)
-TEST(DamagedFiles, CutOffIsNotSilent) {
+// line is a complete file of another mesh, which no reader can notice.)
+TEST(DamagedFiles, TruncationIsNotSilent) {
     for (const auto& [file, bytes] : good_files()) {
         if (file.ends_with(".obj") || file == "ascii.stl") continue;
         for (std::size_t end = 0; end + 8 < bytes.size(); ++end)
@@ -116,7 +116,7 @@ TEST(DamagedFiles, CutOffIsNotSilent) {
     }
 }
 
-// Every limit of the readers is named in the message about what is beyond it.
+// Each limit of the readers is named in the message about input beyond it.
 TEST(DamagedFiles, LimitsAreNamed) {
     const auto refusal = [](const std::string& file, const std::string& text) {
         try {

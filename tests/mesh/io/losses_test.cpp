@@ -1,4 +1,4 @@
-// What is said of a mesh whose format cannot hold it.
+// Sentences about parts of a mesh that a format cannot hold.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -17,7 +17,7 @@ std::string told(const TriangleMesh& mesh, const std::string& file, const Attrib
     return joined(losses(mesh, file, attributes), "\n");
 }
 
-/// Does one of them begin like that?
+/// True if one of the sentences begins like that.
 bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }   // namespace
@@ -38,8 +38,9 @@ TEST(Losses, RoundingIsReportedWhereItDamagesTheSurface) {
     EXPECT_EQ(told(small, "m.glb"), "") << "its node scales it";
 }
 
-// Of bodies that touch, STL and what lies mixed in GLB are one when read again; as many vertices as are told are missing then.
-TEST(Losses, WhatWeldsWhenItIsReadAgainIsCounted) {
+// Bodies that touch become one when an STL is read, or a GLB in which their vertices are mixed; the reported number of vertices is then
+// missing.
+TEST(Losses, VerticesThatReadersWeldAreCounted) {
     const TriangleMesh touching = joined(unit_cube(), moved_to(unit_cube(), moved(unit_cube().X, Vector3(1, 0, 0))));
     EXPECT_TRUE(says(told(touching, "m.stl"), "4 of 16 vertices lie where others do")) << told(touching, "m.stl");
     EXPECT_EQ(told(touching, "m.glb") + told(touching, "m.ply"), "");
@@ -68,7 +69,7 @@ TEST(Losses, GlbReportsValuesThatFloatsCannotHold) {
     EXPECT_EQ(told(read.mesh, "m.glb", read.attributes), "") << "floats stay floats";
 }
 
-TEST(Losses, ReadersNameWhatTheyDoNotKeep) {
+TEST(Losses, ReadersNameTheAttributesThatTheyDrop) {
     std::string text =
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty list uchar int near\n";
     text += "element face 1\nproperty list uchar int vertex_indices\nproperty float quality\nelement edge 1\nproperty int a\nend_header\n";
@@ -95,8 +96,8 @@ TEST(Losses, ColoursOfObjGoToOtherFormats) {
     EXPECT_EQ(some[1].values, (Vector(3) << 0, 255, 255).finished()) << "white where the file has none";
 }
 
-// Half a float's digit at 1e5 is 4e-3: curvatures of a sphere of edges 0.1 are spoilt long before a face turns.
-TEST(Losses, StlFarFromTheOriginIsToldBeforeFacesTurn) {
+// Half a float's digit at 1e5 is 4e-3: curvatures of a sphere of edges 0.1 are wrong long before a face turns.
+TEST(Losses, StlFarFromTheOriginIsReportedBeforeFacesTurn) {
     TriangleMesh sphere = icosphere(3);
     EXPECT_EQ(told(sphere, "m.stl"), "");
     sphere.X.rowwise() += Eigen::RowVector3d(1e4, 5e3, -3e3);
@@ -104,7 +105,7 @@ TEST(Losses, StlFarFromTheOriginIsToldBeforeFacesTurn) {
     EXPECT_EQ(told(sphere, "m.glb"), "") << "moved and scaled";
 }
 
-TEST(Losses, FormatsWithoutValuesNameThem) {
+TEST(Losses, FormatsWithoutValuesNameTheLostOnes) {
     const Attributes attributes{
         .columns = {{"nx", Vector::Ones(4)}, {"quality", Vector::Ones(4)}, {"red", Vector::Ones(4), ScalarType::uint8}}};
     for (const char* file : {"m.obj", "m.off", "m.stl", "-"})

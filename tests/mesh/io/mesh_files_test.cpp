@@ -18,7 +18,7 @@ using namespace meshfolio::testing;
 
 namespace {
 
-/// Positions of all magnitudes, with bits that only exact decimals keep.
+/// Returns positions of all magnitudes, with bits that only exact decimals keep.
 TriangleMesh awkward_mesh() {
     TriangleMesh mesh = torus(9, 7);
     std::mt19937_64 bits(1);
@@ -34,7 +34,7 @@ bool same_bits(const Positions& A, const Positions& B) {
 
 }   // namespace
 
-TEST(MeshFiles, WhatIsWrittenReadsBackBitForBit) {
+TEST(MeshFiles, WrittenMeshesReadBackBitForBit) {
     const TriangleMesh mesh = awkward_mesh();
     for (const char* file : {"a.obj", "a.off", "a.ply", "A.PLY"}) {
         const LoadedMesh loaded = parse_mesh(encode_mesh(mesh, file), file);
@@ -46,7 +46,7 @@ TEST(MeshFiles, WhatIsWrittenReadsBackBitForBit) {
     }
 }
 
-TEST(MeshFiles, ThroughTheDisk) {
+TEST(MeshFiles, AWrittenFileReadsBack) {
     const testing_tools::TemporaryFolder folder;
     const auto path = folder.path() / "through.ply";
     write_mesh(path, awkward_mesh());
@@ -56,7 +56,7 @@ TEST(MeshFiles, ThroughTheDisk) {
     EXPECT_THROW(write_mesh("/nowhere/at/all.obj", tetrahedron()), OutputError);
 }
 
-TEST(MeshFiles, WritesOnlyWhatItCanReadBack) {
+TEST(MeshFiles, WritesOnlyMeshesThatItCanRead) {
     EXPECT_THROW(encode_mesh(tetrahedron(), "a.fbx"), UsageError);
     EXPECT_THROW(encode_mesh(tetrahedron(), "a.obj.gz"), UsageError);
     EXPECT_THROW(encode_mesh(tetrahedron(), "a"), UsageError);
@@ -70,7 +70,7 @@ TEST(MeshFiles, WritesOnlyWhatItCanReadBack) {
     EXPECT_THROW(encode_mesh(mesh, "a.stl"), MeshError) << "no float is that large";
 }
 
-// Of floats STL keeps every bit; vertices come in the order of the triangles.
+// STL keeps every bit of floats; vertices come in the order of the triangles.
 TEST(MeshFiles, StlHoldsTheSameTriangles) {
     TriangleMesh mesh = torus(9, 7);
     mesh.X = mesh.X.cast<float>().cast<double>();
@@ -117,7 +117,7 @@ TEST(MeshFiles, RefusesAFormatUnderTheNameOfAnother) {
     EXPECT_TRUE(refused("solid x\nfacet", "b.obj", "looks like STL"));
 }
 
-TEST(MeshFiles, OneLineForTheTerminalWhateverTheFileHolds) {
+TEST(MeshFiles, MessagesAreOneHarmlessLineForAnyFile) {
     const std::string message = refusal("v 0 0 \x1b[31m\xe2\x80\xae" + std::string(5000, 'x') + "\n", "m.obj");
     EXPECT_EQ(message.find('\x1b'), std::string::npos);
     EXPECT_EQ(message.find("\xe2\x80\xae"), std::string::npos);

@@ -1,6 +1,4 @@
-// An OBJ file that is written again over other positions keeps all else.
-#include "mesh/io/mesh_encoders.h"
-
+// An OBJ file written with other positions keeps everything else.
 #include <gtest/gtest.h>
 
 #include "base/number_text.h"
@@ -17,11 +15,11 @@ namespace {
 
 PreparedMesh prepared(const std::string& text) { return prepare_mesh(parse_obj(text, "m.obj", Keep::attributes)); }
 
-/// Written with the positions of `X`, or with its own.
+/// Returns the OBJ written with the positions X, or with its own.
 std::string copied(const PreparedMesh& of, const Positions& X) { return encode_mesh(moved_to(of.mesh, X), "m.obj", of.attributes); }
 std::string copied(const std::string& text) { return copied(prepared(text), prepared(text).mesh.X); }
 
-/// The lines that begin with a word.
+/// Returns the lines that begin with the keyword.
 std::string lines_of(const std::string& text, const std::string& keyword) {
     std::string found;
     LineScanner lines(text);
@@ -36,7 +34,7 @@ const std::string corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
 }   // namespace
 
-TEST(ObjCopy, AllButPositionsStays) {
+TEST(ObjCopy, EverythingButPositionsStays) {
     const std::string text =
         "# a cube's corner\nmtllib a.mtl\no thing\n\nv 0 0 0 0.5 0.25 1\nv 1 0 0 1 0 0 # first\nv 0 1 0 0 1 0\r\nv 0 0 1 0 0 1\n"
         "vt 0 0\nvt 1 0\nvt 0.5 1 # tip\ng side\nusemtl red\ns 1\nf 1/1 3/2 2/3\nf 1/1 2/2 4/3\n# between\ng other\nusemtl blue\n"
@@ -82,7 +80,7 @@ TEST(ObjCopy, RepairsAreWritten) {
     EXPECT_EQ(parse_mesh(copy, "m.obj").mesh.F, mesh.mesh.F);
 }
 
-// One normal for all corners of a face is that face's; one that faces share is the mean by area of those around the vertex.
+// A normal of one face alone becomes the normal of that face; a shared one becomes the mean, by area, of the faces around the vertex.
 TEST(ObjCopy, NormalsAreThoseOfTheNewSurface) {
     const std::string flat = corner +
                              "vn 1 0 0\nvn 0 1 0\nvn 0 0 1\nvn 1 1 1\nf 1//1 3//1 2//1\nf 1//2 2//2 4//2\nf 1//3 4//3 3//3\n"

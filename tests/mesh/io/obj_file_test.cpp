@@ -114,7 +114,7 @@ TEST(ObjFile, RepeatedCornersOfAQuadAreOneCorner) {
     EXPECT_EQ(warnings_of(loaded), "5: 3 polygons with repeated corners, which are ignored\n7: face with fewer than 3 vertices ignored\n");
 }
 
-// assimp #3532: a name of Windows ends in a backslash, and the line behind it was taken for more of the name.
+// assimp #3532: a Windows path ends in a backslash, and the next line was read as part of it.
 TEST(ObjFile, ABackslashBehindANameSwallowsNoStatement) {
     for (const std::string line :
          {"g C:\\a\\", "o part\\ ", "usemtl a\\\r", "mtllib x\\", "s off\\", "vt 0 0\\", "vn 0 0 1 \\", "g\\", "x y\\", "l 1 2\\"}) {
@@ -132,7 +132,7 @@ TEST(ObjFile, ABackslashBehindANameSwallowsNoStatement) {
 }
 
 // three.js #19254
-TEST(ObjFile, ColoursOfSomeVerticesOrUpTo255AreKeptOrToldOf) {
+TEST(ObjFile, ColoursOfSomeVerticesOrUpTo255AreKeptOrReported) {
     const auto colors = [](const std::string& first, const std::string& second) {
         const LoadedMesh read = parse_obj("v 0 0 0" + first + "\nv 1 0 0" + second + "\nv 0 1 0\nf 1 2 3\n", "m.obj", Keep::attributes);
         std::string told;

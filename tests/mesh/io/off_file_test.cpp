@@ -39,7 +39,7 @@ TEST(OffFile, WarnsOfDefectsThatItAccepts) {
     expect_in_off("OFF\n4 4 0\n0 0 0 1\n1 0 0 1\n0 1 0\n0 0 1\n" + off_faces, "3: 2 vertices with extra numbers, which are ignored\n");
 }
 
-TEST(OffFile, FaceLines) { EXPECT_EQ(parse_off(off_tet, "m.off").face_lines, (std::vector<long>{7, 8, 9, 10})); }
+TEST(OffFile, FacesKnowTheirLines) { EXPECT_EQ(parse_off(off_tet, "m.off").face_lines, (std::vector<long>{7, 8, 9, 10})); }
 
 TEST(OffFile, RefusesBadHeaders) {
     EXPECT_TRUE(refused("OFF\n", "m.off", "no counts"));
@@ -77,7 +77,7 @@ TEST(OffFile, RefusesMissingAndBadData) {
     }
 }
 
-TEST(OffFile, PointsAloneAreToldOf) {
+TEST(OffFile, PointsWithoutFacesAreReported) {
     EXPECT_TRUE(refused("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "m.off:2", "no faces (3 vertices alone)"));
     EXPECT_TRUE(refused("COFF 1 0 0\n0 0 0 1 1 1\n", "m.off:1", "no faces (1 vertex alone)"));
     EXPECT_TRUE(refused("OFF\n0 0 0\n", "m.off:2", "no faces (0 vertices alone)"));

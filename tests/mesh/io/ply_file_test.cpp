@@ -22,7 +22,7 @@ const std::string ascii_header =
     "element face 4\nproperty list uchar int vertex_indices\nend_header\n";   // 9 lines
 const std::string ascii_body = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
-/// The bytes of values of any type, one after the other, in either order.
+/// Returns the bytes of values of any type, in either byte order.
 class Bytes {
 public:
     explicit Bytes(bool big_endian) : reverse_(big_endian != (std::endian::native == std::endian::big)) {}
@@ -45,7 +45,7 @@ std::string header(bool big_endian, const std::string& rest) {
     return std::string("ply\nformat binary_") + (big_endian ? "big" : "little") + "_endian 1.0\n" + rest + "end_header\n";
 }
 
-/// The tetrahedron with coordinates of type X and lists of counts N and indices I.
+/// Returns the tetrahedron with coordinates of type X and lists of counts N and indices I.
 template <class X, class N, class I>
 std::string binary_tetrahedron(bool big_endian, const std::string& x, const std::string& n, const std::string& i) {
     Bytes bytes(big_endian);
@@ -66,7 +66,7 @@ void expect_in_ply(const std::string& bytes, const std::string& warnings = "") {
 
 }   // namespace
 
-TEST(PlyFile, Ascii) {
+TEST(PlyFile, ReadsAscii) {
     expect_in_ply(ascii_header + ascii_body);
     std::string returns = ascii_header + ascii_body;
     std::replace(returns.begin(), returns.end(), '\n', '\r');
@@ -87,7 +87,7 @@ TEST(PlyFile, BinaryOfEveryTypeInBothOrders) {
     }
 }
 
-// A file of triangles alone is read in one step; one face of another size makes it the general case.
+// A file of triangles alone is read in one step; a face of another size needs the general way.
 TEST(PlyFile, AFaceOfAnotherSizeMayStandAnywhere) {
     for (const int quad : {0, 1, 2}) {
         Bytes bytes(false);
@@ -140,7 +140,7 @@ TEST(PlyFile, OtherElementsAndPropertiesAreSkippedWhereverTheyStand) {
     EXPECT_EQ(warnings_of(loaded), "");
 }
 
-TEST(PlyFile, WhereLinesEndInReturnsANewlineIsData) {
+TEST(PlyFile, ANewlineBehindLinesThatEndInReturnsIsData) {
     Bytes bytes(true);
     for (int i = 0; i < 9; ++i) bytes.add<std::uint8_t>(static_cast<std::uint8_t>(i == 0 ? '\n' : i % 4));
     bytes.add<std::uint8_t>(3).add<std::uint8_t>(0).add<std::uint8_t>(1).add<std::uint8_t>(2);
@@ -173,8 +173,8 @@ TEST(PlyFile, RefusesBadHeaders) {
     EXPECT_TRUE(refused("ply\nformat ascii 1.0\nelement vertex 4\n", "m.ply", "end_header"));
 }
 
-// Which of the two holds cannot be known: readers differ.
-TEST(PlyFile, RefusesWhatTheHeaderSaysTwice) {
+// Readers differ about which of two equal lines is valid.
+TEST(PlyFile, RefusesRepeatedHeaderLines) {
     const auto with = [](const std::string& from, const std::string& to) { return replaced(ascii_header, from, to) + ascii_body; };
     EXPECT_TRUE(refused(with("element v", "format ascii 1.0\nelement v"), "m.ply:3", "second format"));
     EXPECT_TRUE(refused(with("element f", "format binary_big_endian 1.0\nelement f"), "m.ply:7", "second format"));
@@ -189,7 +189,7 @@ TEST(PlyFile, RefusesWhatTheHeaderSaysTwice) {
 
 namespace {
 
-/// A file of tristrips: `rows` of them, the vertices of the tetrahedron.
+/// Returns a file of tristrips, one per row, over the vertices of the tetrahedron.
 std::string strips_file(const std::vector<std::vector<int>>& rows, const std::string& format, const std::string& more = "") {
     const bool big = format == "binary_big_endian";
     std::string text;
@@ -223,8 +223,8 @@ Faces strip_faces(const std::vector<std::vector<int>>& rows, const std::string& 
 
 }   // namespace
 
-// Every second triangle is turned, −1 begins anew; the tetrahedron is one strip.
-TEST(PlyFile, Tristrips) {
+// Every second triangle is turned, −1 begins a new strip; the tetrahedron is one strip.
+TEST(PlyFile, ReadsTristrips) {
     const Faces whole = (Faces(4, 3) << 0, 1, 2, 2, 1, 3, 2, 3, 0, 0, 3, 1).finished();
     for (const std::string& format : formats) {
         EXPECT_EQ(strip_faces({{0, 1, 2, 3, 0, 1, -1}}, format), whole) << format;
@@ -236,7 +236,7 @@ TEST(PlyFile, Tristrips) {
     EXPECT_EQ(parse_ply(strips_file({{0, 1, 2, 3}}, "ascii"), "m.ply").face_lines, (std::vector<long>{14, 14}));
 }
 
-TEST(PlyFile, TristripsAreJudgedAsFaces) {
+TEST(PlyFile, TristripsAreCheckedAsFacesAre) {
     for (const std::string& format : formats) {
         const std::string line = format == "ascii" ? "14" : "0";
         EXPECT_EQ(warnings_of(parse_ply(strips_file({{0, 1, -1, 2, -1, 0, 2, 1}}, format), "m.ply")),
@@ -255,7 +255,7 @@ TEST(PlyFile, TristripsAreJudgedAsFaces) {
     EXPECT_TRUE(refused(replaced(strips_file({{0, 1, 2}}, "ascii"), "3 0 1 2", "-3 0 1 2"), "m.ply:14", "list of -3"));
 }
 
-// The same surface twice, as a rule.
+// They usually describe the same surface again.
 TEST(PlyFile, TristripsBesideFacesAreIgnored) {
     const std::string header =
         replaced(ascii_header, "end_header", "element tristrips 1\nproperty list int int vertex_indices\nend_header");
@@ -300,7 +300,7 @@ TEST(PlyFile, RefusesBadValues) {
     EXPECT_TRUE(refused(replaced(good, "little", "big"), "m.ply", ""));
 }
 
-// ---- what else a vertex has ------------------------------------------------------------------------------------------------
+// ---- other values of a vertex ---------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -311,7 +311,7 @@ const std::string with_colors =
     "0 0 0 0 0.1 1 7 0 -1 1e-310\n255 1 0 0 nan 0 9 2147483647 0.1\n7 0 1 0 -inf 2 1 2 0 -2147483648 +3\n8 0 0 1 5 0 0 4 -0\n"
     "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
-/// Bits, so that NaN is NaN.
+/// Returns the bits, so that NaN equals NaN.
 void expect_same_columns(const std::vector<VertexColumn>& a, const std::vector<VertexColumn>& b) {
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -323,7 +323,7 @@ void expect_same_columns(const std::vector<VertexColumn>& a, const std::vector<V
 
 }   // namespace
 
-TEST(PlyColumns, AreReadWhereTheyAreAskedFor) {
+TEST(PlyColumns, AreReadOnRequest) {
     const LoadedMesh read = parse_ply(with_colors, "m.ply", Keep::attributes);
     expect_tetrahedron(read, "0: properties that are not kept (ring)\n");
     const std::vector<VertexColumn>& columns = read.attributes.columns;
@@ -348,7 +348,7 @@ TEST(PlyColumns, ComeBackBitForBit) {
     EXPECT_EQ(again.mesh.X, read.mesh.X);
 }
 
-TEST(PlyColumns, NamesAreSuchAsHeadersTake) {
+TEST(PlyColumns, NamesAreMadeValidForHeaders) {
     const Vector values = Vector::LinSpaced(4, 0, 1);
     const std::string bytes =
         encode_mesh(tetrahedron(), "m.ply", {.columns = {{"x", values}, {"a b", values}, {"a_b", values}, {"", values}}});
@@ -358,7 +358,7 @@ TEST(PlyColumns, NamesAreSuchAsHeadersTake) {
     expect_tetrahedron(parse_ply(bytes, "m.ply"));
 }
 
-TEST(PlyColumns, WhatDoesNotFitItsTypeIsRefusedAtItsLine) {
+TEST(PlyColumns, ValuesThatDoNotFitTheirTypeAreRefusedWithTheirLine) {
     for (const auto& [from, to] : {std::pair{"255 1 0 0", "256 1 0 0"},
                                    {"255 1 0 0", "-1 1 0 0"},
                                    {"255 1 0 0", "1.5 1 0 0"},

@@ -1,5 +1,5 @@
 /// @file
-/// What a reader says of a text: where it stops, what it warns of, and whether it has read the tetrahedron.
+/// Checks of a reader: the place and message of its error, its warnings, and the tetrahedron that it has read.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,14 +13,14 @@
 
 namespace meshfolio::testing {
 
-/// With the first `from` replaced, which must be there.
+/// Returns the text with the first `from` replaced by `to`. @throws std::invalid_argument if there is none
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
     if (at == std::string::npos) throw std::invalid_argument(from);
     return text.replace(at, from.size(), to);
 }
 
-/// The message with which `bytes` are refused; "accepted" when they are not.
+/// Returns the message of the error for `bytes`, or "accepted" if there is none.
 inline std::string refusal(const std::string& bytes, const std::string& file) {
     try {
         parse_mesh(bytes, file);
@@ -30,7 +30,7 @@ inline std::string refusal(const std::string& bytes, const std::string& file) {
     return "accepted";
 }
 
-/// Passes when the message begins with `place` ("m.obj:4: "), holds `text`, and has a remedy behind a semicolon.
+/// Passes if the message begins with `place` ("m.obj:4"), contains `text`, and has a remedy behind a semicolon.
 inline ::testing::AssertionResult refused(const std::string& bytes, const std::string& place, const std::string& text) {
     const std::string file = place.substr(0, place.find(':'));
     const std::string message = refusal(bytes, file);
@@ -39,14 +39,14 @@ inline ::testing::AssertionResult refused(const std::string& bytes, const std::s
     return ::testing::AssertionFailure() << "said: " << message;
 }
 
-/// The warnings as "line: message", one after the other.
+/// Returns the warnings as lines of "line: message".
 inline std::string warnings_of(const LoadedMesh& loaded) {
     std::string all;
     for (const MeshWarning& warning : loaded.warnings) all += std::to_string(warning.line) + ": " + warning.message + "\n";
     return all;
 }
 
-/// The tetrahedron, with these warnings. `text`: what was read.
+/// Expects the tetrahedron, with these warnings. @param text  the input, for messages
 inline void expect_tetrahedron(const LoadedMesh& loaded, const std::string& warnings = "", const std::string& text = "") {
     EXPECT_EQ(loaded.mesh.X, tetrahedron().X) << text;
     EXPECT_EQ(loaded.mesh.F, tetrahedron().F) << text;

@@ -64,7 +64,7 @@ TEST(StlFile, TextAndBinaryAgreeAndMinusZeroIsZero) {
     EXPECT_EQ(parse_stl(upper, "m.stl").mesh.X, text.mesh.X);
 }
 
-// meshlab #194, numpy-stl #206, meshio #642: other programs write the keywords of a facet with and without blanks, and where they like.
+// meshlab #194, numpy-stl #206, meshio #642: other programs write the keywords of a facet with and without blanks, on any line.
 TEST(StlFile, NamesMayHoldKeywords) {
     for (const char* name : {"facet normal vertex", "facet", "end facet normal of"}) {
         std::string named = text_stl;
@@ -109,7 +109,7 @@ TEST(StlFile, KeywordsMayBeOneWordOrTwoAndStandOnAnyLine) {
     EXPECT_EQ(parse_mesh(all_replaced(text_stl, "solid", "SOLID"), standard_input).mesh.F, expected.F);
 }
 
-TEST(StlFile, MissingKeywordsAreNotReadOver) {
+TEST(StlFile, MissingKeywordsAreErrors) {
     const std::string whole = "solid x facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet endsolid\n";
     EXPECT_EQ(parse_stl(whole, "m.stl").mesh.face_count(), 1);
     for (const std::string word : {"outer loop ", "outer ", "loop ", "vertex ", "endloop ", "endfacet ", "1 0 0 "})

@@ -23,13 +23,15 @@ Positions polygon(const std::vector<std::array<double, 2>>& points) {
     return X;
 }
 
+Faces triangles_of(const Positions& corners) { return triangulated_polygon(corners).triangles; }
+
 Vector3 area_vector(const Positions& X) {
     Vector3 sum = Vector3::Zero();
     for (Eigen::Index i = 0; i < X.rows(); ++i) sum += 0.5 * X.row(i).cross(X.row((i + 1) % X.rows())).transpose();
     return sum;
 }
 
-/// n − 2 triangles that turn as the polygon does, have its area, and its corners as their boundary: then they tile it.
+/// Expects n − 2 triangles with the orientation, the area and the boundary of the polygon, which they tile then.
 void expect_tiling(const Positions& X, double relative_error = 1e-12) {
     const PolygonTriangles cut = triangulated_polygon(X);
     EXPECT_TRUE(cut.simple);
@@ -43,7 +45,7 @@ void expect_tiling(const Positions& X, double relative_error = 1e-12) {
     for (Eigen::Index i = 0; i < X.rows(); ++i) EXPECT_EQ(loops[0][static_cast<std::size_t>(i)], i);
 }
 
-/// Corners at increasing angles and any distance from a centre: simple, and mostly concave.
+/// Returns corners at increasing angles and any distance from a centre: simple, and mostly concave.
 Positions random_star(int n, unsigned seed) {
     std::mt19937 bits(seed);
     std::vector<std::array<double, 2>> points;
@@ -54,7 +56,7 @@ Positions random_star(int n, unsigned seed) {
     return polygon(points);
 }
 
-/// A band wound around itself: at any time only few corners are ears.
+/// Returns a band wound around itself, of which only few corners are ears at any time.
 Positions spiral(int n) {
     std::vector<std::array<double, 2>> points;
     const auto add = [&](int i, double width) {
@@ -69,7 +71,7 @@ Positions spiral(int n) {
 }   // namespace
 
 TEST(TriangulatePolygon, ConvexPolygonsAreFans) {
-    const Faces fan = triangulate_polygon(polygon({{0, 0}, {2, 0}, {3, 1}, {1, 3}, {-1, 1}}));
+    const Faces fan = triangles_of(polygon({{0, 0}, {2, 0}, {3, 1}, {1, 3}, {-1, 1}}));
     EXPECT_EQ(fan, (Faces(3, 3) << 0, 1, 2, 0, 2, 3, 0, 3, 4).finished());
 }
 
@@ -82,7 +84,7 @@ TEST(TriangulatePolygon, ConcaveQuadIsCutInside) {
 TEST(TriangulatePolygon, CornersOnAStraightEdgeGiveNoFlatTriangle) {
     const Positions X = polygon({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}});
     expect_tiling(X);
-    EXPECT_GT(face_areas({X, triangulate_polygon(X)}).minCoeff(), 0.4);
+    EXPECT_GT(face_areas({X, triangles_of(X)}).minCoeff(), 0.4);
 }
 
 TEST(TriangulatePolygon, RandomConcavePolygonsAreTiled) {
@@ -91,12 +93,12 @@ TEST(TriangulatePolygon, RandomConcavePolygonsAreTiled) {
 
 TEST(TriangulatePolygon, NeitherPlaceNorSizeNorPlaneMatter) {
     for (unsigned seed = 0; seed < 50; ++seed) {
-        // Multiples of 1/1024: moving them far away loses nothing.
+        // Coordinates are multiples of 1/1024, so that moving them far away is exact.
         const Positions X = (random_star(17, seed) * 1024).array().round().matrix() / 1024;
-        const Faces triangles = triangulate_polygon(X);
-        EXPECT_EQ(triangulate_polygon(moved(X, {1e9, -1e9, 1e9})), triangles);
-        EXPECT_EQ(triangulate_polygon(moved(X, Vector3::Zero(), 0x1p-1060)), triangles);
-        EXPECT_EQ(triangulate_polygon(moved(X, Vector3::Zero(), 0x1p300)), triangles);
+        const Faces triangles = triangles_of(X);
+        EXPECT_EQ(triangles_of(moved(X, {1e9, -1e9, 1e9})), triangles);
+        EXPECT_EQ(triangles_of(moved(X, Vector3::Zero(), 0x1p-1060)), triangles);
+        EXPECT_EQ(triangles_of(moved(X, Vector3::Zero(), 0x1p300)), triangles);
         expect_tiling(rotated(X));
     }
 }
@@ -142,7 +144,8 @@ TEST(TriangulatePolygon, SpikesAreLeftOut) {
     EXPECT_FALSE(triangulated_polygon(polygon({{0, 0}, {1, 1}, {2, 2}, {1, 1}})).simple) << "nothing but a spike";
 }
 
-/// With `count` spikes: at a corner, or in the middle of an edge, out and back to any distance, with one to three corners on the way.
+/// Returns the polygon with `count` spikes: at a corner, or in the middle of an edge, out and back to any distance, with one to three
+/// corners on the way.
 Positions with_spikes(const Positions& X, int count, unsigned seed) {
     std::mt19937 bits(seed);
     const auto random = [&](double low, double high) { return low + (high - low) * static_cast<double>(bits() % 4096) / 4096; };
@@ -178,7 +181,7 @@ TEST(TriangulatePolygon, AreasOfPolygonsWithSpikesAreThoseOfNewell) {
                 const Positions written = digits > 0 ? Positions((placed * digits).array().round() / digits) : placed;
                 const PolygonTriangles cut = triangulated_polygon(written);
                 ++tried;
-                // Rounding bends a spike; a few polygons then cross themselves for good, which is told.
+                // Rounding bends a spike; a few polygons then cross themselves, which is reported.
                 const bool is_exact = digits == 0 && offset == 0;
                 if (!is_exact && !cut.simple) {
                     ++crossing;
@@ -218,7 +221,7 @@ TEST(TriangulatePolygon, ManyCornersTakeNoMoreThanMoments) {
     expect_tiling(spiral(20000), 1e-9);
 }
 
-// A corner may wait for another one for many reasons; looked at for each of them, this one took minutes.
+// Many events may wake a waiting corner; checking it for each of them took minutes here.
 TEST(TriangulatePolygon, ManyCornersInARowTakeNoMoreThanMoments) {
     constexpr int count = 16000;
     std::vector<std::array<double, 2>> wedge, strip;
@@ -247,6 +250,6 @@ TEST(TriangulatePolygon, PolygonsThatAreNotSimpleStillGiveTriangles) {
 }
 
 TEST(TriangulatePolygon, Limits) {
-    EXPECT_THROW(triangulate_polygon(Positions::Zero(2, 3)), MeshError);
-    EXPECT_THROW(triangulate_polygon(Positions::Zero(max_polygon_corners + 1, 3)), MeshError);
+    EXPECT_THROW(triangles_of(Positions::Zero(2, 3)), MeshError);
+    EXPECT_THROW(triangles_of(Positions::Zero(max_polygon_corners + 1, 3)), MeshError);
 }

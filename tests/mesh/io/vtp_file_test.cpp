@@ -1,4 +1,4 @@
-// VTK's PolyData in each of the ways that VTK and ParaView write it.
+// VTK's PolyData in all encodings that VTK and ParaView write.
 #include <gtest/gtest.h>
 #include <libdeflate.h>
 
@@ -34,7 +34,7 @@ std::string zlib_of(const std::string& bytes) {
     return packed;
 }
 
-/// How a file holds its arrays.
+/// The encoding of arrays in a file.
 struct Form {
     bool appended, text, packed, long_header, big_endian;
     std::size_t block = 40;       // bytes that are packed together
@@ -97,7 +97,7 @@ private:
     std::string appended_;
 };
 
-/// The tetrahedron with a colour, a float and a normal at each vertex.
+/// Returns the tetrahedron with a colour, a float and a normal at each vertex.
 std::string vtp(const Form& form) {
     Writer writer(form);
     std::string piece =
@@ -158,7 +158,7 @@ TEST(Vtp, EveryFormReadsAlike) {
     expect_tetrahedron(parse_mesh(ascii, standard_input), "0: points or lines ignored\n");
 }
 
-TEST(Vtp, WhatIsWrittenReadsBackBitForBit) {
+TEST(Vtp, WrittenFilesReadBackBitForBit) {
     TriangleMesh mesh = torus(9, 7);
     mesh.X.row(0) << 0.1, -0.0, 5e-324;
     mesh.X.row(1) << 1e100, -1e100, 1. / 3;
@@ -181,7 +181,7 @@ TEST(Vtp, WhatIsWrittenReadsBackBitForBit) {
     EXPECT_EQ(encode_mesh(read.mesh, "m.vtp", read.attributes), bytes);
 }
 
-TEST(Vtp, AsciiSpellsWhatIsNotFinite) {
+TEST(Vtp, AsciiMayHoldNanAndInfinities) {
     const auto with_values = [](const std::string& type, const std::string& words) {
         return replaced(
             ascii, "<Points>",
@@ -318,7 +318,7 @@ TEST(Vtp, ColoursOfAnyTypeKeepTheirNames) {
     }
 }
 
-TEST(Vtp, WhatIsRefusedIsNamed) {
+TEST(Vtp, RefusalsNameTheProblem) {
     EXPECT_TRUE(refused(replaced(ascii, "PolyData><Piece", "UnstructuredGrid><Piece"), "m.vtp", "no XML of VTK"));
     std::string grid = ascii;
     for (int i = 0; i < 3; ++i) grid = replaced(grid, "PolyData", "StructuredGrid");
@@ -340,7 +340,7 @@ TEST(Vtp, WhatIsRefusedIsNamed) {
     EXPECT_TRUE(refused("<?xml version=\"1.0\"?><svg/>", "m.vtp", "XML text, not a mesh"));
 }
 
-TEST(Vtp, DamageIsAMeshOrOneLine) {
+TEST(Vtp, DamagedFilesGiveAMeshOrOneLineOfError) {
     for (const Form& form :
          {Form{true, false, true, false, false}, Form{true, true, true, true, true}, Form{false, true, false, false, false}}) {
         const std::string bytes = vtp(form);

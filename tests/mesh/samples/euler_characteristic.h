@@ -1,5 +1,5 @@
 /// @file
-/// The Euler characteristic, counted.
+/// The Euler characteristic by counting.
 #pragma once
 
 #include "mesh/mesh_topology.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "mesh/mesh_topology.h"
-#include "mesh/samples/signed_distance.h"
+#include "mesh/triangle_measures.h"
 
 using namespace meshfolio;
 
@@ -14,18 +14,6 @@ namespace {
 
 double unit_ball(const Vector3& p) { return p.norm() - 1; }
 double twice_unit_ball(const Vector3& p) { return 2 * p.norm() - 2; }
-
-/// Two balls 0.02 apart: in a coarse grid, cells hold a sheet of each.
-double nearly_touching(const Vector3& p) {
-    return std::min(signed_distance(Ball{{-0.707, -0.72, 0}, 1}, p), signed_distance(Ball{{0.707, 0.71, 0}, 1}, p));
-}
-
-/// Sheets at about the distance of the grid, in every direction.
-double tangled(const Vector3& p) {
-    const double inside =
-        std::sin(9.1 * p.x()) * std::sin(8.3 * p.y()) + std::sin(7.7 * p.y()) * std::sin(9.7 * p.z()) + std::sin(8.9 * p.z() + p.x());
-    return std::max(0.1 * inside, p.norm() - 1);
-}
 
 void expect_closed_manifold(const TriangleMesh& mesh) {
     const MeshTopology topology = topology_of(mesh);
@@ -51,13 +39,6 @@ TEST(SurfaceNet, OfABallIsASphere) {
     EXPECT_EQ(net.vertex_count() - static_cast<int>(topology_of(net).edges.size()) + net.face_count(), 2);
     EXPECT_LT((net.X.rowwise().norm().array() - 1).abs().maxCoeff(), 0.05);
     EXPECT_NEAR(signed_volume(net), 4 * std::numbers::pi / 3, 0.05);
-}
-
-TEST(SurfaceNet, IsManifoldWhereSheetsShareCells) {
-    for (const double cell : {0.1, 0.13, 0.17, 0.21}) {
-        expect_closed_manifold(surface_net(nearly_touching, box, cell));
-        expect_closed_manifold(surface_net(tangled, box, cell));
-    }
 }
 
 TEST(RelaxedOn, GivesGoodTrianglesOnTheSurface) {

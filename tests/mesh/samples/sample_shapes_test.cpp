@@ -21,7 +21,7 @@ namespace {
 
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
-/// Distances are in lengths: all samples have a size of about 1.
+/// Tolerance of distances: all samples have a size of about 1.
 constexpr double rounding = 1e-6;
 
 /// The bundled meshes are made once for all tests.
@@ -31,7 +31,7 @@ const TriangleMesh& sample(const std::string& name) {
     return made.at(name);
 }
 
-/// What each sample must be.
+/// Properties that a sample must have.
 struct Expected {
     std::string name;
     bool closed;
@@ -51,7 +51,7 @@ const std::vector<Expected> expectations{
 
 class EverySample : public ::testing::TestWithParam<Expected> {};
 
-/// Edges of dihedral angle (between normals) above 40°: their total length and number.
+/// The total length and the number of edges with a dihedral angle (between normals) above 40°.
 struct SharpEdges {
     int count = 0;
     double length = 0;
@@ -73,7 +73,7 @@ SharpEdges sharp_edges(const TriangleMesh& mesh) {
     return sharp;
 }
 
-/// How many vertices lie higher along `direction` than all their neighbours, and beyond 0.9.
+/// Returns the number of vertices higher along `direction` than all their neighbours, and beyond 0.9.
 int summits(const TriangleMesh& mesh, const Vector3& direction) {
     const MeshTopology topology = topology_of(mesh);
     const Vector height = mesh.X * direction;
@@ -135,7 +135,7 @@ TEST(TorusMesh, LiesOnTheTorusAndHasItsTopology) {
     for (const auto& p : mesh.X.rowwise()) EXPECT_NEAR(std::hypot(std::hypot(p.x(), p.y()) - 2, p.z()), 0.7, 1e-14);
     EXPECT_EQ(euler_characteristic(mesh), 0);
     EXPECT_EQ(topology_of(mesh).boundary_edge_count(), 0);
-    // Inscribed polygons instead of circles (Pappus): 2π²Rr² shrinks by the two polygons' factors.
+    // The polygons are inscribed in circles, so 2π²Rr² (Pappus) shrinks by the factors of both polygons.
     const auto factor = [](int n) { return std::sin(2 * std::numbers::pi / n) / (2 * std::numbers::pi / n); };
     EXPECT_NEAR(signed_volume(mesh) / (2 * std::pow(std::numbers::pi, 2) * 2 * 0.49), factor(30) * factor(17), 0.002);
     EXPECT_THROW(torus_mesh(2, 8, 1, 0.5), UsageError);
@@ -233,7 +233,7 @@ TEST_P(EverySample, IsBundledByteForByte) {
 
 INSTANTIATE_TEST_SUITE_P(Samples, EverySample, ::testing::ValuesIn(expectations), [](const auto& p) { return p.param.name; });
 
-TEST(Samples, AreAllExpected) {
+TEST(Samples, AreAllTested) {
     ASSERT_EQ(sample_list().size(), expectations.size());
     for (std::size_t i = 0; i < expectations.size(); ++i) EXPECT_EQ(sample_list()[i].name, expectations[i].name);
 }
@@ -250,7 +250,7 @@ TEST(Samples, ClosedFormsHoldToTheLastDecimal) {
 }
 
 TEST(Samples, VerticesStayOnTheSurfaceWhenItIsSubdivided) {
-    // The rows of the bundled mesh come first; a vertex that was not on the surface would be moved onto it.
+    // The rows of the bundled mesh come first; a vertex off the surface would have been moved onto it.
     for (const std::string name : {"sphere", "ellipsoid", "bumpy_cube", "creature", "saddle", "fandisk_like", "cube"}) {
         const TriangleMesh& mesh = sample(name);
         const TriangleMesh fine = make_sample(name, 1);
@@ -288,7 +288,7 @@ TEST(Samples, TheLilyHasTwoBoundaryLoopsAndSixPetals) {
 }
 
 TEST(Samples, TheFandisksSharpEdgesAreEdgesOfTheMesh) {
-    // Were a feature cut by triangles, finer triangles would show other sharp edges. Curved ones grow a little.
+    // If triangles cut a feature, finer triangles would show other sharp edges. Curved edges grow a little.
     const SharpEdges coarse = sharp_edges(sample("fandisk_like")), fine = sharp_edges(make_sample("fandisk_like", 1));
     EXPECT_GT(coarse.count, 400);
     EXPECT_NEAR(fine.length / coarse.length, 1, 0.01);

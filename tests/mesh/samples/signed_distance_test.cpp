@@ -12,7 +12,7 @@ using namespace meshfolio;
 
 namespace {
 
-/// Points all around, the same on every machine.
+/// Returns points all around, the same on every machine.
 std::vector<Vector3> points(int n) {
     NormalNumbers random(11);
     std::vector<Vector3> p(static_cast<std::size_t>(n));

@@ -1,5 +1,5 @@
 /// @file
-/// Binary glTF by hand.
+/// Binary glTF files from hand-written parts.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace meshfolio::testing {
 
-/// A file of a text and its data.
+/// Returns a file with this JSON text and data.
 inline std::string glb_of(std::string json, std::string data) {
     json.resize((json.size() + 3) / 4 * 4, ' ');
     data.resize((data.size() + 3) / 4 * 4, '\0');
@@ -25,7 +25,7 @@ inline std::string glb_of(std::string json, std::string data) {
     return bytes.append("BIN\0", 4) + data;
 }
 
-/// The text of a file of one mesh: float positions at byte 0, short indices at byte 1024.
+/// Returns the JSON text of a file of one mesh: float positions at byte 0, short indices at byte 1024.
 inline std::string glb_text(const TriangleMesh& mesh, const std::string& node = "", const std::string& primitive = "",
                             const std::string& more = "") {
     return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0)" + node +
@@ -44,7 +44,7 @@ inline std::string glb_data(const TriangleMesh& mesh) {
     return data;
 }
 
-/// A file put together accessor by accessor; `json` is free to be changed.
+/// A file made accessor by accessor; tests may change its `json`.
 struct GlbParts {
     nlohmann::json json{{"asset", {{"version", "2.0"}}}, {"accessors", nlohmann::json::array()}, {"bufferViews", nlohmann::json::array()}};
     std::string data;
@@ -84,7 +84,7 @@ struct GlbParts {
         return accessor(numbers, "SCALAR");
     }
 
-    /// A primitive of that mesh, as another mesh of the file. @return the primitive
+    /// Adds another mesh with a primitive of that mesh. Returns the primitive.
     nlohmann::json& add_mesh(const TriangleMesh& mesh) {
         const nlohmann::json primitive{{"attributes", {{"POSITION", positions(mesh)}}}, {"indices", indices(mesh)}};
         json["meshes"].push_back({{"primitives", nlohmann::json::array({primitive})}});

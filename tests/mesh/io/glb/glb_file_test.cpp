@@ -19,12 +19,12 @@ std::string glb(const std::string& node = "", const std::string& primitive = "",
 
 TriangleMesh mesh_in(const std::string& bytes) { return parse_mesh(bytes, "m.glb").mesh; }
 
-/// The tetrahedron with something else in its text.
+/// Returns the tetrahedron with a replacement in its text.
 std::string with(const std::string& from, const std::string& to) {
     return glb_of(replaced(glb_text(tetrahedron()), from, to), glb_data(tetrahedron()));
 }
 
-/// Every triangle with corners of its own, as flat shading and seams of textures make them.
+/// Returns the mesh with separate corners for every triangle, as flat shading and seams of textures make them.
 TriangleMesh taken_apart(const TriangleMesh& mesh) {
     TriangleMesh apart;
     apart.X.resize(mesh.F.size(), 3);
@@ -35,7 +35,7 @@ TriangleMesh taken_apart(const TriangleMesh& mesh) {
 
 }   // namespace
 
-TEST(Glb, APlainOne) { expect_tetrahedron(parse_mesh(glb(), "m.glb")); }
+TEST(Glb, ReadsASimpleMesh) { expect_tetrahedron(parse_mesh(glb(), "m.glb")); }
 
 TEST(Glb, SeamsAreWelded) {
     for (const TriangleMesh& mesh : {tetrahedron(), unit_cube()}) {
@@ -50,7 +50,7 @@ TEST(Glb, SeamsAreWelded) {
     }
 }
 
-// Scale, then turn by 90° about z (x → y, y → −x), then move; by matrix the same; a node below multiplies from the right.
+// Scale, then turn by 90° about z (x → y, y → −x), then move; a matrix gives the same; the matrix of a child multiplies from the right.
 TEST(Glb, TransformationsAreThoseComputedByHand) {
     Positions expected(4, 3);
     expected << 10, 20, 30, 10, 22, 30, 7, 20, 30, 10, 20, 34;
@@ -139,7 +139,7 @@ TEST(Glb, CustomColoursAndValuesAreColumns) {
     EXPECT_TRUE(bare.attributes.columns.empty() && bare.warnings.empty()) << "where they are not asked for";
 }
 
-TEST(Glb, WhatIsRefusedIsNamed) {
+TEST(Glb, RefusalsNameTheProblem) {
     EXPECT_TRUE(refused(glb("", "", R"(,"extensionsRequired":["KHR_draco_mesh_compression"])"), "m.glb", "'KHR_draco_mesh_compression'"));
     EXPECT_TRUE(refused(glb("", "", R"(,"extensionsRequired":["EXT_meshopt_compression"])"), "m.glb", "'EXT_meshopt_compression'"));
     EXPECT_EQ(refusal(glb("", "", R"(,"extensionsRequired":["KHR_mesh_quantization","KHR_materials_unlit"])"), "m.glb"), "accepted");

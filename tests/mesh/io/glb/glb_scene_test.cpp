@@ -1,4 +1,5 @@
-// What glTF 2.0 does to the vertices of a primitive: skins, morph targets, sparse accessors, instances, shared buffers, missing scenes.
+// Parts of glTF 2.0 that change the vertices of a primitive: skins, morph targets, sparse accessors, instances, shared buffers, missing
+// scenes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -79,7 +80,7 @@ TEST(GlbScene, JointsHaveParentsAndVerticesMoreThanFourOfThem) {
     EXPECT_LT((shape_in(glb).X - at_place(1.5, Vector3(4, 10, 0))).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(GlbScene, WeightsThatDoNotSumToOneAreDividedAndTold) {
+TEST(GlbScene, WeightsThatDoNotSumToOneAreNormalisedWithAWarning) {
     GlbParts half = skinned<float>({0, 1, 0, 0}, {0.25F, 0.25F, 0, 0}), none = skinned<float>({1, 0, 0, 0}, {0, 0, 0, 0});
     EXPECT_EQ(shape_in(half).X, at_place(1.5, Vector3(4, 0, 0)));
     EXPECT_TRUE(has_text(warnings_of(parse_mesh(half.bytes(), "m.glb")), "4 vertices have weights of joints that do not sum to 1"));
@@ -173,8 +174,8 @@ TEST(GlbScene, WithoutScenesAllRootsAreShownAndWithoutNodesAllMeshes) {
     EXPECT_TRUE(has_text(refusal_of(glb), "no entry 0 of scenes"));
 }
 
-// The file of one buffer of vertices for 400 meshes and 4000 bodies has 10⁷ vertices by its accessors, and 16,000 by its triangles.
-TEST(GlbScene, OfABufferThatManyMeshesShareOnlyWhatTheyUseCounts) {
+// A file with one buffer of vertices for 400 meshes and 4000 bodies has 10⁷ vertices by its accessors, and 16,000 by its triangles.
+TEST(GlbScene, OnlyTheUsedPartOfASharedBufferCounts) {
     GlbParts glb;
     TriangleMesh pool = tetrahedron();
     for (int i = 1; i < 400; ++i) pool = joined(pool, tetrahedron());
@@ -230,7 +231,7 @@ TEST(GlbScene, WorkIsLimited) {
     EXPECT_TRUE(has_text(refusal_of(wide), "its instances make more than"));
 }
 
-TEST(GlbScene, ColoursOfSomeMeshesOnlyAreWhiteElsewhereAndSeamsAreTold) {
+TEST(GlbScene, MeshesWithoutColoursAreWhiteAndSeamsAreReported) {
     GlbParts glb = plain_glb();
     glb.add_mesh(tetrahedron());
     glb.json["nodes"].push_back({{"mesh", 1}});
@@ -248,7 +249,7 @@ TEST(GlbScene, ColoursOfSomeMeshesOnlyAreWhiteElsewhereAndSeamsAreTold) {
     }
     EXPECT_NEAR(read.attributes.columns[0].values[4], 0.7353569831, 1e-6) << "half the light, in sRGB";
     EXPECT_EQ(warnings_of(read), "");
-    // The same vertices once more within the mesh, in another colour.
+    // Repeats the same vertices within the mesh, in another colour.
     GlbParts seam = plain_glb();
     primitive_of(seam)["attributes"]["COLOR_0"] = seam.accessor(colors, "VEC3");
     json other = primitive_of(seam);

@@ -1,4 +1,4 @@
-// What a GLB keeps of a mesh: its shape far from the origin, bodies that touch, its colours.
+// Properties of a mesh that a GLB keeps: its shape far from the origin, bodies that touch, its colours.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::string told_of_glb(const TriangleMesh& mesh, const Attributes& attributes) 
 
 }   // namespace
 
-// Rounding is half a unit in the last place of half the size, wherever and however large the mesh is; what was read is kept bit by bit.
+// Rounding is half a unit in the last place of half the size, for a mesh of any place and size; a mesh that was read is kept bit by bit.
 TEST(GlbWriter, PlaceAndSizeDoNotMatter) {
     const TriangleMesh mesh = torus(19, 11);
     for (const double size : {1.0, 1e-50, 1e-30, 1e30, 1e90}) {
@@ -83,7 +83,7 @@ TEST(GlbWriter, AllColoursOf8BitsComeBack) {
     }
 }
 
-TEST(GlbWriter, ColoursThatGltfDoesNotHoldAreValuesOrWhiteAndTold) {
+TEST(GlbWriter, ColoursThatGltfDoesNotHoldAreValuesOrWhiteAndReported) {
     const Vector one = Vector::Ones(4), bright = (Vector(4) << 0, 0.5, 1, 7).finished();
     Attributes beyond = colors_of({bright, one, one}, ScalarType::float32);
     EXPECT_NE(told_of_glb(tetrahedron(), beyond).find("are written as values (_red"), std::string::npos);
