@@ -1,11 +1,12 @@
 /// @file
-/// Vertices, faces and edges are counted by int; the elements of a std::vector are not.
+/// Our indices (int, as in the matrices of a mesh) as indices of a std::vector.
 #pragma once
 
 #include <cstddef>
 
 namespace meshfolio {
 
+/// Converts an index, which must not be negative.
 constexpr std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }   // namespace meshfolio

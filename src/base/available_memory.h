@@ -1,5 +1,5 @@
 /// @file
-/// How much memory this process may still take.
+/// The memory that this process may still take.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,9 @@ struct AvailableMemory {
     std::string limited_by;   // "MemAvailable", "RLIMIT_AS" or "the control group"
 };
 
-/// The least of what the machine has left without swapping, what the process may address beyond what it has (RLIMIT_AS), and what its
-/// control group (version 1 or 2) and those above it leave.
-/// @param root  where /proc and /sys are; for tests
+/// Returns the tightest of three limits: the memory that the machine has left without swapping, the addresses that RLIMIT_AS leaves, and
+/// what the process's control group (version 1 or 2) and the groups above it leave.
+/// @param root  folder of proc/ and sys/; another one in tests
 AvailableMemory available_memory(const std::filesystem::path& root = "/");
 
 }   // namespace meshfolio

@@ -1,5 +1,5 @@
 /// @file
-/// Bytes as text (RFC 4648, with padding).
+/// Base64 (RFC 4648, with padding).
 #pragma once
 
 #include <string>
@@ -7,13 +7,14 @@
 
 namespace meshfolio {
 
+/// Encodes bytes: "fo" becomes "Zm8=".
 std::string base64(std::string_view bytes);
 
-/// The bytes; empty where the text is not base64, or not all of it.
+/// Decodes a text; returns "" if any part of it is not base64.
 std::string from_base64(std::string_view text);
 
-/// The first `count` bytes of parts in base64 one after the other, each filled up with "=" or not, with blanks and line ends anywhere.
-/// @return fewer where the text ends, or is no base64 from there on
+/// Decodes the first `count` bytes of a text that joins several encodings, each with or without "=" at its end; white space may stand
+/// anywhere. Returns fewer bytes if the text ends early or stops being base64.
 std::string from_base64_parts(std::string_view text, std::size_t count);
 
 }   // namespace meshfolio

@@ -19,7 +19,7 @@ struct CodePoint {
     int length;   // bytes; 0: not UTF-8
 };
 
-/// Decodes the code point at `at`, refusing overlong forms and surrogates (RFC 3629).
+/// Decodes the code point that begins at byte `at`; refuses overlong forms and surrogates (RFC 3629).
 CodePoint decode_utf8(const std::string& text, std::size_t at) {
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
     const unsigned lead = byte(at);
@@ -38,11 +38,10 @@ CodePoint decode_utf8(const std::string& text, std::size_t at) {
     return {value, length};
 }
 
-bool may_be_shown(std::uint32_t code) {
-    const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
-    const bool bidirectional =
-        code == 0x61c || code == 0x200e || code == 0x200f || (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
-    return !control && !bidirectional && code != 0x2028 && code != 0x2029;
+/// True for control characters, line separators and bidirectional marks.
+bool is_unsafe(std::uint32_t code) {
+    return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e || code == 0x200f ||
+           (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
 }
 
 }   // namespace
@@ -56,15 +55,11 @@ std::string printable(const std::string& text) {
     for (std::size_t i = 0; i < text.size();) {
         const CodePoint c = decode_utf8(text, i);
         const auto length = static_cast<std::size_t>(c.length > 0 ? c.length : 1);
-        if (c.length > 0 && may_be_shown(c.value)) {
-            shown.append(text, i, length);
-        } else {
-            for (std::size_t k = i; k < i + length; ++k) {
-                const auto byte = static_cast<unsigned char>(text[k]);
-                shown += {'\\', 'x', hex[byte >> 4], hex[byte & 15]};
-            }
+        const bool is_safe = c.length > 0 && !is_unsafe(c.value);
+        for (const std::size_t end = i + length; i < end; ++i) {
+            const auto byte = static_cast<unsigned char>(text[i]);
+            shown += is_safe ? std::string(1, text[i]) : std::string{'\\', 'x', hex[byte >> 4], hex[byte & 15]};
         }
-        i += length;
     }
     return shown;
 }

@@ -1,7 +1,7 @@
 /// @file
-/// The errors meshfolio raises on purpose. Each knows the exit code of its kind and prints as one line,
-///   FILE:LINE: what is wrong; what to do
-/// with the parts that apply. Whoever catches one prints `what()` behind "meshfolio: ".
+/// The errors that meshfolio throws on purpose. Each has the exit code of its kind; its what() is one line,
+///   FILE:LINE: problem; remedy
+/// without the parts that do not apply. The program prints "meshfolio: " and what().
 #pragma once
 
 #include <stdexcept>
@@ -9,10 +9,10 @@
 
 namespace meshfolio {
 
-/// Exit codes of the program; scripts rely on them.
+/// Exit codes of the program, on which scripts rely.
 enum class ExitCode : int {
     ok = 0,
-    failed = 1,   // a question or a check failed; the report is there and says so
+    failed = 1,   // a question or a check failed; the report exists and says so
     usage = 2,    // wrong command line or settings
     input = 3,    // an input file is missing or unusable
     output = 4,   // an output cannot be written
@@ -20,10 +20,10 @@ enum class ExitCode : int {
     interrupted = 130,
 };
 
-/// Where in an input something was found.
+/// A place in an input.
 struct Location {
-    std::string file;   // empty: no file
-    long line = 0;      // counted from 1; 0: the file as a whole
+    std::string file;   // empty: the error is about no file
+    long line = 0;      // from 1; 0: the file as a whole
 };
 
 class Error : public std::runtime_error {
@@ -37,28 +37,28 @@ private:
     ExitCode exit_code_;
 };
 
-/// The command line or a settings file asks for something that does not exist or makes no sense.
+/// The command line or a settings file asks for something that does not exist or is contradictory.
 class UsageError : public Error {
 public:
     explicit UsageError(const std::string& problem, const std::string& remedy = "", const Location& where = {})
         : Error(ExitCode::usage, where, problem, remedy) {}
 };
 
-/// An input file is missing, unreadable or not what it claims to be.
+/// An input file is missing, unreadable or damaged.
 class InputError : public Error {
 public:
     explicit InputError(const Location& where, const std::string& problem, const std::string& remedy = "")
         : Error(ExitCode::input, where, problem, remedy) {}
 };
 
-/// A mesh was read but cannot serve for what is asked of it, or a function was given sizes that do not fit together.
+/// A mesh does not suit the operation, or the sizes of a function's arguments do not match.
 class MeshError : public Error {
 public:
     explicit MeshError(const std::string& problem, const std::string& remedy = "", const Location& where = {})
         : Error(ExitCode::input, where, problem, remedy) {}
 };
 
-/// A factorisation or an eigensolver did not deliver.
+/// A factorisation or an eigensolver failed.
 class SolverError : public Error {
 public:
     explicit SolverError(const std::string& problem, const std::string& remedy = "") : Error(ExitCode::failed, {}, problem, remedy) {}
@@ -71,20 +71,20 @@ public:
         : Error(ExitCode::output, {path, 0}, problem, remedy) {}
 };
 
-/// Whoever read the pipe that is written to has closed it. Nothing failed, but nothing more is wanted.
+/// The reader of a pipe has closed it: not a failure, but no more output is wanted.
 class ReaderGone : public OutputError {
 public:
     using OutputError::OutputError;
 };
 
-/// A program that was required (a PDF engine, say) is not on this machine.
+/// A required program, such as a PDF engine, is not installed.
 class EngineError : public Error {
 public:
     explicit EngineError(const std::string& problem, const std::string& remedy = "") : Error(ExitCode::engine, {}, problem, remedy) {}
 };
 
-/// Bytes from outside made harmless for one line of a terminal: control characters, lone surrogates, bidirectional
-/// overrides and bytes that are not UTF-8 become visible escapes such as \x1b.
+/// Returns the text safe for one line of a terminal: control characters, lone surrogates, bidirectional overrides and bytes that are not
+/// UTF-8 become escapes such as \x1b.
 std::string printable(const std::string& text);
 
 }   // namespace meshfolio

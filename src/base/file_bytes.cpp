@@ -22,33 +22,7 @@ namespace {
 
 std::string reason() { return std::strerror(errno); }
 
-/// Closes on every way out.
-class Descriptor {
-public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    int get() const { return fd_; }
-
-private:
-    int fd_;
-};
-
-/// A string of `size` bytes. @throws InputError where they do not fit into memory: a file may claim any size
-std::string room_for(std::uintmax_t size, const Location& where) try {
-    std::string bytes;
-    bytes.reserve(size);
-    prefer_large_pages(bytes.data(), size);
-    bytes.resize(size);
-    return bytes;
-} catch (const std::bad_alloc&) {
-    throw InputError(where, "out of memory for the " + std::to_string(size) + " bytes of the file", "use a smaller one");
-}
-
-/// The next bytes, as many as there is room for; fewer only at the end. @return how many
+/// Reads until `room` is full or the input ends. Returns the number of bytes read.
 std::size_t read_from(int descriptor, std::span<char> room, const Location& where) {
     std::size_t have = 0;
     while (have < room.size()) {
@@ -61,37 +35,44 @@ std::size_t read_from(int descriptor, std::span<char> room, const Location& wher
     return have;
 }
 
-/// Whatever is no regular file is refused. O_NONBLOCK: opening a FIFO that nobody writes to must not hang.
+/// A regular file, open for reading.
 class RegularFile {
 public:
-    explicit RegularFile(const Location& where) : where_(where), file_(::open(where.file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-        if (file_.get() < 0) {
-            const std::string why = reason(), meant = near_names(where.file);
-            throw InputError(where, "cannot open the file (" + why + ")",
-                             meant.empty() ? "check its name and the right to read it" : meant);
-        }
+    /// @throws InputError if the file cannot be opened or is not regular
+    explicit RegularFile(const std::filesystem::path& path) : RegularFile(Location{path.string(), 0}) {
         struct stat status {};
-        if (::fstat(file_.get(), &status) != 0) throw InputError(where, "cannot examine the file (" + reason() + ")");
+        if (::fstat(descriptor_, &status) != 0) throw InputError(where, "cannot examine the file (" + reason() + ")");
         if (S_ISDIR(status.st_mode)) throw InputError(where, "is a folder, not a file", "name a file in it");
         if (!S_ISREG(status.st_mode))
             throw InputError(where, "is not a regular file", "pipes and devices are not read; save what they give as a file");
-        size_ = static_cast<std::uintmax_t>(status.st_size);
+        size = static_cast<std::uintmax_t>(status.st_size);
     }
-    std::uintmax_t size() const { return size_; }
+    ~RegularFile() { ::close(descriptor_); }
+    RegularFile(const RegularFile&) = delete;
+    RegularFile& operator=(const RegularFile&) = delete;
 
-    std::size_t read(std::span<char> room) { return read_from(file_.get(), room, where_); }
+    std::size_t read(std::span<char> room) { return read_from(descriptor_, room, where); }
+
+    const Location where;
+    std::uintmax_t size = 0;
 
 private:
-    Location where_;
-    Descriptor file_;
-    std::uintmax_t size_ = 0;
+    /// Only opens. O_NONBLOCK: opening a FIFO without a writer must not hang.
+    explicit RegularFile(Location place)
+        : where(std::move(place)), descriptor_(::open(where.file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+        if (descriptor_ >= 0) return;
+        const std::string why = reason(), meant = near_names(where.file);
+        throw InputError(where, "cannot open the file (" + why + ")", meant.empty() ? "check its name and the right to read it" : meant);
+    }
+
+    int descriptor_;
 };
 
 }   // namespace
 
 std::string near_names(const std::filesystem::path& missing) {
     namespace fs = std::filesystem;
-    constexpr std::size_t most = 10000;                                               // looked at
+    constexpr std::size_t most = 10000;                                               // names looked at
     const fs::path path = missing.has_filename() ? missing : missing.parent_path();   // "meshes/"
     if (may_be_there(path)) return "";
     std::vector<std::string> names;
@@ -99,10 +80,9 @@ std::string near_names(const std::filesystem::path& missing) {
     fs::directory_iterator it(path.has_parent_path() ? path.parent_path() : fs::path("."), error);
     for (; !error && it != fs::directory_iterator() && names.size() < most; it.increment(error))
         names.push_back(it->path().filename().string());
-    std::string words;
-    for (const std::string& name : near_words(path.filename().string(), std::move(names)))
-        words += (words.empty() ? "did you mean '" : " or '") + name + "'";
-    return words.empty() ? words : words + "?";
+    std::string words = suggestion(path.filename().string(), names);
+    if (!words.empty()) words.pop_back();   // the space at its end
+    return words;
 }
 
 bool may_be_there(const std::filesystem::path& path) {
@@ -111,13 +91,18 @@ bool may_be_there(const std::filesystem::path& path) {
 }
 
 std::string read_file(const std::filesystem::path& path, std::uintmax_t limit) {
-    const Location where{path.string(), 0};
-    RegularFile file(where);
-    if (file.size() > limit) {
-        throw InputError(where, "the file has " + std::to_string(file.size()) + " bytes, more than the limit of " + std::to_string(limit),
-                         "make it smaller");
+    RegularFile file(path);
+    const std::string size = std::to_string(file.size) + " bytes";
+    if (file.size > limit)
+        throw InputError(file.where, "the file has " + size + ", more than the limit of " + std::to_string(limit), "make it smaller");
+    std::string bytes;
+    try {   // a file may claim any size
+        bytes.reserve(file.size);
+        prefer_large_pages(bytes.data(), file.size);
+        bytes.resize(file.size);
+    } catch (const std::bad_alloc&) {
+        throw InputError(file.where, "out of memory for the " + size + " of the file", "use a smaller one");
     }
-    std::string bytes = room_for(file.size(), where);
     bytes.resize(file.read(bytes));
     return bytes;
 }
@@ -126,7 +111,7 @@ std::string read_standard_input(const std::string& name) {
     const Location where{name, 0};
     std::string bytes;
     std::size_t have = 0;
-    while (have == bytes.size()) {   // all room was filled
+    while (have == bytes.size()) {   // the room is full
         if (have > largest_file) throw InputError(where, "more than " + std::to_string(largest_file) + " bytes", "make it smaller");
         bytes.resize(2 * have + 65536);
         have += read_from(STDIN_FILENO, std::span(bytes).subspan(have), where);
@@ -136,7 +121,7 @@ std::string read_standard_input(const std::string& name) {
 }
 
 void read_in_pieces(const std::filesystem::path& path, const std::function<void(std::string_view)>& take) {
-    RegularFile file({path.string(), 0});
+    RegularFile file(path);
     std::string piece(std::size_t{1} << 16, '\0');
     for (std::size_t have = file.read(piece); have > 0; have = file.read(piece)) take(std::string_view(piece).substr(0, have));
 }
@@ -172,7 +157,7 @@ NewFile::~NewFile() {
 
 void NewFile::finish(std::string_view bytes, bool synced) {
     write_all(descriptor_, bytes, path_.string());
-    // /dev/null and /dev/stdout know no fsync; that is not a failed write.
+    // /dev/null and /dev/stdout refuse fsync, which is not a failed write.
     if (synced && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS)
         throw OutputError(path_.string(), "cannot flush to disk (" + reason() + ")");
     if (::close(std::exchange(descriptor_, -1)) != 0)   // delayed write errors arrive here

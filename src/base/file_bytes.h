@@ -1,6 +1,5 @@
 /// @file
-/// Whole files in and out, every system call checked. stdio and iostreams are not used for output because they
-/// swallow ENOSPC and EIO.
+/// Whole files in and out, with every system call checked. Output does not use stdio or iostreams, which swallow ENOSPC and EIO.
 #pragma once
 
 #include <filesystem>
@@ -10,34 +9,32 @@
 
 namespace meshfolio {
 
-/// Is anything there of that name, whether or not it can be read? Links that lead nowhere and folders that are closed count: reading them
-/// reports what is wrong.
+/// True unless nothing has that name. Broken links and names in folders without access count as there: reading them reports the problem.
 bool may_be_there(const std::filesystem::path& path);
 
-/// "did you mean 'bunny.obj' or 'bunny.off'?", of what its folder has, where there is nothing of that name; else empty.
+/// Returns "did you mean 'bunny.obj' or 'bunny.off'?" with up to three similar names from the folder of a missing file; "" if the file
+/// exists or no name is similar.
 std::string near_names(const std::filesystem::path& missing);
 
 inline constexpr std::uintmax_t largest_file = std::uintmax_t{4} << 30;   // bytes
 
-/// The bytes of a regular file.
-/// @throws InputError if it is missing, unreadable, not a regular file, or larger than `limit` bytes
+/// Returns the bytes of a regular file. @throws InputError if it is missing, unreadable, not regular, or larger than `limit` bytes
 std::string read_file(const std::filesystem::path& path, std::uintmax_t limit = largest_file);
 
-/// All that standard input gives, whatever it is. @throws InputError if it is closed or gives more than largest_file
+/// Returns all bytes of standard input, which messages call `name`. @throws InputError if it is closed or exceeds `largest_file`
 std::string read_standard_input(const std::string& name);
 
-/// The same bytes piece by piece, for whom not all of them must be in memory at once. @throws InputError as above
+/// Hands the bytes of a regular file to `take` in pieces of at most 64 kB, in order. @throws InputError as read_file()
 void read_in_pieces(const std::filesystem::path& path, const std::function<void(std::string_view)>& take);
 
-/// Of a file that is created, before the umask.
+/// Permissions of a new file, before the umask.
 inline constexpr std::filesystem::perms new_file_permissions{0666};
 
-/// Creates or replaces `path` with `bytes`; the data has reached the disk when this returns. A file that has other links as well is
-/// replaced by a new one, so that what they name stays as it was.
-/// @throws OutputError naming the path and the system's reason
+/// Creates or replaces the file `path`; the bytes have reached the disk when this returns. A file that has other hard links is replaced by
+/// a new one, so that those keep their contents. @throws OutputError with the path and the system's reason
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// The same in two steps, for whoever must know when the name appears.
+/// write_file() in two steps: the name appears before the bytes.
 class NewFile {
 public:
     /// Creates or empties the file. @throws OutputError
@@ -45,7 +42,7 @@ public:
     ~NewFile();
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;
-    /// Once. @param synced  not for what may be lost with the power @throws OutputError
+    /// Writes the bytes and closes the file; to be called once. @param synced  wait for the disk @throws OutputError
     void finish(std::string_view bytes, bool synced);
 
 private:
@@ -53,8 +50,8 @@ private:
     int descriptor_;
 };
 
-/// Writes to an open descriptor (1: standard output) until all is taken.
-/// @throws OutputError as above, ReaderGone for a pipe; `name` is what the message calls the target
+/// Writes all bytes to an open descriptor (1: standard output), which messages call `name`.
+/// @throws ReaderGone if the reader of a pipe has closed it, OutputError for other failures
 void write_all(int descriptor, std::string_view bytes, const std::string& name);
 
 }   // namespace meshfolio

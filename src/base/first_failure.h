@@ -1,5 +1,5 @@
 /// @file
-/// Pieces of work side by side, of which the first that fails stops the others.
+/// Parallel work that stops at the first failure.
 #pragma once
 
 #include <atomic>
@@ -7,27 +7,27 @@
 
 namespace meshfolio {
 
-/// Keeps the exception thrown first; what the others throw because of it never takes its place.
+/// Keeps the first exception of parallel pieces of work and skips the pieces not yet begun.
 class FirstFailure {
 public:
-    struct OtherFailed {};   // thrown by check
+    struct OtherFailed {};
 
-    /// To be called by work in progress. @throws OtherFailed if other work has failed
+    /// Lets work in progress end early. @throws OtherFailed if other work has failed
     void check() const {
         if (happened_) throw OtherFailed();
     }
-    /// Calls work(), unless other work has failed already; from several threads at once.
+    /// Calls work() and keeps what it throws, unless other work has failed before. May be called from several threads at once.
     template <class Work>
     void guard(const Work& work) {
         if (happened_) return;
         try {
             work();
-        } catch (const OtherFailed&) {   // the first is known
+        } catch (const OtherFailed&) {   // the first failure is kept already
         } catch (...) {
             if (!happened_.exchange(true)) exception_ = std::current_exception();
         }
     }
-    /// When all work has ended.
+    /// Throws the first exception again, if there is one; to be called when all work has ended.
     void rethrow() const {
         if (exception_) std::rethrow_exception(exception_);
     }

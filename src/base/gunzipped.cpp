@@ -10,23 +10,15 @@
 
 namespace meshfolio {
 
-namespace {
-
-/// A member's last four bytes are its size; of several members that of the last one, which is a guess for the others.
-std::size_t size_at_end(std::string_view bytes) {
-    std::size_t size = 0;
-    for (std::size_t i = 1; i <= 4 && i <= bytes.size(); ++i) size = size << 8 | static_cast<unsigned char>(bytes[bytes.size() - i]);
-    return size;
-}
-
-}   // namespace
-
 std::string gunzipped(std::string_view bytes, const std::string& file) {
     const std::size_t most = std::min<std::size_t>(largest_file, 25 * bytes.size() + (1 << 20));
     const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> unpacker(libdeflate_alloc_decompressor(),
                                                                                                      &libdeflate_free_decompressor);
     std::string text;
-    std::size_t have = 0, room = size_at_end(bytes) + 1;
+    std::size_t have = 0, room = 0;
+    // The last four bytes are the size of the last member, a guess for the others.
+    for (std::size_t i = 1; i <= 4 && i <= bytes.size(); ++i) room = room << 8 | static_cast<unsigned char>(bytes[bytes.size() - i]);
+    ++room;
     while (!bytes.empty()) {
         room = std::min(room, most - have);
         text.resize(have + room);

@@ -1,5 +1,5 @@
 /// @file
-/// Data that gzip has packed.
+/// Unpacking of gzip data.
 #pragma once
 
 #include <string>
@@ -7,11 +7,13 @@
 
 namespace meshfolio {
 
+/// True if the bytes begin as gzip data do.
 inline bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
-/// All that is packed, of several members one after the other.
-/// @throws InputError about `file` where the data is damaged or cut off, or grows to more than 300 times its size and a megabyte, or to
-///         more than a file may have
+/// Unpacks gzip data, of several members too.
+/// @throws InputError about `file` if the data are damaged or cut off, or unpack to more than 25 times their size and a megabyte, or to
+/// more
+///         than `largest_file`
 std::string gunzipped(std::string_view bytes, const std::string& file);
 
 }   // namespace meshfolio

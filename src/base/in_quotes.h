@@ -1,5 +1,5 @@
 /// @file
-/// Pieces of an input in messages.
+/// Quotations of an input in messages.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace meshfolio {
 
-/// A piece of the input within quotes, for messages: harmless to print, and cut when it is longer than `longest` bytes.
+/// Returns the text in single quotes, safe to print, with "…" in place of what exceeds `longest` bytes.
 std::string in_quotes(std::string_view text, std::size_t longest = 40);
 
 }   // namespace meshfolio

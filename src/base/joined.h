@@ -1,3 +1,5 @@
+/// @file
+/// Lists of words as text.
 #pragma once
 
 #include <string>
@@ -6,7 +8,7 @@
 
 namespace meshfolio {
 
-/// "a, b, c" for `between` ", ".
+/// Joins the parts with `between`: "a, b, c" for ", ".
 inline std::string joined(const std::vector<std::string>& parts, std::string_view between) {
     std::string text;
     for (const std::string& part : parts) {
@@ -16,7 +18,7 @@ inline std::string joined(const std::vector<std::string>& parts, std::string_vie
     return text;
 }
 
-/// Returns "a, b, c" for a message: of many names the first twelve and how many more, of a long one its beginning.
+/// Returns "a, b, c and 5 more" for a message: the first twelve names, each cut after 80 bytes, and the number of the others.
 inline std::string first_of_many(const std::vector<std::string>& names) {
     constexpr std::size_t most = 12, longest = 80;
     std::vector<std::string> shown(names.begin(), names.size() > most ? names.begin() + most : names.end());

@@ -1,6 +1,5 @@
 /// @file
-/// Large pages behind large arrays: writing to an array for the first time, and reading it in random order, then take a fraction of the
-/// time.
+/// Large arrays in large pages, which take a fraction of the time to write for the first time and to read in random order.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +9,7 @@
 
 namespace meshfolio {
 
-/// `size` zeros.
+/// Returns `size` zeros.
 template <class T>
 std::vector<T> large_vector(std::size_t size) {
     std::vector<T> values;

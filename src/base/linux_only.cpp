@@ -17,7 +17,7 @@
 #include <sys/prctl.h>
 
 extern "C" {
-#include <sys/pidfd.h>   // glibc 2.36 forgets to say that it is C
+#include <sys/pidfd.h>   // glibc 2.36 lacks the extern "C"
 }
 #endif
 
@@ -38,20 +38,15 @@ bool is_on_another_device(const fs::path& folder) {
 
 #ifndef MESHFOLIO_PORTABLE
 
-namespace {
-
-int add_library(dl_phdr_info* info, std::size_t, void* names) {
-    if (info->dlpi_name != nullptr) static_cast<std::vector<std::string>*>(names)->emplace_back(info->dlpi_name);
-    return 0;
-}
-
-}   // namespace
-
 fs::path this_program() { return "/proc/self/exe"; }
 
 std::vector<std::string> loaded_libraries() {
     std::vector<std::string> names;
-    ::dl_iterate_phdr(add_library, &names);
+    const auto add = [](dl_phdr_info* info, std::size_t, void* list) {
+        if (info->dlpi_name != nullptr) static_cast<std::vector<std::string>*>(list)->emplace_back(info->dlpi_name);
+        return 0;
+    };
+    ::dl_iterate_phdr(add, &names);
     return names;
 }
 

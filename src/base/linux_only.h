@@ -1,6 +1,6 @@
 /// @file
-/// What only Linux has, in one place. Elsewhere, and with -DMESHFOLIO_PORTABLE=ON on Linux too, each does what POSIX can.
-/// Files of /proc and /sys are read where they exist, and are no part of this.
+/// Functions that need Linux. On other systems, and with -DMESHFOLIO_PORTABLE=ON, each does what POSIX can. (Code that reads /proc and /sys
+/// where they exist is not collected here.)
 #pragma once
 
 #include <sys/types.h>
@@ -16,33 +16,33 @@
 
 namespace meshfolio {
 
-/// The file of this very program, also where another has taken its name. Elsewhere the file it was started from.
+/// Returns a path to the running program, even if another file has taken its name. Elsewhere: the file it was started from.
 std::filesystem::path this_program();
 
-/// The libraries that were loaded with it. Elsewhere none.
+/// Returns the paths of the shared libraries of this process. Elsewhere: none.
 std::vector<std::string> loaded_libraries();
 
-/// What becomes of a name that is taken: it is replaced, EEXIST, or both change places.
+/// The treatment of a target name that exists: the old file is replaced, kept (EEXIST), or exchanged with the new one.
 enum class Taken { replaced, kept, exchanged };
-/// @return 0 or errno. Elsewhere EINVAL for all but `replaced`, as of a file system that cannot
+/// Renames a file. Returns 0 or errno: EINVAL where the system or file system cannot do it; elsewhere for all but `replaced`.
 int rename_with(const std::filesystem::path& from, const std::filesystem::path& to, Taken taken);
 
-/// True where another file system (or a bind mount) begins: such a folder cannot be renamed. Elsewhere bind mounts are not seen.
+/// True if another file system or a bind mount begins at the folder, which therefore cannot be renamed. Elsewhere: bind mounts are missed.
 bool is_mount_point(const std::filesystem::path& folder);
 
-/// A descriptor to poll until the process has ended. Elsewhere, and in old kernels, -1.
+/// Returns a descriptor that becomes readable when the process ends. Elsewhere, and with old kernels: -1.
 int descriptor_of(pid_t process);
 
-/// The signal comes to this process when its parent ends. Elsewhere it does not.
+/// Has the system send this process the signal when its parent ends. Elsewhere: nothing.
 void ask_for_signal_of_parent(int signal);
 
-/// Large pages (base/large_pages.h), to be asked for before the memory is written to. Only a hint; elsewhere nothing happens.
+/// Asks for large pages (base/large_pages.h) before the memory is first written. A hint; elsewhere: nothing.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
-/// Gives the system back what is free in the heap between what is in use, where that is much. Elsewhere nothing happens.
+/// Returns free heap memory to the system if it is more than 64 MB. Elsewhere: nothing.
 void return_free_memory();
 
-/// In front of a pointer to a function that the loader calls before it initialises any library. Elsewhere nobody calls it.
+/// Marks a pointer to a function that the loader calls before it initialises any library. Elsewhere: it is not called.
 #ifndef MESHFOLIO_PORTABLE
 #define MESHFOLIO_BEFORE_LIBRARIES [[gnu::section(".preinit_array"), gnu::used]]
 #else

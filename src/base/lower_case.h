@@ -1,5 +1,5 @@
 /// @file
-/// Small letters, of ASCII alone whatever the locale.
+/// Conversion to lower case, of ASCII letters only, whatever the locale.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ inline std::string lower_case(std::string text) {
     return text;
 }
 
-/// The ending of a file's name with its dot: ".obj" of "Cow.OBJ".
+/// Returns the extension of a file's name in lower case, with its dot: ".obj" for "Cow.OBJ".
 inline std::string lower_case_ending(const std::filesystem::path& file) { return lower_case(file.extension().string()); }
 
 }   // namespace meshfolio

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/joined.h"
-
 namespace meshfolio {
 
 namespace {
 
-/// Letters put in, left out or replaced, and neighbours exchanged, each pair once (optimal string alignment).
+/// Returns the number of insertions, deletions, replacements and exchanges of neighbours that turn `a` into `b` (optimal string alignment).
 std::size_t edit_distance(const std::string& a, const std::string& b) {
     std::vector<std::vector<std::size_t>> least(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
     for (std::size_t i = 0; i <= a.size(); ++i) {
@@ -34,23 +32,18 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
     return nearest == known.end() ? "" : *nearest;
 }
 
-std::vector<std::string> near_words(const std::string& word, std::vector<std::string> known) {
+std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
     constexpr std::size_t most = 3;
-    std::vector<std::pair<std::size_t, std::string>> near;
-    for (std::string& one : known) {
-        const std::size_t distance = edit_distance(word, one);
-        if (3 * distance <= std::max(word.size(), one.size())) near.emplace_back(distance, std::move(one));
+    std::vector<std::pair<std::size_t, std::string>> near;   // with their distances
+    for (const std::string& other : known) {
+        const std::size_t distance = edit_distance(word, other);
+        if (3 * distance <= std::max(word.size(), other.size())) near.emplace_back(distance, other);
     }
     std::sort(near.begin(), near.end());
-    near.resize(std::min(near.size(), most));
-    std::vector<std::string> words;
-    for (auto& [distance, one] : near) words.push_back(std::move(one));
-    return words;
-}
-
-std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
-    const std::vector<std::string> near = near_words(word, known);
-    return near.empty() ? "" : "did you mean '" + joined(near, "' or '") + "'? ";
+    std::string text;
+    for (std::size_t i = 0; i < std::min(near.size(), most); ++i)
+        text += (text.empty() ? "did you mean '" : " or '") + near[i].second + "'";
+    return text.empty() ? text : text + "? ";
 }
 
 }   // namespace meshfolio

@@ -1,3 +1,5 @@
+/// @file
+/// Corrections of misspelt words.
 #pragma once
 
 #include <string>
@@ -5,13 +7,12 @@
 
 namespace meshfolio {
 
-/// The known word with the smallest edit distance, neighbours exchanged counting as one edit; the first of them on a tie.
+/// Returns the known word with the smallest edit distance, in which an exchange of neighbouring letters is one edit; the first on a tie, ""
+/// if none is known.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
-/// The known words that may have been meant, nearest first: at most three, each with two thirds of its letters right.
-std::vector<std::string> near_words(const std::string& word, std::vector<std::string> known);
-
-/// "did you mean 'render'? ", of what is near enough; else empty.
+/// Returns "did you mean 'render' or 'rename'? " with up to three known words, nearest first, of which two thirds of the letters are right;
+/// "" if there is none. A space follows.
 std::string suggestion(const std::string& word, const std::vector<std::string>& known);
 
 }   // namespace meshfolio

@@ -16,12 +16,12 @@ std::string chars_of(double x, Format... format) {
     return {buffer.data(), end.ptr};
 }
 
-/// Mantissa and exponent of `x` rounded to `digits` significant digits: "1.23" and -7.
 struct Scientific {
     std::string mantissa;
     int exponent;
 };
 
+/// Splits `x`, rounded to `digits` significant digits, into mantissa and exponent: "1.23" and -7.
 Scientific scientific(double x, int digits) {
     const std::string s = chars_of(x, std::chars_format::scientific, digits - 1);
     const std::size_t e = s.find('e');   // "…e+05": from_chars() takes no plus
@@ -32,7 +32,7 @@ Scientific scientific(double x, int digits) {
 
 bool is_plain(int exponent, int digits) { return exponent >= -4 && exponent < std::max(6, digits); }
 
-/// Decimals that show `digits` significant digits of a number with this exponent.
+/// Returns the number of decimals that show `digits` significant digits of a number with this exponent.
 int decimals(int exponent, int digits) { return std::max(0, digits - 1 - exponent); }
 
 std::string with_typographic_minus(std::string s) {
@@ -40,7 +40,7 @@ std::string with_typographic_minus(std::string s) {
     return s;
 }
 
-/// 43243 → 43 243 with U+202F; four digits stay together.
+/// Groups five or more digits before the point: "43243" becomes "43 243", with U+202F.
 std::string grouped(const std::string& number) {
     const std::size_t begin = number.front() == '-' ? 1 : 0;
     const std::size_t whole = std::min(number.find('.'), number.size()) - begin;
@@ -53,14 +53,14 @@ std::string grouped(const std::string& number) {
     return s + number.substr(begin + whole);
 }
 
-/// Takes one leading plus away, which from_chars does not know; false when another sign follows it or nothing is there.
-bool without_plus(std::string_view& text) {
+/// Removes a leading plus, which from_chars does not know. False if nothing or another sign follows.
+bool remove_plus(std::string_view& text) {
     if (!text.starts_with('+')) return !text.empty();
     text.remove_prefix(1);
     return !text.empty() && text.front() != '+' && text.front() != '-';
 }
 
-std::string without_trailing_zeros(std::string s) {
+std::string without_trailing_zeros(std::string s) {   // after the point
     if (s.find('.') == std::string::npos) return s;
     s.erase(s.find_last_not_of('0') + 1);
     if (s.back() == '.') s.pop_back();
@@ -76,7 +76,7 @@ double rounded(double x, int digits) {
 
 double rounded_down(double x, int digits) {
     const double y = rounded(x, digits);
-    // The last digit is that of x itself: rounded first, 0.99996 would be 1.000, whose last digit is worth ten times as much.
+    // The last digit of x itself: rounding turns 0.99996 into 1.000, with a last digit worth ten times as much.
     return !(y > x) ? y : rounded(y - std::pow(10.0, scientific(x, 17).exponent - digits + 1), digits);
 }
 
@@ -88,10 +88,9 @@ std::string readable(double x, int digits) {
     if (std::isnan(x)) return "–";
     if (std::isinf(x)) return x > 0 ? "∞" : "\u2212∞";
     if (x == 0) return "0";
-    const Scientific s = scientific(x, digits);
-    if (is_plain(s.exponent, digits))
-        return with_typographic_minus(grouped(chars_of(x, std::chars_format::fixed, decimals(s.exponent, digits))));
-    return with_typographic_minus(s.mantissa) + "\u202f×\u202f" + power_of_ten(s.exponent);
+    const int exponent = scientific(x, digits).exponent;
+    if (!is_plain(exponent, digits)) return scientific_text(x, digits);
+    return with_typographic_minus(grouped(chars_of(x, std::chars_format::fixed, decimals(exponent, digits))));
 }
 
 std::string readable_count(long long n) { return with_typographic_minus(grouped(std::to_string(n))); }
@@ -122,23 +121,22 @@ std::string readable_percent(double fraction, int digits) {
 }
 
 std::optional<double> parse_number(std::string_view text) {
-    if (!without_plus(text)) return {};
-    // from_chars would take "nan" and "inf"; a decimal number begins with a digit, a point, or a minus and one of these.
+    if (!remove_plus(text)) return {};
+    // from_chars accepts "nan" and "inf"; a decimal number begins with a digit or a point, perhaps after a minus.
     const std::size_t first = text.front() == '-' ? 1 : 0;
     if (first >= text.size() || !((text[first] >= '0' && text[first] <= '9') || text[first] == '.')) return {};
     double x = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
     if (end != text.data() + text.size()) return {};
     if (error == std::errc::result_out_of_range) {
-        // Underflow is a valid number (0 or a denormal), overflow is not; strtod tells them apart. The view may lack a final NUL.
-        x = std::strtod(std::string(text).c_str(), nullptr);
+        x = std::strtod(std::string(text).c_str(), nullptr);   // 0 or a denormal after an underflow, infinity after an overflow
         return std::isfinite(x) ? std::optional(x) : std::nullopt;
     }
     return error == std::errc() ? std::optional(x) : std::nullopt;
 }
 
 std::optional<long long> parse_integer(std::string_view text) {
-    if (!without_plus(text)) return {};
+    if (!remove_plus(text)) return {};
     long long value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return {};

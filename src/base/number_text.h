@@ -1,5 +1,5 @@
 /// @file
-/// Numbers to text and back, independent of any locale.
+/// Numbers as text and back, independent of the locale.
 #pragma once
 
 #include <optional>
@@ -8,39 +8,41 @@
 
 namespace meshfolio {
 
-/// The shortest decimal text that reads back as exactly `x` (for files). NaN and infinities give "".
+/// Returns the shortest decimal text that reads back as exactly `x`, for files; "" for NaN and infinities.
 std::string exact_text(double x);
 
-/// `x` with `digits` significant digits, for people: 0.0123, 1.23e-07, 43 200; plain between 1e-4 and 1e6.
-/// Minus is U+2212 and powers are written ×10⁻⁷. NaN gives "–".
+/// Returns `x` with `digits` significant digits, for people: 0.0123, −5.00, 43 243 (digits before the point are never lost), and with a
+/// power below 10⁻⁴ and from 10⁶ on: 1.23 × 10⁻⁷. Zero gives "0", NaN "–", infinity "∞".
 std::string readable(double x, int digits = 3);
 
-/// A whole number with all its digits, for people: 5120, 40 962. Four digits stay together, five and more are parted by thin spaces.
+/// Returns a whole number with all its digits, for people: 5120, 40 962. Thin spaces group five digits and more.
 std::string readable_count(long long n);
 
-/// 3.59 × 10⁻⁵ whatever the size; for a column in which some numbers need the power.
+/// Returns `x` with `digits` significant digits and always with a power of ten: 3.59 × 10⁻⁵, 1.2 × 10³.
 std::string scientific_text(double x, int digits);
 
-/// "10⁻⁴".
+/// Returns "10⁻⁴" for −4.
 std::string power_of_ten(int exponent);
 
-/// As readable() without typography: -1.23e-07. For axis labels that programs read, CSV and plain logs.
+/// Returns `x` with up to `digits` significant digits without typography and without trailing zeros, for CSV, logs and axes: -0.5, 1.25e-9.
+/// NaN gives "nan", infinities "inf" and "-inf".
 std::string plain_text(double x, int digits = 6);
 
-/// The number of `digits` significant digits nearest to x.
+/// Returns the number of `digits` significant digits nearest to x.
 double rounded(double x, int digits);
-/// Those that are not above, or not below it: what a bound may be printed as without
-/// claiming too much.
+/// Returns a number of `digits` significant digits not above x (rounded_up: not below x), so that a printed bound claims no more than
+/// holds.
 double rounded_down(double x, int digits);
 double rounded_up(double x, int digits);
 
-/// A percentage of `fraction` with `digits` significant digits: readable_percent(0.1234) = "12.3 %".
+/// Returns `fraction` in percent with `digits` significant digits: "12.3 %" for 0.1234; "–" unless it is finite.
 std::string readable_percent(double fraction, int digits = 3);
 
-/// All of `text` as a finite decimal number ("1", "-.5", "1e-3", "+2."), or nothing. Hexadecimal, "nan" and "inf" are refused.
+/// Reads all of `text` as a finite decimal number ("1", "-.5", "1e-3", "+2."). Returns nothing for other text, such as "1 ", "0x1" or
+/// "nan".
 std::optional<double> parse_number(std::string_view text);
 
-/// All of `text` as an integer, or nothing; out of range gives nothing too.
+/// Reads all of `text` as an integer. Returns nothing for other text and for numbers out of range.
 std::optional<long long> parse_integer(std::string_view text);
 
 }   // namespace meshfolio

@@ -1,6 +1,6 @@
 /// @file
-/// Loops over 0 … n − 1 on all processors. Blocks are of a fixed length and results stand in their order: nothing depends on how many
-/// processors there are.
+/// Loops over 0 … n − 1 on all processors. Blocks have a fixed length and results keep their order, so that no result depends on the number
+/// of processors.
 #pragma once
 
 #include <tbb/parallel_for.h>
@@ -12,9 +12,10 @@ namespace meshfolio {
 
 inline constexpr int block_length = 1 << 14;
 
+/// Returns the number of blocks in a range of n indices.
 inline int block_count(int n) { return n > 0 ? (n - 1) / block_length + 1 : 0; }
 
-/// body(block, begin, end) for each block of the range. What is short stays on the thread that calls.
+/// Calls body(block, begin, end) for each block of [0, n); a single block runs on the calling thread.
 template <class Body>
 void for_blocks(int n, Body body) {
     const int blocks = block_count(n);
@@ -23,10 +24,10 @@ void for_blocks(int n, Body body) {
     tbb::parallel_for(0, blocks, run);
 }
 
-/// What body(begin, end) returns for each block, in order.
+/// Returns the results of body(begin, end) for the blocks of [0, n), in order, each as the member `value`.
 template <class Body>
-auto of_blocks(int n, Body body) {
-    struct Slot {   // a std::vector<bool> could not be written to from several threads
+auto per_block(int n, Body body) {
+    struct Slot {   // several threads must not write to one std::vector<bool>
         decltype(body(0, 0)) value{};
     };
     std::vector<Slot> results(static_cast<std::size_t>(block_count(n)));
@@ -34,7 +35,7 @@ auto of_blocks(int n, Body body) {
     return results;
 }
 
-/// body(i) for each i.
+/// Calls body(i) for each i in [0, n).
 template <class Body>
 void for_each_index(int n, Body body) {
     for_blocks(n, [&](int, int begin, int end) {
@@ -42,10 +43,10 @@ void for_each_index(int n, Body body) {
     });
 }
 
-/// Whether condition(i) holds for every i.
+/// True if condition(i) holds for every i in [0, n).
 template <class Condition>
 bool all_of_range(int n, Condition condition) {
-    const auto blocks = of_blocks(n, [&](int begin, int end) {
+    const auto blocks = per_block(n, [&](int begin, int end) {
         bool all = true;
         for (int i = begin; i < end; ++i) all &= condition(i);
         return all;
@@ -53,8 +54,7 @@ bool all_of_range(int n, Condition condition) {
     return std::all_of(blocks.begin(), blocks.end(), [](const auto& block) { return block.value; });
 }
 
-/// Computes value(i) in parallel and hands them on one by one: take(0, value(0)), take(1, value(1)), … So sums come out as if
-/// there were one processor.
+/// Computes value(i) in parallel and calls take(0, value(0)), take(1, value(1)), … in this order: sums round as on one processor.
 template <class Value, class Take>
 void in_order(int n, Value value, Take take) {
     constexpr int slab = 16 * block_length;
@@ -67,7 +67,7 @@ void in_order(int n, Value value, Take take) {
     }
 }
 
-/// value(0) + value(1) + …, in this order.
+/// Returns value(0) + … + value(n − 1), added in this order.
 template <class Value>
 double ordered_sum(int n, Value value) {
     double sum = 0;

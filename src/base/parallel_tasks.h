@@ -1,5 +1,5 @@
 /// @file
-/// Large tasks side by side, which have loops of their own inside; parallel.h has the loops.
+/// Large tasks in parallel, which may contain parallel loops (parallel.h).
 #pragma once
 
 #include <tbb/parallel_for.h>
@@ -12,9 +12,9 @@
 
 namespace meshfolio {
 
-/// task(0) … task(count − 1) on all processors, handed out one by one. What a task throws must not leave oneTBB's loop: the loops inside
-/// the other tasks would be cancelled with it, and return early as if they were done. Here they go on, tasks not yet begun are left out,
-/// and what was thrown first is thrown again at the end. Between two tasks the whole can be stopped.
+/// Calls task(0) … task(count − 1) on all processors. If a task throws, tasks in progress go on, tasks not yet begun are skipped, and the
+/// first exception is thrown again at the end. The Stop of the calling thread is checked before each task. (An exception that left oneTBB's
+/// loop would cancel the loops inside the other tasks, which would then return early as if they were done.)
 template <class Task>
 void for_each_task(std::size_t count, const Task& task) {
     FirstFailure failure;
@@ -28,7 +28,7 @@ void for_each_task(std::size_t count, const Task& task) {
     failure.rethrow();
 }
 
-/// The same for tasks of different kinds.
+/// Calls each task() in parallel, with exceptions treated as by for_each_task().
 template <class... Tasks>
 void run_tasks(const Tasks&... tasks) {
     FirstFailure failure;

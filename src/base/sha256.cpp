@@ -1,5 +1,6 @@
 #include "base/sha256.h"
 
+#include <nettle/base16.h>
 #include <nettle/sha2.h>
 
 #include <cstdint>
@@ -10,47 +11,36 @@ namespace meshfolio {
 
 namespace {
 
-class Sha256 {
-public:
-    Sha256() { sha256_init(&context_); }
-    void add(std::string_view bytes) { sha256_update(&context_, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data())); }
-    std::string bytes() {
-        std::string digest(SHA256_DIGEST_SIZE, '\0');
-        sha256_digest(&context_, digest.size(), reinterpret_cast<std::uint8_t*>(digest.data()));
-        return digest;
-    }
-    std::string digits() {
-        constexpr char digits[] = "0123456789abcdef";
-        std::string text;
-        for (const char byte : bytes()) {
-            const auto value = static_cast<unsigned char>(byte);
-            text += {digits[value >> 4], digits[value & 15]};
-        }
-        return text;
-    }
+const std::uint8_t* octets(std::string_view bytes) { return reinterpret_cast<const std::uint8_t*>(bytes.data()); }
 
-private:
-    sha256_ctx context_{};
-};
+std::string digest_of(sha256_ctx& context) {
+    std::string digest(SHA256_DIGEST_SIZE, '\0');
+    sha256_digest(&context, digest.size(), reinterpret_cast<std::uint8_t*>(digest.data()));
+    return digest;
+}
+
+std::string hexadecimal(std::string_view bytes) {
+    std::string digits(BASE16_ENCODE_LENGTH(bytes.size()), '\0');
+    base16_encode_update(digits.data(), bytes.size(), octets(bytes));
+    return digits;
+}
 
 }   // namespace
 
 std::string sha256_bytes(std::string_view bytes) {
-    Sha256 sum;
-    sum.add(bytes);
-    return sum.bytes();
+    sha256_ctx context;
+    sha256_init(&context);
+    sha256_update(&context, bytes.size(), octets(bytes));
+    return digest_of(context);
 }
 
-std::string sha256(std::string_view bytes) {
-    Sha256 sum;
-    sum.add(bytes);
-    return sum.digits();
-}
+std::string sha256(std::string_view bytes) { return hexadecimal(sha256_bytes(bytes)); }
 
 std::string sha256_of_file(const std::filesystem::path& path) {
-    Sha256 sum;
-    read_in_pieces(path, [&](std::string_view piece) { sum.add(piece); });
-    return sum.digits();
+    sha256_ctx context;
+    sha256_init(&context);
+    read_in_pieces(path, [&](std::string_view piece) { sha256_update(&context, piece.size(), octets(piece)); });
+    return hexadecimal(digest_of(context));
 }
 
 }   // namespace meshfolio

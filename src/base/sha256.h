@@ -1,5 +1,5 @@
 /// @file
-/// SHA-256 (FIPS 180-4), by nettle.
+/// SHA-256 digests (FIPS 180-4), by nettle.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 
 namespace meshfolio {
 
-/// The 32 bytes of the digest.
+/// Returns the digest as 32 bytes.
 std::string sha256_bytes(std::string_view bytes);
-/// The digest in 64 hexadecimal digits.
+/// Returns the digest as 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);
-/// The same of a file, however large. @throws InputError if it cannot be read
+/// Returns the digest of a file's bytes as 64 hexadecimal digits. @throws InputError if the file cannot be read
 std::string sha256_of_file(const std::filesystem::path& path);
 
 }   // namespace meshfolio

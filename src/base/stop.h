@@ -1,5 +1,5 @@
 /// @file
-/// Work that is not wanted any more, such as that of the Python module after Ctrl-C.
+/// Ending work that is no longer wanted, such as a call of the Python module after Ctrl-C.
 #pragma once
 
 #include <atomic>
@@ -7,17 +7,18 @@
 
 namespace meshfolio {
 
-/// Asked for by whoever waits. Work that can end between two of its steps looks at it and throws Interrupted.
+/// A request to stop: the waiting thread calls ask(), the work calls check() between its steps.
 class Stop {
 public:
     struct Interrupted {};
     void ask() { asked_ = true; }
     bool asked() const { return asked_; }
+    /// @throws Interrupted if the stop was asked for
     void check() const {
         if (asked_) throw Interrupted{};
     }
 
-    /// What this thread works for; null: for someone who waits for the end.
+    /// The stop that this thread's work heeds; null: none.
     static const Stop*& of_thread() {
         thread_local const Stop* stop = nullptr;
         return stop;
@@ -27,9 +28,10 @@ private:
     std::atomic<bool> asked_ = false;
 };
 
-/// This thread works for `stop` as long as this lives. @throws Stop::Interrupted if it was asked for
+/// Makes this thread heed `stop` (null: none) during its own lifetime.
 class WorkingFor {
 public:
+    /// @throws Stop::Interrupted if the stop was asked for
     explicit WorkingFor(const Stop* stop) {
         if (stop != nullptr) stop->check();
         before_ = std::exchange(Stop::of_thread(), stop);

@@ -14,24 +14,31 @@ namespace meshfolio {
 
 namespace {
 
-std::string_view variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value != nullptr ? value : "";
+/// See inked() in the header.
+bool has_colors(int descriptor) {
+    const auto variable = [](const char* name) -> std::string_view {
+        const char* value = std::getenv(name);
+        return value != nullptr ? value : "";
+    };
+    if (!variable("NO_COLOR").empty()) return false;
+    if (const std::string_view forced = variable("CLICOLOR_FORCE"); !forced.empty() && forced != "0") return true;
+    const std::string_view kind = variable("TERM");
+    return ::isatty(descriptor) == 1 && !kind.empty() && kind != "dumb" && variable("CLICOLOR") != "0";
 }
 
-/// The byte behind the first `columns` code points.
+bool begins_code_point(char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }
+
+/// Returns the number of bytes of the first `columns` code points.
 std::size_t end_of(std::string_view text, std::size_t columns) {
     std::size_t end = 0;
     for (std::size_t taken = 0; end < text.size(); ++end)
-        if ((static_cast<unsigned char>(text[end]) & 0xc0u) != 0x80u && taken++ == columns) break;
+        if (begins_code_point(text[end]) && taken++ == columns) break;
     return end;
 }
 
-std::size_t columns_of(std::string_view text) {
-    return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }));
-}
+std::size_t columns_of(std::string_view text) { return static_cast<std::size_t>(std::ranges::count_if(text, begins_code_point)); }
 
-/// Where the last column of a line begins; in prose a little further in than the line.
+/// Returns the indentation of a line's continuations; see wrapped() in the header.
 std::size_t hanging_indent(std::string_view line, std::size_t width) {
     const std::size_t leading = std::min(line.find_first_not_of(' '), line.size());
     std::size_t indent = leading < 8 ? leading + 2 : leading;
@@ -58,13 +65,6 @@ std::string wrapped_line(std::string_view line, std::size_t width) {
 
 }   // namespace
 
-bool has_colors(int descriptor) {
-    if (!variable("NO_COLOR").empty()) return false;
-    if (const std::string_view forced = variable("CLICOLOR_FORCE"); !forced.empty() && forced != "0") return true;
-    const std::string_view kind = variable("TERM");
-    return ::isatty(descriptor) == 1 && !kind.empty() && kind != "dumb" && variable("CLICOLOR") != "0";
-}
-
 std::string inked(Ink ink, const std::string& text, int descriptor) {
     return has_colors(descriptor) ? "\x1b[" + std::to_string(static_cast<int>(ink)) + "m" + text + "\x1b[0m" : text;
 }
@@ -77,7 +77,8 @@ std::string with_bold_numbers(const std::string& text, int descriptor) {
 int terminal_width(int descriptor) {
     winsize size{};
     if (::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
-    return static_cast<int>(std::clamp(parse_integer(variable("COLUMNS")).value_or(80), 1LL, 1000LL));
+    const char* columns = std::getenv("COLUMNS");
+    return static_cast<int>(std::clamp(parse_integer(columns != nullptr ? columns : "").value_or(80), 1LL, 1000LL));
 }
 
 std::string wrapped(const std::string& text, int width) {

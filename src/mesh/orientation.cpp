@@ -263,7 +263,7 @@ Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology
         int component;
         EnclosedVolume volume = {};
     };
-    const auto blocks = of_blocks(mesh.face_count(), [&](int begin, int end) {
+    const auto blocks = per_block(mesh.face_count(), [&](int begin, int end) {
         std::vector<Part> parts;
         for (int t = begin; t < end; ++t) {
             prefetch_corners(mesh, t);

@@ -47,7 +47,7 @@ Box bounding_box(const TriangleMesh& mesh) {
     if (mesh.face_count() == 0) return {mesh.X.colwise().minCoeff(), mesh.X.colwise().maxCoeff()};
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Box nothing{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
-    const auto boxes = of_blocks(mesh.face_count(), [&](int begin, int end) {
+    const auto boxes = per_block(mesh.face_count(), [&](int begin, int end) {
         Box box = nothing;
         for (int t = begin; t < end; ++t)
             for (int k = 0; k < 3; ++k) include(corner(mesh, t, k), box);

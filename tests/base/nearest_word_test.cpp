@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-using meshfolio::near_words;
 using meshfolio::nearest_word;
+using meshfolio::suggestion;
 
-TEST(NearestWord, FewestEditsWin) {
+TEST(NearestWord, TheFewestEditsWin) {
     const std::vector<std::string> known{"title", "author", "template", "size"};
     EXPECT_EQ(nearest_word("titel", known), "title");
     EXPECT_EQ(nearest_word("tmplate", known), "template");
@@ -13,18 +13,18 @@ TEST(NearestWord, FewestEditsWin) {
     EXPECT_EQ(nearest_word("title", known), "title");
 }
 
-TEST(NearestWord, NeighboursExchangedAreOneEdit) {
-    EXPECT_EQ(near_words("tua", {"raw", "tau", "h2"}), std::vector<std::string>{"tau"});
-    EXPECT_EQ(near_words("--cvs", {"--csv", "--ply", "--out"}), std::vector<std::string>{"--csv"});
-    EXPECT_EQ(near_words("ta", {"at"}), std::vector<std::string>()) << "one letter in two is too much";
+TEST(NearestWord, AnExchangeOfNeighboursIsOneEdit) {
+    EXPECT_EQ(suggestion("tua", {"raw", "tau", "h2"}), "did you mean 'tau'? ");
+    EXPECT_EQ(suggestion("--cvs", {"--csv", "--ply", "--out"}), "did you mean '--csv'? ");
+    EXPECT_EQ(suggestion("ta", {"at"}), "") << "one wrong letter in two is too much";
 }
 
-TEST(NearestWord, TheFirstOnATie) { EXPECT_EQ(nearest_word("c", {"a", "b"}), "a"); }
+TEST(NearestWord, TheFirstWinsOnATie) { EXPECT_EQ(nearest_word("c", {"a", "b"}), "a"); }
 
-TEST(NearestWord, NothingKnownGivesNothing) { EXPECT_EQ(nearest_word("word", {}), ""); }
+TEST(NearestWord, NoKnownWordGivesNothing) { EXPECT_EQ(nearest_word("word", {}), ""); }
 
-TEST(NearestWord, ThoseThatMayHaveBeenMeantAreNearAndFew) {
+TEST(NearestWord, ASuggestionHasThreeSimilarWordsAtMost) {
     const std::vector<std::string> known{"torus.obj", "tours.obj", "torus2.obj", "toru.objj", "terse.obj", "cube.obj"};
-    EXPECT_EQ(near_words("torus.objj", known), (std::vector<std::string>{"toru.objj", "torus.obj", "torus2.obj"}));
-    EXPECT_EQ(near_words("sphere", {"cube", "plane"}), std::vector<std::string>());
+    EXPECT_EQ(suggestion("torus.objj", known), "did you mean 'toru.objj' or 'torus.obj' or 'torus2.obj'? ");
+    EXPECT_EQ(suggestion("sphere", {"cube", "plane"}), "");
 }

@@ -18,7 +18,7 @@ TEST(Parallel, EveryIndexComesOnce) {
 TEST(Parallel, BlocksReturnInOrder) {
     const int n = 9 * block_length + 1;
     int next = 0;
-    for (const auto& [range] : of_blocks(n, [](int begin, int end) { return std::pair(begin, end); })) {
+    for (const auto& [range] : per_block(n, [](int begin, int end) { return std::pair(begin, end); })) {
         EXPECT_EQ(range.first, next);
         next = range.second;
     }

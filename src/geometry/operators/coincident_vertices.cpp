@@ -38,7 +38,7 @@ void for_each_edge_without_length(const Corners& x, double longest_squared, Join
 
 std::vector<VertexCopy> coincident_vertices(const TriangleMesh& mesh, double longest) {
     const double longest_squared = longest * longest;
-    const auto joined_in = of_blocks(mesh.face_count(), [&](int begin, int end) {
+    const auto joined_in = per_block(mesh.face_count(), [&](int begin, int end) {
         std::vector<std::pair<int, int>> pairs;
         for (int t = begin; t < end; ++t) {
             prefetch_corners(mesh, t);
