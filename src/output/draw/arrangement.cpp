@@ -17,99 +17,93 @@ namespace {
 constexpr std::size_t most_large = 12, in_a_line = 4, in_a_gallery_line = 6;
 constexpr int flat_in_a_line = 3;
 
+/// Fills a sheet. Lengths are in pixels.
 class Arranger {
 public:
-    Arranger(const FigureRequest& request, std::vector<PanelPictures> panels, double em)
+    Arranger(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em)
         : request_(request),
-          panels_(std::move(panels)),
+          panels_(panels),
           line_(static_cast<int>(std::lround(std::max(1.7 * em, render::view_label_height(0.95 * em))))),
           gap_(line_ / 3) {
         sheet_.em = em;
         sheet_.least_width = static_cast<int>(std::lround(16 * em));   // for the numbers of a colour bar
-        places_.resize(panels_.size());
-        for (std::size_t p = 0; p < panels_.size(); ++p) places_[p].resize(panels_[p].size());
+        if (request_.layout == Layout::six_views)
+            place_blocks();
+        else
+            place_grid();
     }
 
-    render::FigureSheet sheet() {
-        if (request_.layout == Layout::six_views)
-            blocks();
-        else
-            grid();
-        for (std::size_t p = 0; p < panels_.size(); ++p)
-            for (std::size_t i = 0; i < panels_[p].size(); ++i)
-                sheet_.pictures.push_back(
-                    {std::make_shared<render::Image>(std::move(panels_[p][i])), places_[p][i].first, places_[p][i].second});
-        return std::move(sheet_);
-    }
+    render::FigureSheet sheet() { return std::move(sheet_); }
 
 private:
     const FigureRequest& request_;
-    std::vector<PanelPictures> panels_;
+    const std::vector<PanelPictures>& panels_;
     const int line_, gap_;
     render::FigureSheet sheet_;
-    std::vector<std::vector<std::pair<int, int>>> places_;
 
-    void place(std::size_t panel, std::size_t picture, int left, int top) { places_[panel][picture] = {left, top}; }
-    void say(std::string words, int left, int top, int width, bool is_centred = true) {
+    void place(const std::shared_ptr<const render::Image>& picture, int left, int top) { sheet_.pictures.push_back({picture, left, top}); }
+    void place_words(std::string words, int left, int top, int width, bool is_centred = true) {
         if (!words.empty()) sheet_.words.push_back({std::move(words), left, top, width, line_, is_centred});
     }
-    /// The label of a panel, with its small bar in the same line or in the next.
-    void label(std::size_t p, int left, int top, int width, bool in_one_line = true) {
+    /// Places the label of panel p, with its small bar in the same line or in the next.
+    void place_label(std::size_t p, int left, int top, int width, bool in_one_line = true) {
         const Panel& panel = request_.panels[p];
-        if (!in_one_line || !panel.range) say(panel.label, left, top, width);
+        if (!in_one_line || !panel.range) place_words(panel.label, left, top, width);
         if (panel.range)
             sheet_.words.push_back(
                 {in_one_line ? panel.label : "", left, in_one_line ? top : top + line_, width, line_, true, small_bar_of(*panel.range)});
     }
 
-    /// The pictures from three quarters, named below, or between the heads of a matrix.
-    void grid() {
+    /// Places the pictures from three quarters with their labels below, or between the heads of a matrix.
+    void place_grid() {
         const bool matrix = !request_.columns.empty() || !request_.rows.empty();
         const auto columns = static_cast<std::size_t>(panels_in_a_line(request_));
         const bool bars = std::ranges::any_of(request_.panels, [](const Panel& panel) { return panel.range.has_value(); });
         int width = (bars ? 16 : 6) * line_, height = 0;
         for (const PanelPictures& panel : panels_) {
             if (panel.empty()) continue;
-            width = std::max(width, panel[0].width);
-            height = std::max(height, panel[0].height);
+            width = std::max(width, panel[0]->width);
+            height = std::max(height, panel[0]->height);
         }
         const int left = request_.rows.empty() ? 0 : 6 * line_, top = request_.columns.empty() ? 0 : line_;
         const bool named = panels_.size() > 1 && !matrix;
         const int across = width + gap_, down = height + gap_ + (named ? line_ : 0) + (bars ? line_ : 0);
         for (std::size_t p = 0; p < panels_.size(); ++p) {
             const int x = left + static_cast<int>(p % columns) * across, y = top + static_cast<int>(p / columns) * down;
-            if (!panels_[p].empty()) place(p, 0, x + (width - panels_[p][0].width) / 2, y);
-            if (named || bars) label(p, x, y + height, width, false);
-            if (panels_[p].empty()) say(request_.panels[p].label, x, y + height / 2 - line_ / 2, width);
+            if (!panels_[p].empty()) place(panels_[p][0], x + (width - panels_[p][0]->width) / 2, y);
+            if (named || bars) place_label(p, x, y + height, width, false);
+            if (panels_[p].empty()) place_words(request_.panels[p].label, x, y + height / 2 - line_ / 2, width);
         }
-        for (std::size_t c = 0; c < request_.columns.size(); ++c) say(request_.columns[c], left + static_cast<int>(c) * across, 0, width);
+        for (std::size_t c = 0; c < request_.columns.size(); ++c)
+            place_words(request_.columns[c], left + static_cast<int>(c) * across, 0, width);
         for (std::size_t r = 0; r < request_.rows.size(); ++r)
-            say(request_.rows[r], 0, top + static_cast<int>(r) * down + height / 2 - line_ / 2, left - gap_, false);
+            place_words(request_.rows[r], 0, top + static_cast<int>(r) * down + height / 2 - line_ / 2, left - gap_, false);
     }
 
-    /// A panel alone: its picture from three quarters, and beside it its views in two lines. Several: a line each; flat ones share lines.
-    void blocks() {
+    /// Places each panel's picture from three quarters with its six views beside it: two lines of views for a single panel, one line for
+    /// each of several. Flat panels share lines.
+    void place_blocks() {
         int width = 0, height = lines_of_views() * views_height();
         for (const PanelPictures& panel : panels_) {
-            width = std::max(width, panel[0].width + (is_flat(panel) ? 0 : 2 * gap_ + views_width(panel)));
-            height = std::max(height, panel[0].height);
+            width = std::max(width, panel[0]->width + (is_flat(panel) ? 0 : 2 * gap_ + views_width(panel)));
+            height = std::max(height, panel[0]->height);
         }
         const bool named = panels_.size() > 1, any_flat = std::ranges::any_of(panels_, is_flat);
-        const int least = 13 * line_;   // for the words of a flat one
+        const int least = 13 * line_;   // for the words of a flat panel
         if (any_flat) width = std::max(width, least);
         const int down = height + gap_ + (named ? line_ : 0) + (any_flat ? line_ : 0);
         int x = 0, y = -down;
         for (std::size_t p = 0; p < panels_.size(); ++p) {
-            const render::Image& large = panels_[p][0];
+            const int large = panels_[p][0]->width, above = (height - panels_[p][0]->height) / 2;
             const bool flat = is_flat(panels_[p]);
             const int cell = flat && named ? std::max(least, width / flat_in_a_line) : width;
             const bool in_group = p % static_cast<std::size_t>(request_.states) != 0;
             if (p == 0 || !flat || x + cell > width || !is_flat(panels_[p - 1])) x = 0, y += down + (p == 0 || in_group ? 0 : gap_);
-            place(p, 0, flat ? x + (cell - large.width) / 2 : x, y + (height - large.height) / 2);
-            if (!flat) views(p, x + large.width + 2 * gap_, y + (height - lines_of_views() * views_height()) / 2);
+            place(panels_[p][0], flat ? x + (cell - large) / 2 : x, y + above);
+            if (!flat) place_views(panels_[p], x + large + 2 * gap_, y + (height - lines_of_views() * views_height()) / 2);
             int below = y + height;
-            if (named) label(p, x, std::exchange(below, below + line_), cell);
-            if (flat) say(words_of_flat(*view_of_flat(*request_.panels[p].mesh)), x, below, cell);
+            if (named) place_label(p, x, std::exchange(below, below + line_), cell);
+            if (flat) place_words(words_of_flat(*view_of_flat(*request_.panels[p].mesh)), x, below, cell);
             x += cell;
         }
     }
@@ -121,28 +115,27 @@ private:
     int views_height() const {
         int height = 0;
         for (const PanelPictures& panel : panels_)
-            for (std::size_t i = 1; i < panel.size(); ++i) height = std::max(height, panel[i].height);
+            for (std::size_t i = 1; i < panel.size(); ++i) height = std::max(height, panel[i]->height);
         return height == 0 ? 0 : height + line_ + gap_;
     }
-
     int view_width(const render::Image& view) const { return std::max(view.width, 3 * line_); }
     int views_width(const PanelPictures& panel) const {
         int width = 0;
-        for (std::size_t i = 1; i < panel.size() && i <= views_in_a_line(); ++i) width += view_width(panel[i]) + gap_;
+        for (std::size_t i = 1; i < panel.size() && i <= views_in_a_line(); ++i) width += view_width(*panel[i]) + gap_;
         return width;
     }
 
-    /// The six views of a panel, each with its name below.
-    void views(std::size_t panel, int left, int top) {
+    /// Places the six views of a panel, each with its name below.
+    void place_views(const PanelPictures& panel, int left, int top) {
         const std::vector<render::View> directions = views_in_reading_order();
         const int height = views_height() - line_ - gap_;
         int x = left;
         for (std::size_t i = 0; i < directions.size(); ++i) {
             if (i % views_in_a_line() == 0) x = left;
-            const render::Image& image = panels_[panel][1 + i];
+            const render::Image& image = *panel[1 + i];
             const int y = top + static_cast<int>(i / views_in_a_line()) * views_height(), width = view_width(image);
-            place(panel, 1 + i, x + (width - image.width) / 2, y + (height - image.height) / 2);
-            say(std::string(directions[i].name), x, y + height, width);
+            place(panel[1 + i], x + (width - image.width) / 2, y + (height - image.height) / 2);
+            place_words(std::string(directions[i].name), x, y + height, width);
             x += width + gap_;
         }
     }
@@ -170,11 +163,11 @@ int panels_in_a_line(const FigureRequest& request) {
     if (request.layout == Layout::six_views) return 1;
     if (request.in_a_line > 0) return request.in_a_line;
     const std::size_t most = is_gallery(request) ? in_a_gallery_line : in_a_line, lines = (panels + most - 1) / most;
-    return static_cast<int>((panels + lines - 1) / lines);   // lines about equally full
+    return static_cast<int>((panels + lines - 1) / lines);   // fills the lines about equally
 }
 
-render::FigureSheet arranged(const FigureRequest& request, std::vector<PanelPictures> panels, double em) {
-    return Arranger(request, std::move(panels), em).sheet();
+render::FigureSheet arranged(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em) {
+    return Arranger(request, panels, em).sheet();
 }
 
 }   // namespace meshfolio::output

@@ -1,7 +1,8 @@
 /// @file
-/// Arranges the pictures of a figure in its sheet.
+/// Arranges the pictures of a figure on its sheet.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,22 +12,24 @@
 
 namespace meshfolio::output {
 
-/// +x +y +z, then the views from behind.
+/// Returns the six views along the axes: +x +y +z, then -x -y -z.
 std::vector<render::View> views_in_reading_order();
 
-/// Pictures of one mesh: the three-quarter view, then perhaps the six views in the order above. None: an empty cell of a matrix.
-using PanelPictures = std::vector<render::Image>;
+/// Pictures of one mesh: from three quarters, then perhaps the six views in reading order. A flat mesh has the view of its front alone, an
+/// empty cell of a matrix has none.
+using PanelPictures = std::vector<std::shared_ptr<const render::Image>>;
 
-/// Places pictures, panel after panel, and words. Sheets are read alone, so that everything is labelled in them.
-/// @param em  text size
-render::FigureSheet arranged(const FigureRequest& request, std::vector<PanelPictures> panels, double em);
+/// Places the pictures, panel after panel in their order, with all labels.
+/// @param em  text size [pixels]
+render::FigureSheet arranged(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em);
 
+/// Returns the number of columns of panels on the sheet.
 int panels_in_a_line(const FigureRequest& request);
 
-/// What the label of a flat panel adds: "seen from +z; its other views are edge-on".
+/// Returns the addition to the label of a flat panel: "seen from +z; its other views are edge-on".
 std::string words_of_flat(const render::View& view);
 
-/// Has the figure so many small multiples that they are drawn small, six in a line?
+/// True if the figure has more than twelve small multiples, which are drawn small, six in a line.
 bool is_gallery(const FigureRequest& request);
 
 }   // namespace meshfolio::output

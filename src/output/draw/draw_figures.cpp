@@ -7,12 +7,15 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include "base/at.h"
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/parallel_tasks.h"
@@ -30,17 +33,17 @@ namespace meshfolio::output {
 
 namespace {
 
-/// A figure while its panels are being drawn.
+/// A figure while its panels are drawn.
 struct FigureJob {
     const FigureRequest* request = nullptr;
-    std::vector<PictureFrame> three_quarters;   // a panel
-    std::vector<SixFrames> six;                 // likewise, where there are six views
-    std::vector<PanelPictures> pictures;        // a panel
+    std::vector<PictureFrame> three_quarters;   // one a panel
+    std::vector<SixFrames> six;                 // one a panel if there are six views
+    std::vector<PanelPictures> pictures;        // one a panel
     std::atomic<int> panels_left = 0;
     report::DrawnFigure drawn;
 };
 
-/// Sizes of pictures in sheets [pixels]: twice to three times what they take on paper and about what they take on the page.
+/// Sizes of pictures in sheets [pixels]: two to three times their size on paper, about their size on the page.
 constexpr int leading = 600, beside_leading = 270, in_a_row = 216, in_a_strip = 400, line_of_pictures = 1280, smallest_in_a_line = 192;
 
 bool has_six_views(const FigureRequest& request) { return request.layout == Layout::six_views; }
@@ -48,30 +51,22 @@ bool has_six_views(const FigureRequest& request) { return request.layout == Layo
 double scale_of(const DrawSettings& settings) { return std::min({1.0, settings.width / 800.0, settings.height / 800.0}); }
 int scaled(int side, const DrawSettings& settings) { return std::max(8, static_cast<int>(std::lround(side * scale_of(settings)))); }
 
-int three_quarter_side(const FigureRequest& request) {
-    if (request.panels.size() == 1) return leading;
-    if (is_gallery(request) || has_six_views(request)) return in_a_row;
-    if (request.panels.size() > 8) return smallest_in_a_line;   // line below line
-    return std::clamp(line_of_pictures / panels_in_a_line(request), smallest_in_a_line, in_a_strip);
-}
-
 /// Requires a mesh in every panel, except in the cells of a matrix.
 void require_meshes(const FigureRequest& request) {
     const std::size_t panels = request.panels.size(), columns = request.columns.size(), rows = request.rows.size();
     const auto refuse = [&](const char* why) { throw std::logic_error("figure " + request.id + " " + why); };
     const auto has_mesh = [](const Panel& panel) { return panel.mesh != nullptr; };
     const bool is_matrix = columns > 0 || rows > 0;
-    if (std::none_of(request.panels.begin(), request.panels.end(), has_mesh)) refuse("has no panel");
-    if (!is_matrix && !std::all_of(request.panels.begin(), request.panels.end(), has_mesh)) refuse("has a panel without a mesh");
+    if (std::ranges::none_of(request.panels, has_mesh)) refuse("has no panel");
+    if (!is_matrix && !std::ranges::all_of(request.panels, has_mesh)) refuse("has a panel without a mesh");
     if (is_matrix && has_six_views(request)) refuse("has heads and six views");
     if ((columns > 0 && panels % columns != 0) || (rows > 0 && panels % rows != 0) || (columns > 0 && rows > 0 && panels != columns * rows))
         refuse("has another number of panels than its heads say");
-    if (request.frame_panel >= static_cast<int>(panels) ||
-        (request.frame_panel >= 0 && !has_mesh(request.panels[static_cast<std::size_t>(request.frame_panel)])))
+    if (request.frame_panel >= static_cast<int>(panels) || (request.frame_panel >= 0 && !has_mesh(request.panels[at(request.frame_panel)])))
         refuse("is framed on a panel it has not");
 }
 
-/// Names become files: unique in the whole report, and nothing but a name.
+/// Requires names that are unique in the whole report and usable as names of files.
 void require_good_names(std::span<const FigureRequest> requests) {
     std::set<std::string> names;
     const auto require = [&](const std::string& name) {
@@ -86,17 +81,13 @@ void require_good_names(std::span<const FigureRequest> requests) {
     }
 }
 
-/// Triangles below which a shape cannot be seen without its edges.
-constexpr Eigen::Index coarse_mesh = 3000;
-bool shows_edges(const FigureRequest& request, const Panel& panel) {
-    const bool plain = panel.values.size() == 0 || request.range_of(panel) == nullptr;
-    const bool coarse = panel.mesh->face_count() < coarse_mesh;
-    return request.edges || (coarse && (request.coarse_edges || (plain && !has_six_views(request))));
-}
+bool has_values(const FigureRequest& request, const Panel& panel) { return panel.values.size() > 0 && request.range_of(panel) != nullptr; }
 
 render::DrawOptions options_of(const FigureRequest& request, const Panel& panel) {
+    constexpr Eigen::Index coarse_mesh = 3000;   // triangles below which a shape cannot be seen without its edges
+    const bool is_coarse = panel.mesh->face_count() < coarse_mesh;
     render::DrawOptions options;
-    options.edges = shows_edges(request, panel);
+    options.edges = request.edges || (is_coarse && (request.coarse_edges || (!has_values(request, panel) && !has_six_views(request))));
     options.isoline_spacing = request.isoline_spacing;
     options.marked_vertices = panel.marked_vertices;
     if (const ColorRange* range = request.range_of(panel)) options.range = value_range(*range);
@@ -104,14 +95,14 @@ render::DrawOptions options_of(const FigureRequest& request, const Panel& panel)
 }
 
 render::Surface surface_in(const FigureRequest& request, const Panel& panel) {
-    return surface_of(*panel.mesh, panel.values.size() > 0 && request.range_of(panel) != nullptr ? &panel.values : nullptr);
+    return surface_of(*panel.mesh, has_values(request, panel) ? &panel.values : nullptr);
 }
 
 std::string view_file(const Panel& panel, const render::View& view) {
     return "images/" + panel.name + "_" + std::string(view.name) + ".png";
 }
 
-/// The views of a panel in the order of its pictures.
+/// Returns the views of a panel in the order of its pictures.
 std::vector<render::View> views_of(const FigureJob& job, std::size_t index) {
     const FigureRequest& request = *job.request;
     const Panel& panel = request.panels[index];
@@ -122,24 +113,16 @@ std::vector<render::View> views_of(const FigureJob& job, std::size_t index) {
     return views;
 }
 
-/// The views that a panel may have files of: the picture from three quarters has one only where there are no others.
-std::vector<render::View> views_in_files(const FigureJob& job, std::size_t index) {
-    std::vector<render::View> views = views_of(job, index);
-    if (views.size() > 1) views.erase(views.begin());
-    return views;
-}
-
 bool has_view_files(const FigureRequest& request, const DrawSettings& settings) {
     return settings.view_files || (request.view_files && !settings.sheets_only);
 }
 
-bool has_undefined(const Panel& panel) { return panel.values.array().isNaN().any(); }
-
-/// Draws each view as a file in full size, labelled in a corner.
+/// Writes the views of a panel in full size, each labelled in a corner; that from three quarters only if there is no other.
 void draw_view_files(const FigureJob& job, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
     const Panel& panel = request.panels[index];
-    const std::vector<render::View> directions = views_in_files(job, index);
+    std::vector<render::View> directions = views_of(job, index);
+    if (directions.size() > 1) directions.erase(directions.begin());
     render::DrawOptions options = options_of(request, panel);
     options.width = settings.width;
     options.height = settings.height;
@@ -153,13 +136,13 @@ void draw_view_files(const FigureJob& job, std::size_t index, const std::filesys
     });
 }
 
+/// Draws the pictures of a panel for its sheet, and its view files.
 void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& folder, const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
     const Panel& panel = request.panels[index];
     if (!panel.mesh) return;
     const render::Surface surface = surface_in(request, panel);
     render::DrawOptions options = options_of(request, panel);
-    PanelPictures& pictures = job.pictures[index];
 
     const auto draw = [&](std::span<const render::View> views, const PictureFrame& frame) {
         options.width = frame.width;
@@ -169,32 +152,22 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
     };
     const std::vector<render::View> views = views_of(job, index);
     const std::size_t large = views[0].is_along_axis() ? 0 : 1;
-    if (large > 0) pictures = draw(std::span(views).first(large), job.three_quarters[index]);
+    const auto keep = [&](render::Image picture) { job.pictures[index].push_back(std::make_shared<render::Image>(std::move(picture))); };
+    if (large > 0) keep(std::move(draw(std::span(views).first(large), job.three_quarters[index]).front()));
     if (!job.six.empty()) {
         const std::span directions = std::span(views).subspan(large);
         const std::vector<render::Image> drawn = draw(directions, job.six[index].covering_all());
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             const PictureFrame& size = job.six[index].of(directions[i]);
-            pictures.push_back(
-                part_of(drawn[i], (drawn[i].width - size.width) / 2, (drawn[i].height - size.height) / 2, size.width, size.height));
+            keep(part_of(drawn[i], (drawn[i].width - size.width) / 2, (drawn[i].height - size.height) / 2, size.width, size.height));
         }
     }
     if (has_view_files(request, settings)) draw_view_files(job, index, folder, settings);
 }
 
-/// The bar of the sheet, and the legend of the page.
-void set_legend(FigureJob& job, render::FigureSheet& sheet) {
-    const std::vector<Panel>& panels = job.request->panels;
-    render::DrawOptions drawn;
-    drawn.isoline_spacing = job.request->isoline_spacing;
-    sheet.color_bar = color_bar_of(*job.request->range, std::ranges::any_of(panels, has_undefined), drawn);
-    // of these panels: several figures may share a range
-    sheet.color_bar->histogram = histogram_of(finite_values(panels), sheet.color_bar->range);
-    job.drawn.legend = legend_of(*sheet.color_bar);
-}
-
-/// Where the pictures are on the sheet.
-void name_pictures(FigureJob& job, const render::FigureSheet& sheet, const render::ComposedFigure& composed, const DrawSettings& settings) {
+/// Enters the labels of the panels and the places of their pictures on the sheet.
+void enter_pictures(FigureJob& job, const render::FigureSheet& sheet, const render::ComposedFigure& composed,
+                    const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
     std::size_t next = 0;
     for (std::size_t p = 0; p < request.panels.size(); ++p) {
@@ -217,35 +190,44 @@ void name_pictures(FigureJob& job, const render::FigureSheet& sheet, const rende
     }
 }
 
+/// Composes the sheet of a figure from its pictures and writes it.
 void finish_figure(FigureJob& job, const std::filesystem::path& folder, const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
     job.drawn.columns = request.columns;
     job.drawn.rows = request.rows;
     job.drawn.in_a_line = panels_in_a_line(request);
     job.drawn.states = request.states;
-    render::FigureSheet sheet = arranged(request, std::move(job.pictures), std::max(13.0, 21 * scale_of(settings)));
+    render::FigureSheet sheet = arranged(request, std::exchange(job.pictures, {}), std::max(13.0, 21 * scale_of(settings)));
     sheet.title = request.title;
     sheet.subtitle = request.subtitle;
-    if (request.range) set_legend(job, sheet);
+    if (request.range) {
+        render::DrawOptions options;
+        options.isoline_spacing = request.isoline_spacing;
+        const auto has_undefined = [](const Panel& panel) { return panel.values.array().isNaN().any(); };
+        sheet.color_bar = color_bar_of(*request.range, std::ranges::any_of(request.panels, has_undefined), options);
+        // Several figures may share a range: the histogram shows the values of this one.
+        sheet.color_bar->histogram = histogram_of(finite_values(request.panels), sheet.color_bar->range);
+        job.drawn.legend = legend_of(*sheet.color_bar);
+    }
     const render::ComposedFigure composed = render::compose(sheet);
-    name_pictures(job, sheet, composed, settings);
+    enter_pictures(job, sheet, composed, settings);
     job.drawn.sheet = "images/" + request.id + "_sheet.png";
     write_file(folder / job.drawn.sheet, render::encode_png(composed.image));
     cut_pictures(composed.image, job.drawn);
 }
 
-/// One panel of one figure: what is drawn in parallel.
-struct Piece {
-    std::size_t figure, panel;
-};
-
+/// Sets the frames and sizes of a figure's pictures.
 void prepare(FigureJob& job, const FigureRequest& request, const DrawSettings& settings) {
     job.request = &request;
-    job.three_quarters = three_quarter_frames(request, scaled(three_quarter_side(request), settings));
     const bool alone = request.panels.size() == 1;
+    int side = std::clamp(line_of_pictures / panels_in_a_line(request), smallest_in_a_line, in_a_strip);
+    if (request.panels.size() > 8) side = smallest_in_a_line;   // line below line
+    if (is_gallery(request) || has_six_views(request)) side = in_a_row;
+    if (alone) side = leading;
+    job.three_quarters = three_quarter_frames(request, scaled(side, settings));
     for (std::size_t p = 0; has_six_views(request) && p < request.panels.size(); ++p) {
-        const int side = !alone ? in_a_row : view_of_flat(*request.panels[p].mesh) ? leading : beside_leading;
-        job.six.push_back(six_frames(request, p, scaled(side, settings)));
+        const int beside = !alone ? in_a_row : view_of_flat(*request.panels[p].mesh) ? leading : beside_leading;
+        job.six.push_back(six_frames(request, p, scaled(beside, settings)));
     }
     job.pictures.resize(request.panels.size());
     job.panels_left = static_cast<int>(request.panels.size());
@@ -260,6 +242,9 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
     std::map<std::string, std::vector<report::DrawnModel>> models = write_models(requests, folder);
 
     std::vector<FigureJob> figures(requests.size());
+    struct Piece {   // one panel of one figure
+        std::size_t figure, panel;
+    };
     std::vector<Piece> pieces;
     for (std::size_t f = 0; f < requests.size(); ++f) {
         prepare(figures[f], requests[f], settings);
@@ -276,20 +261,18 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
     };
     std::atomic<std::ptrdiff_t> next = 0, early_left = others - pieces.begin();
     if (early_left == 0 && events.early_drawn) events.early_drawn({});
-    std::mutex telling;
+    std::mutex reporting;
     std::size_t drawn = 0;
-    // Handed out one by one, in their order.
     for_each_task(pieces.size(), [&](std::size_t) {
-        const auto piece = pieces.begin() + next++;
+        const auto piece = pieces.begin() + next++;   // in their order
         FigureJob& job = figures[piece->figure];
-        // Isolated: a thread that waits for the views of this panel does not begin another one, so that at most one panel a thread is
-        // in memory at full size.
+        // Isolated: a thread that waits for the views of this panel must not begin another one, which would be in memory at full size, too.
         tbb::this_task_arena::isolate([&] {
             draw_panel(job, piece->panel, folder, settings);
             if (--job.panels_left == 0) finish_figure(job, folder, settings);
         });
         if (piece < others && --early_left == 0 && events.early_drawn) events.early_drawn(drawn_figures(false));
-        const std::lock_guard lock(telling);
+        const std::lock_guard lock(reporting);
         if (events.progress) events.progress(static_cast<double>(++drawn) / static_cast<double>(pieces.size()));
     });
     return drawn_figures(true);

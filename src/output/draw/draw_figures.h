@@ -1,5 +1,5 @@
 /// @file
-/// Draws the figures a report asks for into its folder, in parallel.
+/// Draws the figures of a report into its folder, in parallel.
 #pragma once
 
 #include <filesystem>
@@ -15,20 +15,21 @@
 namespace meshfolio::output {
 
 struct DrawSettings {
-    int width = 800, height = 800;   // of a view in its own file; below 800, pictures in sheets shrink as well
-    bool view_files = false;         // of all figures, not only of those that ask for them
-    bool sheets_only = false;        // no view files at all
+    int width = 800, height = 800;   // of view files [pixels]; below 800, pictures in sheets shrink as well
+    bool view_files = false;         // write view files of all figures, not only of those that ask for them
+    bool sheets_only = false;        // write no view files; view_files wins
 };
 
-/// Called while figures are drawn, by any thread.
+/// Functions that any thread calls while figures are drawn.
 struct DrawEvents {
-    std::function<void(double share)> progress = {};
-    std::set<std::string> early = {};                                     // ids of figures to be drawn before the others;
-    std::function<void(report::DrawnFigures figures)> early_drawn = {};   // called with them, once, even if there are none
+    std::function<void(double share)> progress = {};                      // with the share of the panels that are drawn
+    std::set<std::string> early = {};                                     // ids of the figures to draw before the others
+    std::function<void(report::DrawnFigures figures)> early_drawn = {};   // with those figures, once, even if there are none
 };
 
-/// Writes images/… and, for figures that can be turned, models/… below `folder` and returns what the writers need.
-/// @throws OutputError
+/// Draws the figures: writes images/… and, for figures that readers can turn, models/… below `folder`.
+/// @return by the id of the figure, where its pictures lie, their JPEGs and its legend
+/// @throws OutputError if a file cannot be written
 report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const std::filesystem::path& folder,
                                   const DrawSettings& settings, const DrawEvents& events = {});
 

@@ -16,11 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Models = std::vector<report::DrawnModel>;
 
-bool can_be_turned(const Panel& panel) {
-    return panel.mesh && panel.mesh->face_count() <= most_model_triangles && can_be_a_model(*panel.mesh);
-}
-
-/// Frames a panel as its pictures do: on its own mesh, on that of one panel, or on all.
+/// Frames a panel as in its pictures: on its own mesh, on the mesh of one panel, or on all meshes.
 Ball frame_of(const FigureRequest& request, const Panel& framed, const std::vector<Panel>& panels) {
     const Ball own = ball_around(*framed.mesh);
     if (request.layout == Layout::multiples) return own;
@@ -43,7 +39,8 @@ Models models_of(const FigureRequest& request) {
     for (std::size_t p = 0; p < request.panels.size(); ++p) {
         const Panel& panel = request.panels[p];
         const auto is_same = [&](const Panel& other) { return panel.mesh->X == other.mesh->X && panel.mesh->F == other.mesh->F; };
-        if (!can_be_turned(panel) || std::ranges::any_of(panels, is_same)) continue;   // each mesh once, with its first values
+        if (!panel.mesh || panel.mesh->face_count() > most_model_triangles || !can_be_a_model(*panel.mesh)) continue;
+        if (std::ranges::any_of(panels, is_same)) continue;   // each mesh once, with its first values
         panels.push_back(panel);
         views.push_back(hero_of(request, p));
     }

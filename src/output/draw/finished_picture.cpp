@@ -11,18 +11,6 @@
 
 namespace meshfolio::output {
 
-namespace {
-
-/// How many pixels of a rectangle differ from the one in the corner of the picture.
-int covered(const render::Image& picture, int x0, int y0, int width, int height) {
-    int count = 0;
-    for (int y = std::max(0, y0); y < std::min(picture.height, y0 + height); ++y)
-        for (int x = std::max(0, x0); x < std::min(picture.width, x0 + width); ++x) count += picture.at(x, y) == picture.at(0, 0) ? 0 : 1;
-    return count;
-}
-
-}   // namespace
-
 void label_view(render::Image& picture, std::string_view view) {
     const int side = std::min(picture.width, picture.height);
     if (side < 100 || view == render::three_quarter_view().name) return;
@@ -30,12 +18,16 @@ void label_view(render::Image& picture, std::string_view view) {
     const int width = static_cast<int>(render::view_label_width(view, em)), height = static_cast<int>(render::view_label_height(em));
     const int left = static_cast<int>(0.6 * em), right = picture.width - left - width;
     const int top = static_cast<int>(0.4 * em), bottom = picture.height - top - height;
-    // The corner where it hides least of the surface; the lower left one if there is a choice.
-    std::pair<int, int> corner{left, bottom};
-    for (const auto& other : {std::pair{right, bottom}, std::pair{left, top}, std::pair{right, top}})
-        if (covered(picture, other.first, other.second, width, height) < covered(picture, corner.first, corner.second, width, height))
-            corner = other;
-    render::draw_view_label(picture, corner.first + width / 2.0, corner.second + height / 2.0, view, em, {90, 90, 100, 255});
+    const auto hidden = [&](const std::pair<int, int>& corner) {   // pixels that differ from the background
+        int count = 0;
+        for (int y = std::max(0, corner.second); y < std::min(picture.height, corner.second + height); ++y)
+            for (int x = std::max(0, corner.first); x < std::min(picture.width, corner.first + width); ++x)
+                count += picture.at(x, y) == picture.at(0, 0) ? 0 : 1;
+        return count;
+    };
+    const auto [x, y] = std::ranges::min({std::pair{left, bottom}, std::pair{right, bottom}, std::pair{left, top}, std::pair{right, top}},
+                                         {}, hidden);   // the first on a tie
+    render::draw_view_label(picture, x + width / 2.0, y + height / 2.0, view, em, {90, 90, 100, 255});
 }
 
 render::Image part_of(const render::Image& picture, int left, int top, int width, int height) {
@@ -53,7 +45,7 @@ bool cut_pictures(const render::Image& sheet, report::DrawnFigure& figure) {
         return p->left >= 0 && p->top >= 0 && p->width > 0 && p->height > 0 && p->width <= sheet.width && p->height <= sheet.height &&
                p->left <= sheet.width - p->width && p->top <= sheet.height - p->height;
     };
-    if (!std::all_of(pictures.begin(), pictures.end(), lies_inside)) return false;
+    if (!std::ranges::all_of(pictures, lies_inside)) return false;
     for_each_task(pictures.size(), [&](std::size_t i) {
         report::DrawnPicture& p = *pictures[i];
         p.jpeg = render::encode_jpeg(part_of(sheet, p.left, p.top, p.width, p.height), quality);

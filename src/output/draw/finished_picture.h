@@ -1,5 +1,5 @@
 /// @file
-/// Finishes drawn pictures: the label of the view, the JPEG for page and paper.
+/// Finishing of drawn pictures: the label of the view, the JPEG for page and paper.
 #pragma once
 
 #include <string_view>
@@ -10,15 +10,14 @@
 
 namespace meshfolio::output {
 
-/// Labels a picture with its view and axes, in the corner where they hide least. Pictures below 100 pixels and three-quarter views are not
-/// labelled.
+/// Labels a picture with the name of its view ("+x") and its axes, in the corner where they hide least. Leaves three-quarter views ("hero")
+/// and pictures of less than 100 pixels as they are.
 void label_view(render::Image& picture, std::string_view view);
 
-/// Cuts out a rectangle; outside of the picture it is white.
+/// Cuts out a rectangle, which is white where it extends beyond the picture.
 render::Image part_of(const render::Image& picture, int left, int top, int width, int height);
 
-/// The JPEGs of a figure, from the sheet as it was drawn or as read back from its PNG: the same bytes.
-/// @return false if a picture is not inside the sheet
+/// Sets the JPEG of each picture of a figure, cut from its sheet. False, with nothing set, if a picture is not inside the sheet.
 bool cut_pictures(const render::Image& sheet, report::DrawnFigure& figure);
 
 }   // namespace meshfolio::output

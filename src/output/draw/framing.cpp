@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "mesh/triangle_measures.h"
 #include "output/draw/arrangement.h"
@@ -15,45 +14,34 @@ namespace meshfolio::output {
 namespace {
 
 constexpr double share_framed = 0.94;        // of the side of a picture; the rest is margin
-constexpr double narrowest_picture = 0.12;   // of the side: a surface seen from its edge stays a picture
+constexpr double narrowest_picture = 0.12;   // of the side, for surfaces seen from their edge
 
 std::size_t first_of_group(const FigureRequest& request, std::size_t panel) {
     return panel - panel % static_cast<std::size_t>(request.states);
 }
 
-/// Does the picture of panel `of` show this panel whole?
+/// True if the picture of panel `of` must show all of this panel's mesh.
 bool is_framed(const FigureRequest& request, std::size_t panel, std::size_t of = 0) {
     if (request.states > 1) return panel == first_of_group(request, of);
     return request.frame_panel < 0 || panel == static_cast<std::size_t>(request.frame_panel);
 }
 
-/// Of the panels that have a mesh and that `is_wanted(panel)`.
+render::Bounds joined(const std::optional<render::Bounds>& a, const render::Bounds& b) {
+    return a ? render::Bounds{glm::min(a->low, b.low), glm::max(a->high, b.high)} : b;
+}
+
+/// Returns the box of the meshes of the panels for which is_wanted(panel) holds.
 template <class Wanted>
 render::Bounds joined_box(const FigureRequest& request, const Wanted& is_wanted) {
     std::optional<render::Bounds> box;
-    for (std::size_t p = 0; p < request.panels.size(); ++p) {
-        if (!request.panels[p].mesh || !is_wanted(p)) continue;
-        const render::Bounds other = bounds_of(*request.panels[p].mesh);
-        box = box ? render::Bounds{glm::min(box->low, other.low), glm::max(box->high, other.high)} : other;
-    }
+    for (std::size_t p = 0; p < request.panels.size(); ++p)
+        if (request.panels[p].mesh && is_wanted(p)) box = joined(box, bounds_of(*request.panels[p].mesh));
     return box.value_or(render::Bounds{});
 }
 
-/// The corners of the triangles that can be drawn, in pixels of `frame` across and up.
 render::Bounds seen(const TriangleMesh& mesh, const render::View& view, const render::Frame& frame) {
     const render::Surface surface = surface_of(mesh);
-    const glm::dvec3 right = view.right();
-    render::Bounds box{glm::dvec3(HUGE_VAL), glm::dvec3(-HUGE_VAL)};
-    for (const glm::ivec3& t : surface.triangles) {
-        if (!render::can_be_drawn(t, surface.positions)) continue;
-        for (int k = 0; k < 3; ++k) {
-            const glm::dvec3 p = (surface.positions[static_cast<std::size_t>(t[k])] - frame.centre) * frame.pixels_per_unit;
-            const glm::dvec3 at(glm::dot(p, right), glm::dot(p, view.up), 0);
-            box.low = glm::min(box.low, at);
-            box.high = glm::max(box.high, at);
-        }
-    }
-    return box.low.x <= box.high.x ? box : render::Bounds{};
+    return render::bounds_in_picture(surface.positions, surface.triangles, view, frame);
 }
 
 render::Bounds within_square(const render::Bounds& box, int side) {
@@ -61,13 +49,13 @@ render::Bounds within_square(const render::Bounds& box, int side) {
     return {glm::clamp(box.low, -half, half), glm::clamp(box.high, -half, half)};
 }
 
-/// Pixels of a picture that shows so much of a square of `side`, with the margin.
+/// Returns the length of a picture with its margin [pixels] for `extent` out of a square of `side`.
 int picture_length(double extent, int side) {
     const double length = extent + (1 - share_framed) * side;
     return static_cast<int>(std::lround(std::clamp(length, std::max(1.0, narrowest_picture * side), double(side))));
 }
 
-/// In which all panels that are framed fill the square.
+/// Returns the frame in which the framed panels together fill the picture.
 render::Frame common_frame(const FigureRequest& request, const render::View& view, int width, int height, double fill) {
     std::vector<glm::dvec3> positions;
     std::vector<glm::ivec3> triangles;
@@ -88,7 +76,7 @@ render::Frame own_frame(const TriangleMesh& mesh, const render::View& view, int 
 
 bool has_own_frames(const FigureRequest& request) { return request.layout == Layout::multiples || request.states > 1; }
 
-/// The mesh of which a panel shows a state.
+/// Returns the mesh that frames a panel: the first of its group.
 const TriangleMesh& first_state(const FigureRequest& request, std::size_t panel) {
     return *request.panels[first_of_group(request, panel)].mesh;
 }
@@ -119,8 +107,7 @@ std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int
         const TriangleMesh& mesh = *request.panels[p].mesh;
         const render::View view = frames[p].view = own ? hero_of(request, p) : shared;
         frames[p].frame = own ? own_frame(first_state(request, p), view, side, side, share_framed) : common;
-        const render::Bounds one = within_square(seen(mesh, view, frames[p].frame), side);
-        box = box ? render::Bounds{glm::min(box->low, one.low), glm::max(box->high, one.high)} : one;
+        box = joined(box, within_square(seen(mesh, view, frames[p].frame), side));
     }
     const render::Bounds shown = box.value_or(render::Bounds{});
     const glm::dvec3 extent = shown.high - shown.low, middle = 0.5 * (shown.low + shown.high);
@@ -133,7 +120,7 @@ std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int
 }
 
 std::optional<render::View> view_of_flat(const TriangleMesh& mesh) {
-    constexpr double thin = 0.05;   // of the largest extent, so that noise does not count
+    constexpr double thin = 0.05;   // of the largest extent: more than noise
     const render::Bounds box = bounds_of(mesh);
     const glm::dvec3 extent = box.high - box.low;
     const double most = std::max({extent.x, extent.y, extent.z});

@@ -1,5 +1,5 @@
 /// @file
-/// Frames and sizes of the pictures of a figure: all at one scale, without empty margins.
+/// Frames and sizes of the pictures of a figure: at one scale, without empty margins.
 #pragma once
 
 #include <array>
@@ -17,35 +17,39 @@ struct PictureFrame {
     render::View view = render::three_quarter_view();
 };
 
-/// The direction of a panel from three quarters: that of the first mesh of its states, of its row of a matrix, or of the figure, so that
-/// what is compared is seen from one side; of its own mesh in a gallery.
+/// Returns the three-quarter view of a panel: the best one of the first mesh in its group of states, in its row of a matrix, or in the
+/// figure, so that compared meshes are seen from one side; in a gallery the best one of its own mesh.
 render::View hero_of(const FigureRequest& request, std::size_t panel);
 
-/// From three quarters, a frame a panel, all of one size: each mesh in the middle of its own (Layout::multiples), or all in one. What is
-/// framed takes `side` pixels in width or in height; other meshes are cut off at that square.
+/// Returns a frame for each panel from three quarters, all of one size: centred on its own mesh (Layout::multiples) or shared by all.
+/// Meshes that are not framed are cut off at the square of `side` pixels that the framed ones fill.
 std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side);
 
-/// The six directions: one frame for all panels, or for those that show one mesh, and the sizes of the pictures along x, y and z.
+/// Frames of the six views along the axes: one frame for all panels, or for a group of states, and the size of the pictures along x, y and
+/// z.
 struct SixFrames {
     render::Frame frame;
     std::array<PictureFrame, 3> along;
+    /// The smallest size that holds the pictures of all six views.
     PictureFrame covering_all() const;
+    /// The frame for a view along an axis.
     const PictureFrame& of(const render::View& view) const { return along[view.from.x != 0 ? 0 : view.from.y != 0 ? 1 : 2]; }
 };
+
+/// Returns the frames of a panel; `side` is the length of the longest side of the pictures [pixels].
 SixFrames six_frames(const FigureRequest& request, std::size_t panel, int side);
 
-/// The view along an axis that shows the front of a flat mesh, which is a line in the others; nothing if the mesh is not flat.
+/// Returns the view along an axis that shows the front of a flat mesh, which is a line in other views; nothing if the mesh is not flat.
 std::optional<render::View> view_of_flat(const TriangleMesh& mesh);
 
-/// Positions that fit into the three-quarter picture of `mesh`: unchanged, or scaled down about the middle if they would be cut off.
 struct FittedPositions {
     Positions X;
     double scale = 1;
 };
+/// Returns other positions X of the mesh such that they fit into its three-quarter picture: unchanged, or scaled down about the middle.
 FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X);
 
-/// The frame of a view file in full size: as in the other pictures, but not cropped. @param hero  the view from three quarters; null: along
-/// axes
+/// Returns the frame of a panel's view files, which are not cropped. @param hero  the three-quarter view; null: the views along the axes
 render::Frame full_frame(const FigureRequest& request, std::size_t panel, const render::View* hero, int width, int height);
 
 }   // namespace meshfolio::output

@@ -37,7 +37,7 @@ std::vector<double> histogram(std::span<const double> values, double low, double
 
 void enter_clipped(ColorRange& range, const std::vector<double>& values) {
     const auto share = [&](auto outside) {
-        return values.empty() ? 0 : static_cast<double>(std::ranges::count_if(values, outside)) / static_cast<double>(values.size());
+        return static_cast<double>(std::ranges::count_if(values, outside)) / std::max(1.0, static_cast<double>(values.size()));
     };
     range.clipped_below = share([&](double v) { return v < range.low; });
     range.clipped_above = share([&](double v) { return v > range.high; });
@@ -48,7 +48,7 @@ ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, 
     ColorRange range{std::move(colormap), 0, 0, std::move(quantity), std::move(unit), 0, 0};
     std::vector<double> values = finite_values(panels);
     tbb::parallel_sort(values);
-    // The value below which a share q lies, interpolated between neighbours.
+    // Interpolates between the neighbours of the value below which a share q lies.
     const auto percentile = [&](double q) {
         const double place = q * static_cast<double>(values.size() - 1);
         const auto below = static_cast<std::size_t>(place);
@@ -71,7 +71,7 @@ ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, 
     }
     if (!values.empty()) {
         enter_clipped(range, values);
-        // At most 8192, in the middles of as many equal parts: enough for a bin of 96 to be right within 1 %.
+        // The middles of at most 8192 equal parts: enough for each of 96 bins to be right within 1 %.
         range.sample.resize(std::min<std::size_t>(values.size(), 8192));
         for (std::size_t i = 0; i < range.sample.size(); ++i)
             range.sample[i] = values[(2 * i + 1) * values.size() / (2 * range.sample.size())];

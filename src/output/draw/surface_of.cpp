@@ -14,7 +14,7 @@
 
 namespace meshfolio::output {
 
-// Rows of Positions and Faces are three numbers after one another, which is what the renderer's vectors are.
+// Rows of Positions and Faces have the layout of the renderer's vectors.
 static_assert(sizeof(glm::dvec3) == 3 * sizeof(double) && alignof(glm::dvec3) == alignof(double));
 static_assert(sizeof(glm::ivec3) == 3 * sizeof(int) && alignof(glm::ivec3) == alignof(int));
 
@@ -66,7 +66,7 @@ render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, const
     bar.range = value_range(range);
     bar.quantity = range.quantity;
     if (const double spacing = bar.isoline_spacing = drawn.isoline_spacing; spacing > 0) {
-        const double first = std::ceil(range.low / spacing) * spacing + 0.0;   // + 0: no −0
+        const double first = std::ceil(range.low / spacing) * spacing + 0.0;   // never −0
         if (first <= range.high)
             bar.quantity += first + spacing > range.high ? ", a line at " + readable(first) : ", a line every " + readable(spacing);
     }
@@ -82,7 +82,7 @@ render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, const
 render::ColorBar small_bar_of(const ColorRange& range) { return color_bar_of(range, false, render::DrawOptions()); }
 
 std::string hex_of(render::Rgba color) {
-    constexpr char digits[] = "0123456789abcdef";
+    static constexpr char digits[] = "0123456789abcdef";
     std::string text = "#";
     for (const std::uint8_t c : {color.r, color.g, color.b}) text += {digits[c >> 4], digits[c & 15]};
     return text;

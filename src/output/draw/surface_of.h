@@ -1,5 +1,5 @@
 /// @file
-/// Converts our meshes, values and ranges to those of the renderer.
+/// Conversions of our meshes, values and ranges to those of the renderer.
 #pragma once
 
 #include "draw_mesh.h"
@@ -11,34 +11,35 @@
 
 namespace meshfolio::output {
 
-/// render::draw_views for a mesh that somebody named. @throws MeshError where its triangles lie over each other too often to be drawn
+/// Calls render::draw_views. @throws MeshError if too many large triangles of the mesh lie over each other
 std::vector<render::Image> drawn_views(const render::Surface& surface, std::span<const render::View> views,
                                        const render::DrawOptions& options);
 
-/// A view of the mesh (and of `values`, one a vertex, when given); both must outlive it.
+/// Returns a surface that refers to the mesh and to `values` (one a vertex; null: none), which must outlive it.
 render::Surface surface_of(const TriangleMesh& mesh, const Vector* values = nullptr);
 
+/// Returns the box of the mesh's drawable triangles.
 render::Bounds bounds_of(const TriangleMesh& mesh);
 
-/// Are all positions inside the axis-aligned pictures that are framed on these bounds? False if one is not finite.
+/// True if all positions are finite and inside the pictures along the axes that are framed on these bounds.
 bool fit_frame_of(const render::Bounds& bounds, const Positions& X);
 
-/// @throws UsageError for an unknown colour map, naming the known ones
+/// Returns the renderer's form of a range. @throws UsageError with the known colour maps if the range's map is unknown
 render::ValueRange value_range(const ColorRange& range);
 
-/// histogram() over the range of the colours.
+/// Returns the histogram() of the values over the range, of their logarithms if it is logarithmic.
 std::vector<double> histogram_of(const std::vector<double>& values, const render::ValueRange& range);
 
-/// With the histogram of the range's own sample, and with the isolines in its words.
+/// Returns the colour bar of a range, with the histogram of its sample and a note on the isolines of `drawn`.
 render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, const render::DrawOptions& drawn);
 
-/// Of a panel with a range of its own, in the line of its label.
+/// Returns the small colour bar beside the label of a panel with its own range.
 render::ColorBar small_bar_of(const ColorRange& range);
 
-/// "#1f9e89"
+/// Returns "#1f9e89" for red 0x1f, green 0x9e, blue 0x89.
 std::string hex_of(render::Rgba color);
 
-/// The legend of a page, from a colour bar.
+/// Returns the legend of the page for a colour bar.
 report::Legend legend_of(const render::ColorBar& bar);
 
 }   // namespace meshfolio::output

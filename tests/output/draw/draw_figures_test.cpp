@@ -76,7 +76,7 @@ TEST(DrawFigures, AMeshFitsTheFrameOfAnotherUntilItIsWiderThanThePicture) {
     EXPECT_FALSE(fit_frame_of(bounds_of(cube), lost));
 }
 
-TEST(DrawFigures, WhatThePictureWouldCutOffIsScaledAboutItsMiddleUntilItFits) {
+TEST(DrawFigures, PositionsBeyondThePictureAreScaledAboutItsMiddle) {
     const TriangleMesh cube = cube_mesh(3);
     EXPECT_EQ(fitted_into_frame(cube, cube.X).scale, 1);
     Positions spiked = cube.X;
@@ -113,7 +113,7 @@ TEST(DrawFigures, TheEndsOfEveryBarAreTheRangeOfItsColours) {
     EXPECT_NE(jpeg_of(0), jpeg_of(1)) << "the cubes differ in size";
 }
 
-TEST(DrawFigures, TheSamePictureWithAThousandfoldRangeIsTheSame) {
+TEST(DrawFigures, ScalingValuesAndRangeByAThousandKeepsThePicture) {
     std::vector<FigureRequest> figures(1, requests()[0]);
     figures[0].range.reset();
     const auto jpeg_with = [&](double factor) {
@@ -126,7 +126,7 @@ TEST(DrawFigures, TheSamePictureWithAThousandfoldRangeIsTheSame) {
     EXPECT_EQ(jpeg_with(1), jpeg_with(1024));
 }
 
-TEST(DrawFigures, WithinAPairTheGapIsSmallerThanBetweenPairs) {
+TEST(DrawFigures, GapsInsidePairsAreSmallerThanBetweenPairs) {
     const TemporaryFolder folder;
     FigureRequest request{"q5_pairs", "Pairs", "", {}, {}};
     for (const char* name : {"a", "b", "c", "d"}) request.panels.push_back(panel_of(icosphere(1), name, false));
@@ -138,7 +138,7 @@ TEST(DrawFigures, WithinAPairTheGapIsSmallerThanBetweenPairs) {
     EXPECT_EQ(top(3) - top(2), top(1) - top(0));
 }
 
-TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {
+TEST(DrawFigures, WritesExactlyTheFilesThatItNames) {
     const TemporaryFolder folder;
     const auto drawn = draw_figures(requests(), folder.path(), small_pictures);
     std::set<std::string> named;
@@ -156,7 +156,7 @@ TEST(DrawFigures, WritesEveryFileItNamesAndNoOther) {
     EXPECT_TRUE(written.contains("images/q5_cube_sheet.png"));
 }
 
-TEST(DrawFigures, SingleViewsAreFilesWhereTheyAreAskedForAlone) {
+TEST(DrawFigures, ViewFilesAreWrittenOnRequest) {
     const TemporaryFolder folder;
     DrawSettings settings = small_pictures;
     settings.view_files = false;
@@ -230,7 +230,7 @@ TEST(DrawFigures, ReportsProgress) {
     EXPECT_DOUBLE_EQ(told.back(), 1);
 }
 
-TEST(DrawFigures, SomeAreDrawnEarly) {
+TEST(DrawFigures, EarlyFiguresAreDrawnFirst) {
     const auto early_of = [](const std::set<std::string>& ids) {
         const TemporaryFolder folder;
         std::vector<report::DrawnFigures> handed;
@@ -310,7 +310,7 @@ TEST(DrawFigures, SmallMultiplesInOneFrameKeepTheirSizes) {
     EXPECT_EQ(files_of(first)[0], own[0]) << "in the frame of the first the first fills it";
 }
 
-TEST(DrawFigures, IsolinesAreDrawnWhereTheyAreAskedFor) {
+TEST(DrawFigures, IsolinesAreDrawnOnRequest) {
     FigureRequest with = balls({1}, false);
     with.isoline_spacing = 2;   // of values between −1 and 1: the line of 0
     EXPECT_NE(files_of(with)[0], files_of(balls({1}, false))[0]);
@@ -323,14 +323,14 @@ TEST(DrawFigures, IsolinesAreDrawnWhereTheyAreAskedFor) {
     EXPECT_EQ(files_of(with)[0], files_of(without)[0]);
 }
 
-TEST(DrawFigures, ManyPicturesAreSmall) {
+TEST(DrawFigures, MoreThanTwelvePicturesAreSmall) {
     const TemporaryFolder folder;
     const auto drawn = draw_figures(std::vector{balls(std::vector<double>(3, 1.0), true)}, folder.path(), small_pictures);
     const auto many = draw_figures(std::vector{balls(std::vector<double>(9, 1.0), true)}, folder.path(), small_pictures);
     EXPECT_LT(many.at("q4_balls").panels[0].pictures[0].width, drawn.at("q4_balls").panels[0].pictures[0].width);
 }
 
-// ---- what is cut off -----------------------------------------------------------------------------------------------------
+// ---- cropping ----------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -348,7 +348,7 @@ std::map<std::string, report::DrawnPicture> views_of(TriangleMesh mesh) {
 
 }   // namespace
 
-TEST(DrawFigures, ViewsAreCutToWhatIsSeenAtOneScale) {
+TEST(DrawFigures, ViewsAreCroppedAtOneScale) {
     TriangleMesh bar = cube_mesh(1);
     bar.X.col(0) *= 4;   // 4 × 1 × 1
     const auto views = views_of(bar);
@@ -365,8 +365,8 @@ TEST(DrawFigures, ViewsAreCutToWhatIsSeenAtOneScale) {
     }
 }
 
-// From the side it would be a hairline.
-TEST(DrawFigures, AFlatMeshIsSeenFromItsFrontAloneWhichIsSaid) {
+// Its side views would be hairlines.
+TEST(DrawFigures, AFlatMeshHasOnlyItsFrontViewAndALabelThatSaysSo) {
     const auto flat_along = [](int axis) {
         TriangleMesh sheet = grid_mesh(4, 4, 1, 1);   // in the plane of x and y, seen from +z
         if (axis != 2) sheet.X.col(axis).swap(sheet.X.col(2));
@@ -388,7 +388,7 @@ TEST(DrawFigures, AFlatMeshIsSeenFromItsFrontAloneWhichIsSaid) {
     }
 }
 
-// Of a thin but not flat mesh no view is blank either.
+// No view of a thin but not flat mesh is blank.
 TEST(DrawFigures, NoPictureIsBlank) {
     const TemporaryFolder folder;
     TriangleMesh thin = icosphere(2);
@@ -469,7 +469,7 @@ TEST(DrawFigures, StatesOfAMeshAreFramedOnItsFirst) {
 }
 
 // A bowl that turns its back is seen from behind where it is the first of its row, and so is what it is compared with.
-TEST(DrawFigures, WhatIsComparedIsSeenFromOneSide) {
+TEST(DrawFigures, ComparedMeshesAreSeenFromOneSide) {
     TriangleMesh bowl = icosphere(4);
     std::vector<int> kept;
     for (int t = 0; t < bowl.F.rows(); ++t)
@@ -488,7 +488,7 @@ TEST(DrawFigures, WhatIsComparedIsSeenFromOneSide) {
     EXPECT_EQ(turned(), (std::vector<bool>{true, true, false, false}));
 }
 
-TEST(DrawFigures, OnlyCoarseMeshesHaveEdgesWhereSuchAreAskedFor) {
+TEST(DrawFigures, CoarseEdgesAreDrawnOnCoarseMeshesOnly) {
     FigureRequest request = balls({1, 1}, false);   // 320 triangles each
     request.panels[1] = panel_of(icosphere(5), "q4_fine_ball", true);
     const auto plain = files_of(request);
@@ -498,7 +498,7 @@ TEST(DrawFigures, OnlyCoarseMeshesHaveEdgesWhereSuchAreAskedFor) {
     EXPECT_EQ(edged[1], plain[1]);
 }
 
-TEST(DrawFigures, CoarseMeshesShowTheirTrianglesWhereShapesAreCompared) {
+TEST(DrawFigures, CoarsePlainMeshesShowTheirEdgesInMultiples) {
     const TemporaryFolder folder;
     FigureRequest request = shrunk_ball();
     const auto drawn = draw_figures(std::vector{request}, folder.path(), small_pictures).at("q5_pair");

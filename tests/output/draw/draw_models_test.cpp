@@ -31,7 +31,7 @@ FigureRequest turnable(std::vector<Panel> panels) {
     return request;
 }
 
-/// What is made of these requests, checked against what lies in the folder.
+/// Writes the models of these requests and checks them against the files in the folder.
 report::DrawnFigures models_of(const std::vector<FigureRequest>& requests) {
     const TemporaryFolder folder;
     report::DrawnFigures figures;
@@ -52,7 +52,7 @@ report::DrawnFigures models_of(const std::vector<FigureRequest>& requests) {
 
 }   // namespace
 
-TEST(DrawModels, OnlyWhereItIsAskedFor) {
+TEST(DrawModels, OnlyTurnableFiguresHaveModels) {
     FigureRequest quiet = turnable({turnable_panel(icosphere(1), "q1_quiet")});
     quiet.turnable = false;
     const auto figures = models_of({turnable({turnable_panel(icosphere(2), "q1_ball")}), quiet});
@@ -95,7 +95,7 @@ TEST(DrawModels, TheFirstTwoOfEveryFigureComeBeforeTheThirdOfAny) {
     EXPECT_EQ(figures.at("c0").models.size(), 3U);
 }
 
-TEST(DrawModels, AMeshWithOtherValuesIsTurnedOnce) {
+TEST(DrawModels, AMeshWithOtherValuesHasOneModel) {
     Panel other = turnable_panel(icosphere(2), "again");
     other.values *= 2;
     const auto figures = models_of({turnable({turnable_panel(icosphere(2), "first"), other, turnable_panel(cube_mesh(2), "cube")})});
@@ -103,7 +103,7 @@ TEST(DrawModels, AMeshWithOtherValuesIsTurnedOnce) {
     EXPECT_EQ(figures.at("first").models[1].label, "label of cube");
 }
 
-TEST(DrawModels, LargeOrBlownUpMeshesKeepTheirPictures) {
+TEST(DrawModels, LargeAndBlownUpMeshesHaveNoModel) {
     TriangleMesh blown_up = icosphere(2);
     blown_up.X(0, 0) = std::numeric_limits<double>::infinity();
     const TriangleMesh large = flat_mesh(176);

@@ -1,5 +1,5 @@
 /// @file
-/// A mesh without curvature and a value that is none, for what is drawn of them.
+/// A flat mesh and an undefined value, for tests of drawing.
 #pragma once
 
 #include <limits>

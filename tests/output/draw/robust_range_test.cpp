@@ -30,7 +30,7 @@ Panel ramp(int n) {
 
 }   // namespace
 
-TEST(RobustRange, ThePaleMapBeginsAtZeroUnlessSomethingIsBelow) {
+TEST(RobustRange, ThePaleMapBeginsAtZeroUnlessValuesAreNegative) {
     EXPECT_EQ(robust_range({panel({3, 4, 5})}, "pale", "q", "u", 0, 0).low, 0);
     EXPECT_EQ(robust_range({panel({3, 4, 5})}, "pale", "q", "u", 0, 0).high, 5);
     EXPECT_EQ(robust_range({panel({-3, 4, 5})}, "pale", "q", "u", 0, 0).low, -3);
@@ -45,7 +45,7 @@ TEST(RobustRange, WithoutClippingItIsMinimumAndMaximum) {
     EXPECT_EQ(range.clipped_above, 0);
 }
 
-TEST(RobustRange, NearlyEqualSignedValuesStayBelowTheEndsColour) {
+TEST(RobustRange, NearlyEqualSignedValuesDoNotReachTheColourOfTheEnd) {
     const ColorRange equal = robust_range({panel({12, 12, 12, 13})}, "diverging", "q", "u", 0, 0),
                      wide = robust_range({panel({-1, 2, 9})}, "diverging", "q", "u", 0, 0);
     EXPECT_EQ(equal.high, 15);
@@ -110,7 +110,7 @@ TEST(RobustRange, ScalesWithTheValues) {
     EXPECT_EQ(three.clipped_above, one.clipped_above);
 }
 
-TEST(Histogram, CountsEveryValueOnceAndTheClippedOnesNot) {
+TEST(Histogram, CountsEveryValueInTheRangeOnce) {
     Panel p = ramp(9600);
     const ColorRange range = robust_range({p, panel({undefined, INFINITY})}, "viridis", "", "", 0, 0.02);
     const std::vector<double> shares = histogram(finite_values({p}), range.low, range.high);
@@ -142,7 +142,7 @@ TEST(Histogram, IsEmptyWithoutValuesOrRangeAndFiniteForHugeNumbers) {
 }
 
 // The sample is small however many values there are, does not depend on their order, and shows their spread to 1 % of the highest bin.
-TEST(Histogram, OfTheSampleEqualsThatOfAllValues) {
+TEST(Histogram, OfTheSampleNearlyEqualsThatOfAllValues) {
     Panel p = ramp(100'003);
     p.values = (p.values.array() / 20'000).sin().cube();
     Panel reversed = p;

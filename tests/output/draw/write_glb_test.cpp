@@ -23,7 +23,7 @@ using testing_tools::undefined;
 
 namespace {
 
-/// What a reader of the format sees.
+/// A GLB file as a reader of the format sees it.
 struct Glb {
     nlohmann::json json;
     std::string binary;
@@ -102,7 +102,7 @@ TEST(WriteGlb, PositionsComeBackWithinHalfAStepOfTheGrid) {
     }
 }
 
-TEST(WriteGlb, BoundsAreThoseOfWhatIsStored) {
+TEST(WriteGlb, BoundsAreThoseOfTheStoredPositions) {
     for (const TriangleMesh& mesh : meshes()) {
         const Glb glb(glb_of(mesh, mesh.X.col(2)));
         const Eigen::MatrixXd stored = glb.rows<std::uint16_t>("POSITION");
@@ -121,7 +121,7 @@ TEST(WriteGlb, TrianglesKeepTheirOrderAndWinding) {
     for (int i = 0; i < mesh.F.size(); ++i) EXPECT_EQ(indices(i, 0), mesh.F(i / 3, i % 3));
 }
 
-TEST(WriteGlb, NormalsAreUnitAndThoseOfTheMesh) {
+TEST(WriteGlb, NormalsAreTheUnitNormalsOfTheMesh) {
     for (const TriangleMesh& mesh : meshes()) {
         const Eigen::MatrixXd normals = Glb(glb_of(mesh, mesh.X.col(2))).rows<std::int8_t>("NORMAL") / 127;
         EXPECT_LT((normals.rowwise().norm().array() - 1).abs().maxCoeff(), 0.00674) << "what the official validator allows";
@@ -129,7 +129,7 @@ TEST(WriteGlb, NormalsAreUnitAndThoseOfTheMesh) {
     }
 }
 
-TEST(WriteGlb, ValuesAreTheVertexsOwnAndUndefinedOnesAreMasked) {
+TEST(WriteGlb, ValuesAreExactAndUndefinedValuesAreMasked) {
     const TriangleMesh mesh = icosphere(2);
     Vector values = mesh.X.col(0) * 3 - mesh.X.col(1);
     EXPECT_FALSE(Glb(glb_of(mesh, values)).has("_DEFINED")) << "where nothing is undefined";
@@ -178,7 +178,7 @@ TEST(WriteGlb, ExtrasHoldQuantityUnitRangeAndFrame) {
     EXPECT_NEAR(glb.extras()["frame"]["radius"].get<double>(), 1, 0.1);
 }
 
-TEST(WriteGlb, WithoutValuesThereAreNone) {
+TEST(WriteGlb, WithoutARangeThereAreNoValues) {
     const Glb glb(write_glb(cube_mesh(2), {}, {}, {}));
     EXPECT_FALSE(glb.has("COLOR_0") || glb.has("_VALUE") || glb.has("_DEFINED"));
     EXPECT_FALSE(glb.extras().contains("value"));
@@ -204,7 +204,7 @@ TEST(WriteGlb, LargeMeshesHaveLongIndices) {
     EXPECT_EQ(glb.rows<std::uint32_t>("indices").maxCoeff(), large.vertex_count() - 1);
 }
 
-TEST(WriteGlb, RefusesWhatCannotBeShown) {
+TEST(WriteGlb, RefusesMeshesThatCannotBeModels) {
     TriangleMesh blown_up = icosphere(1);
     blown_up.X(3, 1) = std::numeric_limits<double>::infinity();
     TriangleMesh point = icosphere(1);
