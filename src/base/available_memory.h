@@ -1,5 +1,3 @@
-/// @file
-/// The memory that this process may still take.
 #pragma once
 
 #include <filesystem>

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "base/large_pages.h"
+#include "base/linux_only.h"
 #include "base/nearest_word.h"
 
 namespace meshfolio {

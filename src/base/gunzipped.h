@@ -1,5 +1,3 @@
-/// @file
-/// Unpacking of gzip data.
 #pragma once
 
 #include <string>

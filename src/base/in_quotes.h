@@ -1,5 +1,3 @@
-/// @file
-/// Quotations of an input in messages.
 #pragma once
 
 #include <string>

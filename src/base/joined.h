@@ -1,5 +1,3 @@
-/// @file
-/// Lists of words as text.
 #pragma once
 
 #include <string>

@@ -1,5 +1,3 @@
-/// @file
-/// Corrections of misspelt words.
 #pragma once
 
 #include <string>
@@ -11,8 +9,8 @@ namespace meshfolio {
 /// if none is known.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
-/// Returns "did you mean 'render' or 'rename'? " with up to three known words, nearest first, of which two thirds of the letters are right;
-/// "" if there is none. A space follows.
+/// Returns "did you mean 'render' or 'rename'? ", with a final space, for up to three known words at an edit distance of at most a third of
+/// their letters, nearest first; "" if there is none.
 std::string suggestion(const std::string& word, const std::vector<std::string>& known);
 
 }   // namespace meshfolio

@@ -30,9 +30,9 @@ std::string plain_text(double x, int digits = 6);
 
 /// Returns the number of `digits` significant digits nearest to x.
 double rounded(double x, int digits);
-/// Returns a number of `digits` significant digits not above x (rounded_up: not below x), so that a printed bound claims no more than
-/// holds.
+/// Returns the largest number of `digits` significant digits not above x, for printing a lower bound.
 double rounded_down(double x, int digits);
+/// Returns the smallest number of `digits` significant digits not below x, for printing an upper bound.
 double rounded_up(double x, int digits);
 
 /// Returns `fraction` in percent with `digits` significant digits: "12.3 %" for 0.1234; "–" unless it is finite.

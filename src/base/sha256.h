@@ -1,5 +1,5 @@
 /// @file
-/// SHA-256 digests (FIPS 180-4), by nettle.
+/// SHA-256 digests (FIPS 180-4).
 #pragma once
 
 #include <filesystem>

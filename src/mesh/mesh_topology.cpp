@@ -7,7 +7,7 @@
 
 #include "base/at.h"
 #include "base/errors.h"
-#include "base/large_pages.h"
+#include "base/linux_only.h"
 #include "base/parallel.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/prefetch.h"

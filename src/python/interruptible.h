@@ -14,7 +14,7 @@
 #include <thread>
 #include <utility>
 
-#include "base/stop.h"
+#include "base/parallel_tasks.h"
 
 namespace meshfolio::python {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <new>
 
-#include "base/large_pages.h"
+#include "base/linux_only.h"
 #include "geometry/linear/sparse_types.h"
 
 namespace meshfolio {

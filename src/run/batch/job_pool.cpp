@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-#include "base/first_failure.h"
+#include "base/parallel_tasks.h"
 
 namespace meshfolio::run {
 

@@ -13,8 +13,8 @@
 
 #include "base/available_memory.h"
 #include "base/errors.h"
-#include "base/first_failure.h"
 #include "base/number_text.h"
+#include "base/parallel_tasks.h"
 #include "geometry/linear/special_values.h"
 #include "geometry/spectrum/engine/spectrum_modes.h"
 
