@@ -1,13 +1,12 @@
-// How a picture is made:
-//   scene          vertices are centred, scaled and rounded to the sample grid, once for all views;
-//   projection     opposite views see the same picture plane, mirrored, one from above and one from below: they share all up to
-//                  the triangle that each sample sees;
-//   tile_lists     triangles are sorted into tiles of 64 × 64 pixels, for all projections in one pass;
-//   rasterizer     in each tile the highest and the lowest triangle of every sample are found;
-//   fragments      for every pixel each triangle that it sees, once;
-//   shading        gives fragments their colour;
+// The steps to a picture:
+//   scene          centres, scales and rounds the vertices to the sample grid, once for all views;
+//   projection     lets opposite views, which see mirrored pictures, share all work up to the triangle that each sample sees;
+//   tile_lists     sorts the triangles into tiles of 64 × 64 pixels, for all projections in one pass;
+//   rasterizer     finds the highest and the lowest triangle at every sample of a tile;
+//   fragments      lists each triangle that a pixel sees once;
+//   shading        colours the fragments;
 //   view_picture   averages them over pixels in linear light and, with occlusion, darkens the hollows.
-// Tiles are independent and triangles keep their order, so any number of threads gives the same bytes.
+// Tiles are independent and triangles keep their order, so that any number of threads gives the same bytes.
 #include "draw_mesh.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -24,6 +23,7 @@
 
 #include "raster/rasterizer.h"
 #include "raster/tile_lists.h"
+#include "rounding.h"
 #include "scene/camera.h"
 #include "scene/outline.h"
 #include "scene/scene.h"
@@ -35,7 +35,8 @@ namespace render {
 
 namespace {
 
-void check(const Surface& surface, const DrawOptions& options) {
+/// Checks the options and completes those that depend on others.
+DrawOptions completed(const Surface& surface, DrawOptions options) {
     if (options.width < 1 || options.height < 1 || options.width > 16384 || options.height > 16384)
         throw std::invalid_argument("draw_views: a picture has 1 to 16384 pixels on a side, not " + std::to_string(options.width) + "x" +
                                     std::to_string(options.height));
@@ -45,25 +46,13 @@ void check(const Surface& surface, const DrawOptions& options) {
     if (!surface.values.empty() && surface.values.size() != surface.positions.size())
         throw std::invalid_argument("draw_views: " + std::to_string(surface.values.size()) + " values for " +
                                     std::to_string(surface.positions.size()) + " vertices");
-}
-
-DrawOptions completed(const DrawOptions& wanted) {
-    DrawOptions options = wanted;
     if (options.range.colormap == nullptr) options.range.colormap = &colormap_named("viridis");
     if (options.face_colors_from_id) options.samples = 1, options.shading = false;   // numbers cannot be averaged
     options.occlusion = options.occlusion && options.shading;
     return options;
 }
 
-DrawOptions sampled(DrawOptions options, int by_itself) {
-    if (options.samples == 0) options.samples = by_itself;
-    return options;
-}
-
-/// Wide enough to stay visible when the picture is shrunk into a sheet.
-double ribbon_width(const DrawOptions& options) { return std::max(1.5, std::min(options.width, options.height) / 320.0); }
-
-/// What a thread needs to draw a tile.
+/// The buffers in which a thread draws tiles.
 struct Workplace {
     Workplace(const SamplePattern& pattern, WideBudget& budget) : tile(pattern, &budget) {}
 
@@ -77,7 +66,9 @@ class ProjectionPainter {
 public:
     ProjectionPainter(const ProjectedScene& scene, std::span<const BoundaryEdge> boundary, const DrawOptions& options,
                       const Palette& palette, std::span<const std::unique_ptr<ViewPicture>> pictures)
-        : scene_(scene), ribbons_(edge_on_ribbons(scene, boundary, ribbon_width(options))), pictures_(pictures) {
+        : scene_(scene), pictures_(pictures) {
+        const double width = std::max(1.5, std::min(options.width, options.height) / 320.0);   // visible even if the picture is shrunk
+        ribbons_ = edge_on_ribbons(scene, boundary, width);
         for (const auto& picture : pictures) styles_.emplace_back(scene.scene, options, palette, picture->placement());
     }
 
@@ -113,107 +104,73 @@ private:
     std::span<const std::unique_ptr<ViewPicture>> pictures_;
 };
 
-std::vector<ProjectedScene> projected(const Scene& scene, std::span<const Projection> projections) {
-    std::vector<ProjectedScene> result;
-    for (const Projection& p : projections) result.emplace_back(scene, p.axes);
-    return result;
+/// Returns empty pictures for the views of a projection. Their buffers, if they need any, are those of the projection before.
+std::vector<std::unique_ptr<ViewPicture>> empty_pictures(const Projection& projection, const DrawOptions& options, bool has_values,
+                                                         std::vector<std::unique_ptr<ViewBuffers>>& buffers) {
+    const bool with_buffers = options.occlusion || !options.marked_vertices.empty();
+    std::vector<std::unique_ptr<ViewPicture>> pictures(projection.placements.size());
+    buffers.resize(std::max(buffers.size(), pictures.size()));
+    for (auto& some : buffers)   // by this thread, which can reuse the memory that it frees
+        if (with_buffers && !some) some = std::make_unique<ViewBuffers>(options);
+    tbb::parallel_for(std::size_t{0}, pictures.size(), [&](std::size_t i) {
+        pictures[i] = std::make_unique<ViewPicture>(options, projection.placements[i], has_values, buffers[i].get());
+    });
+    return pictures;
 }
 
-/// Pictures for the views of one projection after another, which share their buffers.
-class PictureMaker {
-public:
-    PictureMaker(const DrawOptions& options, bool has_values)
-        : options_(options),
-          has_values_(has_values),
-          room_{HeightField(width(), height()), ByteField(width(), height()), ByteField(width(), height())} {}
-
-    FinishingRoom& room() { return room_; }
-
-    std::vector<std::unique_ptr<ViewPicture>> empty_pictures(const Projection& projection) {
-        const bool with_buffers = options_.occlusion || !options_.marked_vertices.empty();
-        std::vector<std::unique_ptr<ViewPicture>> pictures(projection.placements.size());
-        buffers_.resize(std::max(buffers_.size(), pictures.size()));
-        for (auto& buffers : buffers_)   // by this thread: what it frees it can use again
-            if (with_buffers && !buffers) buffers = std::make_unique<ViewBuffers>(options_);
-        tbb::parallel_for(std::size_t{0}, pictures.size(), [&](std::size_t i) {
-            pictures[i] = std::make_unique<ViewPicture>(options_, projection.placements[i], has_values_, buffers_[i].get());
-        });
-        return pictures;
-    }
-
-private:
-    int width() const { return options_.occlusion ? options_.width : 0; }
-    int height() const { return options_.occlusion ? options_.height : 0; }
-
-    const DrawOptions& options_;
-    bool has_values_;
-    std::vector<std::unique_ptr<ViewBuffers>> buffers_;
-    FinishingRoom room_;
-};
-
-constexpr Rgba mark_color{0, 0, 0, 255}, mark_rim{255, 255, 255, 255};   // black: no colour map has it
-
-/// Where the vertex lies in the picture, in pixels, and its height towards the viewer.
-struct Place {
-    glm::dvec2 at;
-    double height;
-};
-
-Place place_of(const ScreenPoint& corner, const ViewPicture& picture, const Image& image) {
-    const Placement& placement = picture.placement();
-    const double x = static_cast<double>(corner.x) / subpixels, y = static_cast<double>(corner.y) / subpixels;
-    return {{placement.mirrored_x ? image.width - x : x, placement.mirrored_y ? image.height - y : y},
-            (placement.from_below ? -corner.depth : corner.depth) / subpixels};
-}
-
-/// Nothing stands over the vertex: it is no lower, up to a pixel, than the lowest surface seen round it.
-bool is_seen(const Place& place, const HeightField& heights) {
-    const int x = static_cast<int>(std::floor(place.at.x)), y = static_cast<int>(std::floor(place.at.y));
-    if (!(place.at.x >= 0 && place.at.y >= 0) || x >= heights.width() || y >= heights.height()) return false;
-    float lowest = std::numeric_limits<float>::infinity();
-    for (int v = y - 1; v <= y + 1; ++v)
-        for (int u = x - 1; u <= x + 1; ++u)
-            if (const float height = heights.at(u, v); height > HeightField::nothing) lowest = std::min(lowest, height);
-    return place.height >= double(lowest) - 1;
-}
-
-/// Rings those of the vertices that the view sees; numbers out of range are passed over. `picture` must have heights if there are any.
+/// Draws a ring around each of the vertices that the view sees; ignores numbers out of range. `picture` must have heights if there are any.
 void draw_marks(const ProjectedScene& projected, std::span<const int> vertices, ViewPicture& picture) {
+    constexpr Rgba black{0, 0, 0, 255}, white{255, 255, 255, 255};   // no colour map has black
     Image& image = picture.image();
+    const Placement& placement = picture.placement();
     const double radius = std::max(5.0, std::min(image.width, image.height) / 36.0), width = std::max(1.5, radius / 3);
     for (const int v : vertices) {
-        if (v < 0 || static_cast<std::size_t>(v) >= projected.scene.vertices.size()) continue;
-        if (projected.scene.vertices[static_cast<std::size_t>(v)].at[0] <= GridVertex::far_off) continue;
-        const Place place = place_of(projected.exact_corner(v), picture, image);
-        if (!is_seen(place, picture.heights())) continue;
-        draw_ring(image, place.at, radius, 2.2 * width, mark_rim);
-        draw_ring(image, place.at, radius, width, mark_color);
+        if (v < 0 || index(v) >= projected.scene.vertices.size() || projected.scene.vertices[index(v)].at[0] <= GridVertex::far_off)
+            continue;
+        const ScreenPoint corner = projected.exact_corner(v);
+        glm::dvec2 at(static_cast<double>(corner.x) / subpixels, static_cast<double>(corner.y) / subpixels);   // pixels
+        if (placement.mirrored_x) at.x = image.width - at.x;
+        if (placement.mirrored_y) at.y = image.height - at.y;
+        const int column = static_cast<int>(std::floor(at.x)), row = static_cast<int>(std::floor(at.y));
+        if (!(at.x >= 0 && at.y >= 0) || column >= image.width || row >= image.height) continue;
+        float lowest = std::numeric_limits<float>::infinity();   // of the surfaces seen around the vertex
+        for (int y = row - 1; y <= row + 1; ++y)
+            for (int x = column - 1; x <= column + 1; ++x)
+                if (const float height = picture.heights().at(x, y); height > HeightField::nothing) lowest = std::min(lowest, height);
+        const bool is_hidden = !((placement.from_below ? -corner.depth : corner.depth) / subpixels >= double(lowest) - 1);
+        if (is_hidden) continue;
+        draw_ring(image, at, radius, 2.2 * width, white);
+        draw_ring(image, at, radius, width, black);
     }
 }
 
-/// All views on one frame.
-std::vector<Image> draw_framed(const Surface& surface, std::span<const View> views, const Frame& frame, const DrawOptions& options) {
-    if (views.empty()) return {};
+/// Draws all views on one frame. @param default_samples  per pixel, unless the options say how many
+std::vector<Image> draw_framed(const Surface& surface, std::span<const View> views, const Frame& frame, DrawOptions options,
+                               int default_samples) {
+    if (options.samples == 0) options.samples = default_samples;
     if (surface.positions.empty() || surface.triangles.empty())
         return std::vector<Image>(views.size(), Image(options.width, options.height, options.background));
     const Scene scene(surface, frame, options);
     const std::vector<BoundaryEdge> boundary = options.shading ? boundary_edges(surface) : std::vector<BoundaryEdge>{};
     const Palette palette(options);
     const std::vector<Projection> projections = projections_of(views);
-    const std::vector<ProjectedScene> scenes = projected(scene, projections);
+    std::vector<ProjectedScene> scenes;
+    for (const Projection& projection : projections) scenes.emplace_back(scene, projection.axes);
     const SamplePattern& pattern = pattern_of(options.samples);
     WideBudget budget(std::int64_t{options.width} * options.height / (std::int64_t{pattern.block_side} * pattern.block_side));
     const TileLists lists(scenes, pattern, budget);
 
     tbb::enumerable_thread_specific<Workplace> places([&] { return Workplace(pattern, budget); });
-    PictureMaker maker(options, !surface.values.empty());
+    const int room_width = options.occlusion ? options.width : 0, room_height = options.occlusion ? options.height : 0;
+    FinishingRoom room{HeightField(room_width, room_height), ByteField(room_width, room_height), ByteField(room_width, room_height)};
+    std::vector<std::unique_ptr<ViewBuffers>> buffers;
     std::vector<Image> images(views.size());
-    for (std::size_t p = 0; p < projections.size(); ++p) {   // one after the other: views with heights need much memory
-        const auto pictures = maker.empty_pictures(projections[p]);
+    for (std::size_t p = 0; p < projections.size(); ++p) {   // in succession, because views with heights need much memory
+        const auto pictures = empty_pictures(projections[p], options, !surface.values.empty(), buffers);
         const ProjectionPainter painter(scenes[p], boundary, options, palette, pictures);
         tbb::parallel_for(0, lists.columns() * lists.rows(), [&](int tile) { painter.paint(lists, p, tile, places.local()); });
         for (const auto& picture : pictures) {
-            picture->finish(maker.room());
+            picture->finish(room);
             draw_marks(scenes[p], options.marked_vertices, *picture);
             images[picture->placement().view] = std::move(picture->image());
         }
@@ -229,8 +186,7 @@ double ValueRange::position(double value) const {
 }
 
 std::vector<Image> draw_views(const Surface& surface, std::span<const View> views, const DrawOptions& wanted) {
-    check(surface, wanted);
-    const DrawOptions options = completed(wanted);
+    const DrawOptions options = completed(surface, wanted);
     std::vector<View> along_axes;
     for (const View& view : views)
         if (view.is_along_axis()) along_axes.push_back(view);
@@ -239,15 +195,14 @@ std::vector<Image> draw_views(const Surface& surface, std::span<const View> view
         const Frame shared = options.frame
                                  ? *options.frame
                                  : frame_of(bounds_of(surface.positions, surface.triangles), options.width, options.height, options.fill);
-        images = draw_framed(surface, along_axes, shared, sampled(options, 4));
+        images = draw_framed(surface, along_axes, shared, options, 4);
     }
     for (std::size_t i = 0; i < views.size(); ++i) {
         if (views[i].is_along_axis()) continue;
         const Frame own = options.frame
                               ? *options.frame
                               : frame_of(surface.positions, surface.triangles, views[i], options.width, options.height, options.fill);
-        images.insert(images.begin() + static_cast<std::ptrdiff_t>(i),
-                      draw_framed(surface, views.subspan(i, 1), own, sampled(options, 16)).front());
+        images.insert(images.begin() + static_cast<std::ptrdiff_t>(i), draw_framed(surface, views.subspan(i, 1), own, options, 16).front());
     }
     return images;
 }

@@ -1,5 +1,5 @@
 /// @file
-/// Integers from other numbers, in one word.
+/// Conversions to integers.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,9 @@
 
 namespace render {
 
+/// Converts an index, which must not be negative.
 constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
+/// Returns the nearest integer, away from 0 on a tie.
 inline int rounded(double x) { return static_cast<int>(std::lround(x)); }
 
 }   // namespace render

@@ -12,20 +12,17 @@ namespace render {
 
 namespace {
 
-/// A map is given by a few colours, equally spaced; between them runs a Catmull–Rom spline in CIELAB.
+/// A map given by a few equally spaced colours, with a Catmull–Rom spline in CIELAB between them.
 struct Definition {
     std::string_view name, kind, description;
-    std::vector<std::uint32_t> colors;   // 0xRRGGBB; those of a cyclic map do not repeat the first
-
-    bool is_cyclic() const { return kind == "cyclic"; }
+    std::vector<std::uint32_t> colors;   // 0xRRGGBB; a cyclic map does not repeat the first colour
 };
 
-/// viridis and magma: ten colours of the maps of van der Walt and Smith (2015, CC0); cividis: of Nuñez, Anderton and Renslow
-/// (2018). parula-like and grey: drawn up here in CIELAB, with equal steps of lightness. pale and diverging: likewise, then their colours
-/// moved along the curve to equal steps of CAM02-UCS (tests/render/color/equal_steps.py), so that a colour can be read as a number;
-/// report's map_scale.cpp has them, too. cyclic: a closed curve in CIELAB (three harmonics) found by climbing towards equal steps of
-/// CIEDE2000, equal lightness of t and 1 − t, and the largest distance between any two places in normal and each kind of colour-blind
-/// sight.
+/// viridis and magma: ten colours of the maps of van der Walt and Smith (2015, CC0); cividis: of Nuñez, Anderton and Renslow (2018).
+/// parula-like and grey: own, with equal steps of lightness in CIELAB. pale and diverging: likewise, then moved along their curves to equal
+/// steps of CAM02-UCS (tests/render/color/equal_steps.py), so that colours can be read as numbers; report's map_scale.cpp repeats them.
+/// cyclic: a closed curve in CIELAB (three harmonics), optimised for equal steps of CIEDE2000, equal lightness of t and 1 − t, and the
+/// largest distance between any two places in normal and in each kind of colour-blind sight.
 const std::vector<Definition>& definitions() {
     static const std::vector<Definition> table{
         {"viridis",
@@ -67,55 +64,43 @@ Rgba unpacked(std::uint32_t color) {
     return {static_cast<std::uint8_t>(color >> 16), static_cast<std::uint8_t>(color >> 8), static_cast<std::uint8_t>(color), 255};
 }
 
-/// Catmull–Rom between p1 and p2; p0 and p3 are their neighbours.
+/// Returns the point at u in [0, 1] of the Catmull–Rom spline from p1 to p2 with the neighbours p0 and p3.
 glm::dvec3 spline(const glm::dvec3& p0, const glm::dvec3& p1, const glm::dvec3& p2, const glm::dvec3& p3, double u) {
     return p1 + 0.5 * u * (p2 - p0 + u * (2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3 + u * (3.0 * (p1 - p2) + p3 - p0)));
 }
 
-/// The given colours in CIELAB with one more at either end: the neighbours round the circle, or straight on.
-std::vector<glm::dvec3> control_points(const Definition& d) {
-    std::vector<glm::dvec3> lab;
-    lab.reserve(d.colors.size() + 3);
-    for (const std::uint32_t c : d.colors) lab.push_back(lab_of(unpacked(c)));
-    if (d.is_cyclic()) {
-        const glm::dvec3 first = lab[0], second = lab[1], last = lab.back();
-        lab.insert(lab.begin(), last);
-        lab.insert(lab.end(), {first, second});
-    } else {
-        lab.insert(lab.begin(), 2.0 * lab[0] - lab[1]);
-        lab.push_back(2.0 * lab.back() - lab[lab.size() - 2]);
-    }
-    return lab;
-}
-
 std::vector<Rgba> stops_of(const Definition& d) {
-    constexpr int steps = 16;   // between two given colours: below what can be told apart
-    const std::vector<glm::dvec3> lab = control_points(d);
+    constexpr int steps = 16;   // between two given colours: finer than the eye
+    const bool is_cyclic = d.kind == "cyclic";
+    std::vector<glm::dvec3> lab(1);
+    for (const std::uint32_t c : d.colors) lab.push_back(lab_of(unpacked(c)));
+    // One more point at either end: the neighbours round the circle, or straight on.
+    if (is_cyclic) lab.push_back(lab[1]);
+    lab[0] = is_cyclic ? lab[d.colors.size()] : 2.0 * lab[1] - lab[2];
+    lab.push_back(is_cyclic ? lab[2] : 2.0 * lab.back() - lab[lab.size() - 2]);
     std::vector<Rgba> stops;
     for (std::size_t i = 1; i + 2 < lab.size(); ++i)
         for (int s = 0; s < steps; ++s) stops.push_back(rgba_of_lab(spline(lab[i - 1], lab[i], lab[i + 1], lab[i + 2], double(s) / steps)));
-    stops.push_back(unpacked(d.is_cyclic() ? d.colors.front() : d.colors.back()));
+    stops.push_back(unpacked(is_cyclic ? d.colors.front() : d.colors.back()));
     return stops;
 }
-
-struct Maps {
-    std::vector<std::vector<Rgba>> stops;
-    std::vector<Colormap> list;
-
-    Maps() {
-        for (const Definition& d : definitions()) stops.push_back(stops_of(d));
-        for (std::size_t i = 0; i < stops.size(); ++i)
-            list.push_back({definitions()[i].name, definitions()[i].kind, definitions()[i].description, stops[i]});
-    }
-};
 
 std::uint8_t mixed(std::uint8_t a, std::uint8_t b, double u) { return static_cast<std::uint8_t>(std::lrint(a + u * (b - a))); }
 
 }   // namespace
 
 std::span<const Colormap> colormap_list() {
-    static const Maps maps;
-    return maps.list;
+    static const std::vector<std::vector<Rgba>> stops = [] {
+        std::vector<std::vector<Rgba>> all;
+        for (const Definition& d : definitions()) all.push_back(stops_of(d));
+        return all;
+    }();
+    static const std::vector<Colormap> list = [] {
+        std::vector<Colormap> maps;
+        for (const Definition& d : definitions()) maps.push_back({d.name, d.kind, d.description, stops[maps.size()]});
+        return maps;
+    }();
+    return list;
 }
 
 const Colormap& colormap_named(const std::string& name) {

@@ -1,5 +1,3 @@
-/// @file
-/// Colour maps. A new one is one entry of the table in colormap.cpp.
 #pragma once
 
 #include <span>
@@ -10,18 +8,20 @@
 
 namespace render {
 
+/// A colour map; all are in the table in colormap.cpp.
 struct Colormap {
     std::string_view name;
-    std::string_view kind;   // "sequential", "diverging", "cyclic" (its ends are one colour)
+    std::string_view kind;   // "sequential", "diverging" or "cyclic" (both ends have one colour)
     std::string_view description;
-    std::span<const Rgba> stops;   // equally spaced in [0, 1], interpolated linearly
+    std::span<const Rgba> stops;   // equally spaced in [0, 1], with linear interpolation between
 };
 
+/// Returns all colour maps.
 std::span<const Colormap> colormap_list();
-/// @throws std::invalid_argument listing the known names
+/// Returns the map "viridis", for example. @throws std::invalid_argument with the known names
 const Colormap& colormap_named(const std::string& name);
 
-/// Colour at t, clamped to [0, 1].
+/// Returns the colour at t, clamped to [0, 1]; at 0 for NaN.
 Rgba color_at(const Colormap& map, double t);
 
 }   // namespace render

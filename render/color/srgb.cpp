@@ -11,7 +11,7 @@ double decoded(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055
 
 constexpr glm::dvec3 white{0.95047, 1, 1.08883};
 
-/// Linear sRGB to XYZ (IEC 61966-2-1), written by columns.
+/// The matrix from linear sRGB to XYZ (IEC 61966-2-1), by columns.
 const glm::dmat3 xyz_of_rgb{0.4124564, 0.2126729, 0.0193339, 0.3575761, 0.7151522, 0.1191920, 0.1804375, 0.0721750, 0.9503041};
 
 constexpr double epsilon = 216.0 / 24389, kappa = 24389.0 / 27;

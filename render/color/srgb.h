@@ -1,5 +1,5 @@
 /// @file
-/// 8-bit sRGB to linear light and back (IEC 61966-2-1), in which averages of colours are taken, and to CIELAB, in which maps are drawn up.
+/// Conversions of 8-bit sRGB to linear light (IEC 61966-2-1), for averages of colours, and to CIELAB, for colour maps; and back.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace render {
 
-/// Linear light with the colour multiplied by its alpha, so that sums and averages are right.
+/// A colour in linear light, multiplied by its alpha, so that sums and averages are right.
 struct LinearColor {
     float r = 0, g = 0, b = 0, a = 0;
 
@@ -22,28 +22,30 @@ struct LinearColor {
     friend LinearColor operator*(float s, const LinearColor& c) { return {s * c.r, s * c.g, s * c.b, s * c.a}; }
 };
 
-/// Both directions by table.
+/// Tables for both directions.
 struct SrgbTables {
-    static constexpr int steps = 16384;   // fine enough that neighbouring dark channels stay apart
+    static constexpr int steps = 16384;   // fine enough to tell neighbouring dark channels apart
     std::array<float, 256> linear;
-    std::array<std::uint8_t, steps + 1 + 3> channel;   // at the middle of each step; padded, to be read in words
+    std::array<std::uint8_t, steps + 1 + 3> channel;   // at the middle of each step; padded for reading in words
 
     SrgbTables();
 };
 
+/// Returns the tables, which the first call makes.
 inline const SrgbTables& srgb_tables() {
     static const SrgbTables tables;
     return tables;
 }
 
-/// Linear light in [0, 1] of an 8-bit sRGB channel.
+/// Returns the linear light in [0, 1] of an 8-bit sRGB channel.
 inline float linear_of(std::uint8_t channel) { return srgb_tables().linear[channel]; }
 
-/// The nearest 8-bit sRGB channel, clamped; srgb_of(linear_of(c)) == c.
+/// Returns the nearest 8-bit sRGB channel of linear light, clamped to [0, 1]; srgb_of(linear_of(c)) == c.
 inline std::uint8_t srgb_of(float linear) {
     return srgb_tables().channel[static_cast<std::size_t>(std::clamp(linear, 0.0F, 1.0F) * SrgbTables::steps)];
 }
 
+/// Returns a colour in linear light, multiplied by its alpha.
 inline LinearColor linear_of(Rgba color) {
     const std::array<float, 256>& linear = srgb_tables().linear;
     if (color.a == 255) return {linear[color.r], linear[color.g], linear[color.b], 1};
@@ -51,12 +53,14 @@ inline LinearColor linear_of(Rgba color) {
     return {a * linear[color.r], a * linear[color.g], a * linear[color.b], a};
 }
 
+/// Returns the nearest 8-bit colour, with straight alpha.
 Rgba srgb_of(const LinearColor& color);
 
-/// In CIELAB (CIE 1976, white D65), where equal steps look nearly equal: (L*, a*, b*), lightness 0 to 100, green to red, blue to yellow.
+/// Returns (L*, a*, b*) of CIELAB (CIE 1976, white D65), where equal steps look nearly equal: lightness 0 to 100, green to red, blue to
+/// yellow.
 glm::dvec3 lab_of(Rgba color);
 
-/// The nearest colour of the sRGB cube, channel by channel.
+/// Returns the colour of (L*, a*, b*), each channel clamped to sRGB; opaque.
 Rgba rgba_of_lab(const glm::dvec3& lab);
 
 }   // namespace render

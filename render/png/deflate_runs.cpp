@@ -19,23 +19,23 @@ using std::uint8_t;
 static_assert(std::endian::native == std::endian::little, "bits are written and bytes compared eight bytes at a time");
 
 constexpr uint32_t symbols = 286, end_of_block = 256;
-constexpr uint32_t longest_word = 14;   // four literals and what is pending fit into 64 bits
+constexpr uint32_t longest_word = 14;   // four literals and the pending bits fit into 64 bits
 constexpr uint32_t longest_run = 258;
 constexpr size_t largest_stored = 65535;
 
-/// `length` bits, the first to be written lowest.
+/// `length` bits, the first one lowest.
 struct Word {
     uint32_t bits = 0, length = 0;
 };
 using Counts = std::array<uint32_t, symbols>;
 using Code = std::array<Word, symbols>;
 
-/// The symbol of a run's length, and the bits that choose among the lengths that share it (RFC 1951, 3.2.5).
 struct RunLength {
     size_t symbol;
     Word extra;
 };
 
+/// Returns the symbol of a run's length and the bits that tell apart the lengths of that symbol (RFC 1951, 3.2.5).
 RunLength run_length(uint32_t length) {
     if (length == longest_run) return {285, {}};
     const uint32_t n = length - 3, bits = n < 8 ? 0 : static_cast<uint32_t>(std::bit_width(n)) - 3;
@@ -53,21 +53,15 @@ struct Leaf {
     size_t symbol = 0;
 };
 
-/// The symbols that occur, the rare ones first. There are two at least: a block's first byte and its end.
-std::vector<Leaf> leaves_of(const Counts& counts) {
-    std::vector<Leaf> leaves;
-    for (size_t s = 0; s < symbols; ++s)
-        if (counts[s] > 0) leaves.push_back({counts[s], s});
-    std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) { return a.weight < b.weight; });
-    return leaves;
-}
-
-/// Word lengths of the best prefix code of at most 14 bits: package-merge (Larmore and Hirschberg 1990). Level by level the leaves are
-/// merged with the pairs of the level below; the 2n − 2 lightest items of the top level stand for the code, and a word is as long as
-/// the number of levels in which they contain its leaf.
+/// Sets the word lengths of the best prefix code of at most 14 bits: package-merge (Larmore and Hirschberg 1990). Level by level, the
+/// leaves (symbols that occur) are merged with the pairs of the level below. The 2n − 2 lightest items of the top level stand for the code:
+/// the length of a word is the number of levels in which they contain its leaf.
 void choose_lengths(const Counts& counts, Code& code) {
     constexpr uint64_t infinite = uint64_t{1} << 48;
-    std::vector<Leaf> leaves = leaves_of(counts);
+    std::vector<Leaf> leaves;   // at least two: the first byte of a block and its end
+    for (size_t s = 0; s < symbols; ++s)
+        if (counts[s] > 0) leaves.push_back({counts[s], s});
+    std::ranges::stable_sort(leaves, {}, &Leaf::weight);
     const size_t n = leaves.size(), wanted = 2 * n - 2;
     leaves.push_back({infinite, 0});
     std::vector<uint64_t> below(wanted + 2, infinite), level(wanted + 2, infinite);
@@ -93,7 +87,8 @@ void choose_lengths(const Counts& counts, Code& code) {
     }
 }
 
-/// Words of one length are consecutive numbers in the order of their symbols, first bit highest (RFC 1951, 3.2.2).
+/// Sets the bits of the words: those of one length are consecutive numbers in the order of their symbols, first bit highest (RFC
+/// 1951, 3.2.2).
 void number_words(std::span<Word> code) {
     uint32_t next = 0;
     for (uint32_t length = 1; length <= longest_word; ++length, next <<= 1)
@@ -104,8 +99,8 @@ void number_words(std::span<Word> code) {
         }
 }
 
-/// The code's word lengths (RFC 1951, 3.2.7), themselves written in a fixed code: 0 to 3 have five bits, 4 to 14 and the three kinds of
-/// repetition (16, 17, 18) four. Two distances are known, 3 and 4, one bit each.
+/// Returns the header of a block with the word lengths of its code (RFC 1951, 3.2.7), themselves in a fixed code: five bits for 0 to 3,
+/// four for 4 to 14 and for the three kinds of repetition (16, 17, 18). The two distances 3 and 4 take one bit each.
 std::vector<Word> header_of(const Code& code, bool last) {
     std::vector<Word> header{{(last ? 1U : 0U) | 2U << 1 | (symbols - 257) << 3 | (4U - 1) << 8 | (19U - 4) << 13, 17}};
     std::array<Word, 19> lengths_code;
@@ -133,7 +128,7 @@ std::vector<Word> header_of(const Code& code, bool last) {
     return header;
 }
 
-/// At most so many bits, whatever the runs.
+/// Returns an upper bound on the bits of a block.
 size_t bits_of(const std::vector<Word>& header, const Counts& counts, const Code& code, size_t runs) {
     size_t bits = 6 * runs;   // up to five bits more of their length, one of their distance
     for (const Word& word : header) bits += word.length;
@@ -141,12 +136,12 @@ size_t bits_of(const std::vector<Word>& header, const Counts& counts, const Code
     return bits;
 }
 
-/// Literal bytes, then a run that repeats the pixel before it; the last piece of a block has no run.
+/// A number of literal bytes, and of bytes after them that repeat the pixel before; the last piece of a block has no run.
 struct Piece {
     uint32_t literals = 0, run = 0;
 };
 
-/// A run is begun where eight bytes repeat, looked for once a pixel.
+/// Splits bytes into pieces. Runs have at least eight bytes; their begin is searched once a pixel.
 std::vector<Piece> pieces_of(const uint8_t* bytes, size_t size, size_t period) {
     std::vector<Piece> pieces;
     const auto repeats = [&](size_t i) { return bytes[i] == bytes[i - period]; };
@@ -177,7 +172,7 @@ std::vector<Piece> pieces_of(const uint8_t* bytes, size_t size, size_t period) {
     return pieces;
 }
 
-/// How often each symbol occurs. Bytes are counted in four histograms, so that one need not wait for its equal just before it.
+/// Counts the symbols. Four histograms of bytes, lest a count wait for an equal byte just before.
 Counts counts_of(const uint8_t* bytes, const std::vector<Piece>& pieces) {
     Counts counts{};
     std::array<std::array<uint32_t, 256>, 4> parts{};
@@ -204,7 +199,7 @@ struct BitWriter {
         bits |= uint64_t{word.bits} << count;
         count += word.length;
     }
-    /// Leaves less than eight bits. Writes eight bytes whatever their number.
+    /// Writes the full bytes, which leaves less than eight bits. Stores eight bytes, whatever their number.
     void flush() {
         std::memcpy(at, &bits, 8);
         at += count / 8;
@@ -213,7 +208,7 @@ struct BitWriter {
     }
 };
 
-/// By value, so that the compiler keeps the writer in registers.
+/// Writes the pieces and the end of the block. Takes the writer by value, so that the compiler keeps it in registers.
 BitWriter written(BitWriter writer, const uint8_t* bytes, const std::vector<Piece>& pieces, const Code& code, size_t period) {
     const Word distance{period == 4 ? 1U : 0U, 1};
     for (const Piece& piece : pieces) {
@@ -269,7 +264,7 @@ void DeflateStream::add(const DeflatedBlock& block) {
     BitWriter writer{reinterpret_cast<uint8_t*>(out_.data()) + begin, pending_, pending_count_};
     const auto* const bits = reinterpret_cast<const uint8_t*>(block.bits_.data());
     size_t i = 0;
-    for (; i + 8 < block.bits_.size(); i += 8, writer.at += 8) {   // the last byte may be less than one: it is left over
+    for (; i + 8 < block.bits_.size(); i += 8, writer.at += 8) {   // not the last byte, which may be incomplete
         const uint64_t some = load8(bits + i), joined = writer.bits | some << writer.count;
         std::memcpy(writer.at, &joined, 8);
         writer.bits = writer.count > 0 ? some >> (64 - writer.count) : 0;
@@ -282,12 +277,12 @@ void DeflateStream::add(const DeflatedBlock& block) {
         if (i + count == block.bits_.size()) writer.count -= block.spare_;
         writer.flush();
     }
-    if (block.last_) writer.count += 7, writer.flush();   // the bits that are left have a byte of their own
+    if (block.last_) writer.count += 7, writer.flush();   // the remaining bits get their own byte
     pending_ = writer.bits, pending_count_ = writer.count;
     out_.resize(static_cast<size_t>(reinterpret_cast<char*>(writer.at) - out_.data()));
 }
 
-/// The bytes as they are, each part after its length and the complement of its length (RFC 1951, 3.2.4).
+/// Appends the bytes as they are, each part after its length and the complement of its length (RFC 1951, 3.2.4).
 void DeflateStream::add_stored(std::string_view bytes, bool last) {
     while (!bytes.empty()) {
         const size_t part = std::min(bytes.size(), largest_stored);

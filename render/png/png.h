@@ -1,6 +1,6 @@
 /// @file
-/// Pictures to bytes and back. PNG by a Paeth filter and a coder of our own, RGB when the picture is opaque; JPEG by
-/// stb_image_write; PNG is read by stb_image.
+/// PNG and JPEG. PNG is written by a Paeth filter and our own coder, as RGB if the picture is opaque, and read by stb_image; JPEG is
+/// written by stb_image_write.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,16 @@
 
 namespace render {
 
-/// Pixels of a PNG: their bytes, however badly they compress, fit one chunk of 2 GB.
+/// Largest number of pixels of a PNG: their bytes fit one chunk of 2 GB, however badly they compress.
 inline constexpr std::int64_t largest_png = 480'000'000;
 
-/// @throws std::invalid_argument for an empty picture or one of more than `largest_png` pixels (JPEG: 268 million)
+/// Returns the picture as PNG. @throws std::invalid_argument if it is empty or has more than `largest_png` pixels
 std::string encode_png(const Image& image);
-/// Composited on white. quality 1–100; 4:4:4 from 91 up (stb).
+/// Returns the picture, composited on white, as JPEG. @param quality  1 to 100; no chroma subsampling from 91 on (stb)
+/// @throws std::invalid_argument if the picture is empty or has more than 268 million pixels, or the quality is out of range
 std::string encode_jpeg(const Image& image, int quality);
 
-/// What encode_png() wrote, or any other PNG of 8 bits a channel; nothing when it is none, damaged or larger than `largest` pixels.
+/// Reads a PNG of 8 bits a channel. Returns nothing if it is damaged or has more than `largest` pixels.
 std::optional<Image> decode_png(std::string_view png, std::int64_t largest = largest_png);
 
 }   // namespace render

@@ -1,5 +1,5 @@
-// A block at a time, its 16 samples being the lanes of a vector (or of two, or four). Every sample looks at the other three of its
-// pixel; the first of those that see the same triangle becomes the fragment. Nothing branches on what is seen.
+// Blocks are handled one at a time, with their 16 samples in the lanes of one, two or four vectors. Every sample looks at the other three
+// of its pixel; the first of those that see the same triangle becomes the fragment. There are no branches on the triangles.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/fragments.cpp"
 #include <hwy/foreach_target.h>
@@ -12,7 +12,7 @@
 
 namespace render {
 
-/// What lane i knows of lane i XOR k, for k from 0 to 3: the others of its pixel. With one sample a pixel, k is 0 only.
+/// For each lane i, the data of lane i XOR k, for k from 0 to 3: the samples of its pixel. With one sample a pixel, only k = 0.
 struct Neighbours {
     std::array<std::array<std::int32_t, block_samples>, 4> bit;   // among the samples of the pixel
     std::array<std::array<float, block_samples>, 4> x, y;         // from the upper left corner of the block
@@ -20,10 +20,10 @@ struct Neighbours {
     int count;
 };
 
-/// Samples of a pixel this far apart, in pixels, see two surfaces.
+/// Least difference of heights between two surfaces in a pixel [pixels].
 inline constexpr float largest_step = 8;
 
-/// Row m: the numbers of the bits that are set in m, in their order, then the others.
+/// Row m holds the numbers of the bits that are set in m, in order, then the others.
 inline constexpr auto kept_first = [] {
     std::array<std::array<std::uint8_t, 8>, 256> rows{};
     for (unsigned m = 0; m < 256; ++m) {
@@ -41,7 +41,7 @@ inline constexpr auto kept_first = [] {
 HWY_BEFORE_NAMESPACE();
 namespace render::HWY_NAMESPACE {
 
-/// What is known of the samples of a pixel that see the same triangle.
+/// The samples of a pixel that see the same triangle.
 struct Group {
     IntVector bits;
     FloatVector count, x, y;   // sums
@@ -57,8 +57,8 @@ struct Group {
     }
 };
 
-/// Moves the lanes of a mask to the front. Highway's Compress does so where the processor has an instruction for it; its table for the
-/// others is copied onto the stack at every call by GCC 12, a quarter of all drawing.
+/// Moves the lanes of a mask to the front. Highway's Compress does so on processors with an instruction for it; for others, GCC 12 copies
+/// its table onto the stack at every call, which takes a quarter of all drawing.
 class Front {
 public:
 #if HWY_TARGET <= HWY_AVX3
@@ -86,7 +86,7 @@ private:
 #endif
 };
 
-/// The fragments among the samples of a block from s on.
+/// Appends the fragments of the samples of a block from s on.
 HWY_INLINE void collect(const Neighbours& n, const std::int32_t* triangles, std::size_t s, int first_pixel, float left, float top,
                         Fragments& fragments) {
     const Ints d;
@@ -187,7 +187,7 @@ Neighbours neighbours_in(const SamplePattern& pattern) {
     return n;
 }
 
-/// A pixel of 16 samples. Sums are whole numbers, so their order does not matter.
+/// Appends the fragments of a pixel with 16 samples. The sums are of integers, so that their order does not matter.
 void collect_pixel(const std::array<std::int32_t, block_samples>& seen, int pixel, float left, float top, Fragments& fragments) {
     const SamplePattern& pattern = sixteen_samples;
     for (unsigned rest = (1U << block_samples) - 1; rest != 0;) {
@@ -208,7 +208,7 @@ void collect_pixel(const std::array<std::int32_t, block_samples>& seen, int pixe
     }
 }
 
-/// The mean of the nearest samples if these are at least half of all, else of what lies behind them.
+/// Returns the mean height of the nearest surface if at least half of the samples see it, else of the surface behind it.
 float height_of_pixel(const std::array<float, block_samples>& depths, float scale) {
     constexpr float none = -std::numeric_limits<float>::infinity();
     float nearest = none, behind = none, sum = 0, sum_behind = 0;

@@ -1,10 +1,10 @@
-// Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988: a sample is inside when three edge functions agree in sign.
+// Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988: a sample is inside if three edge functions agree in sign.
 //
-// The fast path is for triangles up to 63 pixels, whose edge functions fit 32 bits. It has two steps, both wide:
-//   1. set up as many triangles at once as a vector has lanes: fetch the corners, orient them, take edge functions and depth;
+// The fast path is for triangles up to 63 pixels, with edge functions that fit 32 bits. It has two steps over vectors:
+//   1. set up as many triangles at once as a vector has lanes: fetch the corners, orient them, compute edge functions and depth;
 //   2. draw them one after the other, a block of 16 samples (or a vector of them) at a time.
-// Written with Highway: compiled once for each instruction set, the best one chosen at run time. Sums and products are kept apart
-// (no fused multiply-add) and nothing is approximated, so that all sets give the same bits.
+// Highway compiles this once for each instruction set and chooses the best one at run time. Without fused multiply-add and approximations,
+// all sets give the same bits.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/rasterizer.cpp"
 #include <hwy/foreach_target.h>
@@ -21,12 +21,12 @@ namespace render::HWY_NAMESPACE {
 /// Larger triangles take the slow path.
 constexpr int largest_small = 63 * subpixels;
 
-/// One number for each of the triangles that are set up together.
+/// A number for each of the triangles that are set up together.
 using Lanes = std::array<std::int32_t, block_samples>;
 using FloatLanes = std::array<float, block_samples>;
 
-/// Triangles ready to be drawn. E(p) = dx·y − dy·x + start, with p from the corner of the first block, not negative inside; edge k is
-/// opposite to corner k. Depth is that of corner 0 and parts of E₁ and E₂ (barycentric coordinates).
+/// Triangles ready to be drawn. The edge function E(p) = dx·y − dy·x + start, with p from the corner of the first block, is not negative
+/// inside; edge k is opposite to corner k. The depth at p is depth + depth1·E₁ + depth2·E₂ (barycentric coordinates).
 struct alignas(64) SmallTriangles {
     enum Kind : std::int32_t { unseen, small, wide };
     Lanes kind;
@@ -35,7 +35,7 @@ struct alignas(64) SmallTriangles {
     Lanes first_column, last_column, first_row, last_row;   // blocks
 };
 
-/// The corners of some triangles in grid steps from the corner of the tile, and their depths.
+/// One corner of each triangle of a vector: grid steps from the corner of the tile, and depth.
 struct TileCorner {
     IntVector x, y, depth;
 };
@@ -66,8 +66,8 @@ HWY_INLINE void select(hn::Mask<Ints> take, const TileCorner& from, TileCorner& 
     to = {hn::IfThenElse(take, from.x, to.x), hn::IfThenElse(take, from.y, to.y), hn::IfThenElse(take, from.depth, to.depth)};
 }
 
-/// Exchanges b and c where the area is negative, then turns the topmost corner (of these the leftmost) to the front, so that doubled
-/// triangles get equal depths to the last bit whatever the order of their corners. Gives twice the area.
+/// Exchanges b and c if the area is negative, then rotates the topmost corner (of these the leftmost) to the front, so that coincident
+/// triangles get equal depths to the last bit, whatever the order of their corners. Returns twice the area.
 HWY_INLINE IntVector orient(TileCorner& a, TileCorner& b, TileCorner& c, IntVector left, IntVector top) {
     const IntVector area = hn::Sub(hn::Mul(hn::Sub(b.x, a.x), hn::Sub(c.y, a.y)), hn::Mul(hn::Sub(b.y, a.y), hn::Sub(c.x, a.x)));
     const auto is_negative = hn::Lt(area, hn::Zero(Ints()));
@@ -90,7 +90,7 @@ HWY_INLINE void set_edge(const TileCorner& from, const TileCorner& to, IntVector
                          SmallTriangles& result) {
     const Ints d;
     const IntVector dx = hn::Sub(to.x, from.x), dy = hn::Sub(to.y, from.y), zero = hn::Zero(d);
-    // Top and left edges own the samples on them.
+    // Samples on top and left edges belong to the triangle.
     const auto owns_samples = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
     const IntVector start = hn::Sub(hn::Mul(dx, hn::Sub(y, from.y)), hn::Mul(dy, hn::Sub(x, from.x)));
     hn::StoreU(dx, d, result.dx[k].data() + lane);
@@ -100,7 +100,7 @@ HWY_INLINE void set_edge(const TileCorner& from, const TileCorner& to, IntVector
     hn::StoreU(hn::ShiftLeftSame(dx, shift), d, result.down[k].data() + lane);
 }
 
-/// First and last block that hold a sample line between low and high.
+/// The first and the last block with a sample line between low and high.
 struct BlockSpan {
     IntVector first, last;
 
@@ -118,7 +118,7 @@ struct BlockSpan {
     }
 };
 
-/// Sets up the triangles in as many lanes as a vector has, from `lane` on.
+/// Sets up a vector of triangles, into the lanes of `result` from `lane` on.
 HWY_INLINE void set_up(const TileCornerFetcher& fetch, const std::int32_t* ids, const SampleTile& tile, std::size_t lane,
                        SmallTriangles& result) {
     const Ints d;
@@ -149,7 +149,7 @@ HWY_INLINE void set_up(const TileCornerFetcher& fetch, const std::int32_t* ids, 
     hn::StoreU(hn::IfThenElse(hn::Or(is_far, is_large), hn::Set(d, SmallTriangles::wide), kind), d, result.kind.data() + lane);
 }
 
-/// An edge function at a vector of samples, and how it changes from block to block.
+/// An edge function at a vector of samples, with its steps from block to block.
 struct EdgeAtSamples {
     IntVector row, across, down;
 
@@ -161,7 +161,7 @@ struct EdgeAtSamples {
     }
 };
 
-/// Where `closer` holds, the sample sees this triangle at this depth.
+/// Sets depth and triangle of the samples in the mask.
 HWY_INLINE void see(hn::Mask<Ints> closer, FloatVector z, IntVector id, FloatVector old_depth, float* depth, std::int32_t* triangle) {
     const Ints d;
     const Floats f;
@@ -169,7 +169,7 @@ HWY_INLINE void see(hn::Mask<Ints> closer, FloatVector z, IntVector id, FloatVec
     hn::Store(hn::IfThenElse(closer, id, hn::Load(d, triangle)), d, triangle);
 }
 
-/// Draws triangle i of those set up. Nothing branches on what is covered or hidden: for a handful of blocks a wrong guess costs more.
+/// Draws triangle i of `t`, without branches on coverage: for a few blocks, a wrong prediction costs more.
 HWY_INLINE void draw(const SmallTriangles& t, std::size_t i, std::int32_t id, SampleTile& tile) {
     const Ints d;
     const Floats f;
@@ -198,7 +198,7 @@ HWY_INLINE void draw(const SmallTriangles& t, std::size_t i, std::int32_t id, Sa
     }
 }
 
-/// Prefetches the corners of the batch after the next, which lie anywhere in memory, and the triangles of the second one after that.
+/// Prefetches the corners of the batch after the next, and the triangles two batches later.
 HWY_INLINE void prefetch(const ProjectedScene& scene, std::span<const std::int32_t> ids, std::size_t begin) {
     const std::span<const glm::ivec3> triangles = scene.scene.surface.triangles;
     if (begin + 5 * std::size_t{block_samples} > ids.size()) return;
@@ -275,16 +275,13 @@ void SampleTile::spend_purse() {
     spent_ = 0;
 }
 
-namespace {
-
-void take(std::atomic<std::int64_t>& left, std::int64_t count) {
-    if ((left -= count) < 0) throw TooMuchOverdraw();
+void WideBudget::spend(std::int64_t steps) {
+    if ((steps_ -= steps) < 0) throw TooMuchOverdraw();
 }
 
-}   // namespace
-
-void WideBudget::spend(std::int64_t steps) { take(steps_, steps); }
-void WideBudget::list(std::int64_t entries) { take(entries_, entries); }
+void WideBudget::list(std::int64_t entries) {
+    if ((entries_ -= entries) < 0) throw TooMuchOverdraw();
+}
 
 void rasterize(const ProjectedScene& scene, std::span<const std::int32_t> triangles, SampleTile& tile) {
     if (!triangles.empty()) HWY_DYNAMIC_DISPATCH(RasterizeAll)(scene, triangles, tile);

@@ -10,13 +10,13 @@ namespace render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// For an opaque background, whole vectors of pixels. Gives how many were done.
+/// Resolves whole vectors of pixels over an opaque background. Returns the number of pixels done.
 std::size_t ResolveOpaque(std::span<const LinearColor> surfaces, const LinearColor& background, Rgba* pixels) {
     const hn::CappedTag<float, 16> f;
     const hn::RebindToSigned<decltype(f)> d;
     const SrgbTables& tables = srgb_tables();
     const auto* channels = reinterpret_cast<const std::int32_t*>(tables.channel.data());
-    // Tables of bytes are read four at a time; only the first counts.
+    // Reads four bytes of the table at a time and uses the first.
     const auto channel = [&](auto linear) HWY_ATTR {
         const auto clamped = hn::Min(hn::Max(linear, hn::Zero(f)), hn::Set(f, 1));
         const auto step = hn::ConvertTo(d, hn::Mul(clamped, hn::Set(f, SrgbTables::steps)));
@@ -37,7 +37,7 @@ std::size_t ResolveOpaque(std::span<const LinearColor> surfaces, const LinearCol
     return i;
 }
 
-/// Whole vectors of pixels, here and below.
+/// Packs whole vectors of pixels. Returns the number of pixels done.
 std::size_t Pack(std::span<const LinearColor> surfaces, Layer* layers) {
     const hn::CappedTag<float, 16> f;
     const hn::RebindToSigned<decltype(f)> d;
@@ -55,6 +55,7 @@ std::size_t Pack(std::span<const LinearColor> surfaces, Layer* layers) {
     return i;
 }
 
+/// Unpacks whole vectors of pixels. Returns the number of pixels done.
 std::size_t Unpack(std::span<const Layer> layers, const float* light, LinearColor* surfaces) {
     const hn::CappedTag<float, 16> f;
     const hn::RebindToSigned<decltype(f)> d;
@@ -78,7 +79,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include <algorithm>
-#include <array>
 #include <bit>
 
 namespace render {
@@ -87,21 +87,9 @@ HWY_EXPORT(ResolveOpaque);
 HWY_EXPORT(Pack);
 HWY_EXPORT(Unpack);
 
-namespace {
-
-constexpr std::size_t most_lanes = 16;
-
-/// The rest, less than a vector, goes through a whole one, so that every pixel takes the same steps.
-template <class T>
-std::array<T, most_lanes> padded(std::span<const T> rest) {
-    std::array<T, most_lanes> whole{};
-    std::copy(rest.begin(), rest.end(), whole.begin());
-    return whole;
-}
-
-}   // namespace
-
 static_assert(std::endian::native == std::endian::little, "pixels are put together as numbers");
+
+// The rest of a row, less than a vector, takes the same steps one pixel at a time.
 
 void resolve(std::span<const LinearColor> surfaces, Rgba background, std::span<Rgba> pixels) {
     const LinearColor ground = linear_of(background);
@@ -114,22 +102,21 @@ void resolve(std::span<const LinearColor> surfaces, Rgba background, std::span<R
 }
 
 void pack(std::span<const LinearColor> surfaces, std::span<Layer> layers) {
-    const std::size_t done = HWY_DYNAMIC_DISPATCH(Pack)(surfaces, layers.data());
-    if (done == surfaces.size()) return;
-    const auto rest = padded(surfaces.subspan(done));
-    std::array<Layer, most_lanes> packed;
-    HWY_DYNAMIC_DISPATCH(Pack)(rest, packed.data());
-    std::copy_n(packed.begin(), surfaces.size() - done, layers.begin() + static_cast<std::ptrdiff_t>(done));
+    const auto packed = [](float x) { return static_cast<std::uint16_t>(std::min(x, 1.0F) * 65535 + 0.5F); };
+    for (std::size_t i = HWY_DYNAMIC_DISPATCH(Pack)(surfaces, layers.data()); i < surfaces.size(); ++i) {
+        const LinearColor& c = surfaces[i];
+        layers[i] = {packed(c.r), packed(c.g), packed(c.b), packed(c.a)};
+    }
 }
 
 void unpack(std::span<const Layer> layers, std::span<const float> light, std::span<LinearColor> surfaces) {
-    const std::size_t done = HWY_DYNAMIC_DISPATCH(Unpack)(layers, light.data(), surfaces.data());
-    if (done == layers.size()) return;
-    const auto rest = padded(layers.subspan(done));
-    const auto rest_of_light = padded(light.subspan(done));
-    std::array<LinearColor, most_lanes> unpacked;
-    HWY_DYNAMIC_DISPATCH(Unpack)(rest, rest_of_light.data(), unpacked.data());
-    std::copy_n(unpacked.begin(), layers.size() - done, surfaces.begin() + static_cast<std::ptrdiff_t>(done));
+    constexpr float unit = 1.0F / 65535;
+    for (std::size_t i = HWY_DYNAMIC_DISPATCH(Unpack)(layers, light.data(), surfaces.data()); i < layers.size(); ++i) {
+        const Layer& layer = layers[i];
+        const float lit = unit * light[i];
+        surfaces[i] = {lit * static_cast<float>(layer.r), lit * static_cast<float>(layer.g), lit * static_cast<float>(layer.b),
+                       unit * static_cast<float>(layer.coverage)};
+    }
 }
 
 }   // namespace render

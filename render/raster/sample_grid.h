@@ -1,5 +1,5 @@
 /// @file
-/// Where samples lie. Everything on the screen is counted in grid steps of 1/256 pixel, so that coverage is a question of integers.
+/// Places of samples. Everything on the screen is counted in grid steps of 1/256 pixel, so that coverage is decided in integers.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ namespace render {
 inline constexpr int subpixels = 256;
 inline constexpr int half_pixel = subpixels / 2;
 
-/// Samples are kept in blocks of this many, whatever the number per pixel: 1 pixel of 16, 2 × 2 pixels of 4 or 4 × 4 pixels of 1. A block
-/// is one cache line of depths, one of triangle numbers, and one vector of the widest instruction set.
+/// Samples in a block: those of 1 pixel with 16, 2 × 2 pixels with 4 or 4 × 4 pixels with 1. Their depths, or triangle numbers, are one
+/// cache line and one vector of the widest instruction set.
 inline constexpr int block_samples = 16;
 
 /// A pattern of samples. Sample i of a block is sample i % per_pixel of its pixel i / per_pixel; pixels are numbered row by row.
@@ -23,7 +23,7 @@ struct SamplePattern {
     int block_side;                                 // pixels
     int first, pitch;                               // columns and rows with samples: first + pitch · i
     std::array<std::int32_t, block_samples> x, y;   // from the upper left corner of the block
-    std::array<std::int32_t, 2> columns_of_rows;    // of eight by eight lines, which repeat: bit 8 r + c where row r, column c has a sample
+    std::array<std::int32_t, 2> columns_of_rows;    // of 8 × 8 lines, which repeat: bit 8 r + c is set if row r, column c has a sample
 
     constexpr int block_shift() const { return std::bit_width(static_cast<unsigned>(block_side)) + 7; }   // log2 of its side in grid steps
     constexpr int pitch_shift() const { return std::bit_width(static_cast<unsigned>(pitch)) - 1; }
@@ -39,8 +39,8 @@ inline constexpr SamplePattern one_sample = [] {
     return p;
 }();
 
-/// A rotated grid, in which no two samples of a pixel share a row or a column. Every other pixel, as on a chessboard, has its mirror
-/// image: so the pattern of a picture of even size is its own mirror image, left to right and top to bottom.
+/// A rotated grid: no two samples of a pixel share a row or a column. Every other pixel, as on a chessboard, has the mirrored pattern, so
+/// that the pattern of a picture of even size is symmetric left to right and top to bottom.
 inline constexpr SamplePattern four_samples = [] {
     constexpr std::array<int, 4> right_hand{96, 224, 32, 160};
     SamplePattern p{4, 2, 32, 64, {}, {}, {}};
@@ -71,10 +71,10 @@ inline constexpr SamplePattern sixteen_samples = [] {
     return p;
 }();
 
-/// @param samples  per pixel: 1, 4 or 16
+/// Returns the pattern for 1, 4 or 16 samples per pixel.
 inline const SamplePattern& pattern_of(int samples) { return samples == 1 ? one_sample : samples == 4 ? four_samples : sixteen_samples; }
 
-/// Pixels on the side of a tile: what one thread draws at a time, small enough for its cache (256 KiB at 4 samples, 1 MiB at 16).
+/// Pixels on the side of a tile, which one thread draws at a time: small enough for its cache (256 KiB at 4 samples, 1 MiB at 16).
 inline constexpr int tile_side = 64;
 
 }   // namespace render

@@ -1,5 +1,5 @@
-// One pass over the triangles serves all projections: their corners are fetched once, as many triangles at a time as a vector has
-// lanes. Triangles come in parts that are sorted by counting, each by itself, so that the lists do not depend on the number of threads.
+// One pass over the triangles serves all projections: it fetches their corners once, for as many triangles at a time as a vector has lanes.
+// Parts of the triangles are sorted by counting, each by itself, so that the lists do not depend on the number of threads.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/tile_lists.cpp"
 #include <hwy/foreach_target.h>
@@ -18,17 +18,17 @@
 
 namespace render {
 
-/// Which tiles a triangle meets: the number of one tile, or, negative, the first of several and how many more there are across and down,
-/// or that exact coordinates must tell. Number `tiles`: it covers no sample.
+/// The tiles that a triangle meets: the number of one tile; or, negative, the first of several with the numbers of further ones across and
+/// down, or `exact` if exact coordinates must decide. The number of all tiles stands for a triangle without samples.
 struct TileCode {
     static constexpr int across_shift = 16, down_shift = 23, most_more = 127;
     static constexpr std::int32_t several = std::numeric_limits<std::int32_t>::min(), exact = several | 1 << 30;
 };
 
-/// How many samples, in rows or in columns, lie up to where; and which tiles they belong to.
+/// The rows and columns of samples, and the tiles that they belong to.
 struct SampleLines {
-    int first, pitch, pitch_shift, tile_shift;     // log2 of the lines of a tile
-    std::array<std::int32_t, 2> columns_of_rows;   // see SamplePattern
+    int first, pitch, pitch_shift, tile_shift;     // the latter: log2 of the lines of a tile
+    std::array<std::int32_t, 2> columns_of_rows;   // as in SamplePattern
     std::int32_t columns, rows;                    // of tiles
 };
 
@@ -38,7 +38,7 @@ struct SampleLines {
 HWY_BEFORE_NAMESPACE();
 namespace render::HWY_NAMESPACE {
 
-/// The box round some triangles, component by component.
+/// The boxes of a vector of triangles, component by component.
 struct Boxes {
     std::array<IntVector, 3> low, high;
     hn::Mask<Ints> is_known;   // indices in range
@@ -59,7 +59,7 @@ struct Boxes {
     }
 };
 
-/// First and last sample line in [low, high], and their tiles; the former come after the latter where there is none.
+/// The first and the last sample line in [low, high], and their tiles.
 struct LineSpan {
     IntVector begin, end, first, last;
     hn::Mask<Ints> is_empty;
@@ -74,8 +74,8 @@ struct LineSpan {
     }
 };
 
-/// Where no sample lies in a box, told for boxes of one or two rows of samples and up to eight columns. Rows and columns repeat after two
-/// pixels: bit c of byte r is set where column c of row r has a sample.
+/// True for boxes that hold no sample and have one or two rows of samples and up to eight columns. Rows and columns repeat after two
+/// pixels: bit c of byte r is set if column c of row r has a sample.
 HWY_INLINE hn::Mask<Ints> holds_no_sample(const LineSpan& columns, const LineSpan& rows, const SampleLines& lines) {
     const Ints d;
     const hn::RebindToUnsigned<Ints> u;
@@ -89,12 +89,13 @@ HWY_INLINE hn::Mask<Ints> holds_no_sample(const LineSpan& columns, const LineSpa
     const auto from = hn::BitCast(u, hn::And(columns.begin, hn::Set(d, 7)));
     const IntVector wide = hn::Sub(columns.end, columns.begin), high = hn::Sub(rows.end, rows.begin);
     const auto is_small = hn::And(hn::Lt(wide, hn::Set(d, 8)), hn::Lt(high, hn::Set(d, 2)));
-    const auto behind = hn::Shl(hn::Set(u, 2), hn::BitCast(u, hn::Min(hn::Max(wide, hn::Zero(d)), hn::Set(d, 7))));   // the first bit after
+    const auto behind =
+        hn::Shl(hn::Set(u, 2), hn::BitCast(u, hn::Min(hn::Max(wide, hn::Zero(d)), hn::Set(d, 7))));   // the bit after the last column
     const auto seen = hn::And(hn::Shr(hn::Or(some, hn::ShiftLeft<8>(some)), from), hn::Sub(behind, hn::Set(u, 1)));
     return hn::And(is_small, hn::Eq(hn::BitCast(d, seen), hn::Zero(d)));
 }
 
-/// A TileCode for each of as many triangles as a vector has lanes.
+/// Returns the TileCode of each triangle of a vector.
 HWY_INLINE IntVector tile_codes(const Boxes& box, const ProjectedScene& projected, const SampleLines& lines) {
     const Ints d;
     const auto across = static_cast<std::size_t>(projected.component[0]), up = static_cast<std::size_t>(projected.component[1]);
@@ -114,13 +115,13 @@ HWY_INLINE IntVector tile_codes(const Boxes& box, const ProjectedScene& projecte
     return hn::IfThenElse(box.is_known, hn::IfThenElse(off_grid, exact, near), nowhere);
 }
 
-/// Prefetches corners, which lie anywhere in memory.
+/// Prefetches the corners of triangles.
 HWY_INLINE void prefetch(const glm::ivec3* triangles, std::size_t count, const ProjectedScene& projected) {
     for (std::size_t i = 0; i < count; ++i)
         for (int k = 0; k < 3; ++k) hwy::Prefetch(projected.vertices + static_cast<std::ptrdiff_t>(triangles[i][k]));
 }
 
-/// codes[p · stride + i] for projection p and triangle begin + i, up to `end`. Whole vectors: codes has room for 15 more.
+/// Sets codes[p · stride + i] for projection p and triangle begin + i, up to `end`. Writes whole vectors: `codes` has room for 15 more.
 void FindTiles(std::span<const ProjectedScene> projections, const SampleLines& lines, std::size_t begin, std::size_t end,
                std::int32_t* codes, std::size_t stride) {
     const Ints d;
@@ -128,7 +129,7 @@ void FindTiles(std::span<const ProjectedScene> projections, const SampleLines& l
     const auto& triangles = projections[0].scene.surface.triangles;
     for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
         const std::size_t count = std::min(hn::Lanes(d), end - i);
-        std::array<glm::ivec3, block_samples> some{};   // the last ones, not to read beyond the end
+        std::array<glm::ivec3, block_samples> some{};   // the last triangles, lest vectors read beyond the end
         if (i + ahead + hn::Lanes(d) <= triangles.size()) prefetch(&triangles[i + ahead], hn::Lanes(d), projections[0]);
         if (count < hn::Lanes(d)) std::copy_n(&triangles[i], count, some.begin());
         const std::int32_t* corners = count < hn::Lanes(d) ? &some[0].x : &triangles[i].x;
@@ -153,21 +154,22 @@ HWY_EXPORT(FindTiles);
 
 namespace {
 
-/// Triangles of a part: many more than it has lists, so that their beginnings take little memory.
+/// Numbers of triangles in a part, many more than it has lists, so that their starts take little memory.
 constexpr std::size_t smallest_part = 8192, triangles_per_list = 8;
 
-/// Tiles that a triangle meets, both ends included; none when x0 > x1.
+/// A rectangle of tiles with both ends; empty if x0 > x1.
 struct TileRange {
     std::int64_t x0 = 1, x1 = 0, y0 = 1, y1 = 0;
 };
 
-/// The tiles with a sample line in [low, high].
+/// Returns the first and the last tile with a sample line in [low, high]; (1, 0) if there is none.
 std::pair<std::int64_t, std::int64_t> tiles_between(std::int64_t low, std::int64_t high, const SampleLines& lines, std::int64_t tiles) {
     const std::int64_t begin = (low - lines.first + lines.pitch - 1) >> lines.pitch_shift, end = (high - lines.first) >> lines.pitch_shift;
     if (begin > end) return {1, 0};
     return {std::max<std::int64_t>(0, begin >> lines.tile_shift), std::min(tiles - 1, end >> lines.tile_shift)};
 }
 
+/// Returns the tiles that a triangle meets, from its exact coordinates.
 TileRange range_of(const ProjectedScene& projected, std::int32_t id, const SampleLines& lines) {
     const glm::ivec3& t = projected.scene.surface.triangles[static_cast<std::size_t>(id)];
     const std::int32_t lowest = std::min({projected.vertices[t.x].at[0], projected.vertices[t.y].at[0], projected.vertices[t.z].at[0]});
@@ -181,54 +183,43 @@ TileRange range_of(const ProjectedScene& projected, std::int32_t id, const Sampl
     return y0 <= y1 ? TileRange{x0, x1, y0, y1} : TileRange{};
 }
 
-}   // namespace
-
-class PartSorter {
-public:
-    PartSorter(std::span<const ProjectedScene> projections, const SampleLines& lines, WideBudget& budget)
-        : projections_(projections), lines_(lines), budget_(budget), lists_(static_cast<std::size_t>(lines.columns * lines.rows) + 1) {}
-
-    TileLists::Part sorted(std::size_t begin, std::size_t end) const {
-        const std::size_t count = end - begin, stride = count + block_samples;
-        std::vector<std::int32_t> codes(projections_.size() * stride);
-        HWY_DYNAMIC_DISPATCH(FindTiles)(projections_, lines_, begin, end, codes.data(), stride);
-        TileLists::Part part;
-        part.start.assign(projections_.size() * lists_ + 2, 0);
-        const auto for_each_entry = [&](const auto& visit) {
-            for (std::size_t p = 0; p < projections_.size(); ++p)
-                for (std::size_t i = 0; i < count; ++i) {
-                    const std::int32_t code = codes[p * stride + i], id = static_cast<std::int32_t>(begin + i);
-                    if (code >= 0)
-                        visit(p * lists_ + static_cast<std::size_t>(code), id);
-                    else
-                        for_each_tile(code == TileCode::exact ? range_of(projections_[p], id, lines_) : range_in(code),
-                                      [&](std::size_t tile) { visit(p * lists_ + tile, id); });
+/// Sorts the triangles [begin, end) by projection and tile.
+TileListPart sorted_part(std::span<const ProjectedScene> projections, const SampleLines& lines, std::size_t begin, std::size_t end,
+                         WideBudget& budget) {
+    const std::size_t count = end - begin, stride = count + block_samples;
+    std::vector<std::int32_t> codes(projections.size() * stride);
+    HWY_DYNAMIC_DISPATCH(FindTiles)(projections, lines, begin, end, codes.data(), stride);
+    const std::size_t lists = static_cast<std::size_t>(lines.columns * lines.rows) + 1;   // the last one for triangles without samples
+    const auto range_in = [&](std::int32_t code) {
+        const std::int32_t tile = code & 0xffff, x = tile % lines.columns, y = tile / lines.columns;
+        return TileRange{x, x + (code >> TileCode::across_shift & TileCode::most_more), y,
+                         y + (code >> TileCode::down_shift & TileCode::most_more)};
+    };
+    const auto for_each_entry = [&](const auto& visit) {
+        for (std::size_t p = 0; p < projections.size(); ++p)
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::int32_t code = codes[p * stride + i], id = static_cast<std::int32_t>(begin + i);
+                if (code >= 0) {
+                    visit(p * lists + static_cast<std::size_t>(code), id);
+                    continue;
                 }
-        };
-        for_each_entry([&](std::size_t list, std::int32_t) { ++part.start[list + 2]; });
-        for (std::size_t i = 2; i < part.start.size(); ++i) part.start[i] += part.start[i - 1];
-        budget_.list(part.start.back());
-        part.triangles.resize(part.start.back());
-        for_each_entry([&](std::size_t list, std::int32_t id) { part.triangles[part.start[list + 1]++] = id; });
-        return part;
-    }
+                const TileRange range = code == TileCode::exact ? range_of(projections[p], id, lines) : range_in(code);
+                for (std::int64_t y = range.y0; y <= range.y1; ++y)
+                    for (std::int64_t x = range.x0; x <= range.x1; ++x)
+                        visit(p * lists + static_cast<std::size_t>(y * lines.columns + x), id);
+            }
+    };
+    TileListPart part;
+    part.start.assign(projections.size() * lists + 2, 0);
+    for_each_entry([&](std::size_t list, std::int32_t) { ++part.start[list + 2]; });
+    for (std::size_t i = 2; i < part.start.size(); ++i) part.start[i] += part.start[i - 1];
+    budget.list(part.start.back());
+    part.triangles.resize(part.start.back());
+    for_each_entry([&](std::size_t list, std::int32_t id) { part.triangles[part.start[list + 1]++] = id; });
+    return part;
+}
 
-private:
-    TileRange range_in(std::int32_t code) const {
-        const std::int32_t tile = code & 0xffff, x = tile % lines_.columns, y = tile / lines_.columns;
-        return {x, x + (code >> TileCode::across_shift & TileCode::most_more), y, y + (code >> TileCode::down_shift & TileCode::most_more)};
-    }
-    template <class Visit>
-    void for_each_tile(const TileRange& range, const Visit& visit) const {
-        for (std::int64_t y = range.y0; y <= range.y1; ++y)
-            for (std::int64_t x = range.x0; x <= range.x1; ++x) visit(static_cast<std::size_t>(y * lines_.columns + x));
-    }
-
-    std::span<const ProjectedScene> projections_;
-    SampleLines lines_;
-    WideBudget& budget_;
-    std::size_t lists_;   // of a projection: its tiles, and one for what lies nowhere
-};
+}   // namespace
 
 TileLists::TileLists(std::span<const ProjectedScene> projections, const SamplePattern& pattern, WideBudget& budget)
     : columns_((projections[0].scene.width - 1) / tile_side + 1), rows_((projections[0].scene.height - 1) / tile_side + 1) {
@@ -237,18 +228,17 @@ TileLists::TileLists(std::span<const ProjectedScene> projections, const SamplePa
     const std::size_t part_size =
         std::max(smallest_part, triangles_per_list * projections.size() * static_cast<std::size_t>(columns_ * rows_));
     parts_.resize((count + part_size - 1) / part_size);
-    const PartSorter sorter(
-        projections,
-        {pattern.first, pattern.pitch, pattern.pitch_shift(), 14 - pattern.pitch_shift(), pattern.columns_of_rows, columns_, rows_},
-        budget);
-    tbb::parallel_for(std::size_t{0}, parts_.size(),
-                      [&](std::size_t i) { parts_[i] = sorter.sorted(i * part_size, std::min(count, (i + 1) * part_size)); });
+    const int shift = pattern.pitch_shift();
+    const SampleLines lines{pattern.first, pattern.pitch, shift, 14 - shift, pattern.columns_of_rows, columns_, rows_};
+    tbb::parallel_for(std::size_t{0}, parts_.size(), [&](std::size_t i) {
+        parts_[i] = sorted_part(projections, lines, i * part_size, std::min(count, (i + 1) * part_size), budget);
+    });
 }
 
 void TileLists::collect(std::size_t projection, int tile, std::vector<std::int32_t>& triangles) const {
     triangles.clear();
     const std::size_t list = projection * static_cast<std::size_t>(columns_ * rows_ + 1) + static_cast<std::size_t>(tile);
-    for (const Part& part : parts_)
+    for (const TileListPart& part : parts_)
         triangles.insert(triangles.end(), part.triangles.begin() + part.start[list], part.triangles.begin() + part.start[list + 1]);
 }
 

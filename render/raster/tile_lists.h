@@ -1,5 +1,3 @@
-/// @file
-/// Which triangles each tile of a picture has to draw.
 #pragma once
 
 #include <cstdint>
@@ -11,29 +9,27 @@
 
 namespace render {
 
-/// The triangles of every tile of every projection, ascending; most of those that cover no sample are left out. Memory: 4 bytes for each
-/// tile that a triangle meets, or one.
+/// Some thousand consecutive triangles, sorted by projection and tile.
+struct TileListPart {
+    std::vector<std::uint32_t> start;   // of the list of each (projection, tile) in `triangles`, and the end
+    std::vector<std::int32_t> triangles;
+};
+
+/// Ascending lists of the triangles of every tile in every projection, without most of those that cover no sample. Memory: 4 bytes for each
+/// tile that a triangle meets, at least 4 for each triangle.
 class TileLists {
 public:
-    /// @throws TooMuchOverdraw when the budget does not hold the entries
+    /// @throws TooMuchOverdraw if the lists exceed the budget
     TileLists(std::span<const ProjectedScene> projections, const SamplePattern& pattern, WideBudget& budget);
 
-    int columns() const { return columns_; }
+    int columns() const { return columns_; }   // of tiles
     int rows() const { return rows_; }
     /// Copies the list of a tile into `triangles`. @param tile  row · columns() + column
     void collect(std::size_t projection, int tile, std::vector<std::int32_t>& triangles) const;
 
 private:
-    /// Some thousand triangles in succession, sorted by projection and tile.
-    struct Part {
-        std::vector<std::uint32_t> start;   // of each (projection, tile) in `triangles`, and the end
-        std::vector<std::int32_t> triangles;
-    };
-
     int columns_, rows_;
-    std::vector<Part> parts_;
-
-    friend class PartSorter;
+    std::vector<TileListPart> parts_;
 };
 
 }   // namespace render

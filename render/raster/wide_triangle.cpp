@@ -1,6 +1,6 @@
-// A tile is cut into regions: one that the triangle misses, or in which it is hidden from both sides, costs one test. A mesh that blew
-// up, whose triangles all cover the whole picture, takes time in proportion to triangles times tiles: 0.1 ms a triangle at 1024 × 1024.
-// A triangle that repeats another costs a comparison, and WideBudget ends what would take minutes.
+// A tile is divided into regions; a region that the triangle misses, or in which it is hidden from both sides, costs one test. A mesh that
+// blew up such that all triangles cover the whole picture takes time proportional to triangles times tiles: 0.1 ms a triangle at 1024 ×
+// 1024. A triangle that repeats another costs a comparison, and WideBudget ends drawing that would take minutes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,29 +13,28 @@ namespace render {
 
 namespace {
 
-__extension__ using Integer = __int128;   // edge functions of corners far outside the picture need 107 bits
+__extension__ using Integer = __int128;   // for edge functions of corners far off, which need 107 bits
 
-bool comes_before(const ScreenPoint& a, const ScreenPoint& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
-
-/// Twice the area of `t`, made positive by exchanging two corners where needed. The first corner becomes the topmost, so that
-/// doubled triangles get equal depths to the last bit whatever the order of their corners.
+/// Makes the area of `t` positive by an exchange of two corners if needed, and returns it doubled. Rotates the topmost corner to the front,
+/// so that coincident triangles get equal depths to the last bit, whatever the order of their corners.
 Integer oriented(Triangle2& t) {
     const ScreenPoint &a = t.corner[0], &b = t.corner[1], &c = t.corner[2];
     const Integer area = Integer(b.x - a.x) * Integer(c.y - a.y) - Integer(b.y - a.y) * Integer(c.x - a.x);
     if (area < 0) std::swap(t.corner[1], t.corner[2]);
-    std::rotate(t.corner.begin(), std::min_element(t.corner.begin(), t.corner.end(), comes_before), t.corner.end());
+    const auto place = [](const ScreenPoint& p) { return std::pair(p.y, p.x); };
+    std::rotate(t.corner.begin(), std::ranges::min_element(t.corner, {}, place), t.corner.end());
     return area < 0 ? -area : area;
 }
 
-/// A rectangle of blocks of a tile, both ends included.
+/// A rectangle of blocks of a tile, with both ends.
 struct Blocks {
     int x0, x1, y0, y1;
 };
 
-/// E(p) = (b − a) × (p − a) + bias: not negative at the samples that belong to the inner side of the edge from a to b.
+/// E(p) = (b − a) × (p − a) + bias, not negative at the samples on the inner side of the edge from a to b.
 struct EdgeFunction {
     std::int64_t dx, dy;
-    Integer at_tile;   // its value at the upper left corner of the tile
+    Integer at_tile;   // the value at the upper left corner of the tile
 
     EdgeFunction(const ScreenPoint& a, const ScreenPoint& b, const SampleTile& tile)
         : dx(b.x - a.x),
@@ -46,7 +45,7 @@ struct EdgeFunction {
     Integer at(std::int64_t x, std::int64_t y) const { return at_tile + value(x, y); }
 };
 
-/// The plane through the corners. Depths are kept within those of the corners, however thin the triangle.
+/// The plane through the corners, with depths clamped to those of the corners, which matters for thin triangles.
 struct DepthPlane {
     double at_corner, across, down, lowest, highest;
     std::int64_t x, y;   // of the first corner
@@ -95,20 +94,20 @@ private:
 
     std::int64_t steps(int blocks) const { return std::int64_t{blocks} << shift_; }
 
-    /// One edge function is negative at all four corners.
+    /// True if an edge function is negative at all four corners.
     bool misses(const Blocks& part) const {
         return std::any_of(edges_.begin(), edges_.end(), [&](const EdgeFunction& e) {
             return e.at(steps(e.dy > 0 ? part.x0 : part.x1 + 1), steps(e.dx > 0 ? part.y1 + 1 : part.y0)) < 0;
         });
     }
-    /// All edge functions are positive at all four corners.
+    /// True if all edge functions are positive at all four corners.
     bool fills(const Blocks& part) const {
         return std::all_of(edges_.begin(), edges_.end(), [&](const EdgeFunction& e) {
             return e.at(steps(e.dy > 0 ? part.x1 + 1 : part.x0), steps(e.dx > 0 ? part.y0 : part.y1 + 1)) > 0;
         });
     }
 
-    /// Every sample of the region sees something above the triangle and something below it.
+    /// True if every sample of the region sees other triangles above and below this one.
     bool is_hidden(const Blocks& part, const SampleRegion& region) const {
         double low = depth_.highest, high = depth_.lowest;
         const std::int64_t left = std::int64_t{subpixels} * tile_.x(), top = std::int64_t{subpixels} * tile_.y();
@@ -121,6 +120,7 @@ private:
         return high + rounding < double(region.floor) && low - rounding > double(region.ceiling);
     }
 
+    /// Sets the limits of the region at (x, y) from its samples.
     void update(SampleRegion& region, int x, int y) {
         region = {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
         const int left = x * side;
@@ -135,15 +135,12 @@ private:
     void draw_block(int bx, int by) {
         const Blocks block{bx, bx, by, by};
         if (misses(block)) return;
-        if (fills(block))
-            fill_block(bx, by);
-        else
-            draw_samples(bx, by);
+        fills(block) ? fill_block(bx, by) : draw_samples(bx, by);
     }
 
     using Depths = std::array<float, block_samples>;
 
-    /// Depths lie between those of the corners, so float suffices from one sample to the next.
+    /// Draws all samples of a block. Depths lie between those of the corners, so that float suffices inside the block.
     void fill_block(int bx, int by) {
         const SamplePattern& pattern = tile_.pattern();
         const auto corner = static_cast<float>(depth_.at(tile_.x() * subpixels + steps(bx), tile_.y() * subpixels + steps(by)));
@@ -156,6 +153,7 @@ private:
         }
         see(z, id_, tile_.row(by)[bx]);
     }
+    /// Draws the samples of a block that lie inside the triangle.
     void draw_samples(int bx, int by) {
         const SamplePattern& pattern = tile_.pattern();
         const std::int64_t x0 = steps(bx), y0 = steps(by);
@@ -169,7 +167,7 @@ private:
         }
         see(z, id_, tile_.row(by)[bx]);
     }
-    /// NaN is neither above nor below anything.
+    /// Sets depth and triangle of the samples that see depth z; NaN is never seen.
     static void see(const Depths& z, std::int32_t id, SampleBlock& block) {
         for (std::size_t s = 0; s < block_samples; ++s) block.top[s] = z[s] > block.highest[s] ? id : block.top[s];
         for (std::size_t s = 0; s < block_samples; ++s) block.bottom[s] = z[s] < block.lowest[s] ? id : block.bottom[s];
@@ -184,7 +182,7 @@ private:
     int shift_;
 };
 
-/// The blocks of the tile that meet [low, high] on one axis, first and last.
+/// Returns the first and the last block of the tile that meet [low, high] on one axis.
 std::pair<int, int> blocks_between(std::int64_t low, std::int64_t high, int tile_origin, const SampleTile& tile) {
     const int shift = tile.pattern().block_shift();
     const std::int64_t origin = std::int64_t{tile_origin} * subpixels, last = tile.blocks_on_side() - 1;

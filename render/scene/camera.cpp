@@ -1,7 +1,5 @@
 #include "scene/camera.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -16,6 +14,7 @@
 #include <stdexcept>
 
 #include "rounding.h"
+#include "scene/large_array.h"
 
 namespace render {
 
@@ -48,41 +47,21 @@ namespace {
 
 bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-}   // namespace
-
-bool can_be_drawn(const glm::ivec3& triangle, std::span<const glm::dvec3> positions) {
-    for (int k = 0; k < 3; ++k) {
-        if (triangle[k] < 0 || static_cast<std::size_t>(triangle[k]) >= positions.size()) return false;
-        if (!is_finite(positions[static_cast<std::size_t>(triangle[k])])) return false;
-    }
-    return true;
+bool has_known_corners(const glm::ivec3& triangle, std::size_t vertices) {
+    const auto is_known = [&](int v) { return v >= 0 && static_cast<std::size_t>(v) < vertices; };
+    return is_known(triangle.x) && is_known(triangle.y) && is_known(triangle.z);
 }
 
-namespace {
-
-/// Boxes that hold nothing are the other way round: joining them changes nothing.
-constexpr double infinity = std::numeric_limits<double>::infinity();
-const Bounds nothing{glm::dvec3(infinity), glm::dvec3(-infinity)};
-
-Bounds joined(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
-
-/// What is known of a vertex: a byte each, which the cache holds where positions, that lie anywhere in memory, would be waited for.
+/// The state of a vertex, in one byte: unlike positions, these stay in the cache while triangles visit them in any order.
 enum class Corner : std::uint8_t { not_finite, unused, drawn };
 
-/// Of each vertex whether a triangle that can be drawn has it for a corner.
+/// Returns for each vertex whether it is a corner of a triangle that can be drawn.
 std::vector<Corner> drawn_corners(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
     std::vector<Corner> corners(positions.size());
-    const auto in_parts = [](std::size_t count, const auto& body) {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16384), [&](const auto& part) {
-            for (std::size_t i = part.begin(); i < part.end(); ++i) body(i);
-        });
-    };
-    in_parts(positions.size(), [&](std::size_t i) { corners[i] = is_finite(positions[i]) ? Corner::unused : Corner::not_finite; });
-    in_parts(triangles.size(), [&](std::size_t i) {
+    for_each_index(positions.size(), [&](std::size_t i) { corners[i] = is_finite(positions[i]) ? Corner::unused : Corner::not_finite; });
+    for_each_index(triangles.size(), [&](std::size_t i) {
         const glm::ivec3& t = triangles[i];
-        bool known = true;
-        for (int k = 0; k < 3; ++k) known &= t[k] >= 0 && static_cast<std::size_t>(t[k]) < positions.size();
-        if (!known) return;
+        if (!has_known_corners(t, positions.size())) return;
         const std::array at{std::atomic_ref(corners[index(t.x)]), std::atomic_ref(corners[index(t.y)]),
                             std::atomic_ref(corners[index(t.z)])};
         std::array<Corner, 3> now;
@@ -94,9 +73,12 @@ std::vector<Corner> drawn_corners(std::span<const glm::dvec3> positions, std::sp
     return corners;
 }
 
-/// Of place(position) of all corners that are drawn; a point at the origin where there is none.
+/// Returns the box of place(position) over the corners that are drawn; the origin if there are none.
 template <class Place>
 Bounds bounds_of_corners(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles, const Place& place) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Bounds nothing{glm::dvec3(infinity), glm::dvec3(-infinity)};
+    const auto joined = [](const Bounds& a, const Bounds& b) { return Bounds{glm::min(a.low, b.low), glm::max(a.high, b.high)}; };
     const std::vector<Corner> corners = drawn_corners(positions, triangles);
     const auto with_corners = [&](const auto& part, Bounds box) {
         for (std::size_t i = part.begin(); i < part.end(); ++i) {
@@ -110,19 +92,32 @@ Bounds bounds_of_corners(std::span<const glm::dvec3> positions, std::span<const 
     return box.low.x <= box.high.x ? box : Bounds{};
 }
 
+/// True if the first nonzero component is negative.
 bool points_backwards(const glm::dvec3& v) {
     for (int k = 0; k < 3; ++k)
         if (v[k] != 0) return v[k] < 0;
     return false;
 }
 
-/// Adding 0 turns −0 into 0.
-glm::dvec3 forwards(const glm::dvec3& v) { return (points_backwards(v) ? -v : v) + 0.0; }
+glm::dvec3 forwards(const glm::dvec3& v) { return (points_backwards(v) ? -v : v) + 0.0; }   // never −0
 
 }   // namespace
 
+bool can_be_drawn(const glm::ivec3& t, std::span<const glm::dvec3> positions) {
+    return has_known_corners(t, positions.size()) && is_finite(positions[index(t.x)]) && is_finite(positions[index(t.y)]) &&
+           is_finite(positions[index(t.z)]);
+}
+
 Bounds bounds_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
     return bounds_of_corners(positions, triangles, [](const glm::dvec3& p) { return p; });
+}
+
+Bounds bounds_in_picture(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles, const View& view,
+                         const Frame& frame) {
+    return bounds_of_corners(positions, triangles, [&](const glm::dvec3& p) {
+        const glm::dvec3 pixels = (p - frame.centre) * frame.pixels_per_unit;
+        return glm::dvec3(glm::dot(pixels, view.right()), glm::dot(pixels, view.up), 0);
+    });
 }
 
 Frame frame_of(const Bounds& bounds, int width, int height, double fill) {
@@ -136,13 +131,8 @@ Frame frame_of(const Bounds& bounds, int width, int height, double fill) {
 
 Frame frame_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles, const View& view, int width, int height,
                double fill) {
-    const Bounds box = bounds_of(positions, triangles);
-    const Frame along_axes = frame_of(box, width, height, fill);
-    // In pixels of that frame, so that no size of the model overflows.
-    const Bounds seen = bounds_of_corners(positions, triangles, [&](const glm::dvec3& p) {
-        const glm::dvec3 pixels = (p - along_axes.centre) * along_axes.pixels_per_unit;
-        return glm::dvec3(glm::dot(pixels, view.right()), glm::dot(pixels, view.up), 0);
-    });
+    const Frame along_axes = frame_of(bounds_of(positions, triangles), width, height, fill);
+    const Bounds seen = bounds_in_picture(positions, triangles, view, along_axes);   // in pixels: no size of the model overflows
     const glm::dvec3 extent = seen.high - seen.low, middle = 0.5 * (seen.low + seen.high);
     if (!(extent.x >= 0) || std::max(extent.x, extent.y) == 0) return along_axes;
     const double scale = fill * std::min(width / extent.x, height / extent.y);

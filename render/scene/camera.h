@@ -1,5 +1,5 @@
 /// @file
-/// Orthographic views, the frame they share, and the projections they are drawn from.
+/// Orthographic views, their frames, and the projections that opposite views share.
 #pragma once
 
 #include <array>
@@ -11,11 +11,12 @@
 
 namespace render {
 
-/// Looks from the named side to the centre. right = up × from.
+/// A direction of sight, in unit vectors.
 struct View {
     std::string_view name;
-    glm::dvec3 from, up;
-    glm::dvec3 right() const;
+    glm::dvec3 from, up;        // from the model to the viewer; to the top of the picture
+    glm::dvec3 right() const;   // up × from: to the right of the picture
+    /// True if `from` and `up` are axes of the model, in either direction.
     bool is_along_axis() const;
 };
 
@@ -28,46 +29,49 @@ inline constexpr std::array<View, 6> six_views{{
     {"-z", {0, 0, -1}, {0, 1, 0}},
 }};
 
-/// From the right front and above, as one holds a model to show it; +y is up. Its name is "hero".
+/// Returns the view "hero": from the right front (35°) and above (22°), +y up.
 View three_quarter_view();
 
-/// One of the six, or the three-quarter view. @throws std::invalid_argument listing the names
+/// Returns one of the six views, or the three-quarter view for "hero". @throws std::invalid_argument with the known names
 View view_named(const std::string& name);
 
-/// False for a triangle with an index out of range or a corner that is not finite; such triangles take part in nothing.
+/// True if the triangle's indices are in range and its corners finite. Other triangles are ignored everywhere.
 bool can_be_drawn(const glm::ivec3& triangle, std::span<const glm::dvec3> positions);
 
 struct Bounds {
     glm::dvec3 low{0}, high{0};
 };
-/// Of the triangles that can be drawn; a point at the origin when there are none.
+/// Returns the box of the triangles that can be drawn; the origin if there are none.
 Bounds bounds_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles);
 
-/// What all pictures of one figure share: the same point in the middle, the same scale.
+/// The middle and the scale of pictures.
 struct Frame {
     glm::dvec3 centre{0};
     double pixels_per_unit = 1;
 };
-/// The largest extent of `bounds` fills `fill` of the shorter picture side, in every view along an axis.
+/// Returns the box of the drawable triangles in the picture of a view: pixels to the right (x) and up (y) from its middle; z is 0.
+Bounds bounds_in_picture(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles, const View& view,
+                         const Frame& frame);
+/// Returns a frame for all views along the axes: the largest extent of `bounds` takes `fill` (0 to 1) of the shorter picture side.
 Frame frame_of(const Bounds& bounds, int width, int height, double fill);
-/// What this view sees is centred and fills `fill` of the picture, in width or in height.
+/// Returns the frame of one view: the drawable triangles are centred and take `fill` of the picture in width or in height.
 Frame frame_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles, const View& view, int width, int height,
                double fill);
 
-/// Axes of a picture plane, unit and orthogonal; the first component of each that is not 0 is positive.
+/// Orthonormal axes of a picture plane; the first nonzero component of each is positive.
 struct Axes {
     glm::dvec3 across, up, depth;
 
-    /// +1 when across × up = depth, −1 when it is the other way.
+    /// Returns +1 if across × up = depth, −1 if it is −depth.
     int handedness() const;
     friend bool operator==(const Axes&, const Axes&) = default;
 };
 
-/// How a view looks at its projection.
+/// The relation of a view to its projection.
 struct Placement {
     std::size_t view;              // index
-    bool mirrored_x, mirrored_y;   // its right is −across, its up −up
-    bool from_below;               // sees the smallest depth
+    bool mirrored_x, mirrored_y;   // the view's right is −across, its up −up
+    bool from_below;               // the view sees the smallest depth
 };
 
 struct Projection {
@@ -75,8 +79,8 @@ struct Projection {
     std::vector<Placement> placements;
 };
 
-/// The projections of `views`, in the order of their first views. Opposite orthographic views see the same triangles, one the nearest and
-/// one the farthest, in mirrored pictures: both are drawn from one projection.
+/// Returns the projections of `views`, in the order of their first views. Opposite orthographic views share one: they see mirrored
+/// pictures, one of the highest and one of the lowest triangles.
 std::vector<Projection> projections_of(std::span<const View> views);
 
 }   // namespace render

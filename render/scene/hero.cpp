@@ -1,5 +1,5 @@
-// Views are scored on a coarse copy of the surface: cells of a grid of 40³ with the sum of the normals of the triangles in them. Sums are
-// of whole numbers, so their order does not matter.
+// Views are scored on a coarse copy of the surface: a grid of 40³ cells, each with the sum of the normals of its triangles. The sums are of
+// integers, so that their order does not matter.
 #include "scene/hero.h"
 
 #include <algorithm>
@@ -20,18 +20,14 @@ namespace {
 
 constexpr int side = 40;
 
-/// A cell with surface in it.
+/// A cell that contains surface.
 struct Patch {
     glm::dvec3 at;       // −1 to 1
     glm::dvec3 normal;   // not normalised
     double curvature;    // 0 where all normals agree, 1 where they cancel
 };
 
-struct Cell {
-    std::int64_t x = 0, y = 0, z = 0, area = 0;
-};
-
-/// Of all finite positions: it need not be the box of the triangles.
+/// Returns the box of all finite positions, of unused ones too.
 Bounds box_of(std::span<const glm::dvec3> positions) {
     Bounds box{glm::dvec3(std::numeric_limits<double>::max()), glm::dvec3(std::numeric_limits<double>::lowest())};
     for (const glm::dvec3& p : positions)
@@ -39,27 +35,26 @@ Bounds box_of(std::span<const glm::dvec3> positions) {
     return box.low.x <= box.high.x ? box : Bounds{};
 }
 
-/// To −1 … 1 along the longest side of a box.
+/// Maps the longest side of a box to −1 … 1.
 struct Unit {
-    glm::dvec3 centre;
+    glm::dvec3 centre, half;
     double scale;
 
-    explicit Unit(const Bounds& box) : centre(0.5 * box.low + 0.5 * box.high), scale(1) {
-        const glm::dvec3 half = 0.5 * box.high - 0.5 * box.low;
-        scale = 1 / std::max({half.x, half.y, half.z, 1e-300});
-    }
+    explicit Unit(const Bounds& box)
+        : centre(0.5 * box.low + 0.5 * box.high),
+          half(0.5 * box.high - 0.5 * box.low),
+          scale(1 / std::max({half.x, half.y, half.z, 1e-300})) {}
     glm::dvec3 operator()(const glm::dvec3& p) const { return (p - centre) * scale; }
 };
 
-/// Some thousand vertices of a large mesh, or all: which, depends on where they lie.
+/// Marks about 3000 vertices of a large mesh, chosen by a hash of their places, or all vertices of a small one.
 std::vector<char> chosen_vertices(std::span<const glm::dvec3> positions, const Unit& unit) {
-    constexpr std::size_t wanted = 3000;
-    const std::uint64_t one_in = std::max<std::size_t>(1, positions.size() / wanted);
+    const std::uint64_t one_in = std::max<std::size_t>(1, positions.size() / 3000);
     std::vector<char> chosen(positions.size(), one_in == 1 ? 1 : 0);
     if (one_in == 1) return chosen;
     const std::uint64_t limit = ~std::uint64_t{0} / one_in;
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        const glm::dvec3 p = unit(positions[i]) * double(1 << 20);   // fine: neighbours get unlike numbers
+        const glm::dvec3 p = unit(positions[i]) * double(1 << 20);   // fine enough to tell neighbours apart
         if (!(std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < 1e12)) continue;
         const auto bits = [](double v) { return static_cast<std::uint64_t>(std::llrint(v)); };
         std::uint64_t hash = (bits(p.x) * 0x9e3779b97f4a7c15U ^ bits(p.y)) * 0xbf58476d1ce4e5b9U ^ bits(p.z);
@@ -72,6 +67,9 @@ std::vector<char> chosen_vertices(std::span<const glm::dvec3> positions, const U
 std::vector<Patch> patches_of(const Surface& surface, const Bounds& box) {
     const Unit unit(box);
     const std::vector<char> chosen = chosen_vertices(surface.positions, unit);
+    struct Cell {
+        std::int64_t x = 0, y = 0, z = 0, area = 0;
+    };
     std::vector<Cell> cells(std::size_t{side} * side * side);
     const auto cell_of = [&](const glm::dvec3& p) {
         const auto along = [](double v) { return static_cast<std::size_t>(std::clamp((v + 1) * (side / 2.0), 0.0, side - 1.0)); };
@@ -97,11 +95,11 @@ std::vector<Patch> patches_of(const Surface& surface, const Bounds& box) {
     return patches;
 }
 
-/// What is seen of the patches: one for each place in a small picture that shows a front, and more where it is curved, near and high up: of
-/// heads and faces more is to be seen than of hindquarters and feet.
+/// Scores a view by a small picture of the patches: 1 for each pixel that shows a front, and more if it is curved, near and high up,
+/// because heads and faces tell more than hindquarters and feet.
 double score(const std::vector<Patch>& patches, const View& view) {
     constexpr int pixels = 44;
-    constexpr double curved = 12;   // how much more
+    constexpr double curved = 12;   // weight of curved fronts
     std::array<const Patch*, std::size_t{pixels} * pixels> nearest{};
     std::array<double, std::size_t{pixels} * pixels> depth{};
     for (const Patch& patch : patches) {
@@ -119,7 +117,7 @@ double score(const std::vector<Patch>& patches, const View& view) {
     return sum;
 }
 
-/// Share of the patches that have one like them, or beside it, on the other side of the middle along an axis.
+/// Returns the share of the patches with a mirror image along an axis among the patches, up to one cell.
 double symmetry(const std::vector<Patch>& patches, int axis) {
     std::vector<char> near(std::size_t{side + 2} * (side + 2) * (side + 2));
     const auto place = [&](glm::dvec3 at) {

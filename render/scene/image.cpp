@@ -15,7 +15,7 @@ namespace render {
 
 namespace {
 
-/// source over target (Porter and Duff 1984), in linear light.
+/// Composites `source` over `target` (Porter and Duff 1984) in linear light.
 Rgba over(Rgba source, Rgba target) {
     if (source.a == 255 || target.a == 0) return source;
     if (source.a == 0) return target;
@@ -24,7 +24,7 @@ Rgba over(Rgba source, Rgba target) {
     return srgb_of(result);
 }
 
-/// Which old pixels a new one covers along one axis, and by how much; the weights sum to 1.
+/// The old pixels that a new one covers along one axis, with their shares, which sum to 1.
 struct Footprint {
     int first = 0;
     std::vector<float> weights;
@@ -45,21 +45,7 @@ std::vector<Footprint> footprints(int old_size, int new_size) {
     return result;
 }
 
-std::uint32_t bits_of(Rgba color) { return std::bit_cast<std::uint32_t>(color); }
-
-bool all_equal(const Rgba* pixels, int count, Rgba color) {
-    std::uint32_t difference = 0;
-    for (int i = 0; i < count; ++i) difference |= bits_of(pixels[i]) ^ bits_of(color);
-    return difference == 0;
-}
-
-bool all_opaque(const Rgba* pixels, int count) {
-    std::uint8_t common = 255;
-    for (int i = 0; i < count; ++i) common &= pixels[i].a;
-    return common == 255;
-}
-
-/// The old rows that a new one covers, averaged column by column. Stretches of one colour are recognised by comparing bytes.
+/// The old rows that a new one covers, averaged column by column. Stretches of one colour are found by comparing bytes.
 class AveragedRows {
 public:
     AveragedRows(const Image& image, const Footprint& rows)
@@ -67,6 +53,7 @@ public:
         for (int x = 0; x < image.width; x += stretch) average(image, rows, x, std::min(stretch, image.width - x));
     }
 
+    /// True if all old pixels in these columns are known to have one colour.
     bool one_color(const Footprint& columns) const {
         const int at = columns.first / stretch;
         return one_color_[index(at)] != 0 && (columns.first + columns.size() - 1) / stretch == at;
@@ -76,7 +63,7 @@ public:
         LinearColor sum;
         const LinearColor* light = &light_[index(columns.first)];
         for (const float w : columns.weights) sum += w * *light++;
-        const bool opaque = sum.a > 1 - 1e-6F;   // the weights sum to 1 but for rounding
+        const bool opaque = sum.a > 1 - 1e-6F;   // weights sum to 1 up to rounding
         return opaque ? Rgba{srgb_of(sum.r), srgb_of(sum.g), srgb_of(sum.b), 255} : srgb_of(sum);
     }
 
@@ -85,16 +72,19 @@ private:
 
     void average(const Image& image, const Footprint& rows, int x, int count) {
         const Rgba color = image.at(x, rows.first);
-        bool one_color = true;
-        for (int j = 0; one_color && j < rows.size(); ++j) one_color = all_equal(&image.at(x, rows.first + j), count, color);
-        one_color_[index(x / stretch)] = one_color;
+        std::uint32_t difference = 0;
+        for (int j = 0; difference == 0 && j < rows.size(); ++j) {
+            const Rgba* pixels = &image.at(x, rows.first + j);
+            for (int i = 0; i < count; ++i) difference |= std::bit_cast<std::uint32_t>(pixels[i]) ^ std::bit_cast<std::uint32_t>(color);
+        }
+        one_color_[index(x / stretch)] = difference == 0;
         LinearColor* light = &light_[index(x)];
-        if (one_color) std::fill_n(light, count, linear_of(color));
-        for (int j = 0; !one_color && j < rows.size(); ++j) add(&image.at(x, rows.first + j), count, rows.weights[index(j)], light);
-    }
-
-    static void add(const Rgba* pixels, int count, float weight, LinearColor* sum) {
-        for (int i = 0; i < count; ++i) sum[i] += weight * linear_of(pixels[i]);
+        if (difference == 0) std::fill_n(light, count, linear_of(color));
+        for (int j = 0; difference != 0 && j < rows.size(); ++j) {
+            const Rgba* pixels = &image.at(x, rows.first + j);
+            const float weight = rows.weights[index(j)];
+            for (int i = 0; i < count; ++i) light[i] += weight * linear_of(pixels[i]);
+        }
     }
 
     std::vector<LinearColor> light_;
@@ -116,7 +106,9 @@ void paste(Image& target, const Image& source, int x, int y) {
         for (int v = rows.begin(); v < rows.end(); ++v) {
             const Rgba* from = &source.at(x0, v);
             Rgba* to = &target.at(x + x0, y + v);
-            if (all_opaque(from, x1 - x0))
+            std::uint8_t opacity = 255;
+            for (int i = 0; i < x1 - x0; ++i) opacity &= from[i].a;
+            if (opacity == 255)
                 std::copy_n(from, x1 - x0, to);
             else
                 std::transform(from, from + (x1 - x0), to, to, over);

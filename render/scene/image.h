@@ -1,5 +1,5 @@
 /// @file
-/// A picture in memory: 8-bit sRGB with straight alpha, rows from the top.
+/// Pictures in memory: 8-bit sRGB with straight alpha, rows from the top.
 #pragma once
 
 #include <cstdint>
@@ -26,10 +26,10 @@ struct Image {
     }
 };
 
-/// Composites `source` over `target` with its upper left corner at (x, y); what hangs over the edge is cut off.
+/// Composites `source` over `target` with its upper left corner at (x, y), cut off at the edges of `target`.
 void paste(Image& target, const Image& source, int x, int y);
 
-/// A smaller picture by area averaging in linear light. @throws std::invalid_argument when it would enlarge
+/// Returns the picture at a smaller size, by area averaging in linear light. @throws std::invalid_argument if the size is larger
 Image shrink(const Image& image, int width, int height);
 
 }   // namespace render

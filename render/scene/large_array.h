@@ -1,10 +1,13 @@
 /// @file
-/// Arrays of megabytes, which threads fill side by side.
+/// Arrays of megabytes, and loops over them on all processors.
 #pragma once
 
 #if defined(__linux__) && !defined(MESHFOLIO_PORTABLE)
 #include <sys/mman.h>
 #endif
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <cstddef>
 #include <memory>
@@ -15,8 +18,8 @@
 
 namespace render {
 
-/// Memory in large pages: writing to it for the first time, and reading it in random order, take a fraction of the time. What is not
-/// given a value has none, so that it is first written to by the thread that fills it.
+/// Allocates in large pages, which take a fraction of the time to write for the first time and to read in random order. Elements stay
+/// uninitialised unless they are given a value: each is first written by the thread that computes it.
 template <class T>
 struct LargePages : std::allocator<T> {
     template <class U>
@@ -45,9 +48,16 @@ private:
     static constexpr std::size_t page = std::size_t{2} << 20, worth_it = 2 * page;
 };
 
-/// Of plain numbers.
 template <class T>
 requires std::is_trivially_copyable_v<T>
 using LargeArray = std::vector<T, LargePages<T>>;
+
+/// Calls body(i) for each i in [0, count) on all processors; calls must not share results.
+template <class Body>
+void for_each_index(std::size_t count, const Body& body) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16384), [&](const auto& part) {
+        for (std::size_t i = part.begin(); i < part.end(); ++i) body(i);
+    });
+}
 
 }   // namespace render

@@ -1,6 +1,6 @@
 // Horizons in opposite directions (Bavoil, Sainz, Dimitrov, Image-space horizon-based ambient occlusion, SIGGRAPH 2008 talks): if they
-// rise by α and β, the sky between them is π − α − β wide. Where the surface is a plane α = −β, so it does not darken itself, and no
-// normals are needed. All pixels look at the same places round them, so neighbouring pixels are lanes of a vector.
+// rise by α and β, the sky between them is π − α − β wide. On a plane α = −β, so that it does not darken itself without any need for
+// normals. All pixels look at the same places around them, so that neighbouring pixels are the lanes of a vector.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "scene/occlusion.cpp"
 #include <hwy/foreach_target.h>
@@ -15,12 +15,12 @@
 #define RENDER_OCCLUSION_CONSTANTS
 namespace render {
 
-/// α + β (sum of sines) up to here is not darkened: the folds between the triangles of a coarse mesh.
+/// Largest sum of the sines of α and β without darkening, for the folds between the triangles of a coarse mesh.
 inline constexpr float least_bend = 0.2F;
 
-/// sin² of the angle from which on a crease or a contour is drawn, 25°, and from which on in full, 50°.
+/// sin² of the angles at which creases and contours begin to be drawn, 25°, and are drawn in full, 50°.
 inline constexpr float least_crease = 0.18F, full_crease = 0.59F;
-/// Of linear light: as black of 35 % in sRGB.
+/// Shares of the linear light that full lines take; 0.62 looks like black of 35 % in sRGB.
 inline constexpr float silhouette_ink = 0.62F, crease_ink = 0.9F;
 
 }   // namespace render
@@ -31,13 +31,14 @@ namespace render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// sin of the angle with this tangent.
+/// Returns the sine of the angle with this tangent.
 template <class D>
 HWY_INLINE hn::Vec<D> sine(D d, hn::Vec<D> tangent) {
     return hn::Div(tangent, hn::Sqrt(hn::Add(hn::Set(d, 1), hn::Mul(tangent, tangent))));
 }
 
-/// What stands higher than `reach` over a pixel fades: it is another part in front, not a wall of the same hollow.
+/// Returns the rise from one height to another. Beyond `reach` it falls again: such a part stands in front and is no wall of the same
+/// hollow.
 template <class D>
 HWY_INLINE hn::Vec<D> rise(D d, hn::Vec<D> from, const float* to, hn::Vec<D> twice_reach) {
     const auto difference = hn::Sub(hn::LoadU(d, to), from);
@@ -61,14 +62,12 @@ void Openness(const float* heights, std::size_t count, float reach, const Looks&
                 ahead = hn::Max(ahead, hn::Mul(scale, rise(d, from, heights + x + look.step, twice_reach)));
                 behind = hn::Max(behind, hn::Mul(scale, rise(d, from, heights + x - look.step, twice_reach)));
             }
-            // Nothing where the tangents add up to less: sines add up to less than these, or to less than 0.
+            // No darkening: the sum of the sines is below that of the tangents, or below 0.
             if (hn::AllTrue(d, hn::Lt(hn::Add(ahead, behind), hn::Set(d, 0.99F * least_bend)))) continue;
             hidden = hn::Add(hidden, hn::Max(zero, hn::Sub(hn::Add(sine(d, ahead), sine(d, behind)), hn::Set(d, least_bend))));
         }
-        // Squared: what reaches a hollow has been reflected off its walls less often than the sky it sees would let one think.
         const auto sky = hn::Sub(hn::Set(d, 1), hn::Mul(hidden, hn::Set(d, 0.5F / occlusion_directions)));
-        const auto open = hn::Mul(sky, sky);
-        hn::StoreU(open, d, openness + x);
+        hn::StoreU(hn::Mul(sky, sky), d, openness + x);   // squared, because less light reaches a hollow than its share of the sky
     }
 }
 
@@ -90,8 +89,8 @@ void Smooth(const float* heights, const float* openness, std::ptrdiff_t pitch, s
     }
 }
 
-/// sin² of the angle by which the surface bends at a pixel, 1 beyond a right angle; 0 beside what shows nothing. The sine comes from the
-/// cross product of the directions to either side.
+/// Returns sin² of the angle by which the surface bends at a pixel, from the cross product of the directions to either side; 1 beyond a
+/// right angle, 0 beside pixels that show nothing.
 template <class D>
 HWY_INLINE hn::Vec<D> bend(D d, const float* at, std::ptrdiff_t step) {
     const auto one = hn::Set(d, 1), before = hn::LoadU(d, at - step), here = hn::LoadU(d, at), after = hn::LoadU(d, at + step);
@@ -111,7 +110,7 @@ void Creases(const float* heights, std::ptrdiff_t pitch, std::size_t count, floa
     }
 }
 
-/// Coverage falls off from a pixel to those beside it on a silhouette; creases are spread over three pixels, or they would have steps.
+/// Draws silhouettes where a neighbour has less coverage, and creases spread over three pixels to hide steps.
 void Lines(const std::uint8_t* coverage, const std::uint8_t* creases, std::ptrdiff_t pitch, std::size_t count, float* lines) {
     const hn::CappedTag<float, 16> d;
     const hn::RebindToSigned<decltype(d)> ints;
@@ -151,8 +150,7 @@ HWY_EXPORT(Lines);
 
 namespace {
 
-constexpr double reach_share = 0.045;
-/// Looks of one direction lie on one line exactly, lest an inclined plane look bent.
+/// Directions whose looks lie on exact lines, lest an inclined plane look bent.
 constexpr std::array<std::array<int, 2>, occlusion_directions> directions{
     {{1, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 1}, {-1, 2}, {-1, 1}, {-2, 1}}};
 /// Distances along even and odd directions, as shares of the reach.
@@ -171,7 +169,7 @@ Looks looks_on(const HeightField& heights) {
     return looks;
 }
 
-/// Vectors write beyond what is asked for: `find(begin, count, found)` gets room for that.
+/// Calls find(begin, count, found) for stretches of the result; `found` has room for vectors that write beyond `count`.
 template <class Find>
 void in_whole_vectors(std::span<float> result, const Find& find) {
     std::array<float, 1024> found;
@@ -184,12 +182,11 @@ void in_whole_vectors(std::span<float> result, const Find& find) {
 
 }   // namespace
 
-// Sixteen pixels more to the right, because vectors read that far.
 HeightField::HeightField(int width, int height)
     : width_(width),
       height_(height),
-      reach_(2 + static_cast<int>(reach_share * std::min(width, height))),
-      pitch_(width + 2 * reach_ + 16),
+      reach_(2 + static_cast<int>(0.045 * std::min(width, height))),
+      pitch_(width + 2 * reach_ + 16),   // vectors read up to 16 pixels beyond
       heights_(static_cast<std::size_t>(pitch_ * (height + 2 * reach_))) {
     tbb::parallel_for(tbb::blocked_range<float*>(heights_.data(), heights_.data() + heights_.size(), 1 << 17),
                       [](const auto& part) { std::fill(part.begin(), part.end(), nothing); });

@@ -1,5 +1,5 @@
 /// @file
-/// What the heights of a picture say of form: how much of the sky each pixel sees (ambient occlusion), and where lines run.
+/// Shading from the heights of a picture: ambient occlusion, silhouettes and creases.
 #pragma once
 
 #include <algorithm>
@@ -12,34 +12,36 @@
 
 namespace render {
 
-/// A place to look at, and the one opposite.
+/// A pair of opposite places to look at from a pixel.
 struct Look {
-    std::ptrdiff_t step;   // in the height field
+    std::ptrdiff_t step;   // in the height field; −step for the opposite place
     float one_over_distance;
 };
-inline constexpr std::size_t occlusion_directions = 8, looks_of_direction = 4;   // each direction with its opposite
+inline constexpr std::size_t occlusion_directions = 8, looks_of_direction = 4;
 using Looks = std::array<std::array<Look, looks_of_direction>, occlusion_directions>;
 
-/// Heights above the picture plane towards the viewer, in pixels, with a margin round the picture; or another number a pixel.
+/// The height of each pixel above the picture plane, towards the viewer [pixels], with a margin round the picture; or another number a
+/// pixel.
 class HeightField {
 public:
-    static constexpr float nothing = -1e6F, lowest = -4e5F;   // what lies lower is taken to lie there
+    static constexpr float nothing = -1e6F, lowest = -4e5F;   // lower surfaces count as `lowest`
 
     HeightField(int width, int height);
 
-    /// A stretch of a row shows nothing.
+    /// Sets `count` pixels of a row to show nothing.
     void clear(int x, int y, int count);
-    /// @param heights  −∞ where a pixel shows nothing
+    /// Sets pixels of a row. @param heights  −∞ if a pixel shows nothing
     void set(int x, int y, std::span<const float> heights);
-    /// @param x, y  may lie up to reach() outside of the picture
+    /// Returns a height. @param x, y  may lie up to reach() outside of the picture
     float at(int x, int y) const { return *place(x, y); }
+    /// Returns the place of a height, for reading its neighbours.
     const float* place(int x, int y) const { return heights_.data() + (y + reach_) * pitch_ + reach_ + x; }
 
     int width() const { return width_; }
     int height() const { return height_; }
-    /// How far occlusion looks, in pixels: a share of the shorter side.
+    /// The largest distance at which occlusion looks [pixels], a share of the shorter side.
     int reach() const { return reach_; }
-    /// From a row to the next.
+    /// The step from one row to the next.
     std::ptrdiff_t pitch() const { return pitch_; }
 
 private:
@@ -48,13 +50,13 @@ private:
     LargeArray<float> heights_;
 };
 
-/// Where pixels look for what hides the sky; the same places round all of them.
+/// Computes how much of the sky each pixel sees.
 class Sky {
 public:
     explicit Sky(const HeightField& heights);
 
-    /// For pixels from (x, y) on: 1 where one sees the whole half-space above it, down to 0 at the bottom of a hole. Planes see all of
-    /// it, however inclined, and so does what shows nothing.
+    /// Sets `openness` for pixels from (x, y) to the right: 1 if the surface there sees the whole half-space above it, down to 0 at the
+    /// bottom of a hole. 1 on planes, however inclined, and where nothing is shown.
     void openness(int x, int y, std::span<float> openness) const;
 
 private:
@@ -62,13 +64,15 @@ private:
     Looks looks_;
 };
 
-/// The mean of `openness` round pixels from (x, y) on, over what lies about as high: looks are few, and single ones leave streaks.
+/// Sets `smoothed` for pixels from (x, y) to the right: the mean of `openness` around a pixel over surfaces of similar height. Without it,
+/// the few looks leave streaks.
 void smooth(const HeightField& heights, const HeightField& openness, int x, int y, std::span<float> smoothed);
 
-/// 0 to 255 a pixel, with a margin of one round the picture, which is 0.
+/// A byte for each pixel, with a margin of one pixel of zeros round the picture.
 class ByteField {
 public:
     ByteField(int width, int height) : pitch_(width + 18), bytes_(static_cast<std::size_t>(pitch_ * (height + 2)), std::uint8_t{0}) {}
+    /// Returns the place of a pixel's byte; the margin has x or y of −1, and of the width or height.
     std::uint8_t* place(int x, int y) { return bytes_.data() + (y + 1) * pitch_ + 1 + x; }
     const std::uint8_t* place(int x, int y) const { return bytes_.data() + (y + 1) * pitch_ + 1 + x; }
     std::ptrdiff_t pitch() const { return pitch_; }
@@ -79,10 +83,12 @@ private:
     LargeArray<std::uint8_t> bytes_;
 };
 
-/// For pixels from (x, y) on: 255 where the surface has a crease or one part ends before another.
+/// Sets `creases` for pixels from (x, y) to the right: up to 255 where the surface has a crease or one part ends in front of another, else
+/// 0.
 void find_creases(const HeightField& heights, int x, int y, std::span<std::uint8_t> creases);
 
-/// The share of the light that silhouettes and creases take from pixels from (x, y) on: lines of 1 to 1.5 pixels.
+/// Sets `lines` for pixels from (x, y) to the right: the share of light (0 to 1) that silhouettes and creases take, in lines of 1 to 1.5
+/// pixels.
 void draw_lines(const ByteField& coverage, const ByteField& creases, int x, int y, std::span<float> lines);
 
 }   // namespace render

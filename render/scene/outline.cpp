@@ -14,11 +14,13 @@
 #include <tuple>
 #include <utility>
 
+#include "rounding.h"
+
 namespace render {
 
 namespace {
 
-/// Scatters vertex numbers over 64 bits (the finaliser of SplitMix64, Steele et al. 2014).
+/// Hashes a number (finaliser of SplitMix64, Steele et al. 2014).
 std::uint64_t scattered(std::uint64_t i) {
     i = (i + 1) * 0x9e3779b97f4a7c15U;
     i = (i ^ (i >> 30)) * 0xbf58476d1ce4e5b9U;
@@ -26,21 +28,20 @@ std::uint64_t scattered(std::uint64_t i) {
     return i ^ (i >> 31);
 }
 
-/// Sums up to 0 over the edges of a closed, consistently oriented surface, each of which it meets in both directions.
-std::uint64_t signed_number(int from, int to) {
-    const auto ends = std::minmax(from, to);
-    const std::uint64_t number = scattered(static_cast<std::uint64_t>(ends.first) << 32 | static_cast<std::uint32_t>(ends.second));
-    return from < to ? number : 0 - number;
-}
-
-/// 0 hardly ever by chance. Whole numbers: the sum does not depend on the order.
+/// True if every edge occurs equally often in both directions, as in a closed, consistently oriented surface: then the hashes of its
+/// directed edges, which differ in sign for opposite directions, sum to 0. For other surfaces that happens hardly ever.
 bool is_closed(const Surface& surface) {
+    const auto signed_hash = [](int from, int to) {
+        const auto ends = std::minmax(from, to);
+        const std::uint64_t hash = scattered(static_cast<std::uint64_t>(ends.first) << 32 | static_cast<std::uint32_t>(ends.second));
+        return from < to ? hash : 0 - hash;
+    };
     const std::uint64_t sum = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, surface.triangles.size(), 16384), std::uint64_t{0},
         [&](const auto& part, std::uint64_t total) {
             for (std::size_t i = part.begin(); i < part.end(); ++i) {
                 const glm::ivec3& t = surface.triangles[i];
-                total += signed_number(t.x, t.y) + signed_number(t.y, t.z) + signed_number(t.z, t.x);
+                total += signed_hash(t.x, t.y) + signed_hash(t.y, t.z) + signed_hash(t.z, t.x);
             }
             return total;
         },
@@ -48,36 +49,29 @@ bool is_closed(const Surface& surface) {
     return sum == 0;
 }
 
-/// Round an inner vertex the opposite edges close up, so Σ (next − previous) = 0; with scattered numbers hardly ever otherwise.
-/// Vertices where the sum is not 0 include all boundary vertices of a consistently oriented surface.
+/// Marks vertices that include all boundary vertices. Around an inner vertex of a consistently oriented surface the opposite edges close
+/// up, so that Σ (next − previous) = 0; with hashes of the vertices that happens hardly ever elsewhere.
 std::vector<bool> may_lie_on_boundary(const Surface& surface) {
     std::vector<std::uint64_t> sum(surface.positions.size(), 0);
     for (const glm::ivec3& t : surface.triangles) {
         if (!can_be_drawn(t, surface.positions)) continue;
-        for (int k = 0; k < 3; ++k)
-            sum[static_cast<std::size_t>(t[k])] +=
-                scattered(static_cast<std::uint64_t>(t[(k + 1) % 3])) - scattered(static_cast<std::uint64_t>(t[(k + 2) % 3]));
+        for (int k = 0; k < 3; ++k) sum[index(t[k])] += scattered(index(t[(k + 1) % 3])) - scattered(index(t[(k + 2) % 3]));
     }
     std::vector<bool> result(sum.size());
     std::transform(sum.begin(), sum.end(), result.begin(), [](std::uint64_t s) { return s != 0; });
     return result;
 }
 
-bool same_edge(const BoundaryEdge& e, const BoundaryEdge& f) { return e.a == f.a && e.b == f.b; }
-
-/// |cos| of the angle between normal and view below which a triangle is seen edge-on.
-constexpr double edge_on = 0.004;
 bool seen_edge_on(const ProjectedScene& projected, std::int32_t id) {
-    const Surface& surface = projected.scene.surface;
-    const glm::ivec3& t = surface.triangles[static_cast<std::size_t>(id)];
-    const auto at = [&](int k) {
-        return (surface.positions[static_cast<std::size_t>(t[k])] - projected.scene.frame.centre) * projected.scene.frame.pixels_per_unit;
-    };
+    constexpr double edge_on = 0.004;   // largest |cos| of the angle between normal and view
+    const Scene& scene = projected.scene;
+    const glm::ivec3& t = scene.surface.triangles[index(id)];
+    const auto at = [&](int k) { return (scene.surface.positions[index(t[k])] - scene.frame.centre) * scene.frame.pixels_per_unit; };
     const glm::dvec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
     return std::abs(glm::dot(normal, projected.axes.depth)) < edge_on * glm::length(normal);
 }
 
-/// Leaves the first of equal ribbons, as of many triangles in one place: no other is seen.
+/// Keeps the first of equal ribbons, such as those of many triangles in one place, because it hides the others.
 std::vector<Ribbon> each_once(std::vector<Ribbon> ribbons) {
     std::vector<std::size_t> order(ribbons.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -104,12 +98,11 @@ std::vector<BoundaryEdge> boundary_edges(const Surface& surface) {
         if (!can_be_drawn(t, surface.positions)) continue;
         for (int k = 0; k < 3; ++k) {
             const int a = std::min(t[k], t[(k + 1) % 3]), b = std::max(t[k], t[(k + 1) % 3]);
-            if (candidate[static_cast<std::size_t>(a)] && candidate[static_cast<std::size_t>(b)])
-                edges.push_back({a, b, static_cast<std::int32_t>(id)});
+            if (candidate[index(a)] && candidate[index(b)]) edges.push_back({a, b, static_cast<std::int32_t>(id)});
         }
     }
-    const auto key = [](const BoundaryEdge& e) { return std::tuple(e.a, e.b, e.triangle); };
-    std::sort(edges.begin(), edges.end(), [&](const BoundaryEdge& e, const BoundaryEdge& f) { return key(e) < key(f); });
+    std::ranges::sort(edges, {}, [](const BoundaryEdge& e) { return std::tuple(e.a, e.b, e.triangle); });
+    const auto same_edge = [](const BoundaryEdge& e, const BoundaryEdge& f) { return e.a == f.a && e.b == f.b; };
     std::vector<BoundaryEdge> single;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const bool repeated = (i > 0 && same_edge(edges[i - 1], edges[i])) || (i + 1 < edges.size() && same_edge(edges[i], edges[i + 1]));
@@ -120,9 +113,8 @@ std::vector<BoundaryEdge> boundary_edges(const Surface& surface) {
 
 std::vector<Ribbon> edge_on_ribbons(const ProjectedScene& scene, std::span<const BoundaryEdge> edges, double width) {
     std::vector<BoundaryEdge> hidden;
-    std::copy_if(edges.begin(), edges.end(), std::back_inserter(hidden),
-                 [&](const BoundaryEdge& e) { return seen_edge_on(scene, e.triangle); });
-    if (2 * hidden.size() < edges.size()) return {};   // here and there the rim of a curved surface is seen edge-on
+    std::ranges::copy_if(edges, std::back_inserter(hidden), [&](const BoundaryEdge& e) { return seen_edge_on(scene, e.triangle); });
+    if (2 * hidden.size() < edges.size()) return {};   // parts of the rim of a curved surface
     std::vector<Ribbon> ribbons;
     for (const BoundaryEdge& e : hidden) {
         const ScreenPoint a = scene.exact_corner(e.a), b = scene.exact_corner(e.b);

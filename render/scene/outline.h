@@ -1,5 +1,5 @@
 /// @file
-/// What keeps an open surface visible when it is seen edge-on and covers no sample: thin ribbons along its boundary.
+/// Thin ribbons along the boundary of an open surface, which is otherwise invisible when it is seen edge-on and covers no sample.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,20 +12,20 @@ namespace render {
 
 struct BoundaryEdge {
     int a, b;
-    std::int32_t triangle;   // the only one beside it
+    std::int32_t triangle;   // the only triangle of the edge
 };
 
-/// The edges with one triangle, in the order of their triangles. Takes linear time on closed surfaces.
+/// Returns the edges with exactly one triangle, sorted by their ends. Takes linear time for closed surfaces.
 std::vector<BoundaryEdge> boundary_edges(const Surface& surface);
 
-/// Half of the quadrilateral that stands for an edge on the screen.
+/// One half of the quadrilateral that shows an edge on the screen.
 struct Ribbon {
     Triangle2 screen;
-    glm::ivec3 vertex;   // of the surface, whose value each corner has
+    glm::ivec3 vertex;   // of the surface, from which each corner takes its value
 };
 
-/// Ribbons along those edges whose triangle is seen edge-on (within a quarter of a degree), if that are at least half of all: the
-/// surface as a whole would vanish. @param width  pixels
+/// Returns ribbons along the edges with triangles that are seen edge-on (within a quarter of a degree), if these are at least half of the
+/// edges; else none, because the surface does not vanish. @param width  of a ribbon [pixels]
 std::vector<Ribbon> edge_on_ribbons(const ProjectedScene& scene, std::span<const BoundaryEdge> edges, double width);
 
 }   // namespace render

@@ -1,6 +1,5 @@
 #include "scene/scene.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <hwy/cache_control.h>
@@ -17,32 +16,27 @@ namespace render {
 
 namespace {
 
-/// Runs `body(begin, end)` on parts of [0, count) in parallel; parts must not share results.
-template <class Body>
-void in_parts(std::size_t count, const Body& body) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16384), [&](const auto& part) { body(part.begin(), part.end()); });
-}
-
 glm::dvec3 in_pixels(const glm::dvec3& position, const Frame& frame) { return (position - frame.centre) * frame.pixels_per_unit; }
 
+/// Returns GridVertex::at.
 std::array<std::int32_t, 3> snapped(const glm::dvec3& pixels) {
     const glm::dvec3 steps = double(subpixels) * pixels, size = glm::abs(steps);
     const double largest = std::max(size.x, std::max(size.y, size.z));
-    // Sums, because a maximum may pass over NaN.
-    if (!std::isfinite(size.x + size.y + size.z)) return {GridVertex::undefined, GridVertex::undefined, GridVertex::undefined};
+    if (!std::isfinite(size.x + size.y + size.z))   // a maximum may miss NaN
+        return {GridVertex::undefined, GridVertex::undefined, GridVertex::undefined};
     if (largest > GridVertex::largest_near) return {GridVertex::far_off, GridVertex::far_off, GridVertex::far_off};
     return {static_cast<std::int32_t>(std::lrint(steps.x)), static_cast<std::int32_t>(std::lrint(steps.y)),
             static_cast<std::int32_t>(std::lrint(steps.z))};
 }
 
 float map_position(double value, const ValueRange& range) {
-    constexpr double limit = 1e6;   // ranges beyond the ends, where everything has the colour of the end
+    constexpr double limit = 1e6;   // far beyond the ends of the map
     if (std::isnan(value)) return std::numeric_limits<float>::quiet_NaN();
     if (0.5 * range.high - 0.5 * range.low == 0) return value < range.low ? 0.0F : value > range.low ? 1.0F : 0.5F;
     return static_cast<float>(std::clamp(range.position(value), -limit, limit));
 }
 
-/// Not normalised: twice the area long, cut down where float would overflow. 0 where it is undefined.
+/// Returns the normal of a triangle, as long as twice its area unless float would overflow; 0 if a corner is not finite.
 glm::vec3 face_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     constexpr double longest = 1e17;   // its square is finite in float
     const glm::dvec3 n = glm::cross(b - a, c - a), size = glm::abs(n);
@@ -51,27 +45,27 @@ glm::vec3 face_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
     return largest > longest ? glm::vec3(n * (longest / largest)) : glm::vec3(n);
 }
 
-/// What the normal of a vertex is made of, on one cache line: corners lie anywhere in memory, and each line of them is waited for.
-/// 64 bytes a vertex until the normals are known.
+/// A vertex while its normal is computed, on one cache line, because triangles visit vertices in any order.
 struct alignas(64) NormalParts {
     glm::dvec3 at;                   // in pixels
     std::array<glm::vec4, 2> sums;   // of normals times areas, and of areas, over each half of the triangles
 };
 
-/// Of the mean normal, before it is normalised: 1 where the triangles at a vertex lie in a plane, cos 45° on the edge of a cube. The
-/// vertex is a crease from `crease_begin` down, wholly so at `crease_end` (cosines of 24° and 32°).
-constexpr float crease_begin = 0.914F, crease_end = 0.848F;
-float sharpness_of(float length_of_mean) { return std::clamp((crease_begin - length_of_mean) / (crease_begin - crease_end), 0.0F, 1.0F); }
+/// Returns the share of their own normals that triangles at a vertex keep: 0 where they lie nearly in a plane, 1 at a crease.
+/// @param length_of_mean  length of their mean normal: 1 in a plane, cos 45° on the edge of a cube
+float sharpness_of(float length_of_mean) {
+    constexpr float crease_begin = 0.914F, crease_end = 0.848F;   // cosines of 24° and 32°
+    return std::clamp((crease_begin - length_of_mean) / (crease_begin - crease_end), 0.0F, 1.0F);
+}
 
-/// The mean over the triangles at each vertex, weighted by area. Each half of the triangles has sums of its own, added up in a fixed
-/// order, so that the result does not depend on the number of threads. Prefetching what comes next hides the wait for memory.
+/// Sets the normal of each vertex: the mean over its triangles, weighted by area. Each half of the triangles has its own sums, added in a
+/// fixed order, so that the result does not depend on the number of threads. Prefetching hides the latency of memory.
 void set_normals(Scene& scene) {
     static constexpr std::size_t ahead = 32;
     const auto& triangles = scene.surface.triangles;
     LargeArray<NormalParts> parts(scene.vertices.size());
-    in_parts(parts.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            parts[i] = {in_pixels(scene.surface.positions[i], scene.frame), {glm::vec4(0), glm::vec4(0)}};
+    for_each_index(parts.size(), [&](std::size_t i) {
+        parts[i] = {in_pixels(scene.surface.positions[i], scene.frame), {glm::vec4(0), glm::vec4(0)}};
     });
     tbb::parallel_for(std::size_t{0}, std::size_t{2}, [&](std::size_t half) {
         for (std::size_t i = half * triangles.size() / 2; i < (half + 1) * triangles.size() / 2; ++i) {
@@ -83,16 +77,14 @@ void set_normals(Scene& scene) {
             for (int k = 0; k < 3; ++k) parts[index(t[k])].sums[half] += part;
         }
     });
-    in_parts(parts.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            hwy::Prefetch(parts.data() + std::min(i + ahead, end - 1));
-            const glm::vec4 sum = parts[i].sums[0] + parts[i].sums[1];
-            scene.vertices[i].normal = pack_normal(glm::vec3(sum), sharpness_of(glm::length(glm::vec3(sum)) / sum.w));
-        }
+    for_each_index(parts.size(), [&](std::size_t i) {
+        hwy::Prefetch(parts.data() + std::min(i + ahead, parts.size() - 1));
+        const glm::vec4 sum = parts[i].sums[0] + parts[i].sums[1];
+        scene.vertices[i].normal = pack_normal(glm::vec3(sum), sharpness_of(glm::length(glm::vec3(sum)) / sum.w));
     });
 }
 
-/// Which axis of the model `axis` is; −1 for none.
+/// Returns the number of the model's axis that `axis` is; −1 for another direction.
 int model_axis(const glm::dvec3& axis) {
     for (int k = 0; k < 3; ++k)
         if (axis[k] == 1) return k;
@@ -101,14 +93,13 @@ int model_axis(const glm::dvec3& axis) {
 
 bool any_far_off(const LargeArray<GridVertex>& vertices) {
     std::atomic<bool> any = false;
-    in_parts(vertices.size(), [&](std::size_t begin, std::size_t end) {
-        const auto is_far = [](const GridVertex& v) { return v.at[0] == GridVertex::far_off; };
-        if (std::any_of(vertices.begin() + static_cast<std::ptrdiff_t>(begin), vertices.begin() + static_cast<std::ptrdiff_t>(end), is_far))
-            any = true;
+    for_each_index(vertices.size(), [&](std::size_t i) {
+        if (vertices[i].at[0] == GridVertex::far_off) any = true;
     });
     return any;
 }
 
+/// Returns grid steps; beyond `largest_coordinate` for all that lies farther.
 std::int64_t snapped_far(double pixels) {
     const double steps = pixels * subpixels;
     return std::abs(steps) < static_cast<double>(largest_coordinate) ? std::llrint(steps) : 2 * largest_coordinate;
@@ -132,15 +123,11 @@ glm::vec3 unpacked_normal(std::uint32_t packed) {
 
 Scene::Scene(const Surface& drawn, const Frame& on, const DrawOptions& options)
     : surface(drawn), frame(on), width(options.width), height(options.height), vertices(drawn.positions.size()) {
-    in_parts(vertices.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) vertices[i] = {snapped(in_pixels(surface.positions[i], frame)), 0};
-    });
+    for_each_index(vertices.size(), [&](std::size_t i) { vertices[i] = {snapped(in_pixels(surface.positions[i], frame)), 0}; });
     has_far_off = any_far_off(vertices);
     if (options.shading) set_normals(*this);
     map_positions.resize(surface.values.size());
-    in_parts(map_positions.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) map_positions[i] = map_position(surface.values[i], options.range);
-    });
+    for_each_index(map_positions.size(), [&](std::size_t i) { map_positions[i] = map_position(surface.values[i], options.range); });
 }
 
 ProjectedScene::ProjectedScene(const Scene& seen, const Axes& along)
@@ -153,11 +140,10 @@ ProjectedScene::ProjectedScene(const Scene& seen, const Axes& along)
     const auto along_axes = [&](const glm::dvec3& v) {
         return glm::dvec3(glm::dot(v, axes.across), glm::dot(v, axes.up), glm::dot(v, axes.depth));
     };
-    in_parts(turned.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            turned[i] = {snapped(along_axes(in_pixels(scene.surface.positions[i], scene.frame))),
-                         pack_normal(glm::vec3(along_axes(unpacked_normal(scene.vertices[i].normal))),
-                                     static_cast<float>(scene.vertices[i].normal >> 30) / 3)};
+    for_each_index(turned.size(), [&](std::size_t i) {
+        const std::uint32_t normal = scene.vertices[i].normal;
+        turned[i] = {snapped(along_axes(in_pixels(scene.surface.positions[i], scene.frame))),
+                     pack_normal(glm::vec3(along_axes(unpacked_normal(normal))), static_cast<float>(normal >> 30) / 3)};
     });
     vertices = turned.data();
     has_far_off = any_far_off(turned);
@@ -172,7 +158,7 @@ ScreenPoint ProjectedScene::exact_corner(int vertex) const {
 }
 
 Triangle2 ProjectedScene::exact_triangle(std::int32_t id) const {
-    const glm::ivec3& t = scene.surface.triangles[static_cast<std::size_t>(id)];
+    const glm::ivec3& t = scene.surface.triangles[index(id)];
     return {{exact_corner(t.x), exact_corner(t.y), exact_corner(t.z)}};
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// A surface made ready to be drawn: its vertices on the sample grid, with what shading needs of them.
+/// A surface prepared for drawing: vertices on the sample grid, with their normals and places in the colour map.
 #pragma once
 
 #include <compare>
@@ -14,28 +14,29 @@
 
 namespace render {
 
-/// A vertex in grid steps from the middle of the picture. The rounded surface is what is drawn: coverage is decided in integers.
+/// A vertex in grid steps from the middle of the picture. Coverage is decided in integers, for the rounded surface.
 struct GridVertex {
-    std::array<std::int32_t, 3> at;   // `far_off` in all three when one is beyond `largest_near`, `undefined` when one is not finite
-    std::uint32_t normal;             // packed; see pack_normal
+    std::array<std::int32_t, 3> at;   // all `far_off` if one is beyond `largest_near`, all `undefined` if one is not finite
+    std::uint32_t normal;             // see pack_normal
 
     static constexpr std::int32_t largest_near = 1 << 23;   // 2¹⁵ pixels: twice the largest picture
     static constexpr std::int32_t undefined = std::numeric_limits<std::int32_t>::min(), far_off = undefined + 1;
 };
 static_assert(sizeof(GridVertex) == 16);
 
-/// A normal in three times 10 bits, (n + 1) · 511, fine enough for light; above them two bits of `sharpness`, in thirds: how far the
-/// triangles at the vertex keep normals of their own, because the surface has a crease there. 0 stands for no normal.
+/// Packs a normal of any length into three times 10 bits, (n + 1) · 511, and above them the sharpness (0 to 1) in thirds: the share of
+/// their own normals that triangles at a crease keep. Returns 0 for a normal of length 0.
 std::uint32_t pack_normal(const glm::vec3& n, float sharpness);
+/// Returns the normal, of length about 1; 0 for 0.
 glm::vec3 unpacked_normal(std::uint32_t packed);
 
-/// A corner of a triangle on the screen, exactly: x to the right and y down from the upper left corner of the picture, in grid steps.
+/// The exact place of a corner on the screen, in grid steps.
 struct ScreenPoint {
-    std::int64_t x = 0, y = 0;
-    double depth = 0;   // grid steps from the middle of the picture along the depth axis
+    std::int64_t x = 0, y = 0;   // to the right and down from the upper left corner of the picture
+    double depth = 0;            // along the depth axis from the middle of the picture
     auto operator<=>(const ScreenPoint&) const = default;
 };
-/// Corners up to here are drawn exactly (2⁴⁴ pixels from the corner of the picture); triangles that reach farther are left out.
+/// The largest |x| and |y| of triangles that are drawn (2⁴⁴ pixels).
 inline constexpr std::int64_t largest_coordinate = std::int64_t{1} << 52;
 
 struct Triangle2 {
@@ -43,40 +44,41 @@ struct Triangle2 {
     bool operator==(const Triangle2&) const = default;
 };
 
-/// What does not depend on the view. Memory: 16 bytes a vertex, 4 more with values.
+/// The part of a scene that all views share. Memory: 16 bytes a vertex, 4 more with values.
 struct Scene {
     const Surface& surface;
     Frame frame;
     int width, height;
     LargeArray<GridVertex> vertices;   // along the axes of the model
-    bool has_far_off = false;          // some vertex is
-    LargeArray<float> map_positions;   // place in the colour map, 0 to 1 within the range; NaN: undefined; empty: no values
+    bool has_far_off = false;          // some vertex is far off
+    LargeArray<float> map_positions;   // places in the colour map, 0 to 1 within the range; NaN: undefined; empty: no values
 
     Scene(const Surface& surface, const Frame& frame, const DrawOptions& options);
 
     std::int32_t triangle_count() const { return static_cast<std::int32_t>(surface.triangles.size()); }
-    /// Of the corners; a negative index is out of range, too.
+    /// True if the triangle's indices are in range.
     bool has_known_corners(std::int32_t id) const {
         const glm::ivec3& t = surface.triangles[static_cast<std::size_t>(id)];
-        const auto known = [&](int v) { return static_cast<std::size_t>(v) < vertices.size(); };
+        const auto known = [&](int v) { return static_cast<std::size_t>(v) < vertices.size(); };   // not if negative
         return known(t.x) && known(t.y) && known(t.z);
     }
 };
 
-/// A scene as one projection sees it.
+/// A scene in one projection.
 struct ProjectedScene {
     const Scene& scene;
     Axes axes;
-    std::array<int, 3> component;           // of GridVertex::at that lies across, up, in depth
-    LargeArray<GridVertex> turned;          // along `axes`, where those are not the model's own
+    std::array<int, 3> component;           // components of GridVertex::at across, up and in depth
+    LargeArray<GridVertex> turned;          // vertices along `axes`, unless those are the model's own
     const GridVertex* vertices = nullptr;   // `turned` or those of the scene
-    bool has_far_off = false;               // some vertex is
+    bool has_far_off = false;               // some vertex is far off
 
     ProjectedScene(const Scene& scene, const Axes& axes);
     ProjectedScene(ProjectedScene&&) = default;
 
-    /// From the original coordinates; may be farther off than a GridVertex can say.
+    /// Computes a corner from the original coordinates, however far off.
     ScreenPoint exact_corner(int vertex) const;
+    /// Computes the corners of triangle `id` from the original coordinates.
     Triangle2 exact_triangle(std::int32_t id) const;
 };
 

@@ -5,52 +5,48 @@
 #include <algorithm>
 #include <array>
 
+#include "rounding.h"
+
 namespace render {
-
-namespace {
-
-/// How much of the light an occluded part loses; values keep nearly all, so that they can be read off the colour bar.
-constexpr float occlusion_on_plain = 0.9F, occlusion_on_values = 0.035F;
-
-}   // namespace
 
 ViewBuffers::ViewBuffers(const DrawOptions& options) : heights(options.width, options.height) {
     if (!options.occlusion) return;
-    layers.resize(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
-    shown.resize(static_cast<std::size_t>(((options.width - 1) / tile_side + 1) * options.height));
+    layers.resize(index(options.width) * index(options.height));
+    shown.resize(index(((options.width - 1) / tile_side + 1) * options.height));
 }
 
 ViewPicture::ViewPicture(const DrawOptions& options, const Placement& placement, bool has_values, ViewBuffers* buffers)
     : with_occlusion_(options.occlusion),
-      occlusion_strength_(has_values ? occlusion_on_values : occlusion_on_plain),
+      occlusion_strength_(has_values ? 0.035F : 0.9F),   // little on values, whose colours must match the colour bar
       placement_(placement),
       background_(options.background),
       image_(options.width, options.height, options.background),
       buffers_(buffers) {}
-
-template <class T>
-void ViewPicture::mirror(std::span<T> row_of_tile) const {
-    if (placement_.mirrored_x) std::reverse(row_of_tile.begin(), row_of_tile.end());
-}
 
 void ViewPicture::add(const SampleTile& tile, int block_row, const Fragments& fragments) {
     const int rows = tile.pattern().block_side, top = tile.y() + block_row * rows;
     std::array<LinearColor, std::size_t{tile_side} * 4> colors{};
     for (std::size_t i = 0; i < fragments.count; ++i) {
         const float w = fragments.weight[i];
-        colors[static_cast<std::size_t>(fragments.pixel[i])] += {w * fragments.red[i], w * fragments.green[i], w * fragments.blue[i], w};
+        colors[index(fragments.pixel[i])] += {w * fragments.red[i], w * fragments.green[i], w * fragments.blue[i], w};
     }
+    std::array<float, std::size_t{tile_side} * 4> heights;
+    if (buffers_ != nullptr) collect_heights(tile, block_row, placement_.from_below, heights);
     const int last_row = std::min(rows, image_.height - top), columns = std::min(tile_side, image_.width - tile.x());
     const int left = column(tile.x(), columns);
     for (int y = 0; y < last_row; ++y) {
-        const std::span row_colors = std::span(colors).subspan(static_cast<std::size_t>(y) * tile_side, static_cast<std::size_t>(columns));
-        mirror(row_colors);
+        const auto in_picture = [&](auto& values) {
+            const std::span in_row = std::span(values).subspan(index(y * tile_side), index(columns));
+            if (placement_.mirrored_x) std::ranges::reverse(in_row);
+            return in_row;
+        };
+        const std::span row_colors = in_picture(colors);
         if (with_occlusion_)
             shown(tile.x(), row(top + y)) = 1, pack(row_colors, layers(left, row(top + y), columns));
         else
             resolve(row_colors, background_, {&image_.at(left, row(top + y)), row_colors.size()});
+        if (buffers_ != nullptr) buffers_->heights.set(left, row(top + y), in_picture(heights));
     }
-    if (buffers_ != nullptr) set_heights(tile, block_row);
 }
 
 void ViewPicture::leave_empty(int left, int top, int rows) {
@@ -59,18 +55,6 @@ void ViewPicture::leave_empty(int left, int top, int rows) {
     for (int y = top; y < std::min(top + rows, image_.height); ++y) {
         if (with_occlusion_) shown(left, row(y)) = 0;
         buffers_->heights.clear(column(left, columns), row(y), columns);
-    }
-}
-
-void ViewPicture::set_heights(const SampleTile& tile, int block_row) {
-    const int rows = tile.pattern().block_side, top = tile.y() + block_row * rows;
-    std::array<float, std::size_t{tile_side} * 4> found;
-    collect_heights(tile, block_row, placement_.from_below, found);
-    const int last_row = std::min(rows, image_.height - top), columns = std::min(tile_side, image_.width - tile.x());
-    for (int y = 0; y < last_row; ++y) {
-        const std::span row_heights = std::span(found).subspan(static_cast<std::size_t>(y) * tile_side, static_cast<std::size_t>(columns));
-        mirror(row_heights);
-        buffers_->heights.set(column(tile.x(), columns), row(top + y), row_heights);
     }
 }
 

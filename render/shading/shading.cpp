@@ -1,7 +1,7 @@
-// Shading has two steps, both over vectors of fragments (Highway: compiled once for each instruction set, with the same bits from all):
-//   1. interpolate: fetch the corners of the triangle, take barycentric coordinates, then normal and place in the colour map;
-//   2. light: colours of the map times the light on the normal.
-// Fragments of triangles whose corners do not fit the grid, and of ribbons, take step 1 one at a time.
+// Shading has two steps over vectors of fragments (Highway: compiled once for each instruction set, with the same bits from all):
+//   1. interpolate: fetch the corners of the triangle, compute barycentric coordinates, then the normal and the place in the colour map;
+//   2. light: multiply the colour from the map by the light on the normal.
+// Fragments of ribbons, and of triangles with corners that do not fit the grid, take step 1 one at a time (exact_shading.cpp).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shading/shading.cpp"
 #include <hwy/foreach_target.h>
@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "color/srgb.h"
-#include "raster/exact_triangle.h"
 #include "raster/vectors-inl.h"
 #include "rounding.h"
 #include "shading/shading_style.h"
@@ -38,7 +37,7 @@ HWY_INLINE FloatVector cross(FloatVector ax, FloatVector ay, FloatVector bx, Flo
     return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
 }
 
-/// The corners with one number, for a vector of triangles.
+/// One corner of each triangle of a vector.
 struct Corner {
     Vector3 at, normal;   // along the axes of the projection
     FloatVector sharpness, map_position;
@@ -78,13 +77,13 @@ private:
     std::array<int, 3> component_;
 };
 
-/// The normal of the vertex, or of the triangle where the surface has a crease.
+/// Mixes the normals of vertex and triangle: the latter dominates at a crease, as far as it can be trusted.
 HWY_INLINE Vector3 corner_normal(const Corner& corner, const Vector3& face_normal, FloatVector trust) {
     const FloatVector sharp = hn::Mul(trust, corner.sharpness);
     return sum(scaled(sharp, face_normal), scaled(hn::Sub(set(1), sharp), corner.normal));
 }
 
-/// The value at a point; where corners are undefined, the nearest corner decides whether the point is.
+/// Returns the value at barycentric coordinates. Near a corner without a value it is NaN; elsewhere such corners do not count.
 HWY_INLINE FloatVector interpolated_value(FloatVector ta, FloatVector tb, FloatVector tc, FloatVector wa, FloatVector wb, FloatVector wc) {
     FloatVector total = set(0), weight = set(0);
     const auto add = [&](FloatVector t, FloatVector w) HWY_ATTR {
@@ -100,10 +99,10 @@ HWY_INLINE FloatVector interpolated_value(FloatVector ta, FloatVector tb, FloatV
     return hn::IfThenElse(use_nearest, nearest, hn::Div(total, hn::IfThenElse(use_nearest, set(1), weight)));
 }
 
-/// 1 on a line, 0 a pixel away.
+/// Returns the ink at a distance from a line [pixels]: 1 on the line, 0 a pixel away.
 HWY_INLINE FloatVector line_ink(FloatVector distance) { return clamped(hn::Sub(set(line_half_width + 0.5F), distance)); }
 
-/// Edges from b − a and c − a, in grid steps, and twice the area they span.
+/// Returns the ink of the edges of a triangle with sides ab and ac [grid steps] and twice the area `area`.
 HWY_INLINE FloatVector edge_ink(const Vector3& ab, const Vector3& ac, FloatVector area, FloatVector wa, FloatVector wb, FloatVector wc) {
     const auto height = [&](FloatVector x, FloatVector y) HWY_ATTR {
         return hn::Div(hn::Abs(area), hn::Mul(set(subpixels), hn::Sqrt(hn::Add(hn::Mul(x, x), hn::Mul(y, y)))));
@@ -114,12 +113,13 @@ HWY_INLINE FloatVector edge_ink(const Vector3& ab, const Vector3& ac, FloatVecto
     return hn::Mul(hn::Mul(set(edge_strength), line_ink(nearest)), clamped(hn::Mul(smallest, set(1 / smallest_meshed))));
 }
 
-/// Lines where map position · scale + offset is whole, as wide everywhere: the distance is measured in pixels through the gradient.
+/// Returns the ink of isolines, which run where map position · scale + offset is an integer. The gradient gives the distance in pixels, so
+/// that lines are equally wide everywhere. @param tb_ta, tc_ta  differences of the map positions of the corners
 HWY_INLINE FloatVector isoline_ink(const ShadingStyle& style, const Vector3& ab, const Vector3& ac, FloatVector area, FloatVector tb_ta,
                                    FloatVector tc_ta, FloatVector at) {
     const FloatVector gx = hn::Div(cross(tb_ta, tc_ta, ab.y, ac.y), area), gy = hn::Div(cross(tc_ta, tb_ta, ac.x, ab.x), area);
-    // Of the map position, per pixel.
-    const FloatVector slope = hn::Mul(set(subpixels), hn::Sqrt(hn::Add(hn::Mul(gx, gx), hn::Mul(gy, gy))));
+    const FloatVector slope =   // of the map position, per pixel
+        hn::Mul(set(subpixels), hn::Sqrt(hn::Add(hn::Mul(gx, gx), hn::Mul(gy, gy))));
     const FloatVector gradient = hn::Mul(set(std::abs(style.isoline_scale)), slope);
     const FloatVector u = hn::Add(hn::Mul(at, set(style.isoline_scale)), set(style.isoline_offset));
     const FloatVector to_line = hn::Abs(hn::Sub(u, hn::Round(u)));
@@ -129,7 +129,7 @@ HWY_INLINE FloatVector isoline_ink(const ShadingStyle& style, const Vector3& ab,
     return hn::IfThenElseZero(is_steep, hn::Mul(fading, line_ink(hn::Mul(to_line, spacing))));
 }
 
-/// Step 1 for the fragments from i on.
+/// Does step 1 for a vector of fragments from i on.
 HWY_INLINE void interpolate(const CornerFetcher& fetch, float handedness, const ShadingStyle& style, Fragments& fragments, std::size_t i) {
     const Floats f;
     const IntVector id = hn::Load(Ints(), fragments.triangle.data() + i);
@@ -171,7 +171,7 @@ HWY_INLINE void interpolate(const CornerFetcher& fetch, float handedness, const 
     hn::Store(ink, f, fragments.ink.data() + i);
 }
 
-/// The light that falls on the fragments from i on, 0 to 1; neutral in colour.
+/// Returns the neutral light on the fragments from i on, 0 to 1.
 HWY_INLINE FloatVector light_on(const ShadingStyle& style, const Fragments& fragments, std::size_t i) {
     const Floats f;
     Vector3 n{hn::Load(f, fragments.normal_x.data() + i), hn::Load(f, fragments.normal_y.data() + i),
@@ -192,7 +192,7 @@ HWY_INLINE FloatVector light_on(const ShadingStyle& style, const Fragments& frag
     return hn::IfThenElse(hn::Gt(fixed, set(0)), fixed, shown);
 }
 
-/// Colour without light: of the value, or of the surface.
+/// Returns the colours of the values, or of the plain surface, without light.
 HWY_INLINE Vector3 base_color(const ShadingStyle& style, const Fragments& fragments, std::size_t i) {
     const Floats f;
     const Palette& palette = style.palette;
@@ -205,7 +205,8 @@ HWY_INLINE Vector3 base_color(const ShadingStyle& style, const Fragments& fragme
             hn::IfThenElse(known, hn::GatherIndex(f, palette.blue.data(), step), set(palette.undefined.b))};
 }
 
-/// Thin slanting lines over what is undefined and, the other way, over the backs of what has values: its colours can be read between them.
+/// Returns the ink of hatches: thin slanting lines over undefined values and, in the other direction, over backs, with readable colours
+/// between.
 HWY_INLINE FloatVector hatch_ink(const ShadingStyle& style, const Fragments& fragments, std::size_t i) {
     const Floats f;
     const FloatMask undefined = hn::IsNaN(hn::Load(f, fragments.map_position.data() + i));
@@ -221,7 +222,7 @@ HWY_INLINE FloatVector hatch_ink(const ShadingStyle& style, const Fragments& fra
     return hn::IfThenElse(is_back, hn::Max(over_undefined, hn::Mul(set(back_hatch), lines(hn::Add(x, y)))), over_undefined);
 }
 
-/// Step 2 for the fragments from i on.
+/// Does step 2 for a vector of fragments from i on.
 HWY_INLINE void light(const ShadingStyle& style, Fragments& fragments, std::size_t i) {
     const Floats f;
     Vector3 color = base_color(style, fragments, i);
@@ -265,13 +266,14 @@ HWY_EXPORT(LightAll);
 
 namespace {
 
+/// True for ribbons, and for triangles with a corner off the grid.
 bool is_out_of_reach(const ProjectedScene& projected, std::int32_t id) {
     if (id >= projected.scene.triangle_count()) return true;
     const glm::ivec3& t = projected.scene.surface.triangles[static_cast<std::size_t>(id)];
     return std::min({projected.vertices[t.x].at[0], projected.vertices[t.y].at[0], projected.vertices[t.z].at[0]}) <= GridVertex::far_off;
 }
 
-/// Number + 1 as R·65536 + G·256 + B.
+/// Colours fragments by the number of their triangle + 1 = R·65536 + G·256 + B.
 void color_by_number(Fragments& fragments) {
     for (std::size_t i = 0; i < fragments.count; ++i) {
         const auto number = static_cast<std::uint32_t>(fragments.triangle[i]) + 1;
@@ -293,12 +295,12 @@ void shade(const ProjectedScene& projected, std::span<const Ribbon> ribbons, con
             exact.emplace_back(i, fragments.triangle[i]);
         else
             ordinary = fragments.triangle[i];
-    // Vectors are whole: an ordinary triangle stands in for ribbons, which have no corners to fetch, and fills up the last one.
+    // An ordinary triangle stands in for ribbons, which have no corners to fetch, and fills the last vector.
     for (const auto& [i, id] : exact) fragments.triangle[i] = ordinary;
     for (std::size_t i = fragments.count; i % block_samples != 0; ++i)
         fragments.triangle[i] = ordinary, fragments.x[i] = 0, fragments.y[i] = 0;
     if (ordinary != no_triangle) HWY_DYNAMIC_DISPATCH(InterpolateAll)(projected, style, fragments);
-    for (const auto& [i, id] : exact) ExactTriangle(projected, ribbons, id).interpolate(style, fragments, i);
+    for (const auto& [i, id] : exact) interpolate_exactly(projected, ribbons, id, style, fragments, i);
     HWY_DYNAMIC_DISPATCH(LightAll)(style, fragments);
 }
 

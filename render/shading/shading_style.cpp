@@ -9,21 +9,13 @@ namespace render {
 
 namespace {
 
-/// Fixed to the camera: key from the upper left, fill from the right, one from the viewer, slightly below.
+/// Directions to the lights, fixed to the camera: key light from the upper left, fill light from the right, one from the viewer slightly
+/// below.
 const std::array<glm::vec3, 3> light_directions{{glm::normalize(glm::vec3(-0.45F, 0.62F, 0.64F)),
                                                  glm::normalize(glm::vec3(0.80F, 0.10F, 0.59F)),
                                                  glm::normalize(glm::vec3(0.05F, -0.35F, 0.94F))}};
 
 glm::vec3 linear_rgb(Rgba color) { return {linear_of(color.r), linear_of(color.g), linear_of(color.b)}; }
-
-/// Where isolines run, in terms of map positions t: value = low + t · (high − low), lines at multiples of the spacing.
-void set_isolines(const DrawOptions& options, ShadingStyle& style) {
-    const double width = options.range.high - options.range.low;
-    if (!(options.isoline_spacing > 0) || !(width > 0) || !style.has_values) return;
-    style.isoline_scale = static_cast<float>(width / options.isoline_spacing);
-    const double lines_below = options.range.low / options.isoline_spacing;
-    style.isoline_offset = static_cast<float>(lines_below - std::floor(lines_below));
-}
 
 }   // namespace
 
@@ -42,7 +34,11 @@ ShadingStyle::ShadingStyle(const Scene& scene, const DrawOptions& drawn, const P
       slant(placement.mirrored_x == placement.mirrored_y ? 1.0F : -1.0F) {
     const glm::vec3 axes(placement.mirrored_x ? -1 : 1, placement.mirrored_y ? -1 : 1, towards_viewer);
     for (std::size_t l = 0; l < lights.size(); ++l) lights[l] = axes * light_directions[l];
-    set_isolines(options, *this);
+    // Isolines where the value, low + t · (high − low) for a map position t, is a multiple of the spacing.
+    const double width = options.range.high - options.range.low, lines_below = options.range.low / options.isoline_spacing;
+    if (!(options.isoline_spacing > 0) || !(width > 0) || !has_values) return;
+    isoline_scale = static_cast<float>(width / options.isoline_spacing);
+    isoline_offset = static_cast<float>(lines_below - std::floor(lines_below));
 }
 
 }   // namespace render

@@ -15,20 +15,18 @@ namespace {
 /// Heights in em: the quantity, the histogram, the bar, the ticks with their numbers, the notes.
 constexpr double title_height = 1.5, histogram_height = 2.1, bar_height = 0.95, ticks_height = 1.75, notes_height = 1.35;
 
-bool has_notes(const ColorBar& bar) { return bar.clipped_below > 0 || bar.clipped_above > 0 || bar.has_undefined; }
-
 bool is_share(double s) { return s > 0 && std::isfinite(s); }
-bool has_histogram(const ColorBar& bar) { return std::any_of(bar.histogram.begin(), bar.histogram.end(), is_share); }
-
+bool has_histogram(const ColorBar& bar) { return std::ranges::any_of(bar.histogram, is_share); }
 int histogram_rows(const ColorBar& bar, double em) { return has_histogram(bar) ? rounded(histogram_height * em) : 0; }
 
-/// The bar proper lies in [x0, x1); tips outside of it stand for values beyond the range.
+/// The box of the colours, with columns [x0, x1). Tips beside it stand for values beyond the range.
 struct BarBox {
     int x0, x1, top, bottom;
 
     double x_of(const ValueRange& range, double value) const { return x0 + (x1 - x0) * range.position(value); }
 };
 
+/// Draws a triangle that points away from the bar. @param direction  1: to the right of column `base`, −1: to its left
 void draw_tip(Image& image, const BarBox& e, int base, int direction, Rgba color) {
     const double half = 0.5 * (e.bottom - e.top), middle = e.top + half;
     const int length = rounded(half * 1.2);
@@ -42,10 +40,11 @@ void draw_tip(Image& image, const BarBox& e, int base, int direction, Rgba color
     }
 }
 
+/// Draws the colours with isolines and tips.
 void draw_colors(Image& image, const ColorBar& bar, const BarBox& e) {
     const Colormap& map = bar.range.colormap != nullptr ? *bar.range.colormap : colormap_named("viridis");
     for (int x = e.x0; x < e.x1; ++x) fill_rectangle(image, x, e.top, x + 1, e.bottom, color_at(map, (x + 0.5 - e.x0) / (e.x1 - e.x0)));
-    if (bar.isoline_spacing > 0) {   // fewer than 4 pixels apart they would hide the colours
+    if (bar.isoline_spacing > 0) {   // none if they are less than 4 pixels apart, which would hide the colours
         const double from = std::ceil(bar.range.low / bar.isoline_spacing), to = std::floor(bar.range.high / bar.isoline_spacing);
         for (double k = from; k <= to && (to - from) * 4 < e.x1 - e.x0; ++k) {
             const int x = rounded(e.x_of(bar.range, k * bar.isoline_spacing));
@@ -56,34 +55,31 @@ void draw_colors(Image& image, const ColorBar& bar, const BarBox& e) {
     if (bar.clipped_above > 0) draw_tip(image, e, e.x1, 1, color_at(map, 1));
 }
 
-/// Square root of the share of the bin at t in [0, 1].
-double root_share(const std::vector<double>& histogram, double t) {
-    const double bin = std::clamp(t * static_cast<double>(histogram.size()), 0.0, static_cast<double>(histogram.size()) - 1);
-    const double share = histogram[static_cast<std::size_t>(bin)];
-    return is_share(share) ? std::sqrt(share) : 0;
-}
-
-/// Columns over the colours of their values: pale below a thin line. They stand on the row `bottom`.
+/// Draws columns over the colours of their values, standing on the row `bottom`: pale below a thin line.
 void draw_histogram(Image& image, const ColorBar& bar, const BarBox& e, int bottom, double height, double thickness, Rgba ink) {
     double highest = 0;
     for (const double share : bar.histogram)
         if (is_share(share)) highest = std::max(highest, std::sqrt(share));
     const Rgba pale{ink.r, ink.g, ink.b, 48}, line{ink.r, ink.g, ink.b, 144};
-    const auto reach_at = [&](double x) { return height * root_share(bar.histogram, (x - e.x0) / (e.x1 - e.x0)) / highest; };
+    const auto reach_at = [&, bins = static_cast<double>(bar.histogram.size())](double x) {
+        const double bin = std::clamp((x - e.x0) / (e.x1 - e.x0) * bins, 0.0, bins - 1),
+                     share = bar.histogram[static_cast<std::size_t>(bin)];
+        return height * (is_share(share) ? std::sqrt(share) : 0) / highest;
+    };
     for (int x = std::max(0, e.x0); x < std::min(e.x1, image.width); ++x) {
         const double reach = reach_at(x + 0.5), before = x > e.x0 ? reach_at(x - 0.5) : 0, after = x + 1 < e.x1 ? reach_at(x + 1.5) : 0;
-        const double foot = std::min({reach, before, after});   // the side of the column, where it is higher than its neighbours
+        const double foot = std::min({reach, before, after});   // begin of a side that rises above a neighbour
         for (int y = std::max(0, bottom - static_cast<int>(height + thickness)); y < std::min(bottom, image.height); ++y) {
             const double above = bottom - (y + 0.5) - reach;
             Rgba& pixel = image.at(x, y);
             pixel = inked(pixel, pale, static_cast<float>(std::clamp(0.5 - above, 0.0, 1.0)));
-            const double off = std::max(above, foot - reach - above);   // from what the line covers in this column
+            const double off = std::max(above, foot - reach - above);   // distance to the part of the column that the line covers
             pixel = inked(pixel, line, static_cast<float>(std::clamp(thickness / 2 + 0.5 - off, 0.0, 1.0)));
         }
     }
 }
 
-/// As many ticks as stand apart, seven at most.
+/// Returns up to seven ticks with numbers that do not touch.
 std::vector<double> readable_ticks(const ColorBar& bar, const BarBox& e, const TextStyle& style) {
     if (bar.range.logarithmic) return decade_ticks(bar.range.low, bar.range.high);
     for (int wanted = 7; wanted > 1; --wanted) {
@@ -97,11 +93,6 @@ std::vector<double> readable_ticks(const ColorBar& bar, const BarBox& e, const T
     return round_ticks(bar.range.low, bar.range.high, 1);
 }
 
-std::string title_of(const ColorBar& bar, const std::string& power) {
-    const std::string unit = power.empty() ? bar.unit : "×\u202f" + power + (bar.unit.empty() ? "" : " " + bar.unit);
-    return unit.empty() ? bar.quantity : bar.quantity + "  [" + unit + "]";
-}
-
 void draw_ticks(Image& image, const ColorBar& bar, const BarBox& e, const std::vector<double>& ticks, const TickLabels& labels, double em,
                 Rgba ink) {
     const TextStyle style{0.9 * em, ink, Align::centre};
@@ -113,6 +104,7 @@ void draw_ticks(Image& image, const ColorBar& bar, const BarBox& e, const std::v
     }
 }
 
+/// Draws the line below the ticks: the share below the range, a swatch for undefined values, the share above.
 void draw_notes(Image& image, const ColorBar& bar, const BarBox& e, double em, Rgba ink) {
     const double baseline = e.bottom + (ticks_height + 0.95) * em, third = (e.x1 - e.x0) / 3.0 - 0.5 * em;
     TextStyle style{0.85 * em, ink};
@@ -133,7 +125,7 @@ void draw_notes(Image& image, const ColorBar& bar, const BarBox& e, double em, R
     if (bar.clipped_above > 0) draw_text(image, e.x1, baseline, fit_text(share_text(bar.clipped_above) + " above", third, style), style);
 }
 
-/// What stands at the ends of a small bar: "7.2 % of h", "20/length²".
+/// The texts at the ends of a small bar: "0", "7.2 % of h" or "20/length²".
 std::string low_end(const ColorBar& bar) { return number_text(bar.range.low); }
 std::string high_end(const ColorBar& bar) {
     const double beyond = bar.clipped_below + bar.clipped_above;
@@ -141,7 +133,7 @@ std::string high_end(const ColorBar& bar) {
     return number_text(bar.range.high) + unit + (beyond > 0 ? ", " + share_text(beyond) + " beyond" : "");
 }
 
-constexpr double small_bar = 7, small_gap = 0.9;   // in em: the colours, and what is free beside them, also for the tips
+constexpr double small_bar = 7, small_gap = 0.9;   // in em: the colours, and the gaps beside them, which hold the tips
 
 }   // namespace
 
@@ -160,7 +152,8 @@ void draw_small_bar(Image& image, const ColorBar& bar, double left, double middl
 }
 
 int color_bar_height(const ColorBar& bar, double em) {
-    return histogram_rows(bar, em) + rounded((title_height + bar_height + ticks_height + (has_notes(bar) ? notes_height : 0)) * em);
+    const bool has_notes = bar.clipped_below > 0 || bar.clipped_above > 0 || bar.has_undefined;
+    return histogram_rows(bar, em) + rounded((title_height + bar_height + ticks_height + (has_notes ? notes_height : 0)) * em);
 }
 
 void draw_color_bar(Image& image, const ColorBar& bar, int left, int top, int width, double em, Rgba ink) {
@@ -170,8 +163,10 @@ void draw_color_bar(Image& image, const ColorBar& bar, int left, int top, int wi
     const BarBox e{x0, x0 + length, bar_top, bar_top + rounded(bar_height * em)};
     const std::vector<double> ticks = readable_ticks(bar, e, {0.9 * em});
     const TickLabels labels = tick_labels(ticks);
-    const TextStyle title{em, ink, Align::centre};
-    draw_text(image, left + width / 2.0, top + 1.0 * em, fit_text(title_of(bar, labels.power), width, title), title);
+    const std::string factor = labels.power.empty() ? "" : "×\u202f" + labels.power + (bar.unit.empty() ? "" : " ");
+    const std::string unit = factor + bar.unit, title = unit.empty() ? bar.quantity : bar.quantity + "  [" + unit + "]";
+    const TextStyle centred{em, ink, Align::centre};
+    draw_text(image, left + width / 2.0, top + 1.0 * em, fit_text(title, width, centred), centred);
     if (has_histogram(bar)) draw_histogram(image, bar, e, bar_top - rounded(0.1 * em), 1.75 * em, em / 16, ink);
     draw_colors(image, bar, e);
     draw_ticks(image, bar, e, ticks, labels, em, ink);

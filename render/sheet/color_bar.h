@@ -1,20 +1,39 @@
 /// @file
-/// The legend under a figure: what the colours mean.
+/// Colour bars: the legends of figures.
 #pragma once
 
-#include "sheet/contact_sheet.h"
+#include <string>
+#include <vector>
+
+#include "draw_mesh.h"
+#include "scene/image.h"
 
 namespace render {
 
-/// The bar of one panel, in the line of its label: low end, colours, high end with the unit, the share beyond.
-double small_bar_width(const ColorBar& bar, double em);
-/// Draws from `left` on, round the row `middle`.
-void draw_small_bar(Image& image, const ColorBar& bar, double left, double middle, double em, Rgba ink);
+struct ColorBar {
+    ValueRange range = {};
+    std::string quantity = {};   // "mean curvature H"
+    std::string unit = {};       // "1/length"; may be empty
+    double clipped_below = 0;    // share of the values outside the range, printed if > 0
+    double clipped_above = 0;
+    double isoline_spacing = 0;   // lines over the colours at the multiples of this value; 0: none
+    bool has_undefined = false;   // adds a swatch in `undefined_color` for NaN
+    Rgba undefined_color{198, 198, 198, 255};
+    /// Shares of the values in equal bins over [low, high], drawn above the bar; empty: none. Heights are the square roots of the shares,
+    /// so that rare values stay visible beside frequent ones.
+    std::vector<double> histogram = {};
+};
 
-/// Height of the legend for text of size `em`.
+/// Returns the height of a colour bar with its texts of size `em` [pixels].
 int color_bar_height(const ColorBar& bar, double em);
 
-/// Draws into the columns [left, left + width) from the row `top` down.
+/// Draws a colour bar into the columns [left, left + width) from the row `top` down.
 void draw_color_bar(Image& image, const ColorBar& bar, int left, int top, int width, double em, Rgba ink);
+
+/// Returns the width of a small bar for the line of a label: low end, colours, high end with unit, share of the values beyond [pixels].
+double small_bar_width(const ColorBar& bar, double em);
+
+/// Draws a small bar from the column `left` on, centred on the row `middle`.
+void draw_small_bar(Image& image, const ColorBar& bar, double left, double middle, double em, Rgba ink);
 
 }   // namespace render

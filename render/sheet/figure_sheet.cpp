@@ -1,6 +1,9 @@
 #include "sheet/figure_sheet.h"
 
 #include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string_view>
 
 #include "color/srgb.h"
 #include "rounding.h"
@@ -11,31 +14,6 @@
 namespace render {
 
 namespace {
-
-/// Text and faint lines against the background.
-struct Inks {
-    Rgba strong, soft;
-};
-
-Inks inks_on(Rgba background) {
-    if (background.a > 127 && lab_of(background).x < 50) return {{236, 236, 240, 255}, {170, 170, 178, 255}};
-    return {{34, 34, 40, 255}, {92, 92, 102, 255}};
-}
-
-struct SheetBody {
-    int width = 0, height = 0;
-};
-
-SheetBody body_of(const FigureSheet& sheet) {
-    SheetBody body{sheet.least_width, 0};
-    const auto reach = [&](int right, int bottom) {
-        body.width = std::max(body.width, right);
-        body.height = std::max(body.height, bottom);
-    };
-    for (const FigureSheet::Picture& p : sheet.pictures) reach(p.left + p.image->width, p.top + p.image->height);
-    for (const FigureSheet::Words& w : sheet.words) reach(w.left + w.width, w.top + w.height);
-    return body;
-}
 
 void draw_words(Image& image, const FigureSheet::Words& words, int left, int top, double em, Rgba ink) {
     const double middle = top + words.top + words.height / 2.0, width = words.width;
@@ -54,26 +32,106 @@ void draw_words(Image& image, const FigureSheet::Words& words, int left, int top
     }
 }
 
+/// Sizes and places of the views of a contact sheet [pixels].
+struct Grid {
+    int columns = 1;
+    int cell_width = 400, cell_height = 0;   // if there are no pictures
+    double em = 16;                          // text size
+    int group = 1;                           // pictures of one view
+    int gap = 0, heads = 0, names = 0;       // the latter two: heights of the heads above and of the view names below
+
+    explicit Grid(const ContactSheet& sheet) {
+        const int count = static_cast<int>(sheet.pictures.size());
+        columns = sheet.columns > 0 ? sheet.columns : count == 4 ? 2 : std::clamp(count, 1, 3);
+        if (count > 0) {
+            const double width = sheet.pictures[0].width, height = sheet.pictures[0].height;
+            const double scale = sheet.cell > 0 ? std::min(1.0, sheet.cell / std::max(width, height)) : 1.0;
+            cell_width = std::max(1, rounded(scale * width));
+            cell_height = std::max(1, rounded(scale * height));
+        }
+        em = sheet.em > 0 ? sheet.em : std::max(13.0, std::min(columns * cell_width / 74.0, cell_width / 13.0));
+        gap = rounded(0.5 * em);
+        group = std::max(1, static_cast<int>(sheet.heads.size()));
+        heads = sheet.heads.empty() ? 0 : rounded((sheet.subheads.empty() ? 1.6 : 2.9) * em);
+        names = sheet.view_names.empty() ? 0 : rounded(view_label_height(0.95 * em) + 0.1 * em);
+    }
+    /// The gap between groups is three times that inside.
+    int left(int place) const { return place % columns * (cell_width + gap) + (group > 1 ? place % columns / group * 2 * gap : 0); }
+    int top(int place) const { return heads + place / columns * (cell_height + names + gap); }
+    int width() const { return left(columns - 1) + cell_width; }
+    int group_width() const { return left(group - 1) + cell_width; }
+};
+
+/// Returns the place of a picture in reading order: +x +y +z over −x −y −z if the sheet has exactly these six, else its own number.
+std::size_t place_of(const ContactSheet& sheet, std::size_t picture) {
+    static constexpr std::array<std::string_view, 6> order{"+x", "+y", "+z", "-x", "-y", "-z"};
+    const std::vector<std::string>& names = sheet.view_names;
+    if (sheet.columns > 0 || sheet.pictures.size() != order.size() || names.size() != order.size() ||
+        !std::is_permutation(order.begin(), order.end(), names.begin()))
+        return picture;
+    return static_cast<std::size_t>(std::find(order.begin(), order.end(), names[picture]) - order.begin());
+}
+
 }   // namespace
 
 ComposedFigure compose(const FigureSheet& sheet) {
     const double em = sheet.em;
-    const SheetBody body = body_of(sheet);
+    int body_width = sheet.least_width, body_height = 0;
+    const auto reach = [&](int right, int bottom) {
+        body_width = std::max(body_width, right), body_height = std::max(body_height, bottom);
+    };
+    for (const FigureSheet::Picture& p : sheet.pictures) reach(p.left + p.image->width, p.top + p.image->height);
+    for (const FigureSheet::Words& w : sheet.words) reach(w.left + w.width, w.top + w.height);
     const int margin = rounded(1.2 * em), legend_gap = sheet.color_bar ? rounded(0.8 * em) : 0;
     const int title = sheet.title.empty() ? 0 : rounded(1.9 * em), subtitle = sheet.subtitle.empty() ? 0 : rounded(1.5 * em);
     const int legend = sheet.color_bar ? color_bar_height(*sheet.color_bar, em) : 0;
-    const int top = margin + title + subtitle, width = body.width + 2 * margin;
-    ComposedFigure composed{Image(width, top + body.height + legend_gap + legend + margin, sheet.background), margin, top};
-    const Inks inks = inks_on(sheet.background);
+    const int top = margin + title + subtitle, width = body_width + 2 * margin;
+    ComposedFigure composed{Image(width, top + body_height + legend_gap + legend + margin, sheet.background), margin, top};
 
-    const TextStyle large{1.35 * em, inks.strong, Align::left, Weight::bold}, small{em, inks.soft};
-    draw_text(composed.image, margin, margin + 1.05 * em, fit_text(sheet.title, body.width, large), large);
-    draw_text(composed.image, margin, margin + title + 0.8 * em, fit_text(sheet.subtitle, body.width, small), small);
+    const bool is_dark = sheet.background.a > 127 && lab_of(sheet.background).x < 50;
+    const Rgba strong = is_dark ? Rgba{236, 236, 240, 255} : Rgba{34, 34, 40, 255};
+    const Rgba soft = is_dark ? Rgba{170, 170, 178, 255} : Rgba{92, 92, 102, 255};
+    const TextStyle large{1.35 * em, strong, Align::left, Weight::bold}, small{em, soft};
+    draw_text(composed.image, margin, margin + 1.05 * em, fit_text(sheet.title, body_width, large), large);
+    draw_text(composed.image, margin, margin + title + 0.8 * em, fit_text(sheet.subtitle, body_width, small), small);
     for (const FigureSheet::Picture& p : sheet.pictures) paste(composed.image, *p.image, margin + p.left, top + p.top);
-    for (const FigureSheet::Words& words : sheet.words) draw_words(composed.image, words, margin, top, em, inks.strong);
-    if (sheet.color_bar)
-        draw_color_bar(composed.image, *sheet.color_bar, margin, top + body.height + legend_gap, body.width, em, inks.strong);
+    for (const FigureSheet::Words& words : sheet.words) draw_words(composed.image, words, margin, top, em, strong);
+    if (sheet.color_bar) draw_color_bar(composed.image, *sheet.color_bar, margin, top + body_height + legend_gap, body_width, em, strong);
     return composed;
+}
+
+Image compose(const ContactSheet& sheet) {
+    for (const Image& picture : sheet.pictures) {
+        const Image& first = sheet.pictures.front();
+        if (picture.width != first.width || picture.height != first.height || picture.width < 1 || picture.height < 1)
+            throw std::invalid_argument("compose: the pictures of a sheet must be of one size, and not empty");
+    }
+    const Grid grid(sheet);
+    FigureSheet figure{.title = sheet.title,
+                       .subtitle = sheet.subtitle,
+                       .color_bar = sheet.color_bar,
+                       .em = grid.em,
+                       .least_width = grid.width(),
+                       .background = sheet.background};
+    for (std::size_t i = 0; i < sheet.pictures.size(); ++i) {
+        const int place = static_cast<int>(place_of(sheet, i)), left = grid.left(place), top = grid.top(place);
+        const Image& picture = sheet.pictures[i];
+        const bool fits = picture.width == grid.cell_width && picture.height == grid.cell_height;
+        const auto shared =
+            fits ? std::shared_ptr<const Image>(std::shared_ptr<void>(), &picture)   // not owned: the sheet outlives the figure
+                 : std::make_shared<const Image>(shrink(picture, grid.cell_width, grid.cell_height));
+        figure.pictures.push_back({shared, left, top});
+        if (grid.names > 0 && place % grid.group == 0) {
+            const std::string name = i < sheet.view_names.size() ? sheet.view_names[i] : "";
+            figure.words.push_back({name, left, top + grid.cell_height, grid.group_width(), grid.names});
+        }
+        if (place >= grid.columns || grid.heads == 0) continue;
+        const auto mesh = static_cast<std::size_t>(place % grid.group);
+        const int line = rounded(1.3 * grid.em);
+        figure.words.push_back({sheet.heads[mesh], left, 0, grid.cell_width, line});
+        if (mesh < sheet.subheads.size()) figure.words.push_back({sheet.subheads[mesh], left, line, grid.cell_width, line});
+    }
+    return compose(figure).image;
 }
 
 }   // namespace render

@@ -1,5 +1,5 @@
 /// @file
-/// A figure as one picture: a title, pictures and words in their places, a colour bar.
+/// Figures as one picture: a title, pictures and words in their places, a colour bar.
 #pragma once
 
 #include <memory>
@@ -8,22 +8,21 @@
 #include <vector>
 
 #include "scene/image.h"
-#include "sheet/contact_sheet.h"
+#include "sheet/color_bar.h"
 
 namespace render {
 
-/// Places are in pixels from the upper left corner of the body, which lies between title and colour bar.
+/// A figure with places in pixels from the upper left corner of its body, which lies between title and colour bar.
 struct FigureSheet {
     struct Picture {
         std::shared_ptr<const Image> image;
         int left = 0, top = 0;
     };
-    /// A line in the middle of a box or at its left, perhaps with a small colour bar behind it; the name of one of the six views gets its
-    /// tripod.
+    /// A line of text in a box, perhaps followed by a small colour bar. The name of one of the six views gets a tripod.
     struct Words {
         std::string text;
         int left = 0, top = 0, width = 0, height = 0;
-        bool is_centred = true;
+        bool is_centred = true;   // else at the left
         std::optional<ColorBar> bar = {};
     };
     std::string title = {}, subtitle = {};
@@ -39,6 +38,25 @@ struct ComposedFigure {
     Image image;
     int left = 0, top = 0;   // of the body
 };
+/// Draws a figure; its size follows from its contents.
 ComposedFigure compose(const FigureSheet& sheet);
+
+/// Views of one mesh with their names below, three in a line; the six views stand 2 × 3, +x +y +z over −x −y −z. Or views of several
+/// meshes: the pictures of one view are a group with half the gap inside and one name.
+struct ContactSheet {
+    std::string title = {};
+    std::string subtitle = {};   // mesh, counts, settings
+    std::vector<std::string> view_names = {};
+    std::vector<Image> pictures = {};   // all of one size
+    std::optional<ColorBar> color_bar = {};
+    int cell = 0;                                         // largest side of a picture in the sheet [pixels]; 0: as it is
+    int columns = 0;                                      // pictures in a line, in their own order; 0: as above
+    double em = 0;                                        // text size; 0: by the width
+    std::vector<std::string> heads = {}, subheads = {};   // of each mesh of a group, above the first line
+    Rgba background{255, 255, 255, 255};
+};
+
+/// Draws a contact sheet; its size follows from its contents. @throws std::invalid_argument if the pictures differ in size or are empty
+Image compose(const ContactSheet& sheet);
 
 }   // namespace render

@@ -8,7 +8,7 @@ namespace render {
 
 namespace {
 
-constexpr double thickest_bar = 3.2;   // in pixels; what is thicker shows its edges anyway
+constexpr double thickest_bar = 3.2;   // pixels; edges of thicker bars are visible anyway
 
 bool is_whole(double pixels) { return std::abs(pixels - std::round(pixels)) < 1e-9; }
 
@@ -34,7 +34,7 @@ GridFit::GridFit(const FontLines& lines, std::span<const HorizontalEdge> edges, 
     }
 }
 
-/// A bar about as thick as a pixel becomes exactly that. Where one of its edges lies on a line already, the other follows.
+/// Puts a bar on rows; a bar about one pixel thick gets exactly one. If one of its edges lies on a row already, the other follows.
 void GridFit::insert_bar(double bottom, double top) {
     const double thickness = scale_ * (top - bottom);
     if (thickness < 0.4 || thickness > thickest_bar) return;
@@ -45,13 +45,12 @@ void GridFit::insert_bar(double bottom, double top) {
     insert(top, at + rows);
 }
 
-/// Keeps the order: what would fall below the knot before it, or rise above the one after it, is left out.
-bool GridFit::insert(double height, double pixels) {
+/// Adds a knot unless that would break the order of the knots.
+void GridFit::insert(double height, double pixels) {
     const auto after = std::find_if(knots_.begin(), knots_.end(), [&](const Knot& k) { return k.height >= height; });
-    if (after != knots_.end() && (after->height == height || after->pixels < pixels)) return false;
-    if (after != knots_.begin() && std::prev(after)->pixels > pixels) return false;
+    if (after != knots_.end() && (after->height == height || after->pixels < pixels)) return;
+    if (after != knots_.begin() && std::prev(after)->pixels > pixels) return;
     knots_.insert(after, {height, pixels});
-    return true;
 }
 
 double GridFit::operator()(double height) const {

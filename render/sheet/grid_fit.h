@@ -1,7 +1,7 @@
 /// @file
-/// Letters on whole pixels. stb_truetype runs no hinting programs, so that at the size of small text every horizontal edge falls
-/// somewhere within a pixel and all of them look grey. Here the heights of a glyph are moved, by a third of a pixel or so, until the
-/// lines that letters share and their thin horizontal bars begin and end with a row. Widths stay as they are.
+/// Hinting of heights. stb_truetype does not hint, so that in small text horizontal edges fall within pixels and look grey. GridFit moves
+/// the heights of a glyph by up to half a pixel such that the lines that letters share, and thin horizontal bars, begin and end with a row
+/// of pixels. Widths do not change.
 #pragma once
 
 #include <span>
@@ -9,28 +9,28 @@
 
 namespace render {
 
-/// The heights that the letters of a font share, from the baseline up, in font units.
+/// The heights that the letters of a font share, above the baseline, in font units.
 struct FontLines {
     double descender = 0;   // of p, below 0
     double x_height = 0;
     double capital = 0;
     double ascender = 0;    // of d
-    double overshoot = 0;   // by which round letters go beyond all of these
+    double overshoot = 0;   // of round letters beyond the other heights
 };
 
-/// A horizontal edge of an outline, straight or the extreme of a curve.
+/// A horizontal edge of an outline: straight, or the extreme of a curve.
 struct HorizontalEdge {
     double height;
     bool is_top;   // the ink is below it
 };
 
-/// Maps heights in font units to rows of pixels: piecewise linear and never falling.
+/// Maps heights in font units to pixels above the baseline, piecewise linearly and monotonically.
 class GridFit {
 public:
     /// @param scale  pixels per font unit
     GridFit(const FontLines& lines, std::span<const HorizontalEdge> edges, double scale);
 
-    /// Pixels above the baseline.
+    /// Returns the pixels above the baseline for a height.
     double operator()(double height) const;
 
 private:
@@ -42,7 +42,7 @@ private:
     std::vector<Knot> knots_;   // ascending
 
     void insert_bar(double bottom, double top);
-    bool insert(double height, double pixels);
+    void insert(double height, double pixels);
 };
 
 }   // namespace render

@@ -8,7 +8,7 @@ namespace render {
 
 namespace {
 
-/// Inks the pixels of a box by their distance to a stroke: wholly within half its width, fading over one pixel.
+/// Inks the pixels of a box by distance(pixel) to a stroke: fully within half its width, fading over one pixel.
 template <class Distance>
 void draw_stroke(Image& image, glm::dvec2 low, glm::dvec2 high, double width, Rgba color, Distance distance) {
     const double reach = width / 2 + 1;

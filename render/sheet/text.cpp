@@ -22,7 +22,7 @@ namespace {
 constexpr char32_t replacement = 0xFFFD;
 constexpr double line_in_ems = 1.164;   // from ascender to descender
 
-/// Takes one character off the front of `text`; U+FFFD for each byte that is not UTF-8.
+/// Removes the first character of `text` and returns it; U+FFFD for each byte that is not UTF-8.
 char32_t next_character(std::string_view& text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);
@@ -43,17 +43,10 @@ char32_t next_character(std::string_view& text) {
     return valid ? c : replacement;
 }
 
-/// Control characters, soft hyphens, zero-width and direction marks, byte order marks: they have no picture.
+/// True for control characters, soft hyphens, zero-width, direction and byte order marks.
 bool is_invisible(char32_t c) {
     return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0xAD || (c >= 0x200B && c <= 0x200F) || (c >= 0x2028 && c <= 0x202E) ||
            (c >= 0x2060 && c <= 0x206F) || c == 0xFEFF;
-}
-
-std::vector<int> code_points(std::string_view text) {
-    std::vector<int> result;
-    while (!text.empty())
-        if (const char32_t c = next_character(text); !is_invisible(c)) result.push_back(static_cast<int>(c));
-    return result;
 }
 
 struct Font {
@@ -72,16 +65,15 @@ Box box_of(const stbtt_fontinfo& font, int glyph) {
     return {double(x0), double(y0), double(x1), double(y1)};
 }
 
-FontLines lines_of(const stbtt_fontinfo& font) {
-    const auto box = [&](char c) { return box_of(font, stbtt_FindGlyphIndex(&font, c)); };
-    return {box('p').low, box('x').high, box('H').high, box('d').high, -box('o').low};
-}
-
 Font loaded(std::string_view name) {
     Font font{};
-    for (const auto& file : meshfolio_embedded::embedded_fonts())
-        if (file.name == name && stbtt_InitFont(&font.info, reinterpret_cast<const unsigned char*>(file.bytes.data()), 0) != 0)
-            return {font.info, lines_of(font.info), double(stbtt_ScaleForMappingEmToPixels(&font.info, 1)) / line_in_ems};
+    for (const auto& file : meshfolio_embedded::embedded_fonts()) {
+        if (file.name != name || stbtt_InitFont(&font.info, reinterpret_cast<const unsigned char*>(file.bytes.data()), 0) == 0) continue;
+        const auto box = [&](char c) { return box_of(font.info, stbtt_FindGlyphIndex(&font.info, c)); };
+        font.lines = {box('p').low, box('x').high, box('H').high, box('d').high, -box('o').low};
+        font.scale = double(stbtt_ScaleForMappingEmToPixels(&font.info, 1)) / line_in_ems;
+        return font;
+    }
     throw std::runtime_error("text: the font " + std::string(name) + " is not embedded");
 }
 
@@ -92,21 +84,23 @@ const Font& font_of(Weight weight) {
 
 struct Glyph {
     int index;
-    double place;      // from the left end of its line, in pixels
-    double rise = 0;   // of a mark: as far as the letter below it is higher than x
+    double place;      // from the left end of its line [pixels]
+    double rise = 0;   // of a mark above a letter that is higher than x [pixels]
 };
 
-/// A line of glyphs. Characters the font lacks become its box.
+/// A line of glyphs. Characters that the font lacks become its box.
 struct Line {
     const Font& font;
-    double size, scale;   // the latter in pixels per font unit
+    double size, scale;   // in pixels; in pixels per font unit
     std::vector<Glyph> glyphs;
     double width = 0;
 
     Line(std::string_view text, const TextStyle& style) : font(font_of(style.weight)), size(style.size), scale(font.scale * size) {
-        for (const int c : code_points(text)) {
-            const int glyph = stbtt_FindGlyphIndex(&font.info, c);
-            if (c >= 0x300 && c < 0x370 && !glyphs.empty()) {   // it adds nothing to the width
+        while (!text.empty()) {
+            const char32_t c = next_character(text);
+            if (is_invisible(c)) continue;
+            const int glyph = stbtt_FindGlyphIndex(&font.info, static_cast<int>(c));
+            if (c >= 0x300 && c < 0x370 && !glyphs.empty()) {   // a combining mark, without width
                 glyphs.push_back(above(glyphs.back(), glyph));
                 continue;
             }
@@ -118,7 +112,7 @@ struct Line {
         }
     }
 
-    /// A mark in the middle above a letter.
+    /// Centres a mark above a letter.
     Glyph above(const Glyph& letter, int mark) const {
         const Box below = box_of(font.info, letter.index), box = box_of(font.info, mark);
         return {mark, letter.place + scale / 2 * (below.left + below.right - box.left - box.right),
@@ -126,7 +120,7 @@ struct Line {
     }
 };
 
-/// The lines and quadratic curves of a glyph, freed with it.
+/// The lines and quadratic curves of a glyph.
 struct Outline {
     std::unique_ptr<stbtt_vertex, decltype(&std::free)> points{nullptr, std::free};
     int count = 0;
@@ -139,7 +133,8 @@ struct Outline {
     std::span<stbtt_vertex> all() const { return {points.get(), static_cast<std::size_t>(count)}; }
 };
 
-/// TrueType outlines have the ink on their right: an edge that runs to the right is a top. A curve has an edge where it ends level.
+/// Returns the horizontal edges of an outline at least `shortest` font units long. TrueType outlines have the ink on their right: an edge
+/// that runs to the right is a top. Curves have an edge where they end level.
 std::vector<HorizontalEdge> horizontal_edges(const Outline& outline, int shortest) {
     std::vector<HorizontalEdge> edges;
     int x = 0, y = 0;
@@ -157,18 +152,19 @@ std::vector<HorizontalEdge> horizontal_edges(const Outline& outline, int shortes
     return edges;
 }
 
-/// Fitted heights are kept in eighths of a font unit: whole units would let faint ink into the next row.
+/// Units of fitted heights per font unit; whole font units would let faint ink into the next row.
 constexpr int fine = 8;
 
+/// Replaces the heights of an outline by fitted ones, in 1/8 font units.
 void fit_to_rows(const Outline& outline, const Font& font, double scale) {
     const GridFit fit(font.lines, horizontal_edges(outline, static_cast<int>(0.1 * font.lines.x_height)), scale);
     const auto fitted = [&](int y) { return static_cast<short>(std::clamp(std::lround(fine * fit(y) / scale), -32767L, 32767L)); };
     for (stbtt_vertex& v : outline.all()) v.y = fitted(v.y), v.cy = fitted(v.cy);
 }
 
-/// Glyph coverage in [0, 1] at the pixels of a box.
+/// The coverage of the pixels of a box by a glyph.
 struct Coverage {
-    int x0 = 0, y0 = 0, width = 0, height = 0;   // of the box, y downwards from the baseline
+    int x0 = 0, y0 = 0, width = 0, height = 0;   // of the box, y down from the baseline
     std::vector<unsigned char> bytes;
 
     Coverage(const Outline& outline, float scale, float shift, double size) {
@@ -187,18 +183,20 @@ struct Coverage {
         stbtt_Rasterize(&bitmap, 0.2F, outline.points.get(), outline.count, scale, scale / fine, shift, 0, x0, y0, 1, nullptr);
         for (unsigned char& b : bytes) b = boosted(b, size);
     }
+    /// Returns the coverage in [0, 1] of a pixel of the box.
     float at(int u, int v) const {
         return static_cast<float>(bytes[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)]) / 255;
     }
 
-    /// Raises partial coverage of small text, c + a c (1 − c): a stem across two columns of pixels would look paler than one in a column.
+    /// Raises partial coverage c of small text to c + a c (1 − c), lest a stem across two columns of pixels look paler than one in a
+    /// column.
     static unsigned char boosted(unsigned char coverage, double size) {
         const double c = coverage / 255.0, a = 0.4 * std::clamp((24 - size) / 12, 0.0, 1.0);
         return static_cast<unsigned char>(std::lround(255 * (c + a * c * (1 - c))));
     }
 };
 
-/// Its origin is rounded to quarters of a pixel, so that letters keep their distances.
+/// Draws a glyph with its origin rounded to a quarter of a pixel.
 void draw_glyph(Image& image, const Line& line, const Glyph& glyph, double left, double base, Rgba color) {
     const double quarters = std::floor(4 * (left + glyph.place) + 0.5);
     const int column = static_cast<int>(std::floor(quarters / 4)), baseline = static_cast<int>(std::lround(base - glyph.rise));

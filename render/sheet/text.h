@@ -1,5 +1,5 @@
 /// @file
-/// Text in pictures: the sans of the pages (templates/fonts) through stb_truetype, embedded at build time. UTF-8.
+/// UTF-8 text in pictures, in the sans-serif font of the pages (templates/fonts), which is embedded at build time; drawn by stb_truetype.
 #pragma once
 
 #include <string>
@@ -19,13 +19,13 @@ struct TextStyle {
     Weight weight = Weight::regular;
 };
 
-/// Width in pixels of `text` set in `style`.
+/// Returns the width of a text [pixels].
 double text_width(std::string_view text, const TextStyle& style);
 
-/// Draws with the baseline at y; x is the left end, middle or right end by `style.align`.
+/// Draws a text with its baseline at y; x is its left end, middle or right end, as `style.align` says.
 void draw_text(Image& image, double x, double y, std::string_view text, const TextStyle& style);
 
-/// `text`, shortened with … so that it fits `width`.
+/// Returns the text, shortened with "…" if it is wider than `width` pixels; "" if not even one character fits.
 std::string fit_text(std::string_view text, double width, const TextStyle& style);
 
 }   // namespace render

@@ -7,29 +7,24 @@
 #include <cstdint>
 #include <limits>
 
-#include "sheet/contact_sheet.h"
-
 namespace render {
 
 namespace {
 
-/// 10^e, exact for the e of ordinary numbers.
-double power_of_ten(int e) { return std::pow(10.0, e); }
-
-/// m × 10^e, rounded once.
-double scaled(double m, int e) { return e < 0 ? m / power_of_ten(-e) : m * power_of_ten(e); }
+/// Returns m × 10^e, rounded once for ordinary e.
+double scaled(double m, int e) { return e < 0 ? m / std::pow(10.0, -e) : m * std::pow(10.0, e); }
 
 struct Step {
     double mantissa;   // 1, 2, 2.5 or 5
     int exponent;
 
     double value() const { return scaled(mantissa, exponent); }
-    /// Multiples of the step at the ends; an end that is itself a tick counts in spite of rounding.
+    /// The first and last multiples of the step in a range, including ends that are ticks but for rounding.
     double first(double low) const { return std::ceil(low / value() - 1e-9); }
     double last(double high) const { return std::floor(high / value() + 1e-9); }
 };
 
-/// The step whose number of ticks comes nearest to `wanted`.
+/// Returns the step with a number of ticks nearest to `wanted`.
 Step best_step(double low, double high, int wanted) {
     const int exponent = static_cast<int>(std::floor(std::log10(high - low)));
     Step best{1, exponent};
@@ -49,19 +44,12 @@ std::string fixed(double x, int decimals) {
     std::string text(buffer.data(), end.ptr);
     const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
     const std::size_t point = std::min(text.find('.'), text.size()), sign = text.front() == '-' ? 1 : 0;
-    if (point - sign == 5) text.insert(point - 3, "\u202f");   // as elsewhere; more digits have a power of ten
+    if (point - sign == 5) text.insert(point - 3, "\u202f");   // numbers of more digits have a power of ten
     if (text.front() == '-') text.replace(0, 1, is_zero ? "" : "\u2212");
     return text;
 }
 
-std::string superscript(int exponent) {
-    static constexpr std::array<const char*, 10> digit{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = exponent < 0 ? "⁻" : "";
-    for (const char c : std::to_string(std::abs(exponent))) text += digit[static_cast<std::size_t>(c - '0')];
-    return text;
-}
-
-/// The fewest decimals that write every value exactly, up to rounding noise.
+/// Returns the fewest decimals that write every value exactly, up to rounding noise.
 int decimals_needed(const std::vector<double>& values, double step) {
     for (int d = 0; d < 17; ++d) {
         const double unit = scaled(1, -d);
@@ -79,7 +67,7 @@ std::vector<double> round_ticks(double low, double high, int wanted) {
     std::vector<double> ticks;
     const auto last = static_cast<std::int64_t>(step.last(high));
     for (auto i = static_cast<std::int64_t>(step.first(low)); i <= last && ticks.size() < 1000; ++i) {
-        const double tick = scaled(static_cast<double>(i) * step.mantissa, step.exponent) + 0.0;   // + 0: no −0
+        const double tick = scaled(static_cast<double>(i) * step.mantissa, step.exponent) + 0.0;   // never −0
         if (tick >= low && tick <= high && (ticks.empty() || tick > ticks.back())) ticks.push_back(tick);
     }
     return ticks;
@@ -109,7 +97,10 @@ TickLabels tick_labels(const std::vector<double>& ticks) {
     const double step = mantissas.size() > 1 ? mantissas[1] - mantissas[0] : std::abs(mantissas[0]);
     const int decimals = decimals_needed(mantissas, step);
     for (const double m : mantissas) labels.text.push_back(fixed(m, decimals));
-    if (!plain) labels.power = "10" + superscript(exponent);
+    if (plain) return labels;
+    static constexpr std::array<const char*, 10> superscript{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    labels.power = exponent < 0 ? "10⁻" : "10";
+    for (const char digit : std::to_string(std::abs(exponent))) labels.power += superscript[static_cast<std::size_t>(digit - '0')];
     return labels;
 }
 

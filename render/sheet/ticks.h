@@ -1,5 +1,5 @@
 /// @file
-/// The numbers along a colour bar.
+/// Ticks of a colour bar and their numbers.
 #pragma once
 
 #include <string>
@@ -8,20 +8,23 @@
 namespace render {
 
 struct TickLabels {
-    std::vector<std::string> text;   // one a tick, all with the same decimals
-    std::string power;               // "10⁻⁷", by which all are to be multiplied; empty: 1
+    std::vector<std::string> text;   // one a tick, all with the same number of decimals
+    std::string power;               // the common factor, "10⁻⁷"; empty: 1
 };
 
-/// The powers of ten in [low, high], and twice and five times them where they are four or fewer.
+/// Returns about `wanted` multiples of a round step (1, 2, 2.5 or 5 times a power of ten) in [low, high]; none unless low < high.
+std::vector<double> round_ticks(double low, double high, int wanted);
+
+/// Returns the powers of ten in [low, high] and, if the range spans at most four decades, their double and fivefold.
 std::vector<double> decade_ticks(double low, double high);
 
-/// @param ticks  ascending, as round_ticks and decade_ticks make them
+/// Returns the labels of ascending ticks.
 TickLabels tick_labels(const std::vector<double>& ticks);
 
-/// A number for people, with at most three digits: "0.05", "2.5 × 10⁻⁷".
+/// Returns a number with at most three digits, for people: "0.05", "2.5 × 10⁻⁷".
 std::string number_text(double x);
 
-/// A share for people: "1.9 %", "< 0.1 %".
+/// Returns a share in percent, for people: "1.9 %" for 0.019, "< 0.1 %" below 0.001.
 std::string share_text(double share);
 
 }   // namespace render

@@ -24,31 +24,23 @@ struct Axis {
 
 using Tripod = std::array<Axis, 3>;
 
-/// The usual colours, dark enough for letters on white, and light enough on black.
+/// The usual colours of the axes, for light and for dark backgrounds.
 constexpr Tripod dark_axes{
     {{"x", {1, 0, 0}, {190, 45, 40, 255}}, {"y", {0, 1, 0}, {40, 130, 50, 255}}, {"z", {0, 0, 1}, {40, 85, 190, 255}}}};
 constexpr Tripod light_axes{
     {{"x", {1, 0, 0}, {255, 128, 120, 255}}, {"y", {0, 1, 0}, {122, 210, 128, 255}}, {"z", {0, 0, 1}, {130, 172, 255, 255}}}};
 
-/// In keeping with the ink of the name.
-const Tripod& axes_for(Rgba ink) { return lab_of(ink).x > 50 ? light_axes : dark_axes; }
-
-/// Parts of the tripod, in em.
+/// Lengths in the tripod, in em.
 constexpr double letter = 0.82, arm = 1.0, letter_gap = 0.36, side = 3.2, gap = 0.2;
 
-std::string with_hyphen(std::string_view name) {
-    static constexpr std::string_view minus = "\u2212";
-    return name.starts_with(minus) ? "-" + std::string(name.substr(minus.size())) : std::string(name);
-}
-
-/// As people read it.
+/// Returns the name with a minus sign for the hyphen, and "three-quarter view" for "hero".
 std::string shown_name(std::string_view name) {
     if (name == three_quarter_view().name) return "three-quarter view";
     return name.starts_with('-') ? "\u2212" + std::string(name.substr(1)) : std::string(name);
 }
 
 const View* known_view(std::string_view name) {
-    const auto found = std::find_if(six_views.begin(), six_views.end(), [&](const View& v) { return v.name == with_hyphen(name); });
+    const auto found = std::find_if(six_views.begin(), six_views.end(), [&](const View& v) { return v.name == name; });
     return found == six_views.end() ? nullptr : &*found;
 }
 
@@ -57,6 +49,7 @@ void draw_letter(Image& image, glm::dvec2 middle, const Axis& axis, double em) {
     draw_text(image, middle.x, middle.y + 0.27 * size, axis.name, {size, axis.color, Align::centre, Weight::bold});
 }
 
+/// Draws an axis in the picture plane.
 void draw_arrow(Image& image, glm::dvec2 from, glm::dvec2 direction, double em, const Axis& axis) {
     const double width = std::max(1.2, 0.085 * em), head = 0.24 * em;
     const glm::dvec2 tip = from + arm * em * direction, across(-direction.y, direction.x);
@@ -66,7 +59,7 @@ void draw_arrow(Image& image, glm::dvec2 from, glm::dvec2 direction, double em, 
     draw_letter(image, tip + letter_gap * 1.25 * em * direction, axis, em);
 }
 
-/// An axis along the line of sight: a ringed dot towards the viewer, a ringed cross away from him.
+/// Draws an axis along the line of sight: a ringed dot if it points to the viewer, a ringed cross if it points away.
 void draw_end_on(Image& image, glm::dvec2 at, bool towards, double em, const Axis& axis) {
     const double width = std::max(1.2, 0.085 * em), radius = 0.22 * em;
     draw_ring(image, at, radius, width, axis.color);
@@ -79,7 +72,7 @@ void draw_end_on(Image& image, glm::dvec2 at, bool towards, double em, const Axi
     }
 }
 
-/// Within a square of `side` em with its middle at `middle`.
+/// Draws the three axes in a square of `side` em with its middle at `middle`.
 void draw_tripod(Image& image, glm::dvec2 middle, const View& view, const Tripod& axes, double em) {
     glm::dvec2 sum(0);
     const auto on_screen = [&](const Axis& a) { return glm::dvec2(glm::dot(a.direction, view.right()), -glm::dot(a.direction, view.up)); };
@@ -108,7 +101,8 @@ double view_label_height(double em) { return side * em; }
 void draw_view_label(Image& image, double x, double y, std::string_view view, double em, Rgba ink) {
     double left = x - view_label_width(view, em) / 2;
     if (const View* known = known_view(view)) {
-        draw_tripod(image, {left + side * em / 2, y}, *known, axes_for(ink), em);
+        const Tripod& axes = lab_of(ink).x > 50 ? light_axes : dark_axes;
+        draw_tripod(image, {left + side * em / 2, y}, *known, axes, em);
         left += (side + gap) * em;
     }
     draw_text(image, left, y + 0.27 * em, shown_name(view), {em, ink});

@@ -1,5 +1,5 @@
 /// @file
-/// The name of a view beside a small tripod that shows where x, y and z point in it.
+/// Labels of views: the name beside a small tripod that shows the directions of x, y and z.
 #pragma once
 
 #include <string_view>
@@ -8,11 +8,12 @@
 
 namespace render {
 
-/// Size of a label for text of size `em`.
+/// Returns the width of a view's label with text of size `em` [pixels].
 double view_label_width(std::string_view view, double em);
+/// Returns the height of labels with text of size `em` [pixels].
 double view_label_height(double em);
 
-/// Draws round the middle (x, y). Names other than those of the six views get no tripod.
+/// Draws a label with its middle at (x, y). Names other than "+x", "-x" … "-z" get no tripod.
 void draw_view_label(Image& image, double x, double y, std::string_view view, double em, Rgba ink);
 
 }   // namespace render

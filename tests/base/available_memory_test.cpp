@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A machine of which /proc and /sys are made up: 8 GiB are left without limits.
+/// A machine with invented files in /proc and /sys: 8 GiB are left without limits.
 class Machine {
 public:
     Machine() { put("proc/meminfo", "MemTotal: 16777216 kB\nMemFree: 1 kB\nMemAvailable: 8388608 kB\n"); }
@@ -29,13 +29,13 @@ constexpr double gigabyte = 1 << 30;
 
 }   // namespace
 
-TEST(AvailableMemory, WithoutLimitsWhatTheMachineHasLeft) {
+TEST(AvailableMemory, WithoutLimitsItIsTheMemoryTheMachineHasLeft) {
     EXPECT_EQ(Machine().memory().bytes, 8 * gigabyte);
     EXPECT_EQ(Machine().memory().limited_by, "MemAvailable");
     EXPECT_GT(available_memory().bytes, 1e6) << "of this one";
 }
 
-TEST(AvailableMemory, TheTightestGroupOfVersion2AndThoseAboveIt) {
+TEST(AvailableMemory, TheTightestGroupOfVersion2OrAboveItLimits) {
     const Machine machine;
     machine.put("proc/self/cgroup", "0::/user/job\n");
     machine.put("sys/fs/cgroup/user/job/memory.max", "max\n");
@@ -49,7 +49,7 @@ TEST(AvailableMemory, TheTightestGroupOfVersion2AndThoseAboveIt) {
     EXPECT_EQ(machine.memory().bytes, 2 * gigabyte) << "pages of files can be dropped";
 }
 
-TEST(AvailableMemory, AGroupOfVersion1SeenFromOutsideOrInsideAContainer) {
+TEST(AvailableMemory, AGroupOfVersion1LimitsInsideAndOutsideAContainer) {
     for (const std::string folder : {"sys/fs/cgroup/memory/docker/ab/", "sys/fs/cgroup/memory/"}) {
         const Machine machine;
         machine.put("proc/self/cgroup", "9:name=systemd:/\n4:hugetlb,memory:/docker/ab\n");

@@ -7,7 +7,7 @@
 namespace meshfolio {
 namespace {
 
-TEST(Base64, IsThatOfRfc4648BothWays) {
+TEST(Base64, EncodesAndDecodesAsRfc4648) {
     const std::map<std::string, std::string> vectors{{"", ""},        {"f", "Zg=="},          {"fo", "Zm8="},
                                                      {"foo", "Zm9v"}, {"foobar", "Zm9vYmFy"}, {std::string("\xff\xef\0", 3), "/+8A"}};
     for (const auto& [bytes, text] : vectors) {
@@ -16,11 +16,11 @@ TEST(Base64, IsThatOfRfc4648BothWays) {
     }
 }
 
-TEST(Base64, OfDamagedTextNothingIsRead) {
+TEST(Base64, DamagedTextDecodesToNothing) {
     for (const char* damaged : {"Zg", "Zg=", "Zm9*", "Zm9vYg=a"}) EXPECT_EQ(from_base64(damaged), "") << damaged;
 }
 
-TEST(Base64, PartsEncodedApartAreReadAsOne) {
+TEST(Base64, PartsEncodedSeparatelyDecodeAsOne) {
     const std::string bytes("\0\1meshfolio\xff\xfe", 13);
     for (std::size_t first = 0; first <= bytes.size(); ++first) {
         for (std::size_t second = first; second <= bytes.size(); ++second) {

@@ -85,7 +85,7 @@ TEST(Layers, ChaptersDoNotKnowEachOther) {
     }
 }
 
-TEST(Layers, TheSpectralEngineIsCalledByItsFolderAndItsOtherWayAlone) {
+TEST(Layers, OnlySpectrumAndDistributedIncludeTheSpectralEngine) {
     const fs::path spectrum = source / "src/geometry/spectrum", other_way = source / "src/geometry/distributed";
     for (const fs::path& file : sources_below(source / "src")) {
         if (file.string().starts_with(spectrum.string()) || file.string().starts_with(other_way.string())) continue;

@@ -44,8 +44,8 @@ TEST(NumberText, ReadableRoundsToSignificantDigits) {
     EXPECT_EQ(readable_percent(0.1234), "12.3\u202f%");
 }
 
-// In prose and in tables by one rule, which readable() follows as well.
-TEST(NumberText, CountsOfFiveDigitsAndMoreAreParted) {
+// Prose and tables follow one rule, readable() too.
+TEST(NumberText, CountsOfFiveDigitsAndMoreAreGrouped) {
     EXPECT_EQ(readable_count(0), "0");
     EXPECT_EQ(readable_count(9999), "9999");
     EXPECT_EQ(readable_count(40962), "40\u202f962");

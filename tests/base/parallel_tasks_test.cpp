@@ -43,7 +43,7 @@ int iterations_beside_a_failure(int iterations) {
 
 }   // namespace
 
-TEST(ParallelTasks, EachIsDoneOnce) {
+TEST(ParallelTasks, EachTaskRunsOnce) {
     std::vector<int> times(1000, 0);
     for_each_task(times.size(), [&](std::size_t i) { ++times[i]; });
     EXPECT_EQ(std::accumulate(times.begin(), times.end(), 0), 1000);
@@ -51,7 +51,7 @@ TEST(ParallelTasks, EachIsDoneOnce) {
     for_each_task(0, [](std::size_t) { FAIL(); });
 }
 
-TEST(ParallelTasks, OneThatFailsLeavesTheLoopsOfTheOthersWhole) {
+TEST(ParallelTasks, AFailureDoesNotCutOffTheLoopsOfOtherTasks) {
     tbb::task_arena two(2);
     const int counted = two.execute([] { return iterations_beside_a_failure(200); });
     EXPECT_TRUE(counted == 200 || counted == 0) << counted;   // 0: one after the other, where there is one processor
@@ -67,7 +67,7 @@ TEST(ParallelTasks, TheFirstFailureIsThrownAndEndsTheRest) {
     EXPECT_LT(begun, 1000);
 }
 
-TEST(ParallelTasks, AStopEndsThemBetweenTwoTasksAndOthersGoOn) {
+TEST(ParallelTasks, AStopEndsTheTasksOfItsThreadAlone) {
     Stop stop;
     std::atomic<int> begun = 0;
     const auto asks = [&](std::size_t) {

@@ -7,7 +7,7 @@
 
 using namespace meshfolio;
 
-TEST(Parallel, EveryIndexComesOnce) {
+TEST(Parallel, EveryIndexIsVisitedOnce) {
     for (const int n : {0, 1, block_length - 1, block_length, block_length + 1, 5 * block_length + 7}) {
         std::vector<std::atomic<int>> visits(static_cast<std::size_t>(n));
         for_each_index(n, [&](int i) { ++visits[static_cast<std::size_t>(i)]; });
@@ -25,14 +25,14 @@ TEST(Parallel, BlocksReturnInOrder) {
     EXPECT_EQ(next, n);
 }
 
-TEST(Parallel, OneExceptionIsFoundWhereverItStands) {
+TEST(Parallel, AllOfRangeFindsASingleExceptionAnywhere) {
     const int n = 3 * block_length;
     EXPECT_TRUE(all_of_range(n, [](int) { return true; }));
     for (const int odd : {0, block_length, n - 1}) EXPECT_FALSE(all_of_range(n, [&](int i) { return i != odd; }));
 }
 
 // Terms of very different size: added in another order they would have another sum.
-TEST(Parallel, SumsAreThoseOfOneProcessor) {
+TEST(Parallel, OrderedSumsEqualThoseOfOneProcessor) {
     const auto term = [](int i) { return std::pow(-1.7, i % 60) / (1 + i); };
     for (const int n : {0, 1, 1000, 40 * block_length + 5}) {
         double sum = 0;

@@ -17,9 +17,9 @@ TEST(Sha256, KnownVectors) {
     EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST(Sha256, BytesAfterANulCount) { EXPECT_NE(sha256(std::string_view("a\0b", 3)), sha256(std::string_view("a\0c", 3))); }
+TEST(Sha256, BytesAfterANulChangeTheDigest) { EXPECT_NE(sha256(std::string_view("a\0b", 3)), sha256(std::string_view("a\0c", 3))); }
 
-TEST(Sha256, OfAFileIsThatOfItsBytesWhereverItsPiecesEnd) {
+TEST(Sha256, TheDigestOfAFileIsThatOfItsBytes) {
     const testing_tools::TemporaryFolder folder;
     for (const std::size_t size : {0, 1, 65535, 65536, 65537, 200000}) {
         std::string bytes(size, 'a');

@@ -49,7 +49,7 @@ TEST(Wrapped, NoLineIsWiderAndNoWordIsLost) {
     }
 }
 
-TEST(Wrapped, WhatFitsStaysAsItIs) {
+TEST(Wrapped, TextThatFitsIsUnchanged) {
     std::mt19937 random(2);
     for (int trial = 0; trial < 200; ++trial) {
         const std::string text = random_text(random);
@@ -57,19 +57,19 @@ TEST(Wrapped, WhatFitsStaysAsItIs) {
     }
 }
 
-TEST(Wrapped, WhatGoesOnIsIndentedAsTheLastColumn) {
+TEST(Wrapped, ContinuationsAreIndentedAsTheLastColumn) {
     EXPECT_EQ(wrapped("  --out DIR   folder of the report", 28), "  --out DIR   folder of the\n              report");
     EXPECT_EQ(wrapped("meshfolio: one two three", 16), "meshfolio: one\n  two three");
 }
 
-TEST(Shortened, WholeWordsAndASignThatSomethingIsLeftOut) {
+TEST(Shortened, EndsAfterAWholeWordWithAnEllipsis) {
     EXPECT_EQ(shortened("reading bunny.off", 17), "reading bunny.off");
     EXPECT_EQ(shortened("reading bunny.off", 16), "reading …");
     for (int columns = 0; columns < 30; ++columns)
         EXPECT_LE(code_points(shortened("μμμμμμμμ μμμμμμμμμμμμ of a long name", columns)), static_cast<std::size_t>(columns));
 }
 
-TEST(Ink, APipeHasNone) {
+TEST(Ink, APipeGetsPlainText) {
     ::testing::internal::CaptureStdout();   // into a file
     EXPECT_EQ(inked(Ink::red, "x"), "x");
     EXPECT_EQ(for_terminal(std::string(300, 'x') + " y"), std::string(300, 'x') + " y");

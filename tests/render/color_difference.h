@@ -1,5 +1,5 @@
 /// @file
-/// How far apart two colours look. About 1 is just seen side by side.
+/// The visible difference of two colours; about 1 is just visible side by side.
 #pragma once
 
 #include <glm/vec3.hpp>

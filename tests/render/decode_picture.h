@@ -1,5 +1,5 @@
 /// @file
-/// stb_image, which reads what was written: once, however many tests are compiled together.
+/// stb_image, for reading pictures in tests; included once, however many tests are compiled together.
 #pragma once
 
 #define STBI_ONLY_JPEG

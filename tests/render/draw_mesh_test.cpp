@@ -34,7 +34,7 @@ using render_tests::Mesh;
 using render_tests::pebble;
 using render_tests::white;
 
-/// What `render --plain` uses.
+/// The options of `render --plain`.
 DrawOptions plain(int width, int height) { return {.width = width, .height = height, .fill = 0.95, .shading = false, .samples = 1}; }
 
 DrawOptions shaded(int size, const char* colormap, double low, double high) {
@@ -139,7 +139,7 @@ TEST(DrawViews, PlainPicturesHaveTwoColours) {
         for (const Rgba p : image.pixels) ASSERT_TRUE(p == white || p == DrawOptions{}.surface_color);
 }
 
-TEST(DrawViews, NumbersOfTrianglesAreReadFromTheColours) {
+TEST(DrawViews, ColoursCanEncodeTheNumbersOfTriangles) {
     Mesh mesh = grid(20);   // 800 triangles: the green channel is needed
     DrawOptions options = plain(400, 400);
     options.face_colors_from_id = true;
@@ -188,7 +188,7 @@ TEST(DrawViews, ValuesBeyondTheRangeHaveTheColoursOfItsEnds) {
     }
 }
 
-TEST(DrawViews, AnUndefinedValueColoursWhatIsNearestToItsVertex) {
+TEST(DrawViews, AnUndefinedValueColoursThePointsNearestToItsVertex) {
     Mesh mesh = grid(2);
     mesh.values.assign(9, 0.5);
     mesh.values[4] = std::nan("");   // the middle
@@ -220,7 +220,7 @@ TEST(DrawViews, ShadingKeepsTheHueOfTheColours) {
     EXPECT_GT(shades, 5000);
 }
 
-TEST(DrawViews, TheBackOfAnOpenSurfaceIsToldApart) {
+TEST(DrawViews, TheBackOfAnOpenSurfaceHasAnotherColour) {
     DrawOptions options{.width = 60, .height = 60};
     const auto middle = [&](std::size_t view) { return six_pictures(grid(3), options)[view].at(30, 30); };
     EXPECT_NE(middle(4), middle(5));
@@ -277,7 +277,7 @@ TEST(DrawViews, IsolinesRunWhereTheValueIsAMultipleOfTheirSpacing) {
     }
 }
 
-TEST(DrawViews, AFlatPartThatLiesOnALevelIsNoLine) {
+TEST(DrawViews, AFlatPartOnALevelIsNotAnIsoline) {
     Mesh mesh = grid(2);
     mesh.values.assign(9, 0.5);
     DrawOptions options = plain(60, 60);
@@ -287,7 +287,7 @@ TEST(DrawViews, AFlatPartThatLiesOnALevelIsNoLine) {
     EXPECT_EQ(differing_pixels(six_pictures(mesh, options)[4], without), 0);
 }
 
-TEST(DrawViews, AMarkOnTheVeryEdgeOfThePictureIsRinged) {
+TEST(DrawViews, AMarkOnTheEdgeOfThePictureHasARing) {
     const Mesh mesh = box({-1, -1, -1}, {1, 1, 1});
     DrawOptions options = plain(200, 200);
     options.fill = 1;   // corners of the box lie in those of the picture
@@ -298,7 +298,7 @@ TEST(DrawViews, AMarkOnTheVeryEdgeOfThePictureIsRinged) {
     for (std::size_t v = 0; v < 6; ++v) EXPECT_NE(marked[v].at(0, 5), unmarked[v].at(0, 5)) << render::six_views[v].name;
 }
 
-TEST(DrawViews, MarkedVerticesAreRingedWhereTheyAreSeen) {
+TEST(DrawViews, OnlyVisibleMarkedVerticesHaveRings) {
     const Mesh mesh = box({-1, -1, -1}, {1, 1, 1});
     DrawOptions options = plain(200, 200);
     const auto unmarked = six_pictures(mesh, options);
@@ -348,7 +348,7 @@ TEST(DrawViews, APlaneSeenEdgeOnKeepsAnOutline) {
 
 // ---- robustness -----------------------------------------------------------------------------------------------------
 
-// Here and there the triangles at the rim of a curved surface are seen edge-on; the rim gets no ribbons from that.
+// A few triangles at the rim of a curved surface are seen edge-on; the rim gets no ribbons.
 TEST(DrawViews, CurvedRimsKeepTheirWidth) {
     Mesh bowl = grid(24);
     for (glm::dvec3& p : bowl.positions) p.z = 0.9 * (p.x * p.x + p.y * p.y);
@@ -371,7 +371,7 @@ TEST(DrawViews, BrokenTrianglesBesideRibbonsAreLeftOut) {
     for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(differing_pixels(with[v], without[v]), 0) << six_views[v].name;
 }
 
-TEST(DrawViews, TrianglesWithoutVerticesAndNoViewsAreHarmless) {
+TEST(DrawViews, AnEmptySurfaceAndNoViewsAreHarmless) {
     Mesh mesh;
     mesh.triangles = {{0, 1, 2}};
     const DrawOptions options{.width = 30, .height = 20, .frame = render::Frame{}};
@@ -379,8 +379,8 @@ TEST(DrawViews, TrianglesWithoutVerticesAndNoViewsAreHarmless) {
     EXPECT_TRUE(render::draw_views(grid(2).surface(), {}, options).empty());
 }
 
-// A frame may be far from what is drawn on it (a mesh that blew up beside its original).
-TEST(DrawViews, OcclusionHidesNothingHoweverDeepItLies) {
+// A frame may be far from the mesh, such as one that blew up beside its original.
+TEST(DrawViews, OcclusionDoesNotHideDeepSurfaces) {
     for (const double depth : {-600000.0, -1e9, 1e9}) {
         Mesh mesh = grid(1);
         for (glm::dvec3& p : mesh.positions) p = {100 * p.x, 100 * p.y, depth};
@@ -389,8 +389,8 @@ TEST(DrawViews, OcclusionHidesNothingHoweverDeepItLies) {
     }
 }
 
-// In reach of the grid along the axes of the model, out of reach along those of the view.
-TEST(DrawViews, ValuesAreRightWhereOnlyTheTurnedCornersAreFarOff) {
+// Corners that fit the grid along the axes of the model but not along those of the view.
+TEST(DrawViews, ValuesAreRightIfOnlyTheTurnedCornersAreFarOff) {
     const render::View hero = render::three_quarter_view();
     const auto middle = [&](double s) {
         Mesh mesh = grid(1);
@@ -501,7 +501,7 @@ TEST(DrawViews, VerticesMayBeStoredInAnyOrder) {
     for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(differing_pixels(expected[v], pictures[v]), 0);
 }
 
-TEST(DrawViews, OfTrianglesAtOneDepthTheLowestNumberIsSeen) {
+TEST(DrawViews, AtEqualDepthTheTriangleWithTheLowestNumberIsSeen) {
     const Mesh mesh = pebble();
     Mesh doubled = mesh;
     for (const glm::ivec3& t : mesh.triangles) doubled.triangles.push_back({t.y, t.z, t.x});
@@ -512,7 +512,7 @@ TEST(DrawViews, OfTrianglesAtOneDepthTheLowestNumberIsSeen) {
 }
 
 TEST(DrawViews, PicturesAreCutIntoTilesWithoutSeams) {
-    // The same picture, whole and as the upper part of a higher one on the same scale, so that tiles fall elsewhere.
+    // Draws a picture whole and as the upper part of a higher one at the same scale, with other tiles.
     const Mesh mesh = pebble();
     DrawOptions options = shaded(100, "viridis", -400, 400);
     options.frame = render::Frame{{0, 0, 0}, 0.1};

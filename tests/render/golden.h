@@ -15,11 +15,11 @@
 #include "png/png.h"
 #include "render/decode_picture.h"
 #include "render/picture_difference.h"
-#include "sheet/contact_sheet.h"
+#include "sheet/figure_sheet.h"
 
 namespace render_tests {
 
-/// What may differ by CIEDE2000 between compilers and processors: hardly anything, and seen at one pixel in five hundred at most.
+/// Tolerances between compilers and processors, in CIEDE2000: nearly equal everywhere, visible at one pixel in five hundred at most.
 struct GoldenTolerance {
     double mean = 0.05;
     double seen = 2;   // ΔE

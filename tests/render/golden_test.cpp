@@ -29,7 +29,7 @@ Mesh turned(Mesh mesh) {
     return mesh;
 }
 
-/// The sheet z = x² − y², whose values are its heights.
+/// The sheet z = x² − y² with its heights as values.
 Mesh saddle() {
     Mesh mesh = render_tests::grid(24);
     for (glm::dvec3& p : mesh.positions) {
@@ -78,7 +78,7 @@ TEST(Golden, IsolinesMarksAndCreasesFromThreeQuarters) {
     expect_golden("hero", render::draw_views(mesh.surface(), std::array{render::three_quarter_view()}, options).front());
 }
 
-TEST(Golden, BowlShowsItsBack) { expect_golden("bowl", small_picture(turned(bowl()), {})); }
+TEST(Golden, ABowlShowsItsBack) { expect_golden("bowl", small_picture(turned(bowl()), {})); }
 
 TEST(Golden, SaddleWithSignedAndUndefinedValues) {
     Mesh mesh = saddle();

@@ -1,4 +1,4 @@
-// What a reader has to see in a picture: clay that stands out on white, values that can be read off, backs and undefined values told apart.
+// The visible qualities of pictures: clay stands out on white, values can be read, backs and undefined values are distinct.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ Mesh crumpled(double value) {
     return mesh;
 }
 
-TEST(Clay, IsAsLightAs92WhereTheKeyLightFallsAndHasFormBelow) {
+TEST(Clay, HasAnLStarOf92UnderTheKeyLightAndDarkensInTheShade) {
     std::vector<double> seen;
     const auto pictures = drawn_along_axes(clay_pebble(), {.width = 300, .height = 300, .occlusion = false});
     for (const Rgba p : pictures[4].pixels)
@@ -60,7 +60,7 @@ TEST(Clay, IsAsLightAs92WhereTheKeyLightFallsAndHasFormBelow) {
     EXPECT_GT(share(0.75) - share(0.25), 8);
 }
 
-// Black of 35 % over the edge of what is nearly white: 3 : 1 and more of contrast between line and page.
+// Black of 35 % over a nearly white edge: a contrast of at least 3 : 1 between line and page.
 TEST(Outlines, ASheetThatFacesTheViewerDoesNotDissolveOnWhite) {
     const Image image = drawn_along_axes(grid(2), {.width = 100, .height = 100})[4];
     const int left = 4;   // 0.92 of the width: from 4 to 96
@@ -76,7 +76,7 @@ TEST(Outlines, ASheetThatFacesTheViewerDoesNotDissolveOnWhite) {
     EXPECT_EQ(image.at(left - 1, 50), white);
 }
 
-// From three quarters: the faces of a box meet in lines, and lines stand nowhere else.
+// From three quarters, the faces of a box meet in lines, and there are no other lines.
 TEST(Outlines, CreasesAreDrawnAndPlanesAndSpheresHaveNone) {
     DrawOptions options{.width = 200, .height = 200, .samples = 4};
     const auto hero = [&](const Mesh& mesh) {
@@ -112,7 +112,7 @@ TEST(Outlines, CreasesAreDrawnAndPlanesAndSpheresHaveNone) {
 
 // Light and occlusion together leave 0.88 of the luminance of a colour, so that L* differs by 5 at most and it can be read as a number.
 // Lines are no part of it: where one view is flat there is none.
-TEST(Values, KeepTheLuminanceOfTheirColourWhereverTheyLie) {
+TEST(Values, KeepTheLuminanceOfTheirColourOnEverySide) {
     for (const char* name : {"diverging", "pale", "viridis"})
         for (const double value : {0.0, 0.3, 0.8}) {
             DrawOptions options{.width = 160, .height = 160, .range = {&render::colormap_named(name), 0, 1}};
@@ -150,7 +150,7 @@ TEST(Values, KeepTheLuminanceOfTheirColourAtTheBottomOfAHollow) {
     EXPECT_LT(floor_of(true), 0.995 * floor_of(false));
 }
 
-TEST(Backs, OfClayAreBluerAndOfValuesHatched) {
+TEST(Backs, ClayIsBluerAndValuesAreHatchedOnTheBack) {
     const Rgba front = drawn_along_axes(grid(3), {.width = 60, .height = 60})[4].at(30, 30),
                back = drawn_along_axes(grid(3), {.width = 60, .height = 60})[5].at(30, 30);
     EXPECT_LT(lab_of(back).z, lab_of(front).z - 5);
@@ -171,8 +171,8 @@ TEST(Backs, OfClayAreBluerAndOfValuesHatched) {
     }
 }
 
-// The page may be dark or light: what is undefined is neutral, and its lines run the other way than those of backs.
-TEST(Undefined, IsNeutralAndHatchedTheOtherWay) {
+// On dark and light pages, undefined values are neutral, with lines in the other direction than on backs.
+TEST(Undefined, IsNeutralAndHatchedInTheOtherDirectionThanBacks) {
     Mesh sheet = grid(3);
     sheet.values.assign(sheet.positions.size(), 0.5);
     const DrawOptions options{.width = 80, .height = 80, .range = {&render::colormap_named("pale"), 0, 1}};

@@ -1,11 +1,11 @@
 /// @file
-/// Where a colour is in a picture, and a legend that has everything.
+/// The box of a colour in a picture, and a colour bar with all its parts.
 #pragma once
 
 #include <algorithm>
 #include <string>
 
-#include "sheet/contact_sheet.h"
+#include "sheet/figure_sheet.h"
 
 namespace render_tests {
 

@@ -27,7 +27,7 @@ Image on_white(const Image& image) {
     return result;
 }
 
-/// As light as the colour, within the upper quarter of lightness.
+/// Grey of the colour's lightness, compressed to the upper quarter.
 Rgba pale(Rgba color) { return rgba_of_lab({72 + 0.2 * lab_of(color).x, 0, 0}); }
 
 }   // namespace

@@ -1,5 +1,5 @@
 /// @file
-/// How far apart two pictures look: for golden images, and to compare a picture before and after.
+/// The visible difference of two pictures: for golden images, and to compare pictures before and after a change.
 #pragma once
 
 #include "scene/image.h"
@@ -11,7 +11,7 @@ struct DifferenceOptions {
     double brightest = 10;   // ΔE at the light end of the picture's colours
 };
 
-/// ΔE by CIEDE2000, pixel by pixel, of what is seen on white paper.
+/// ΔE by CIEDE2000 of each pair of pixels, composited on white.
 struct PictureDifference {
     double mean = 0, largest = 0;
     double share = 0;   // of the pixels, above the threshold

@@ -22,7 +22,7 @@ Image gradient() {
     return image;
 }
 
-TEST(PictureDifference, OfAPictureAndItselfIsNothingAndItsPictureIsGrey) {
+TEST(PictureDifference, EqualPicturesHaveNoDifferenceAndAGreyMap) {
     const PictureDifference d = picture_difference(gradient(), gradient());
     EXPECT_EQ(d.mean, 0);
     EXPECT_EQ(d.largest, 0);
@@ -34,7 +34,7 @@ TEST(PictureDifference, OfAPictureAndItselfIsNothingAndItsPictureIsGrey) {
     }
 }
 
-TEST(PictureDifference, CountsWhatIsAboveTheThresholdAndShowsItWhereItIs) {
+TEST(PictureDifference, CountsAndShowsPixelsAboveTheThreshold) {
     const Image a = gradient();
     Image b = a;
     b.at(3, 2) = {255, 255, 255, 255};
@@ -64,7 +64,7 @@ TEST(PictureDifference, TransparentPixelsAreWhitePaper) {
     EXPECT_GT(picture_difference(Image(4, 4, {0, 0, 0, 128}), Image(4, 4)).mean, 15);
 }
 
-TEST(PictureDifference, RefusesOtherSizesAndTakesEmptyPictures) {
+TEST(PictureDifference, RefusesDifferentSizesAndAcceptsEmptyPictures) {
     EXPECT_THROW(picture_difference(Image(4, 5), Image(5, 4)), std::invalid_argument);
     EXPECT_EQ(picture_difference({}, {}).mean, 0);
 }

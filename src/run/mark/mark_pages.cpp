@@ -17,7 +17,7 @@
 #include "report/page/template_render.h"
 #include "report/page/view_value.h"
 #include "report/words.h"
-#include "sheet/contact_sheet.h"
+#include "sheet/figure_sheet.h"
 
 namespace meshfolio::run {
 

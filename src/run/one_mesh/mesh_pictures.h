@@ -11,7 +11,7 @@
 #include "draw_mesh.h"
 #include "output/draw/figure_request.h"
 #include "run/one_mesh/fields.h"
-#include "sheet/contact_sheet.h"
+#include "sheet/figure_sheet.h"
 
 namespace meshfolio::run {
 

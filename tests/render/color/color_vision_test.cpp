@@ -1,7 +1,6 @@
-// What a reader who lacks one kind of cones makes of the colour maps. Sight without L, M or S cones is simulated by the matrices of
-// Machado, Oliveira and Fernandes (A Physiologically-based Model for Simulation of Color Vision Deficiency, IEEE TVCG 15(6), 2009)
-// for severity 1, which act on linear RGB. Distances are CIEDE2000, where 1 is just seen between patches side by side; on a shaded
-// surface colours are read apart from one another, so that several times as much is asked for here.
+// Colour maps in the sight of readers without L, M or S cones. The matrices of Machado, Oliveira and Fernandes (A Physiologically-based Model
+// for Simulation of Color Vision Deficiency, IEEE TVCG 15(6), 2009) for severity 1 simulate it in linear RGB. Distances are CIEDE2000, with 1
+// just visible between patches side by side. The tests ask for several times as much, because colours on a surface are shaded and apart.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,7 +71,7 @@ void for_every(std::string_view kind, const std::function<void(const Curve&)>& l
     EXPECT_GE(maps, 4);
 }
 
-TEST(ColorVision, GreyStaysGreyAndTheMissingConesConfuseTheirColours) {
+TEST(ColorVision, SimulationKeepsGreyAndConfusesTheColoursOfTheMissingCones) {
     const Rgba grey{120, 120, 120, 255}, red{196, 98, 70, 255}, green{110, 134, 66, 255}, blue{0, 120, 142, 255}, teal{0, 126, 116, 255};
     for (const Sight& sight : sights) EXPECT_LT(delta_e_2000(lab_of(seen_with(sight, grey)), lab_of(grey)), 0.1) << sight.name;
     const auto share_left = [](const Sight& sight, Rgba a, Rgba b) {
@@ -94,7 +93,7 @@ TEST(ColorVision, SequentialMapsKeepTheirOrderAndNinePlacesApart) {
     });
 }
 
-// The middle is the lightest; a value and its negative are told apart from an eighth of the range on, by opposite hues.
+// The middle is the lightest; values of opposite sign differ in hue from an eighth of the range on.
 TEST(ColorVision, DivergingMapsKeepTheSignApart) {
     for_every("diverging", [](const Curve& at) {
         EXPECT_GE(least_distance(at, 1 / 8.0, false), 8);
@@ -110,7 +109,7 @@ TEST(ColorVision, DivergingMapsKeepTheSignApart) {
     });
 }
 
-// A sixth of a turn is never mistaken, a sixteenth is seen; nor do the two ways round look alike.
+// A sixth of a turn is never mistaken, a sixteenth is visible, and the two directions look different.
 TEST(ColorVision, CyclicMapsTellEveryPhase) {
     for_every("cyclic", [](const Curve& at) {
         EXPECT_GE(least_distance(at, 1 / 6.0, true), 14);
@@ -119,7 +118,7 @@ TEST(ColorVision, CyclicMapsTellEveryPhase) {
 }
 
 // Neutral and quiet, and yet no value looks like it; for readers without S cones the light blues of pale come nearest, and its hatch tells.
-TEST(ColorVision, WhatIsUndefinedLooksLikeNoValue) {
+TEST(ColorVision, TheUndefinedColourIsNoColourOfAMap) {
     const Rgba undefined = render::DrawOptions().undefined_color;
     EXPECT_LT(std::hypot(lab_of(undefined).y, lab_of(undefined).z), 1);
     for (const char* name : {"diverging", "pale"})
@@ -132,8 +131,8 @@ TEST(ColorVision, WhatIsUndefinedLooksLikeNoValue) {
         }
 }
 
-// The laws above are able to fail: a rainbow is not safe, nor are green and red of one lightness.
-TEST(ColorVision, UnsafeMapsAreFoundOut) {
+// The tests above can fail: a rainbow is not safe, and neither are green and red of equal lightness.
+TEST(ColorVision, UnsafeMapsFailTheTests) {
     const std::array<Rgba, 9> jet{{{0, 0, 143, 255},
                                    {0, 0, 255, 255},
                                    {0, 127, 255, 255},

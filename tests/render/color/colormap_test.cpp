@@ -32,7 +32,7 @@ TEST(Cielab, KnownColours) {
     expect({119, 119, 119, 255}, 50.03, 0, 0);
 }
 
-TEST(Cielab, ThereAndBackIsTheSameColour) {
+TEST(Cielab, ConversionsThereAndBackKeepTheColour) {
     for (int r = 0; r < 256; r += 15)
         for (int g = 0; g < 256; g += 15)
             for (int b = 0; b < 256; b += 15) {
@@ -64,7 +64,7 @@ TEST(Cielab, Ciede2000AsPublished) {
     EXPECT_EQ(render::delta_e_2000({40, 10, -20}, {40, 10, -20}), 0);
 }
 
-TEST(Colormaps, TheOnesThatReportsNameAreThere) {
+TEST(Colormaps, TheMapsNamedInReportsExist) {
     for (const char* name : {"viridis", "pale", "parula-like", "diverging", "magma", "cividis", "grey", "cyclic"})
         EXPECT_EQ(render::colormap_named(name).name, name);
     EXPECT_EQ(render::colormap_named("diverging").kind, "diverging");
@@ -72,7 +72,7 @@ TEST(Colormaps, TheOnesThatReportsNameAreThere) {
 }
 
 // Lighter, or from pale on darker.
-TEST(Colormaps, SequentialOnesGrowEvenlyLighterOrDarker) {
+TEST(Colormaps, SequentialMapsChangeLightnessEvenly) {
     for (const Colormap& map : render::colormap_list()) {
         if (map.kind != "sequential") continue;
         const double L0 = lab_of(color_at(map, 0)).x, L1 = lab_of(color_at(map, 1)).x, way = L1 > L0 ? 1 : -1;
@@ -93,7 +93,7 @@ TEST(Colormaps, PaleIsNearlyWhiteAtZero) {
     EXPECT_LT(std::hypot(zero.y, zero.z), 8);
 }
 
-TEST(Colormaps, DivergingOnesAreEquallyLightOnBothSidesOfANeutralMiddle) {
+TEST(Colormaps, DivergingMapsAreEquallyLightOnBothSidesOfANeutralMiddle) {
     for (const Colormap& map : render::colormap_list()) {
         if (map.kind != "diverging") continue;
         const glm::dvec3 middle = lab_of(color_at(map, 0.5));
@@ -112,7 +112,7 @@ TEST(Colormaps, DivergingOnesAreEquallyLightOnBothSidesOfANeutralMiddle) {
 }
 
 // Pale at 0, dark at ½, and t as light as 1 − t, so that no direction stands out.
-TEST(Colormaps, CyclicOnesCloseAndAreEquallyLightOnBothWaysRound) {
+TEST(Colormaps, CyclicMapsCloseAndAreEquallyLightInBothDirections) {
     for (const Colormap& map : render::colormap_list()) {
         if (map.kind != "cyclic") continue;
         EXPECT_EQ(color_at(map, 0), color_at(map, 1));
@@ -126,7 +126,7 @@ TEST(Colormaps, CyclicOnesCloseAndAreEquallyLightOnBothWaysRound) {
 }
 
 // The largest of 16 steps over the smallest, by CIEDE2000. viridis, magma and cividis are even in another space (CAM02-UCS).
-TEST(Colormaps, StepsLookAlikeLarge) {
+TEST(Colormaps, StepsOfPerceptualMapsAreSimilar) {
     for (const Colormap& map : render::colormap_list()) {
         double least = 1e9, most = 0;
         for (int i = 0; i < 16; ++i) {

@@ -1,5 +1,5 @@
-// Where a map is to be read as a number, equal steps of the value are equal steps of CAM02-UCS (Luo, Cui, Li, Uniform colour spaces based
-// on CIECAM02, Color Research and Application 31(4), 2006), computed here; equal_steps.py made the table of colours.
+// Colour maps that can be read as numbers: equal steps of the value are equal steps of CAM02-UCS (Luo, Cui, Li, Uniform colour spaces based
+// on CIECAM02, Color Research and Application 31(4), 2006). equal_steps.py made their colours.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using render::Rgba;
 
 namespace {
 
-/// As printed, row by row.
+/// The values of the publication, row by row.
 dvec3 times(const std::array<dvec3, 3>& rows, const dvec3& v) { return {glm::dot(rows[0], v), glm::dot(rows[1], v), glm::dot(rows[2], v)}; }
 
 const dvec3 white{95.047, 100, 108.883};
@@ -81,7 +81,7 @@ TEST(Cam02Ucs, KnownColours) {
 }
 
 // 8 bits a channel alone make steps of 7 differ by 5 %. Before, 1.5 on either side.
-TEST(EqualSteps, DivergingOnEachSide) {
+TEST(EqualSteps, DivergingMapsHaveEqualStepsOnEachSide) {
     const render::Colormap& map = render::colormap_named("diverging");
     EXPECT_LT(unevenness(map, 0, 0.5), 1.15);
     EXPECT_LT(unevenness(map, 0.5, 1), 1.15);
@@ -103,7 +103,7 @@ TEST(EqualSteps, EndsAndMiddleAreKept) {
 }
 
 // The law above is able to fail: the rainbow is far from it.
-TEST(EqualSteps, UnevenMapsAreFoundOut) {
+TEST(EqualSteps, UnevenMapsFailTheTests) {
     const std::array<Rgba, 5> jet{{{0, 0, 143, 255}, {0, 127, 255, 255}, {127, 255, 127, 255}, {255, 127, 0, 255}, {127, 0, 0, 255}}};
     EXPECT_GT(unevenness({"rainbow", "sequential", "", jet}, 0, 1), 1.5);
 }

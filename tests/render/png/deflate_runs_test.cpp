@@ -39,7 +39,7 @@ void expect_inflates(const std::string& stream, const Bytes& bytes, const std::s
     EXPECT_TRUE(back == bytes) << what;
 }
 
-/// Stretches of noise of few or many values between repetitions of what is `period` before.
+/// Noise of few or many values, alternating with repetitions of the bytes `period` before.
 Bytes stretches(std::size_t size, std::size_t period, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     Bytes bytes;

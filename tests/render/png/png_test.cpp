@@ -160,7 +160,7 @@ TEST(Png, OpaquePicturesHaveThreeChannels) {
     EXPECT_EQ(decoded(render::encode_png(image)).channels, 4);
 }
 
-TEST(Png, TheLongestSidesAreWritten) {
+TEST(Png, PicturesWithTheLongestSidesSurvive) {
     expect_survives(gradient(16384, 40), "wide");
     expect_survives(noise(3, 16384, false), "high");
 }
@@ -194,7 +194,7 @@ TEST(Jpeg, ReadsBackNearlyTheSameOnWhite) {
 
 }   // namespace
 
-TEST(DecodePng, GivesBackEveryPixel) {
+TEST(DecodePng, RestoresEveryPixel) {
     Image image(37, 23);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         const auto v = static_cast<std::uint8_t>(i * 7);
@@ -210,7 +210,7 @@ TEST(DecodePng, GivesBackEveryPixel) {
     }
 }
 
-TEST(DecodePng, RefusesWhatIsNoneCutOffOrTooLarge) {
+TEST(DecodePng, RefusesOtherBytesCutOffAndTooLargePictures) {
     const std::string png = render::encode_png(Image(40, 30));
     EXPECT_FALSE(render::decode_png(""));
     EXPECT_FALSE(render::decode_png("\xff\xd8\xff no PNG"));

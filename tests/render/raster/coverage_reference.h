@@ -1,5 +1,5 @@
 /// @file
-/// Which samples a triangle covers, slowly and by another rule than the renderer's: tests and fuzzing hold the rasteriser against it.
+/// A slow reference for the coverage of samples by another rule than the renderer's, for tests and fuzzing.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ using render::Triangle2;
 
 __extension__ using Wide = __int128;
 
-/// Is the edge from a to b right of the point p + (ε, ε²), on its height? Exact.
+/// True if the edge from a to b crosses the height of the point p + (ε, ε²) to its right. Exact.
 inline bool crosses_ray(const ScreenPoint& a, const ScreenPoint& b, std::int64_t px, std::int64_t py) {
     if ((a.y <= py) == (b.y <= py)) return false;
     const ScreenPoint &low = a.y < b.y ? a : b, &high = a.y < b.y ? b : a;
@@ -45,7 +45,7 @@ struct Sample {
     int top, bottom;
 };
 
-/// Of every `stride` samples, in their order, the one numbered `phase`.
+/// Visits sample number `phase` of every `stride` samples, in order.
 template <class Visit>
 void for_each_sample(const SampleTile& tile, const Visit& visit, int stride = 1, int phase = 0) {
     const render::SamplePattern& pattern = tile.pattern();
@@ -94,7 +94,7 @@ inline SampleTile drawn_wide(const std::vector<Triangle2>& triangles, int sample
     return tile;
 }
 
-/// Samples whose coverage differs from the reference; stride and phase as above.
+/// Counts the samples with a coverage other than the reference's; stride and phase as above.
 inline int disagreements(const Triangle2& t, const SampleTile& tile, int stride = 1, int phase = 0) {
     int count = 0;
     const auto compare = [&](const Sample& s) {

@@ -113,7 +113,7 @@ Plane plane_at(const std::vector<glm::dvec3>& points, const glm::ivec3& t, doubl
     return {a.z - (n.x * (x - a.x) + n.y * (y - a.y)) / n.z, std::hypot(n.x, n.y) / std::abs(n.z)};
 }
 
-/// How far snapping can move a point of a triangle, and the rounding of the rays to float [pixel].
+/// The largest displacement of a point by snapping and by the rounding of rays to float [pixels].
 constexpr double tolerated = std::numbers::sqrt2 * snapping + 1e-3;
 
 /// The point lies on the outline of one of two triangles, or they meet there, as far as snapping goes.
@@ -148,7 +148,7 @@ Comparison compared(const Ids& ours, const Ids& theirs, const std::vector<glm::d
     return result;
 }
 
-/// A mesh of data/, all of which have lines "v x y z" and "f a b c" only.
+/// Reads a mesh of data/, with lines "v x y z" and "f a b c" only.
 Mesh bundled(const std::string& name) {
     Mesh mesh;
     std::ifstream file(MESHFOLIO_SOURCE_DIR "/data/" + name + ".obj");
@@ -192,7 +192,7 @@ struct Case {
     double least_agreement;
 };
 
-/// With triangles of at least 2 pixels nearly all over; the last one's are half a pixel wide, so that most cover no centre.
+/// Triangles are at least 2 pixels wide nearly everywhere; those of the last mesh are half a pixel wide, so that most cover no centre.
 std::vector<Case> cases() {
     using render_tests::pebble;
     return {{"pebble", pebble(), 0.99},
@@ -205,10 +205,10 @@ std::vector<Case> cases() {
 
 }   // namespace
 
-// Where we and a ray through the pixel centre see different things, the centre lies on an outline or two triangles meet there, as
-// far as corners are snapped. An outline of length L so decides at most 2 · √2/512 · L pixels: below 1/1000 of a shape that is at
-// least 11 pixels wide, and 2 % / s of the numbers where triangles have a side of s pixels (edges of length 2√3 / s a pixel).
-TEST(Silhouettes, AreThoseOfRayCasting) {
+// We and a ray through the pixel centre disagree only if the centre is near an outline or a common edge, by the distance of snapping. An
+// outline of length L therefore affects at most 2 · √2/512 · L pixels: less than 1/1000 of a shape at least 11 pixels wide, and 2 % / s of the
+// numbers of triangles with sides of s pixels (edges of length 2√3 / s per pixel).
+TEST(Silhouettes, EqualThoseOfRayCasting) {
     const Device device(rtcNewDevice("threads=1"), rtcReleaseDevice);
     for (const auto& [name, mesh, least_agreement] : cases()) {
         ASSERT_FALSE(mesh.triangles.empty()) << name;
@@ -235,6 +235,6 @@ TEST(Silhouettes, AreThoseOfRayCasting) {
 
 #else
 
-TEST(Silhouettes, AreThoseOfRayCasting) { GTEST_SKIP() << "built without Embree (libembree-dev)"; }
+TEST(Silhouettes, EqualThoseOfRayCasting) { GTEST_SKIP() << "built without Embree (libembree-dev)"; }
 
 #endif

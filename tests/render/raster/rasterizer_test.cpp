@@ -277,7 +277,7 @@ TEST(Rasterizer, TrianglesThatRepeatEarlierOnesAreNotSeen) {
         }
 }
 
-TEST(Rasterizer, WorkWithoutEndIsRefused) {
+TEST(Rasterizer, EndlessOverdrawIsRefused) {
     render::WideBudget nothing_left(-1'600'000);
     SampleTile tile(render::four_samples, &nothing_left);
     tile.start(tile_x, tile_y);

@@ -26,7 +26,7 @@ std::vector<LinearColor> random_surfaces(std::size_t count) {
 }
 
 // Lengths round whole vectors: the rest of a row goes another way through the code.
-TEST(Resolve, IsTheSurfaceOverTheBackgroundForEveryLength) {
+TEST(Resolve, CompositesOverTheBackgroundForEveryLength) {
     const std::vector<LinearColor> all = random_surfaces(70);
     for (const Rgba background : {Rgba{255, 255, 255, 255}, Rgba{30, 60, 90, 255}, Rgba{255, 255, 255, 0}, Rgba{10, 20, 30, 128}})
         for (std::size_t count = 0; count <= all.size(); ++count) {
@@ -41,7 +41,7 @@ TEST(Resolve, IsTheSurfaceOverTheBackgroundForEveryLength) {
         }
 }
 
-TEST(Resolve, LayersComeBackDarkenedByWhatIsHiddenForEveryLength) {
+TEST(Resolve, UnpackedLayersAreMultipliedByTheirLightForEveryLength) {
     const std::vector<LinearColor> all = random_surfaces(70);
     std::vector<float> lights(all.size());
     for (std::size_t i = 0; i < lights.size(); ++i) lights[i] = 0.4F + 0.6F * static_cast<float>(i) / 69;
@@ -61,7 +61,7 @@ TEST(Resolve, LayersComeBackDarkenedByWhatIsHiddenForEveryLength) {
     }
 }
 
-// With quarter coverage kept exactly, whole coverage stays whole: no seam of the background shows inside.
+// Coverage of 0 and 1 survives exactly: no seam of the background shows inside a surface.
 TEST(Resolve, CoverageSurvivesPacking) {
     for (const float a : {0.0F, 1.0F}) {
         const std::vector<LinearColor> in(5, LinearColor{0, 0, 0, a});

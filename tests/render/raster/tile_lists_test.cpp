@@ -63,7 +63,7 @@ TEST(TileLists, HoldEveryTriangleThatCoversASampleAndAreAscending) {
     }
 }
 
-TEST(TileLists, BrokenTrianglesAreInNone) {
+TEST(TileLists, BrokenTrianglesAreInNoList) {
     const Mesh mesh = scattered_triangles(3000);
     const render::Surface surface = mesh.surface();
     const render::Scene scene(surface, {}, {.width = 300, .height = 170});

@@ -11,7 +11,7 @@
 
 namespace {
 
-TEST(CanBeDrawn, OnlyWithThreeFiniteCornersThatExist) {
+TEST(CanBeDrawn, ATriangleNeedsThreeFiniteCorners) {
     const std::vector<glm::dvec3> good = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     EXPECT_TRUE(render::can_be_drawn({0, 1, 2}, good));
     for (int corner = 0; corner < 3; ++corner) {
@@ -37,7 +37,7 @@ TEST(Views, RightUpAndFromAreARightHandedSystem) {
     }
 }
 
-TEST(Views, AreFoundByNameAndUnknownOnesListed) {
+TEST(Views, AreFoundByNameAndListedInTheErrorForAnUnknownName) {
     EXPECT_EQ(render::view_named("-y").up, glm::dvec3(0, 0, 1));
     try {
         render::view_named("top");
@@ -47,7 +47,7 @@ TEST(Views, AreFoundByNameAndUnknownOnesListed) {
     }
 }
 
-TEST(Bounds, AreThoseOfTheTrianglesThatCanBeDrawn) {
+TEST(Bounds, IgnoreTrianglesThatCannotBeDrawn) {
     render_tests::Mesh mesh = render_tests::box({-1, 2, 3}, {4, 5, 6});
     mesh.positions.push_back({100, 100, 100});            // in no triangle
     mesh.positions.push_back({std::nan(""), 1e9, 1e9});   // not finite

@@ -39,7 +39,7 @@ Mesh shell() {
     return mesh;
 }
 
-/// As long as an animal, with a head at one end; its mirror plane is z = 0, and y is up.
+/// A long body with a head at one end, symmetric about z = 0, y up.
 Mesh animal() {
     Mesh mesh = render_tests::box({-2, 0, -0.5}, {2, 1, 0.5});
     const Mesh head = render_tests::box({2, 1, -0.3}, {2.8, 1.8, 0.3});
@@ -65,7 +65,7 @@ void expect_same(const View& a, const View& b) {
     EXPECT_LT(glm::length(a.up - b.up), 1e-12);
 }
 
-TEST(HeroView, IsTheUsualOneWhereNothingShowsMore) {
+TEST(HeroView, IsTheUsualViewUnlessAnotherShowsMore) {
     for (const Mesh& mesh : {render_tests::box({-1, -1, -1}, {1, 1, 1}), render_tests::pebble(), render_tests::grid(4), Mesh{}})
         expect_same(render::hero_view(mesh.surface()), render::three_quarter_view());
 }
@@ -76,7 +76,7 @@ TEST(HeroView, ShowsTheFrontOfAnOpenSurface) {
     EXPECT_LT(render::hero_view(behind.surface()).from.z, -0.3);
 }
 
-TEST(HeroView, StandsUprightWhatStandsOnZ) {
+TEST(HeroView, PutsZUpForModelsThatStandOnZ) {
     expect_same({"", render::hero_view(animal().surface()).from, {}}, {"", render::three_quarter_view().from, {}});
     const Mesh lying = moved(animal(), [](const glm::dvec3& p) { return glm::dvec3(p.x, -p.z, p.y); });
     EXPECT_GT(render::hero_view(lying.surface()).up.z, 0.8);
@@ -100,7 +100,7 @@ TEST(HeroView, DependsNeitherOnOrderNorOnScale) {
     }
 }
 
-TEST(HeroView, IsUprightAndOneOfEightForAnything) {
+TEST(HeroView, IsOneOfEightUprightViewsForAnySurface) {
     for (const Mesh& mesh :
          {figure(), moved(figure(), [](const glm::dvec3& p) { return glm::dvec3(-p.x, p.y, -p.z); }), shell(), animal()}) {
         const View view = render::hero_view(mesh.surface());

@@ -29,7 +29,7 @@ Image noise(int width, int height, bool opaque, std::uint64_t seed) {
     return image;
 }
 
-/// In double; alpha times colour.
+/// Computed in double, with the colour multiplied by alpha.
 struct Mean {
     double r = 0, g = 0, b = 0, a = 0;
 };
@@ -140,13 +140,13 @@ TEST(Shrink, OneColourStaysAndHalvingAveragesFourPixels) {
     EXPECT_EQ(render::shrink(checks, 1, 1).at(0, 0), (Rgba{188, 188, 188, 255}));
 }
 
-TEST(Shrink, TransparentPixelsLendNoColour) {
+TEST(Shrink, TransparentPixelsAddNoColour) {
     Image image(2, 1, {255, 0, 0, 255});
     image.at(1, 0) = {0, 255, 0, 0};
     EXPECT_EQ(render::shrink(image, 1, 1).at(0, 0), (Rgba{255, 0, 0, 128}));
 }
 
-TEST(Shrink, AnEdgeToNothingKeepsItsColour) {
+TEST(Shrink, AnEdgeToATransparentPartKeepsItsColour) {
     Image image(200, 40, {0, 255, 0, 0});
     for (int y = 0; y < 40; ++y)
         for (int x = 51; x < 151; ++x) image.at(x, y) = {255, 0, 0, 255};
@@ -162,7 +162,7 @@ TEST(Shrink, RefusesToEnlarge) {
     EXPECT_EQ(render::shrink(noise(5, 4, false, 2), 5, 4).pixels, noise(5, 4, false, 2).pixels);
 }
 
-TEST(Paste, CutsOffWhatHangsOver) {
+TEST(Paste, CutsOffPartsBeyondTheTarget) {
     const Image source = noise(8, 6, true, 3);
     for (const auto& [x, y] : {std::pair{-3, -2}, {5, 4}, {-20, 0}, {0, 100}, {1, 1}}) {
         Image target(10, 9, {9, 9, 9, 255});
@@ -176,7 +176,7 @@ TEST(Paste, CutsOffWhatHangsOver) {
 }
 
 /// A row is copied whole where it is opaque; that must not show.
-TEST(Paste, EveryPixelIsCompositedByItself) {
+TEST(Paste, EveryPixelIsCompositedSeparately) {
     const Image source = patches(90, 30, false, 8), ground = noise(90, 30, false, 9);
     Image whole = ground;
     render::paste(whole, source, 0, 0);

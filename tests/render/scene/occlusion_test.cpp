@@ -75,13 +75,13 @@ TEST(Occlusion, DoesNotDependOnHeightOrSide) {
 }
 
 // Another part far in front is not a wall of the same hollow; without this, silhouettes would have dark haloes.
-TEST(Occlusion, WhatStandsFarInFrontCastsNoShade) {
+TEST(Occlusion, PartsFarInFrontCastNoShade) {
     const auto step = [](double height) { return field_of([=](double x, double) { return x > 3 ? height : 0; }); };
     EXPECT_LT(openness_at(step(6), 0, 0), 0.9F);
     EXPECT_GT(openness_at(step(200), 0, 0), 0.999F);
 }
 
-TEST(Occlusion, NothingRoundASurfaceHidesNoSky) {
+TEST(Occlusion, EmptyPixelsAroundASurfaceHideNoSky) {
     const HeightField strip = field_of([](double x, double) { return std::abs(x) < 4 ? 0 : double(HeightField::nothing); });
     EXPECT_EQ(openness_at(strip, 0, 0), 1);
     std::vector<float> row(field_side);

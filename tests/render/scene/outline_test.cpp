@@ -27,7 +27,7 @@ TEST(BoundaryEdges, ClosedSurfacesHaveNone) {
     EXPECT_TRUE(render::boundary_edges(render_tests::box({0, 0, 0}, {1, 1, 1}).surface()).empty());
 }
 
-TEST(BoundaryEdges, AreFoundWhateverIsMissingOrTurnedRound) {
+TEST(BoundaryEdges, AreFoundForHolesAndInconsistentOrientation) {
     std::mt19937_64 random(1);
     for (int round = 0; round < 30; ++round) {
         Mesh mesh = render_tests::pebble();

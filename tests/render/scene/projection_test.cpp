@@ -31,7 +31,7 @@ TEST(Projections, SixViewsShareThree) {
     }
 }
 
-TEST(Projections, APlacementGivesBackItsView) {
+TEST(Projections, APlacementRestoresItsView) {
     std::vector<View> views(render::six_views.begin(), render::six_views.end());
     views.push_back(render::three_quarter_view());
     for (const Projection& p : render::projections_of(views))
@@ -43,7 +43,7 @@ TEST(Projections, APlacementGivesBackItsView) {
         }
 }
 
-TEST(Projections, AViewIsTheSameAloneAndTogether) {
+TEST(Projections, AViewIsTheSameAloneAndWithOthers) {
     const Mesh mesh = render_tests::pebble();
     const render::DrawOptions options{.width = 150, .height = 131, .range = {nullptr, -300, 300}};
     const auto together = render::draw_views(mesh.surface(), render::six_views, options);

@@ -123,7 +123,7 @@ TEST(ColorBar, IsolinesAreInTheBarWhereTheyAreInThePictures) {
     EXPECT_EQ(three, 3 * one);
 }
 
-// In the line of a label: the ends in their unit, with the colours between them.
+// A small bar has the ends with their unit, and the colours between.
 TEST(SmallBar, ShowsTheWholeMapAndIsAsWideAsItSays) {
     render::ColorBar bar{{&render::colormap_named("diverging"), -7.21, 7.21}, "H", "% of h̄"};
     Image image(600, 40);
@@ -161,7 +161,7 @@ TEST(ColorBar, NarrowBarsAndStrangeRangesAreDrawn) {
 
 // ---- ticks ----------------------------------------------------------------------------------------------------------
 
-TEST(RoundTicks, AreRoundInsideEquallySpacedAndAboutAsManyAsWanted) {
+TEST(RoundTicks, AreRoundAndEquallySpacedAndAboutAsManyAsWanted) {
     for (const auto& [low, high] :
          {std::pair{0.0, 1.0}, {-0.73, 0.73}, {-3e-9, 1.7e-8}, {1e30, 9.3e30}, {99.0, 101.5}, {-1234.5, 6543.2}, {0.1, 0.3}})
         for (const int wanted : {3, 5, 7}) {
@@ -187,7 +187,7 @@ TEST(RoundTicks, ContainZeroExactlyWhenTheRangeDoes) {
     EXPECT_EQ(std::count(ticks.begin(), ticks.end(), 0.1), 1);   // the double nearest to 0.1, not 3 × 0.0333…
 }
 
-TEST(RoundTicks, NoRangeNoTicks) {
+TEST(RoundTicks, AnEmptyRangeHasNoTicks) {
     const double infinity = std::numeric_limits<double>::infinity();
     EXPECT_TRUE(render::round_ticks(1, 1, 5).empty());
     EXPECT_TRUE(render::round_ticks(2, 1, 5).empty());

@@ -1,4 +1,4 @@
-#include "sheet/contact_sheet.h"
+#include "sheet/figure_sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST(ContactSheet, SixViewsStandTwoByThree) {
     }
 }
 
-TEST(ContactSheet, StandsInLinesOfAsManyAsAreAskedFor) {
+TEST(ContactSheet, ColumnsSetTheNumberOfPicturesInALine) {
     ContactSheet sheet = sheet_of(60, 50);
     sheet.columns = 4;
     const Image image = render::compose(sheet);

@@ -20,7 +20,7 @@ FigureSheet two_pictures() {
     return sheet;
 }
 
-TEST(FigureSheet, PicturesAreWholeAndWhereTheyWereAskedFor) {
+TEST(FigureSheet, PicturesAreWholeAndInTheirPlaces) {
     const render::ComposedFigure composed = render::compose(two_pictures());
     const auto first = box_of(composed.image, red), second = box_of(composed.image, green);
     EXPECT_TRUE(first.is_full(70, 50));

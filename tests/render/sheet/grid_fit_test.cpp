@@ -29,7 +29,7 @@ std::vector<HorizontalEdge> random_bars(std::mt19937_64& random) {
     return edges;
 }
 
-TEST(GridFit, LinesFallOnRowsAndOvershootIsLostAtSmallSizes) {
+TEST(GridFit, LinesFallOnRowsAndSmallSizesLoseTheOvershoot) {
     for (double size = 9; size < 40; size += 0.3) {
         const GridFit fit(lines, {}, size / 2384);
         for (const double height : {lines.descender, 0.0, lines.x_height, lines.capital, lines.ascender}) {
@@ -43,7 +43,7 @@ TEST(GridFit, LinesFallOnRowsAndOvershootIsLostAtSmallSizes) {
     EXPECT_EQ(large(lines.x_height + lines.overshoot), large(lines.x_height) + 1);
 }
 
-TEST(GridFit, ABarBeginsOrEndsWithARowAndIsAPixelThickWhenItIsThin) {
+TEST(GridFit, ABarBeginsOrEndsWithARowAndThinBarsAreOnePixelThick) {
     for (double size = 10; size < 30; size += 0.3)
         for (double bottom = 100; bottom < 900; bottom += 37) {
             const std::vector<HorizontalEdge> bar{{bottom, false}, {bottom + 140, true}};
@@ -54,7 +54,7 @@ TEST(GridFit, ABarBeginsOrEndsWithARowAndIsAPixelThickWhenItIsThin) {
         }
 }
 
-TEST(GridFit, NeverFallsAndStaysNearWhateverTheEdges) {
+TEST(GridFit, IsMonotonicAndMovesLittleForAnyEdges) {
     std::mt19937_64 random(7);
     for (int trial = 0; trial < 2000; ++trial) {
         const double scale = static_cast<double>(render_tests::random_integer(random, 5, 60)) / 2384;

@@ -34,7 +34,7 @@ Image drawn_text(std::string_view text, const TextStyle& style, double x = 100) 
     return image;
 }
 
-TEST(Text, InkStaysWithinTheMeasuredWidthAndTheHeight) {
+TEST(Text, InkStaysInsideTheMeasuredWidthAndHeight) {
     for (const double size : {11.0, 13.0, 20.0, 30.0})
         for (const char* text : {"mean curvature H", "λ = 0.01, 20 iterations", "−1.5 × 10⁻⁷", "gjpq", "|"}) {
             const TextStyle style{size};
@@ -67,8 +67,8 @@ TEST(Text, IsAlignedAtItsLeftMiddleOrRight) {
 
 TEST(Text, LettersStandOnTheBaseline) { EXPECT_EQ(ink_of(drawn_text("HEN", {20})).y1, 39); }
 
-// From the size of notes to that of titles, in both weights: flat and round letters begin and end with the same rows.
-TEST(Text, SmallLettersShareTheirRows) {
+// Flat and round letters begin and end with the same rows, at all sizes and in both weights.
+TEST(Text, SmallLettersEndOnTheSameRows) {
     for (const Weight weight : {Weight::regular, Weight::bold})
         for (double size = 10; size <= 24; size += 0.5) {
             const TextStyle style{.size = size, .weight = weight};
@@ -115,7 +115,7 @@ TEST(Text, FittingMovesEdgesByHalfAPixelAtMost) {
 }
 
 // Wherever a stem falls between two columns of pixels, one of them is dark.
-TEST(Text, StemsAreDarkAtAnyPlace) {
+TEST(Text, StemsAreDarkAtAnyFractionOfAPixel) {
     for (const double size : {11.0, 12.0, 13.0, 16.0})
         for (double x = 100; x < 101; x += 0.125) {
             const Image image = drawn_text("l", {.size = size, .color = {0, 0, 0, 255}}, x);
@@ -155,7 +155,7 @@ TEST(Text, ControlCharactersAndDirectionMarksAreNotDrawn) {
     EXPECT_EQ(drawn_text("a\u202e\u200bb\n", {20}).pixels, drawn_text("ab", {20}).pixels);
 }
 
-TEST(Text, WhatTheFontLacksAndWhatIsNoUtf8IsABox) {
+TEST(Text, UnknownCharactersAndInvalidUtf8AreBoxes) {
     EXPECT_FALSE(ink_of(drawn_text("\U0001F9FF", {20})).empty());
     EXPECT_EQ(drawn_text("\xff", {20}).pixels, drawn_text("\uFFFD", {20}).pixels);
     EXPECT_EQ(drawn_text("\xc3", {20}).pixels, drawn_text("\uFFFD", {20}).pixels);             // cut short
@@ -163,7 +163,7 @@ TEST(Text, WhatTheFontLacksAndWhatIsNoUtf8IsABox) {
     EXPECT_EQ(drawn_text("\xe2\x82z", {20}).pixels, drawn_text("\uFFFD\uFFFDz", {20}).pixels);
 }
 
-TEST(Text, OutsideThePictureIsCutOff) {
+TEST(Text, TextOutsideThePictureIsCutOff) {
     Image image(30, 10);
     render::draw_text(image, -20, 5, "Wide text on a small picture", {24});
     render::draw_text(image, 25, -30, "above", {24});

@@ -40,7 +40,7 @@ std::vector<glm::dvec2> inked(const Image& image, int axis) {
     return found;
 }
 
-/// How an axis is seen: right and down the picture; (0, 0) along the line of sight.
+/// The direction of an axis in the picture, right and down; (0, 0) along the line of sight.
 glm::dvec2 on_screen(const View& view, int axis) {
     const glm::dvec3& e = axes[static_cast<std::size_t>(axis)];
     return {glm::dot(e, view.right()), -glm::dot(e, view.up)};
@@ -51,7 +51,7 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// Where the shafts of the two visible arrows meet.
+/// The point where the shafts of the two visible arrows meet.
 glm::dvec2 origin_of(const Image& image, const View& view) {
     glm::dvec2 origin(0);
     for (int axis = 0; axis < 3; ++axis) {
@@ -64,7 +64,7 @@ glm::dvec2 origin_of(const Image& image, const View& view) {
     return origin;
 }
 
-/// Share of the points whose image under `map` is not among them, by two pixels and the half that the origin may be off.
+/// The share of the points with an image under `map` that is more than 2.5 pixels from all points.
 template <class Map>
 double asymmetry(const std::vector<glm::dvec2>& points, const Map& map) {
     const auto has = [&](const glm::dvec2& p) {
@@ -99,7 +99,7 @@ TEST(ViewLabel, ArrowsPointWhereTheAxesAreSeen) {
     }
 }
 
-// As fletchers see it: the tip of an arrow that comes, the feathers of one that goes.
+// A dot is the tip of an approaching arrow, a cross the feathers of a departing one.
 TEST(ViewLabel, AnAxisAlongTheLineOfSightIsARingedDotOrCross) {
     for (const View& view : render::six_views) {
         const Image image = label_of(view);
