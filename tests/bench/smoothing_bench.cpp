@@ -125,7 +125,7 @@ void implicit_ours(benchmark::State& state, double memory_limit) {
         Positions result = subject.mesh.X;
         scatter(X, solver.vertex(), result);
         benchmark::DoNotOptimize(result.data());
-        iterations_of_cg = solver.iterations();
+        iterations_of_cg = solver.work().iterations;
     }
     note(state, subject);
     state.counters["cg_iterations"] = static_cast<double>(iterations_of_cg);

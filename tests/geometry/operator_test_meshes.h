@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "geometry/linear/special_values.h"
-#include "geometry/operators/intrinsic_triangles.h"
+#include "geometry/operators/intrinsic_delaunay.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 
 namespace meshfolio::testing {
 
-/// An icosphere whose points wander over the sphere by up to `amount` of the mean edge: all angles irregular, many obtuse.
+/// Returns an icosphere with points moved over the sphere by up to `amount` mean edges: all angles irregular, many obtuse.
 inline TriangleMesh irregular_sphere(int level, double radius = 1, double amount = 0.45, std::uint64_t seed = 7) {
     TriangleMesh mesh = icosphere(level);
     const double size = amount * mean_edge_length(mesh);

@@ -38,7 +38,7 @@ inline std::vector<std::string> split(const std::string& line) {
     return entries;
 }
 
-/// Entries have neither quotes nor commas. @throws std::runtime_error for a row of the wrong length
+/// Entries contain no quotes and no commas. @throws std::runtime_error for a row of the wrong length
 inline std::vector<TableRow> reference_table(const std::string& name) {
     std::istringstream text(read_file(std::filesystem::path(MESHFOLIO_SOURCE_DIR) / "tests" / "reference" / (name + ".csv")));
     std::string line;

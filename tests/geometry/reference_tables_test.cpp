@@ -28,7 +28,8 @@ constexpr double relative = 1e-9;
 /// Closer, so that one vertex among thousands is not lost in a sum.
 constexpr double relative_of_sums = 1e-12;
 constexpr double relative_of_eigenvalues = 1e-8;
-/// A curvature or a Voronoi area is a sum whose terms may cancel, to 0 on a plane; its rounding is a fraction of the terms, not of the sum.
+/// A curvature or a Voronoi area is a sum of terms that may cancel, to 0 on a plane; its rounding is a fraction of the terms, not of the
+/// sum.
 constexpr double of_terms = 1e-13;
 
 /// Undefined in both, or as close as asked to the reference or to 1e-13 of the terms it is the sum of.
@@ -39,7 +40,7 @@ void expect_close(double ours, const TableRow& row, const std::string& column, d
     EXPECT_LE(std::abs(ours - reference), asked * std::abs(reference) + of_terms * terms)
         << column << ": " << ours << ", reference " << reference;
 }
-/// Of columns that have their terms beside them.
+/// Compares columns by the size of their terms, given in further columns.
 void expect_close_for_terms(double ours, const TableRow& row, const std::string& column, double asked = relative) {
     expect_close(ours, row, column, number(row, column + "_terms"), asked);
 }

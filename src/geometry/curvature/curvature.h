@@ -1,6 +1,6 @@
 /// @file
-/// Discrete curvature at vertices. Coincident vertices (operators/coincident_vertices.h) have that of the point they are: one normal, one
-/// area, one angle deficit. Undefined values (boundary, non-manifold or unreferenced vertices, area ≤ 0) are NaN.
+/// Discrete curvature at vertices. Coincident vertices (operators/coincident_vertices.h) share the curvature of the point they are: one
+/// normal, one area, one angle deficit. Undefined values are NaN: on the boundary, at non-manifold or unreferenced vertices, for area ≤ 0.
 #pragma once
 
 #include "geometry/operators/cotangent_laplacian.h"
@@ -8,22 +8,22 @@
 
 namespace meshfolio {
 
-/// ½‖Δ_uniform x‖ with the sign of −Δx · n: what the coursework calls the uniform mean curvature. A *length*, not a curvature;
-/// see uniform_mean_curvature_scaled. Boundary vertices are NaN. [length]
+/// Returns n values ½‖Δ_uniform x‖ with the sign of −Δx · n: the coursework's uniform mean curvature. It is a *length*, not a curvature;
+/// see uniform_mean_curvature_scaled(). NaN on the boundary. [length]
 Vector uniform_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology);
-/// The same times 4 / mean squared ring edge: comparable with H. [1/length]
+/// Returns uniform_mean_curvature() times 4 / mean squared ring edge, comparable with H. [1/length]
 Vector uniform_mean_curvature_scaled(const TriangleMesh& mesh, const MeshTopology& topology);
 
-/// H = sign · ½‖L x‖ from Δx = −2Hn, positive where the surface bends away from its normal (a sphere with outward normals). [1/length]
+/// Returns n values H = ±½‖Lx‖ from Δx = −2Hn, positive where the surface bends away from its normal (a sphere with outward normals).
+/// [1/length]
 Vector cotangent_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const LaplaceBeltrami& laplacian);
 
-/// Angle deficit: 2π − Σθ inside, π − Σθ on the boundary, where it is the turning of the boundary and not curvature. n values, 0 at
-/// unreferenced vertices. Their sum is 2πχ on every manifold mesh (Gauss–Bonnet). Each of coincident
-/// vertices has its own here. [rad]
+/// Returns n angle deficits: 2π − Σθ inside; π − Σθ on the boundary, the turning of the boundary and no curvature; 0 at unreferenced
+/// vertices. Their sum is 2πχ on every manifold mesh (Gauss–Bonnet). Coincident vertices keep a deficit each. [rad]
 Vector angle_deficit(const TriangleMesh& mesh, const MeshTopology& topology);
-/// K = (2π − Σθ)/A_i; NaN on the boundary. [1/length²]
+/// Returns n values K = (2π − Σθ)/A_i; NaN on the boundary. [1/length²]
 Vector gaussian_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const Vector& areas);
-/// The same from angle_deficit() vertex by vertex, which several choices of areas share. @param deficits  n [rad] @param areas  n [length²]
+/// Returns K from n angle deficits that are known [rad] and n areas [length²], without joining coincident vertices.
 Vector gaussian_curvature(const MeshTopology& topology, const Vector& deficits, const Vector& areas);
 
 }   // namespace meshfolio

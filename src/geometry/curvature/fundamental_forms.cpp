@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/at.h"
 #include "base/errors.h"
 #include "geometry/linear/special_values.h"
 
@@ -30,25 +31,12 @@ void require_regular_point(double u, double v) {
     }
 }
 
-/// Weights of f(−2h), f(−h), f(0), f(h), f(2h) in f′h and f″h², both with an error of order h⁴.
+/// Weights of f(−2h), f(−h), f(0), f(h), f(2h) in f′h and f″h²; both have an error of order h⁴.
 constexpr std::array<double, 5> first_derivative{1.0 / 12, -8.0 / 12, 0, 8.0 / 12, -1.0 / 12};
 constexpr std::array<double, 5> second_derivative{-1.0 / 12, 16.0 / 12, -30.0 / 12, 16.0 / 12, -1.0 / 12};
 constexpr std::array<double, 5> no_derivative{0, 0, 1, 0, 0};
 
-/// Σ_ij w_i w_j p(u + ih, v + jh): a derivative in u and v times the powers of h.
-Vector3 stencil_sum(const Ellipsoid& ellipsoid, double u, double v, double h, const std::array<double, 5>& in_u,
-                    const std::array<double, 5>& in_v) {
-    Vector3 sum = Vector3::Zero();
-    for (int i = 0; i < 5; ++i) {
-        for (int j = 0; j < 5; ++j) {
-            const double weight = in_u[static_cast<std::size_t>(i)] * in_v[static_cast<std::size_t>(j)];
-            if (weight != 0) sum += weight * ellipsoid_point(ellipsoid, u + (i - 2) * h, v + (j - 2) * h);
-        }
-    }
-    return sum;
-}
-
-/// Unit length, the largest entry positive.
+/// Returns the vector at unit length, its largest entry positive.
 Vector3 as_direction(const Vector3& tangent) {
     Eigen::Index largest = 0;
     tangent.cwiseAbs().maxCoeff(&largest);
@@ -89,7 +77,14 @@ FundamentalForms ellipsoid_forms_by_differences(const Ellipsoid& ellipsoid, doub
     require_regular_point(u, v);
     if (!(h > 0)) throw MeshError("ellipsoid_forms_by_differences: the step must be > 0");
     const auto derivative = [&](const auto& in_u, const auto& in_v, double power_of_h) -> Vector3 {
-        return stencil_sum(ellipsoid, u, v, h, in_u, in_v) / power_of_h;
+        Vector3 sum = Vector3::Zero();   // Σ_ij w_i w_j p(u + ih, v + jh): the derivative times a power of h
+        for (int i = 0; i < 5; ++i) {
+            for (int j = 0; j < 5; ++j) {
+                const double weight = in_u[at(i)] * in_v[at(j)];
+                if (weight != 0) sum += weight * ellipsoid_point(ellipsoid, u + (i - 2) * h, v + (j - 2) * h);
+            }
+        }
+        return sum / power_of_h;
     };
     const Vector3 p_uu = derivative(second_derivative, no_derivative, h * h);
     const Vector3 p_uv = derivative(first_derivative, first_derivative, h * h);

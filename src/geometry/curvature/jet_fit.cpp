@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/at.h"
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "geometry/curvature/two_rings.h"
@@ -18,12 +19,12 @@ namespace {
 
 constexpr int coefficients = 10;   // of a cubic in two variables
 
-/// A smallest singular value below this share of the largest column says that the points lie near a common cubic.
+/// A smallest singular value below this share of the largest column means that the points lie near a common cubic.
 constexpr double determined_from = 1e-6;
 
-/// What a cubic cannot follow, the residual r, may change second derivatives by up to gain · |r|, gain the norm of their rows of the
-/// pseudoinverse: 2 to 8 for two rings of even triangles, (length/width)² times that for thin ones. Thin samples of a larger gain are
-/// trusted if that is little: of the largest second derivative, or of a bend by one radian over the sample.
+/// The residual r of the fit may change second derivatives by up to gain · |r|, where gain is the norm of their rows of the pseudoinverse:
+/// 2 to 8 for two rings of even triangles, (length/width)² times that for thin ones. Thin samples of a larger gain are trusted if the
+/// change is small: relative to the largest second derivative, or beside a bend by one radian over the sample.
 constexpr double harmless_gain = 8, relative_error_at_most = 0.25, error_at_most = 0.05;
 
 constexpr int most_rings = 3;
@@ -32,20 +33,11 @@ struct HK {
     double H = undefined, K = undefined;
 };
 
-/// z = f(x, y) with the derivatives of f at 0; upward normal, H > 0 where the surface bends away from it.
+/// Returns H and K of the graph z = f(x, y) from the derivatives of f; H > 0 where it bends away from its upward normal.
 HK curvature_of_graph(double fx, double fy, double fxx, double fxy, double fyy) {
     const double W2 = 1 + fx * fx + fy * fy;
     return {-((1 + fy * fy) * fxx - 2 * fx * fy * fxy + (1 + fx * fx) * fyy) / (2 * W2 * std::sqrt(W2)),
             (fxx * fyy - fxy * fxy) / (W2 * W2)};
-}
-
-/// Axes of a plane and its normal, as rows.
-Eigen::Matrix3d frame_of(const Vector3& normal) {
-    Eigen::Matrix3d frame;
-    frame.row(0) = normal.unitOrthogonal().transpose();
-    frame.row(1) = normal.cross(frame.row(0).transpose()).transpose();
-    frame.row(2) = normal.transpose();
-    return frame;
 }
 
 class JetFitter {
@@ -61,12 +53,12 @@ public:
     JetFitter(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals)
         : mesh_(mesh), topology_(topology), normals_(normals) {}
 
-    /// Of two rings as they are; where that is not trusted, of samples scaled to a square, with more rings one after the other.
+    /// Returns H and K at v from two rings as they are or, where that is not trusted, from samples scaled to a square with ever more rings.
     HK at(int v) {
         if (!(normals_.row(v).squaredNorm() > 0)) return {};
         collect_two_rings(topology_.neighbours, v, points_);
         for (int rings = 2; rings <= most_rings; ++rings) {
-            if (rings > 2) collect_next_ring(topology_.neighbours, points_);
+            if (rings > 2) add_next_ring(topology_.neighbours, points_);
             if (points_.size() < coefficients) continue;
             const double unit = read_points(v);
             if (!(unit > 0)) return {};
@@ -78,14 +70,17 @@ public:
     }
 
 private:
-    /// Coordinates of the points in the frame of v, in the unit that is returned: the largest distance from v along the plane, so that no
-    /// power of it leaves the range.
+    /// Sets the coordinates of the points in the frame of v and returns their unit, the largest distance from v along the plane, so that no
+    /// power leaves the range.
     double read_points(int v) {
-        const Eigen::Matrix3d frame = frame_of(normals_.row(v).transpose());
+        const Vector3 normal = normals_.row(v).transpose();
+        Eigen::Matrix3d frame;   // axes of the plane and its normal, as rows
+        frame.row(0) = normal.unitOrthogonal().transpose();
+        frame.row(1) = normal.cross(frame.row(0).transpose()).transpose();
+        frame.row(2) = normal.transpose();
         const auto n = static_cast<Eigen::Index>(points_.size());
         local_.resize(n, 3);
-        for (Eigen::Index i = 0; i < n; ++i)
-            local_.row(i) = (mesh_.X.row(points_[static_cast<std::size_t>(i)]) - mesh_.X.row(v)) * frame.transpose();
+        for (Eigen::Index i = 0; i < n; ++i) local_.row(i) = (mesh_.X.row(points_[std::size_t(i)]) - mesh_.X.row(v)) * frame.transpose();
         const double unit = local_.leftCols<2>().rowwise().norm().maxCoeff();
         if (!(unit > 0)) return 0;
         local_ /= unit;
@@ -93,13 +88,13 @@ private:
     }
 
     Eigen::Matrix2d moments() const { return local_.leftCols<2>().transpose() * local_.leftCols<2>(); }
-    /// Whether the sample is less than half as wide as it is long: (λ_min/λ_max of its moments)^½ < ½.
+    /// True if the sample is less than half as wide as it is long: (λ_min/λ_max of its moments)^½ < ½.
     bool is_thin() const {
         const Eigen::Vector2d squared = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>().computeDirect(moments()).eigenvalues();
         return squared[0] < 0.25 * squared[1];
     }
 
-    /// Along the principal axes of the sample and scaled to a square, in which thin triangles hide no coefficient from the rank.
+    /// Returns H and K of the sample along its principal axes, scaled to a square: thin triangles hide no coefficient from the rank there.
     HK jet_of_scaled_sample() {
         Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
         axes.topLeftCorner<2, 2>() = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>().computeDirect(moments()).eigenvectors();
@@ -108,7 +103,7 @@ private:
         return x > 0 && y > 0 ? trusted_jet(x, y) : HK{};
     }
 
-    /// H and K of the fit in x/x_unit and y/y_unit; NaN where it is not determined or not trusted.
+    /// Returns H and K of the fit in x/x_unit and y/y_unit; NaN where it is not determined or not trusted.
     HK trusted_jet(double x_unit, double y_unit) {
         fill_table(x_unit, y_unit);
         Fit cubic;
@@ -122,7 +117,7 @@ private:
         return curvature_of_graph(a[1] / x_unit, a[2] / y_unit, second[0], second[1], second[2]);
     }
 
-    /// Monomials 1, x, y, x², xy, y², x³, x²y, xy², y³ and heights of the points.
+    /// Fills the table with the monomials 1, x, y, x², xy, y², x³, x²y, xy², y³ and the heights.
     void fill_table(double x_unit, double y_unit) {
         table_.resize(local_.rows(), coefficients + 1);
         for (Eigen::Index i = 0; i < local_.rows(); ++i) {
@@ -131,8 +126,8 @@ private:
         }
     }
 
-    /// Least squares by modified Gram–Schmidt on the table, heights included, as stable as reflections (Björck 1967): it becomes (Q, r).
-    /// False where the points may not determine the fit: the smallest singular value of R is no less than 1/‖R⁻¹‖.
+    /// Solves the least squares by modified Gram–Schmidt on the table, heights included, which becomes (Q, r); as stable as reflections
+    /// (Björck 1967). Returns false where the points may not determine the fit: the smallest singular value of R is no less than 1/‖R⁻¹‖.
     bool fit(Fit& fit) {
         const double largest = table_.leftCols<coefficients>().colwise().squaredNorm().maxCoeff();
         Square inverse = Square::Zero();   // of R, upper triangle
@@ -163,7 +158,7 @@ private:
     Table table_;   // monomials of the points and their heights
 };
 
-/// Of a mesh without coincident vertices.
+/// Fits jets on a mesh without coincident vertices.
 JetCurvature jets_of(const TriangleMesh& mesh, const MeshTopology& topology) {
     const int n = mesh.vertex_count();
     const Positions normals = vertex_normals(mesh);
@@ -171,7 +166,7 @@ JetCurvature jets_of(const TriangleMesh& mesh, const MeshTopology& topology) {
     for_blocks(n, [&](int, int begin, int end) {
         JetFitter fitter(mesh, topology, normals);
         for (int v = begin; v < end; ++v) {
-            if (topology.nonmanifold[static_cast<std::size_t>(v)]) continue;
+            if (topology.nonmanifold[at(v)]) continue;
             const HK jet = fitter.at(v);
             jets.H[v] = jet.H;
             jets.K[v] = jet.K;
@@ -184,7 +179,7 @@ JetCurvature jets_of(const TriangleMesh& mesh, const MeshTopology& topology) {
 
 JetCurvature jet_curvature(const TriangleMesh& mesh, const MeshTopology& topology) {
     const int n = mesh.vertex_count();
-    if (static_cast<int>(topology.nonmanifold.size()) != n) throw MeshError("jet_curvature: the topology is of another mesh");
+    if (std::ssize(topology.nonmanifold) != n) throw MeshError("jet_curvature: the topology is of another mesh");
     const std::vector<VertexCopy> copies = coincident_vertices(mesh);
     const TriangleMesh joined = copies.empty() ? TriangleMesh() : with_joined_vertices(mesh, copies);
     JetCurvature jets = copies.empty() ? jets_of(mesh, topology) : jets_of(joined, topology_of(joined));

@@ -9,21 +9,18 @@
 
 namespace meshfolio {
 
-/// The vertex itself, its neighbours and theirs, ascending.
-inline void collect_two_rings(const Incidence& ring, int v, std::vector<int>& points) {
-    points.assign(ring.begin(v), ring.end(v));
-    points.push_back(v);
-    for (const int* j = ring.begin(v); j != ring.end(v); ++j) points.insert(points.end(), ring.begin(*j), ring.end(*j));
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-}
-
-/// And the neighbours of all of them.
-inline void collect_next_ring(const Incidence& ring, std::vector<int>& points) {
+/// Adds the neighbours of all `points` to them; the result ascends and names each vertex once.
+inline void add_next_ring(const Incidence& ring, std::vector<int>& points) {
     const std::vector<int> inside = points;
     for (const int p : inside) points.insert(points.end(), ring.begin(p), ring.end(p));
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
+/// Sets `points` to the vertex v, its neighbours and theirs, ascending.
+inline void collect_two_rings(const Incidence& ring, int v, std::vector<int>& points) {
+    points.assign(1, v);
+    for (int rings = 0; rings < 2; ++rings) add_next_ring(ring, points);
 }
 
 }   // namespace meshfolio

@@ -10,12 +10,11 @@
 #include "geometry/denoising/component_size.h"
 #include "geometry/denoising/normal_filters.h"
 #include "geometry/operators/triangle_shape.h"
-#include "geometry/smoothing/conformal_flow.h"
+#include "geometry/operators/vertices_with_mass.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
-
 namespace {
 
 constexpr std::array methods{
@@ -40,19 +39,8 @@ constexpr std::array methods{
 
 constexpr int vertex_updates = 10;   // of each step of a filter of normals
 
-void check(const DenoisingInput& input, const DenoisingOptions& options) {
-    const std::string name(denoising_entry(options.method).name);
-    if (!(std::isfinite(options.parameter) && options.parameter > 0))
-        throw MeshError("denoising, " + name + ": parameter = " + plain_text(options.parameter), "it must be positive and finite");
-    if (options.steps < 0) throw MeshError("denoising, " + name + ": " + std::to_string(options.steps) + " steps");
-    if (options.method == DenoisingMethod::taubin && !(input.largest_eigenvalue > 0))
-        throw MeshError("denoising, " + name + ": largest eigenvalue = " + plain_text(input.largest_eigenvalue));
-    if (!is_defined(options.method, input.mesh, input.topology))
-        throw MeshError("denoising, " + name + ": the mesh encloses no volume", "take another method");
-}
-
-/// λ of a run of smooth(), and Taubin's m: 1/λ + 1/m = pass_band · μ_max/2 with λ = 1/μ_max.
-SmoothingOptions smoothing_of(const DenoisingInput& input, const DenoisingOptions& options) {
+/// Runs smooth(), explicit, implicit or by Taubin: 1/λ + 1/m = pass_band · μ_max/2 with λ = 1/μ_max.
+DenoisingRun diffused(const DenoisingInput& input, const DenoisingOptions& options, ImplicitSolver& solver) {
     SmoothingOptions smoothing;
     smoothing.scheme = SmoothingScheme::implicit_euler;
     smoothing.lambda = options.parameter;
@@ -65,26 +53,48 @@ SmoothingOptions smoothing_of(const DenoisingInput& input, const DenoisingOption
         smoothing.lambda = 1 / input.largest_eigenvalue;
         smoothing.taubin_mu = 1 / (input.largest_eigenvalue * (0.5 * options.parameter - 1));
     }
-    return smoothing;
-}
-
-DenoisingRun diffused(const DenoisingInput& input, const DenoisingOptions& options, ImplicitSolver& solver) {
-    Smoothed run = smooth(input.mesh, smoothing_of(input, options), solver);
+    Smoothed run = smooth(input.mesh, smoothing, solver);
     return {std::move(run.X), run.iterations, run.blew_up || run.collapse_iteration > 0};
 }
 
-/// The flow is linear and keeps constants, so scaling does not touch what comes after it: each state of the plain run is scaled for itself.
+/// The flow is linear and keeps constants, so scaling a state does not change the later ones: each state of the plain run is scaled alone.
 DenoisingRun rescaled(const DenoisingInput& input, DenoisingOptions options, ImplicitSolver& solver) {
     const ComponentSizes wanted = component_sizes(input.mesh, input.topology);
     const auto scaled = [&](const Positions& X) { return with_volumes(moved_to(input.mesh, X), input.topology, wanted); };
     if (options.after_step)
-        options.after_step = [scaled, told = options.after_step](int step, const Positions& X) { return told(step, scaled(X)); };
+        options.after_step = [scaled, after_step = options.after_step](int step, const Positions& X) {
+            return after_step(step, scaled(X));
+        };
     DenoisingRun run = diffused(input, options, solver);
     run.X = scaled(run.X);
     return run;
 }
 
-/// Zheng et al.: weights of the input, normals filtered again and again. Zhang et al.: both from the mesh as it has become.
+/// Conformalised mean curvature flow (Kazhdan, Solomon & Ben-Chen 2012): the stiffness stays that of the input, the masses are those of the
+/// current surface. A conformal flow is mean curvature flow without its singularities.
+DenoisingRun conformalised(const DenoisingInput& input, const DenoisingOptions& options, ImplicitSolver& solver) {
+    const ComponentSizes wanted = component_sizes(input.mesh, input.topology);
+    LaplaceBeltrami laplacian = laplace_beltrami(input.mesh);
+    TriangleMesh current = input.mesh;
+    DenoisingRun run{input.mesh.X, 0, false};
+    while (run.steps < options.steps) {
+        if (run.steps > 0) laplacian.M = vertex_areas(current, AreaForm::barycentric);
+        run.ended = !(laplacian.M.sum() > 1e-24 * wanted.area.sum());
+        if (run.ended) break;
+        solver.prepare(operator_with_mass(laplacian), options.parameter);
+        current.X = solver.step(current.X);
+        current.X = with_areas(current, input.topology, wanted);
+        run.ended = !current.X.allFinite();
+        if (run.ended) break;
+        run.X = current.X;
+        ++run.steps;
+        if (options.after_step && !options.after_step(run.steps, run.X)) break;
+    }
+    return run;
+}
+
+/// Filters face normals and moves the vertices after them. Zheng et al. keep the weights of the input and filter the normals again and
+/// again; Zhang et al. take both from the current mesh.
 DenoisingRun by_normals(const DenoisingInput& input, const DenoisingOptions& options) {
     DenoisingRun run{input.mesh.X, 0, false};
     TriangleMesh current = input.mesh;
@@ -123,7 +133,15 @@ bool is_defined(DenoisingMethod method, const TriangleMesh& mesh, const MeshTopo
 }
 
 DenoisingRun denoise(const DenoisingInput& input, const DenoisingOptions& options, ImplicitSolver& solver) {
-    check(input, options);
+    const std::string name(denoising_entry(options.method).name);
+    if (!(std::isfinite(options.parameter) && options.parameter > 0))
+        throw MeshError("denoising, " + name + ": parameter = " + plain_text(options.parameter), "it must be positive and finite");
+    if (options.steps < 0) throw MeshError("denoising, " + name + ": " + std::to_string(options.steps) + " steps");
+    if (options.method == DenoisingMethod::taubin && !(input.largest_eigenvalue > 0))
+        throw MeshError("denoising, " + name + ": largest eigenvalue = " + plain_text(input.largest_eigenvalue));
+    if (!is_defined(options.method, input.mesh, input.topology))
+        throw MeshError("denoising, " + name + ": the mesh encloses no volume", "take another method");
+
     // About the box centre and by a power of two, so that neither far coordinates nor the model's unit cost digits.
     const double scale = unit_scale(input.mesh);
     const Eigen::RowVector3d centre = bounding_box(input.mesh).centre().transpose();

@@ -1,5 +1,5 @@
 /// @file
-/// Methods that take noise off a mesh, by name and behind one call: a run of steps, each from one mesh to the next.
+/// Methods that remove noise from a mesh, chosen by name and run by one call. A run is a sequence of steps from mesh to mesh.
 #pragma once
 
 #include <functional>
@@ -29,25 +29,26 @@ struct DenoisingEntry {
     std::string_view reference;     // in the bibliography
     std::string_view description;   // one sentence
 };
+/// Lists all methods, in the order of tables.
 std::span<const DenoisingEntry> denoising_list();
 const DenoisingEntry& denoising_entry(DenoisingMethod method);
 
-/// Does it work on face normals, so that edges may stay, rather than by diffusion?
+/// True if the method filters face normals, which can keep edges, instead of diffusing positions.
 bool filters_normals(DenoisingMethod method);
-/// Is the method defined on the mesh? False for volume rescaling where a component encloses no volume.
+/// True if the method can run on the mesh; false for volume rescaling if a component encloses no volume.
 bool is_defined(DenoisingMethod method, const TriangleMesh& mesh, const MeshTopology& topology);
 
-/// What is known of a mesh before any run on it. `mesh` must outlive it.
+/// A mesh with precomputed values that all runs share. The mesh and its topology must outlive it.
 struct DenoisingInput {
     const TriangleMesh& mesh;
     const MeshTopology& topology;
-    double largest_eigenvalue = 0;   // μ_max of its cotangent operator; needed by Taubin alone [1/length²]
+    double largest_eigenvalue = 0;   // μ_max of its cotangent operator; only Taubin needs it [1/length²]
 };
 
 struct DenoisingOptions {
     DenoisingMethod method = DenoisingMethod::implicit_flow;
-    /// Flows: λ [length²]. Taubin: the pass band, a share of μ_max/2, its λ being 1/μ_max. Filters of normals: σ_r, the difference of unit
-    /// normals beyond which two faces are taken to be sides of an edge.
+    /// Flows: λ [length²]. Taubin: the pass band, a share of μ_max/2; its λ is 1/μ_max. Filters of normals: σ_r, the difference of unit
+    /// normals beyond which two faces count as different sides of an edge.
     double parameter = 0;
     int steps = 1;
     /// Called after every step with its number (from 1) and the positions; return false to stop.
@@ -56,20 +57,20 @@ struct DenoisingOptions {
 
 struct DenoisingRun {
     Positions X;          // the last finite positions
-    int steps = 0;        // done
-    bool ended = false;   // before its time: nothing was left of the surface, or it blew up
+    int steps = 0;        // steps done
+    bool ended = false;   // ended early: the surface collapsed or blew up
 };
 
-/// A step of each method, from X to X':
+/// Runs a method. Its step from X to X' is
 ///   explicit          X' = X + λLX, L of the input
 ///   implicit          (M − λC) X' = M X, M and C of the input
-///   rebuilt           the same with those of X
+///   rebuilt           (M − λC) X' = M X, M and C of X
 ///   taubin            X' = (I + mL)(I + λL) X, L of the input
 ///   volume-rescaled   implicit, then each component scaled to the input's volume about its centroid
-///   conformal         (M − λC) X' = M X, M of X and C of the input; then each component scaled to the input's area about its centroid
+///   conformal         (M − λC) X' = M X, M of X, C of the input; then each component scaled to the input's area about its centroid
 ///   bilateral         the face normals of the step before filtered by themselves; then vertices moved towards them
 ///   guided            the face normals of X filtered by their guide; then vertices moved towards them
-/// @param solver  for several runs: takes from it what an earlier one left, and leaves its own
+/// @param solver  shared by several runs: keeps factors from one to the next
 /// @throws MeshError for a parameter that is not positive and finite, for steps < 0, or where the method is not defined;
 ///         SolverError if a system cannot be factored
 DenoisingRun denoise(const DenoisingInput& input, const DenoisingOptions& options, ImplicitSolver& solver);

@@ -7,10 +7,9 @@
 #include "mesh/vertex_noise.h"
 
 namespace meshfolio {
-
 namespace {
 
-void check(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options) {
+void check_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options) {
     if (!(std::isfinite(options.lambda) && options.lambda > 0))
         throw MeshError("denoising_prediction: lambda = " + plain_text(options.lambda), "it must be positive and finite");
     if (options.iterations < 0) throw MeshError("denoising_prediction: " + std::to_string(options.iterations) + " iterations");
@@ -21,7 +20,7 @@ void check(const LaplaceBeltrami& laplacian, const Positions& X, const Predictio
     }
 }
 
-/// About the centroid: constants are kept by every step, so they only cost digits.
+/// Returns positions about their centroid: every step keeps constants, so they only cost digits.
 Positions centred(const Positions& X, const Vector& M) {
     const Eigen::RowVector3d centroid = (M.transpose() * X) / M.sum();
     return X.rowwise() - centroid;
@@ -59,9 +58,7 @@ DenoisingPrediction by_modes(const LaplaceBeltrami& laplacian, const Positions& 
     return prediction;
 }
 
-Vector squared_rows(const Positions& X) { return X.rowwise().squaredNorm(); }
-
-/// Enters three probes z, run as coordinates, of which zᵀSᵗᵀWSᵗz is noted for each iteration.
+/// Sums zᵀSᵗᵀWSᵗz and its square for each iteration t over probes z, which run three at a time, as coordinates.
 class ProbeSums {
 public:
     explicit ProbeSums(int iterations) : sum_(Vector::Zero(iterations + 1)), squares_(Vector::Zero(iterations + 1)) {}
@@ -72,8 +69,8 @@ public:
             squares_[t] += value * value;
         }
     }
-    /// 3 tr and its standard error, from so many probes.
-    void into(ExpectedError& error, int probes) const {
+    /// Stores 3 tr and its standard error from the number of probes.
+    void store(ExpectedError& error, int probes) const {
         error.noise = 3 * sum_ / probes;
         const Vector variance = (squares_ - sum_.cwiseAbs2() / probes) / (probes - 1);
         error.noise_error = 3 * (variance.cwiseMax(0) / probes).cwiseSqrt();
@@ -94,7 +91,7 @@ DenoisingPrediction by_probes(const LaplaceBeltrami& laplacian, const OperatorWi
     Positions run = start;
     for (int t = 0; t <= options.iterations; ++t) {
         if (t > 0) run = solver.step(run);
-        const Vector squares = squared_rows(run - start);
+        const Vector squares = (run - start).rowwise().squaredNorm();
         prediction.mass.bias[t] = M.dot(squares);
         prediction.vertices.bias[t] = squares.sum();
     }
@@ -107,8 +104,8 @@ DenoisingPrediction by_probes(const LaplaceBeltrami& laplacian, const OperatorWi
             vertices.enter(t, run, ones);
         }
     }
-    mass.into(prediction.mass, prediction.probes);
-    vertices.into(prediction.vertices, prediction.probes);
+    mass.store(prediction.mass, prediction.probes);
+    vertices.store(prediction.vertices, prediction.probes);
     return prediction;
 }
 
@@ -127,7 +124,7 @@ DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const
 
 DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options,
                                          ImplicitSolver& solver) {
-    check(laplacian, X, options);
+    check_prediction(laplacian, X, options);
     const OperatorWithMass whole = operator_with_mass(laplacian);
     if (const int n = whole.size(); n <= options.modes_up_to)
         return by_modes(laplacian, X, smallest_eigenpairs(laplacian, n, {.dense_below = n}), options);
@@ -136,7 +133,7 @@ DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const
 
 DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options,
                                          const Spectrum& all) {
-    check(laplacian, X, options);
+    check_prediction(laplacian, X, options);
     return by_modes(laplacian, X, all, options);
 }
 

@@ -4,29 +4,15 @@
 #include <cmath>
 #include <utility>
 
+#include "base/at.h"
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
-
 namespace {
 
-/// Over the pairs of triangles that share an edge; 0 where there are none.
-double mean_centroid_distance(const Positions& centroids, const Incidence& by_edge) {
-    double sum = 0;
-    for (int t = 0; t < static_cast<int>(centroids.rows()); ++t)
-        for (const int* s = by_edge.begin(t); s != by_edge.end(t); ++s) sum += (centroids.row(*s) - centroids.row(t)).norm();
-    return by_edge.item.empty() ? 0 : sum / static_cast<double>(by_edge.item.size());
-}
-
-/// The patch of each triangle: its mean normal and how inconsistent it is.
-struct PatchNormals {
-    Positions mean;   // m × 3 unit normals
-    Vector inconsistency;
-};
-
-/// Largest difference between two normals of the patch. Triangles without a normal do not count.
+/// Returns Φ, the largest difference between two normals of the patch. Triangles without a normal do not count.
 double largest_difference(const Positions& N, const int* begin, const int* end) {
     double largest = 0;
     for (const int* s = begin; s != end; ++s) {
@@ -37,7 +23,7 @@ double largest_difference(const Positions& N, const int* begin, const int* end) 
     return std::sqrt(largest);
 }
 
-/// Largest saliency of an inner edge of the patch over the sum of all.
+/// Returns R, the largest saliency of an inner edge of the patch over the sum of all.
 double edge_concentration(const Positions& N, const Incidence& by_edge, const int* begin, const int* end) {
     double largest = 0, sum = 0;
     for (const int* s = begin; s != end; ++s) {
@@ -50,27 +36,6 @@ double edge_concentration(const Positions& N, const Incidence& by_edge, const in
     }
     constexpr double negligible = 1e-9;   // a flat patch has no edge to speak of
     return largest / (negligible + sum);
-}
-
-PatchNormals patch_normals(const TriangleMesh& mesh, const FaceRings& rings, const Positions& N) {
-    const Vector areas = face_areas(mesh);
-    PatchNormals patches{Positions::Zero(N.rows(), 3), Vector(N.rows())};
-    for (int t = 0; t < static_cast<int>(N.rows()); ++t) {
-        const int *begin = rings.by_vertex.begin(t), *end = rings.by_vertex.end(t);
-        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-        for (const int* s = begin; s != end; ++s) sum += areas[*s] * N.row(*s);
-        if (const double length = sum.norm(); length > 0) patches.mean.row(t) = sum / length;
-        patches.inconsistency[t] = largest_difference(N, begin, end) * edge_concentration(N, rings.by_edge, begin, end);
-    }
-    return patches;
-}
-
-void end_row(Incidence& rings) { rings.start.push_back(static_cast<int>(rings.item.size())); }
-
-int shared_vertices(const Faces& F, int s, int t) {
-    int shared = 0;
-    for (const int v : F.row(s)) shared += v == F(t, 0) || v == F(t, 1) || v == F(t, 2);
-    return shared;
 }
 
 }   // namespace
@@ -87,10 +52,11 @@ FaceRings face_rings(const TriangleMesh& mesh) {
         ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
         for (const int s : ring) {
             rings.by_vertex.item.push_back(s);
-            if (s != t && shared_vertices(mesh.F, s, t) >= 2) rings.by_edge.item.push_back(s);
+            int shared = 0;
+            for (const int v : mesh.F.row(s)) shared += (mesh.F.row(t).array() == v).any() ? 1 : 0;
+            if (s != t && shared >= 2) rings.by_edge.item.push_back(s);
         }
-        end_row(rings.by_vertex);
-        end_row(rings.by_edge);
+        for (Incidence* row : {&rings.by_vertex, &rings.by_edge}) row->start.push_back(static_cast<int>(row->item.size()));
     }
     return rings;
 }
@@ -107,7 +73,10 @@ NormalKernel normal_kernel(const TriangleMesh& mesh) { return normal_kernel(mesh
 NormalKernel normal_kernel(const TriangleMesh& mesh, FaceRings rings) {
     const Positions centroids = face_centroids(mesh);
     const Vector areas = face_areas(mesh);
-    const double sigma = mean_centroid_distance(centroids, rings.by_edge);
+    double sigma = 0;   // mean distance of neighbours over an edge
+    for (int t = 0; t < mesh.face_count(); ++t)
+        for (const int* s = rings.by_edge.begin(t); s != rings.by_edge.end(t); ++s) sigma += (centroids.row(*s) - centroids.row(t)).norm();
+    if (!rings.by_edge.item.empty()) sigma /= static_cast<double>(rings.by_edge.item.size());
     NormalKernel kernel{std::move(rings), {}};
     for (int t = 0; t < mesh.face_count(); ++t) {
         for (const int* s = kernel.rings.by_vertex.begin(t); s != kernel.rings.by_vertex.end(t); ++s) {
@@ -125,10 +94,10 @@ Positions filtered_normals(const NormalKernel& kernel, const Positions& N, const
     Positions filtered = N;
     for (int t = 0; t < static_cast<int>(N.rows()); ++t) {
         Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-        for (int i = ring.start[static_cast<std::size_t>(t)]; i < ring.start[static_cast<std::size_t>(t) + 1]; ++i) {
-            const int s = ring.item[static_cast<std::size_t>(i)];
+        for (int i = ring.start[at(t)]; i < ring.start[at(t) + 1]; ++i) {
+            const int s = ring.item[at(i)];
             const double range = std::exp(per_square * (guide.row(s) - guide.row(t)).squaredNorm());
-            sum += kernel.weights[static_cast<std::size_t>(i)] * range * N.row(s);
+            sum += kernel.weights[at(i)] * range * N.row(s);
         }
         if (const double length = sum.norm(); length > 0) filtered.row(t) = sum / length;
     }
@@ -136,14 +105,23 @@ Positions filtered_normals(const NormalKernel& kernel, const Positions& N, const
 }
 
 Positions guiding_normals(const TriangleMesh& mesh, const FaceRings& rings, const Positions& N) {
-    const PatchNormals patches = patch_normals(mesh, rings, N);
+    const Vector areas = face_areas(mesh);
+    Positions mean = Positions::Zero(N.rows(), 3);   // of the patch around each triangle, unit
+    Vector inconsistency(N.rows());                  // H = Φ R of that patch
+    for (int t = 0; t < static_cast<int>(N.rows()); ++t) {
+        const int *begin = rings.by_vertex.begin(t), *end = rings.by_vertex.end(t);
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        for (const int* s = begin; s != end; ++s) sum += areas[*s] * N.row(*s);
+        if (const double length = sum.norm(); length > 0) mean.row(t) = sum / length;
+        inconsistency[t] = largest_difference(N, begin, end) * edge_concentration(N, rings.by_edge, begin, end);
+    }
     Positions guide(N.rows(), 3);
     for (int t = 0; t < static_cast<int>(N.rows()); ++t) {
         // The patches that contain t are those of the triangles around it, its own first: where none is better, nothing is shifted.
         int best = t;
         for (const int* s = rings.by_vertex.begin(t); s != rings.by_vertex.end(t); ++s)
-            if (patches.inconsistency[*s] < patches.inconsistency[best] && !patches.mean.row(*s).isZero(0)) best = *s;
-        guide.row(t) = patches.mean.row(best);
+            if (inconsistency[*s] < inconsistency[best] && !mean.row(*s).isZero(0)) best = *s;
+        guide.row(t) = mean.row(best);
     }
     return guide;
 }

@@ -12,16 +12,17 @@
 #include "geometry/spectrum/engine/spectrum_modes.h"
 
 namespace meshfolio {
-
 namespace {
 
-/// δ of the factor of S that the ranks hold. With ET, T = (S + E)⁻¹S, in place of E, and ‖E‖ ≤ 2‖ET‖ unless an eigenvalue lies within δ.
-/// That one of ten random vectors shows a tenth of a norm, at least: Halko, Martinsson & Tropp 2011, lemma 4.1.
-double measured_backward_error(Ranks& ranks, const SparseMatrix& S, const Vector& M) {
+/// Counts by the factor of the ranks, with a measured δ. With ET, T = (S + E)⁻¹S, in place of E, ‖E‖ ≤ 2‖ET‖ unless an eigenvalue lies
+/// within δ. One of ten random vectors shows at least a tenth of a norm: Halko, Martinsson & Tropp 2011, lemma 4.1.
+Inertia measured_inertia(Ranks& ranks, const SparseMatrix& A, const Vector& M, double sigma) {
     constexpr int probes = 10;
     constexpr double roundings = 10 * epsilon / 2;   // of a row's product, seven entries long or so
-    const SparseMatrix sizes = S.cwiseAbs();
+    const SparseMatrix S = A + SparseMatrix((-sigma * M).asDiagonal()), sizes = S.cwiseAbs();
     const Vector root = M.cwiseSqrt();
+    ranks.factor(S, false);
+    const int below = ranks.negative_pivots();
     std::uint64_t seed = 1;
     double largest = 0;
     for (int probe = 0; probe < probes; ++probe) {
@@ -32,24 +33,15 @@ double measured_backward_error(Ranks& ranks, const SparseMatrix& S, const Vector
         const Vector size = sizes * x.cwiseAbs() + b.cwiseAbs();
         largest = std::max(largest, ((b - S * x).cwiseAbs() + roundings * size).cwiseQuotient(root).norm());
     }
-    return 20 * largest;
-}
-
-Inertia measured_inertia(Ranks& ranks, const SparseMatrix& A, const Vector& M, double sigma) {
-    SparseMatrix diagonal(A.rows(), A.cols());
-    diagonal = (-sigma * M).asDiagonal();
-    const SparseMatrix S = A + diagonal;
-    ranks.factor(S, false);
-    // Forming a − σm rounds to u|a − σm| and to u|σ|m.
+    // Forming a − σm rounds by u|a − σm| and by u|σ|m.
     const double forming = epsilon * (std::abs(sigma) + S.diagonal().cwiseAbs().cwiseQuotient(M).maxCoeff());
-    return {sigma, ranks.negative_pivots(), measured_backward_error(ranks, S, M) + forming, true};
+    return {sigma, below, 20 * largest + forming, true};
 }
 
-/// B + 0.1 I is definite, and so far from singular that a solve keeps its digits; the other eigenvalues of a compact surface are above 10.
+/// B + 0.1 I is definite, and far enough from singular for accurate solves; the other eigenvalues of a compact surface are above 10.
 constexpr double least_shift = 0.1;
 
-SymmetricPairs smallest_of(const InversePairs& pairs) { return {pairs.theta.cwiseInverse().array() - least_shift, pairs.Y}; }
-
+/// Computes the k smallest pairs.
 /// @param A  −C, @param M  its masses, ΣM = 1
 /// @throws SolverError if pairs do not converge, or are counted and not found
 Modes distributed_modes(const SparseMatrix& A, const Vector& M, int k, Ranks& ranks, const InertiaAt& inertia_at) {
@@ -59,11 +51,12 @@ Modes distributed_modes(const SparseMatrix& A, const Vector& M, int k, Ranks& ra
     S = symmetric_form(A, M) + least_shift * S;
     Modes modes;
     modes.pairs = {Vector::Zero(1), M.cwiseSqrt().normalized()};
-    int wanted = k + 3 + k / 20;   // so that the gap behind the k-th is seen
+    int wanted = k + 3 + k / 20;   // so that the gap above the k-th is seen
     for (;; ++modes.repairs) {
         ranks.factor(S, true);
         wanted = std::clamp(wanted, 1, static_cast<int>(A.rows()) - modes.pairs.count());
-        modes.pairs = merged(modes.pairs, smallest_of(ranks.largest_of_inverse(wanted, modes.pairs.Y)));
+        const InversePairs found = ranks.largest_of_inverse(wanted, modes.pairs.Y);
+        modes.pairs = merged(modes.pairs, {found.theta.cwiseInverse().array() - least_shift, found.Y});
         const Gap gap = gap_behind(modes.pairs.mu, k);
         modes.gap_middle = gap.middle();
         const auto inertia = trusted_between(A, M, gap, inertia_at);

@@ -1,5 +1,5 @@
 /// @file
-/// PETSc's objects as values, and rows of a matrix to be sent. For who compiles with PETSc and SLEPc. Private to the layer.
+/// PETSc's objects as values, and rows of a matrix to send; only for builds with PETSc and SLEPc. Private to the layer.
 #pragma once
 
 #include <slepceps.h>
@@ -11,14 +11,14 @@
 
 namespace meshfolio {
 
-/// For PetscPushErrorHandler(): the first message into a std::string, and nothing printed.
+/// An error handler for PetscPushErrorHandler(): stores the first message in a std::string and prints nothing.
 inline PetscErrorCode keep_message(MPI_Comm, int, const char*, const char*, PetscErrorCode code, PetscErrorType kind, const char* message,
                                    void* kept) {
     if (kind == PETSC_ERROR_INITIAL && message != nullptr) *static_cast<std::string*>(kept) = message;
     return code;
 }
 
-/// One of PETSc's objects.
+/// Owner of a PETSc object.
 template <class Object, PetscErrorCode (*destroy)(Object*)>
 class Owned {
 public:
@@ -27,12 +27,12 @@ public:
     Owned(const Owned&) = delete;
     Owned& operator=(const Owned&) = delete;
     operator Object() const { return object_; }
-    /// For a new one in its place.
+    /// Destroys the object and returns the place for a new one.
     Object* fresh() {
         static_cast<void>(destroy(&object_));
         return &object_;
     }
-    /// Left to the end of the process, where the others do not answer.
+    /// Leaves the object to the end of the process, if the other processes do not answer.
     void abandon() { object_ = nullptr; }
 
 private:
@@ -42,13 +42,13 @@ using OwnedMat = Owned<Mat, MatDestroy>;
 using OwnedVec = Owned<Vec, VecDestroy>;
 using OwnedEps = Owned<EPS, EPSDestroy>;
 
-/// Rows of a matrix as they are sent: where each begins, columns and numbers.
+/// Rows of a matrix to send: the start of each, columns and numbers.
 struct Rows {
     std::vector<PetscInt> start, column;
     std::vector<double> value;
 };
 
-/// @param S  symmetric: its columns are its rows
+/// Returns the rows [first, last). @param S  symmetric: its columns are its rows
 inline Rows rows_of(const SparseMatrix& S, PetscInt first, PetscInt last) {
     Rows rows;
     const auto from = S.outerIndexPtr()[first], to = S.outerIndexPtr()[last];

@@ -1,5 +1,5 @@
 // PETSc and MUMPS factor (Amestoy et al. 2001), SLEPc's Krylov–Schur finds eigenpairs (Hernandez, Roman & Vidal 2005). The first process
-// broadcasts what is to be done, and all do it; what one of them hands out are rows in blocks, of a matrix or of vectors.
+// broadcasts each task, and all do it. It sends rows of matrices and vectors in blocks.
 #include "geometry/distributed/ranks.h"
 
 #include "base/errors.h"
@@ -21,7 +21,7 @@ namespace {
 enum class Task : int { leave, factor, pivots, solve, eigenpairs };
 struct Call {
     Task task;
-    int n = 0, other = 0;   // rows, columns or pairs; whether definite, or how many pairs are known
+    int n = 0, other = 0;   // rows, columns or pairs; 1 if definite, or the number of known pairs
 };
 
 class RanksOfMpi final : public Ranks {
@@ -35,7 +35,7 @@ public:
         MPI_Comm_size(PETSC_COMM_WORLD, &size_);
         MPI_Comm_dup(PETSC_COMM_WORLD, &calls_);
     }
-    /// A process that ends without the others, its exit code not 0, is ended by mpirun with all of them.
+    /// If a process ends without the others, with an exit code other than 0, mpirun ends them all.
     ~RanksOfMpi() override {
         if (is_first()) broadcast({Task::leave});
         MPI_Request all = MPI_REQUEST_NULL;
@@ -54,7 +54,8 @@ public:
     bool is_first() const override { return rank_ == 0; }
 
     void serve() override {
-        std::optional<SolverError> failure;   // of all ranks, or of this one: then the first is in what failed, and calls no more
+        std::optional<SolverError>
+            failure;   // of all ranks, or of this one alone: then the first waits in the failed task, and calls no more
         for (;;) {
             const Call call = next_call(failure);
             if (call.task == Task::leave) return;
@@ -95,7 +96,7 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    static constexpr std::chrono::seconds patience{60};   // for a rank that should be here, too
+    static constexpr std::chrono::seconds patience{60};   // for the other ranks
 
     void check(PetscErrorCode code) const {
         if (code == 0) return;
@@ -103,7 +104,7 @@ private:
         throw SolverError("PETSc: " + message_);
     }
 
-    /// Waits without a busy processor: the first may work alone for long.
+    /// Waits without using the processor, since the first may work alone for long; returns false at the limit.
     static bool ends_within(MPI_Request& request, std::optional<std::chrono::seconds> limit) {
         const auto begin = Clock::now();
         for (int done = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0;) {
@@ -132,7 +133,7 @@ private:
         if (call.task == Task::eigenpairs) eigenpairs_here(call.n, call.other, nullptr, nullptr);
     }
 
-    // What all do; what only the first has is null elsewhere.
+    // The tasks, done by all ranks; data of the first rank is null in the others.
 
     Rows own_rows(const SparseMatrix* S) const {
         if (S != nullptr) {
@@ -159,7 +160,7 @@ private:
         for (int r = 0; r <= size_; ++r) begin_.push_back(static_cast<int>(static_cast<long long>(n) * r / size_));
         counts_.clear();
         for (int r = 0; r < size_; ++r) counts_.push_back(begin_[at(r + 1)] - begin_[at(r)]);
-        factor_.fresh();   // its memory goes before the next one's comes
+        factor_.fresh();   // frees its memory before the next factor
         OwnedMat A;
         {
             const Rows rows = own_rows(S);
@@ -169,8 +170,8 @@ private:
         check(MatSetOption(A, definite ? MAT_SPD : MAT_SYMMETRIC, PETSC_TRUE));
         check(MatGetFactor(A, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor_.fresh()));
         if (!definite) {
-            check(MatMumpsSetIcntl(factor_, 13, 1));    // or the pivots of the last front are not counted
-            check(MatMumpsSetIcntl(factor_, 14, 60));   // per cent of room for pivots that wait
+            check(MatMumpsSetIcntl(factor_, 13, 1));    // else the pivots of the last front are not counted
+            check(MatMumpsSetIcntl(factor_, 14, 60));   // per cent of room for delayed pivots
         }
         MatFactorInfo info;
         check(MatFactorInfoInitialize(&info));
@@ -192,7 +193,7 @@ private:
     }
 
     void make_vector(OwnedVec& x) const { check(VecCreateMPI(PETSC_COMM_WORLD, own_count(), begin_.back(), x.fresh())); }
-    /// A column of the first process's matrix to all, and back.
+    /// Distributes a column of the first process's matrix to all; gather() collects it.
     void scatter(const double* column, Vec x) const {
         double* own = nullptr;
         check(VecGetArrayWrite(x, &own));
@@ -262,11 +263,11 @@ private:
     static std::size_t at(int r) { return static_cast<std::size_t>(r); }
     PetscInt own_count() const { return counts_[at(rank_)]; }
 
-    std::string message_;   // PETSc's last
+    std::string message_;   // of PETSc's last error
     MPI_Comm calls_ = MPI_COMM_NULL;
     int rank_ = 0, size_ = 1;
     bool failed_alone_ = false;
-    std::vector<int> begin_, counts_;   // rows of each rank: the first, with the end, and how many
+    std::vector<int> begin_, counts_;   // rows of each rank: the first row (and the end), and the number
     OwnedMat factor_;
 };
 

@@ -1,5 +1,5 @@
 /// @file
-/// n × 4 numbers, those of a row side by side in one half of a cache line. Private to the layer.
+/// n × 4 numbers, each row in one half of a cache line. Private to the layer.
 #pragma once
 
 #include <cstdlib>
@@ -11,18 +11,17 @@
 
 namespace meshfolio {
 
-template <int columns>
-class AlignedColumns {
+/// An n × 4 matrix by rows: three coordinates and a zero.
+class FourColumns {
 public:
-    static constexpr int width = columns;
-    using Small = Eigen::Matrix<double, width, width, Eigen::RowMajor>;
+    static constexpr int width = 4;
 
-    AlignedColumns() = default;
+    FourColumns() = default;
     /// Not initialised.
-    explicit AlignedColumns(Eigen::Index rows)
+    explicit FourColumns(Eigen::Index rows)
         : rows_(rows), numbers_(static_cast<double*>(std::aligned_alloc(alignment_for(rows), bytes_of(rows)))) {
         if (rows > 0 && numbers_ == nullptr) throw std::bad_alloc();
-        prefer_large_pages(data(), numbers_bytes(rows));   // what is behind them stays untouched
+        prefer_large_pages(data(), numbers_bytes(rows));   // the padding after them stays untouched
     }
 
     Eigen::Index rows() const { return rows_; }
@@ -46,8 +45,7 @@ private:
     std::unique_ptr<double[], Free> numbers_;
 };
 
-using FourColumns = AlignedColumns<4>;   // three coordinates and a zero
-using Four = Eigen::Array4d;             // a row of them
+using Four = Eigen::Array4d;   // a row
 using FourRow = Eigen::Map<Four, Eigen::Aligned32>;
 using ConstFourRow = Eigen::Map<const Four, Eigen::Aligned32>;
 inline FourRow row_of(FourColumns& X, Eigen::Index i) { return FourRow(X.row(i)); }

@@ -5,7 +5,6 @@
 #include "base/errors.h"
 
 namespace meshfolio {
-
 namespace {
 
 using Solver = Eigen::SelfAdjointEigenSolver<DenseMatrix>;

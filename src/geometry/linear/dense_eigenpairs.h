@@ -1,5 +1,5 @@
 /// @file
-/// Eigenpairs of small dense symmetric matrices: Eigen's solver, compiled once.
+/// Eigenpairs of small dense symmetric matrices by Eigen's solver, compiled once.
 #pragma once
 
 #include "geometry/linear/sparse_types.h"
@@ -8,14 +8,15 @@ namespace meshfolio {
 
 struct DenseEigenpairs {
     Vector values;         // ascending
-    DenseMatrix vectors;   // orthonormal, a column a value
+    DenseMatrix vectors;   // orthonormal; column j belongs to values[j]
 };
 
-/// @param A  whose lower triangle is read
+/// Computes all eigenpairs of A, from its lower triangle.
 /// @throws SolverError if they do not converge
 DenseEigenpairs dense_eigenpairs(const DenseMatrix& A);
 
-/// Of the symmetric tridiagonal matrix with these n diagonal entries and n − 1 beside them. @throws SolverError as above
+/// Computes those of the symmetric tridiagonal matrix with these n diagonal entries and n − 1 beside them.
+/// @throws SolverError if they do not converge
 DenseEigenpairs tridiagonal_eigenpairs(const Vector& diagonal, const Vector& beside);
 
 }   // namespace meshfolio

@@ -10,10 +10,8 @@
 namespace meshfolio {
 
 Inertia inertia_at(const SparseMatrix& A, const Vector& M, double sigma) {
-    SparseMatrix diagonal(A.rows(), A.cols());
-    diagonal = (-sigma * M).asDiagonal();
-    const SparseFactor factor = SparseFactor::ldlt(A + diagonal);
-    // Forming a − σm rounds to u|a − σm|, which the factor's bound has room for, and to u|σ|m.
+    const SparseFactor factor = SparseFactor::ldlt(A + SparseMatrix((-sigma * M).asDiagonal()));
+    // Forming a − σm rounds by u|a − σm|, which the bound of the factor includes, and by u|σ|m.
     return {sigma, factor.negative_pivots(), factor.backward_error(M) + epsilon * std::abs(sigma)};
 }
 

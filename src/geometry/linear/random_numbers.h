@@ -1,12 +1,12 @@
 /// @file
-/// Numbers for start vectors, the same on every machine. Private to the layer.
+/// Random numbers for start vectors, the same on every machine. Private to the layer.
 #pragma once
 
 #include <cstdint>
 
 namespace meshfolio {
 
-/// Uniform in (−½, ½) (splitmix64, Steele et al. 2014).
+/// Returns the next number, uniform in (−½, ½) (splitmix64, Steele et al. 2014).
 inline double uniform_number(std::uint64_t& state) {
     state += 0x9e3779b97f4a7c15ULL;
     std::uint64_t z = state;

@@ -5,24 +5,15 @@
 #include <limits>
 #include <string>
 
+#include "base/at.h"
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "geometry/linear/special_values.h"
 
 namespace meshfolio {
-
 namespace {
 
-/// A pivot is what is left of a diagonal entry after the elimination. Below a few roundings of that entry its sign means nothing.
-void check_pivot(double pivot, double diagonal, int row, Eigen::Index rows, OrderedFactor::Kind kind) {
-    const bool definite = kind == OrderedFactor::Kind::definite;
-    if (std::isfinite(pivot) && (definite ? pivot : std::abs(pivot)) > 16 * epsilon * std::abs(diagonal)) return;
-    throw SolverError("LDLᵀ factorisation of a " + std::to_string(rows) + "-row matrix" +
-                      (definite ? ", which is not positive definite" : "") + ": pivot " + plain_text(pivot, 3) + " at step " +
-                      std::to_string(row) + ", where the diagonal is " + plain_text(diagonal, 3));
-}
-
-/// visit(i, j, l_ij) for the entries of L below its diagonal, column by column.
+/// Calls visit(i, j, l_ij) for the entries of L below its diagonal, column by column.
 template <class Visit>
 void for_each_entry(const SparseMatrix& L, const Visit& visit) {
     for (int j = 0; j < L.cols(); ++j)
@@ -31,15 +22,15 @@ void for_each_entry(const SparseMatrix& L, const Visit& visit) {
 
 }   // namespace
 
-/// Row k of L has an entry in every column on the way up the elimination tree from its own entries to k (Davis, Direct Methods for Sparse
-/// Linear Systems, §4.1).
+// Row k of L has an entry in every column on the way up the elimination tree from its own entries to k (Davis, Direct Methods for Sparse
+// Linear Systems, §4.1).
 FactorOperations factor_operations(const SparseMatrix& S) {
     const auto n = static_cast<std::size_t>(S.rows());
-    std::vector<int> parent(n, -1), seen(n, -1), below(n, 0);   // the tree, the last row that came by, entries below the diagonal
+    std::vector<int> parent(n, -1), seen(n, -1), below(n, 0);   // the tree, the last row to visit, entries below the diagonal
     for (int k = 0; k < S.rows(); ++k) {
-        seen[static_cast<std::size_t>(k)] = k;
+        seen[at(k)] = k;
         for (SparseMatrix::InnerIterator entry(S, k); entry && entry.row() < k; ++entry) {
-            for (auto i = static_cast<std::size_t>(entry.row()); seen[i] != k; i = static_cast<std::size_t>(parent[i])) {
+            for (auto i = std::size_t(entry.row()); seen[i] != k; i = at(parent[i])) {
                 if (parent[i] < 0) parent[i] = k;
                 seen[i] = k;
                 ++below[i];
@@ -49,7 +40,7 @@ FactorOperations factor_operations(const SparseMatrix& S) {
     FactorOperations operations;
     for (const double c : below) {
         operations.nonzeros += static_cast<long long>(c) + 1;
-        operations.factorisation += 0.5 * c * (c + 1) + c;   // the update of what is left, symmetric, and the division by the pivot
+        operations.factorisation += 0.5 * c * (c + 1) + c;   // the symmetric update of the rest, and the division by the pivot
         operations.solve += 2 * c + 1;
     }
     return operations;
@@ -61,7 +52,7 @@ EliminationOrder::EliminationOrder(const SparseMatrix& A) {
     Eigen::AMDOrdering<int>()(A, order);
     row.assign(order.indices().begin(), order.indices().end());
     operations = factor_operations(apply(A));
-    constexpr double bytes_per_entry = 12, bytes_per_row = 400;   // its row and value; the matrix, its copy and what elimination needs
+    constexpr double bytes_per_entry = 12, bytes_per_row = 400;   // row and value; the matrix, its copy and room for elimination
     memory = bytes_per_entry * static_cast<double>(operations.nonzeros) + bytes_per_row * static_cast<double>(A.rows());
 }
 
@@ -85,7 +76,12 @@ OrderedFactor::OrderedFactor(const SparseMatrix& S, double sigma, Kind kind) {
     growth_ = 0;
     for (int i = 0; i < size(); ++i) {
         const double diagonal = S.coeff(i, i) - sigma;
-        check_pivot(D_[i], diagonal, i, S.rows(), kind);
+        // A pivot is the rest of a diagonal entry after elimination. Below a few roundings of that entry its sign means nothing.
+        const bool definite = kind == Kind::definite;
+        if (!(std::isfinite(D_[i]) && (definite ? D_[i] : std::abs(D_[i])) > 16 * epsilon * std::abs(diagonal)))
+            throw SolverError("LDLᵀ factorisation of a " + std::to_string(S.rows()) + "-row matrix" +
+                              (definite ? ", which is not positive definite" : "") + ": pivot " + plain_text(D_[i], 3) + " at step " +
+                              std::to_string(i) + ", where the diagonal is " + plain_text(diagonal, 3));
         growth_ = std::max(growth_, std::abs(D_[i] / diagonal));
     }
     ldlt_ = ldlt;
@@ -102,7 +98,7 @@ void OrderedFactor::solve_in_place(Eigen::Ref<DenseMatrix> X) const {
     }
 }
 
-/// Each entry of L is read once for all columns.
+// Each entry of L is read once for all columns.
 void OrderedFactor::solve_in_place(FourColumns& X) const {
     const auto lower = ldlt_->matrixL();
     const SparseMatrix& L = lower.nestedExpression();

@@ -6,7 +6,7 @@
 
 namespace meshfolio {
 
-/// Column-major; our operators are symmetric or applied by rows through Eigen's products.
+/// Column-major; operators are symmetric, or applied by Eigen's products.
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using DenseMatrix = Eigen::MatrixXd;
 

@@ -1,5 +1,5 @@
 /// @file
-/// NaN for what is undefined, infinity for what has no bound, π, and how finely doubles are rounded.
+/// NaN for undefined values, infinity, π, and the rounding of doubles.
 #pragma once
 
 #include <limits>
@@ -8,10 +8,10 @@
 namespace meshfolio {
 
 using std::numbers::pi;
-/// NaN: a dash in tables, grey in pictures.
+/// NaN: shown as a dash in tables, grey in pictures.
 inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Twice the unit roundoff: in bounds of rounding, room for terms of second order.
+/// Twice the unit roundoff: bounds of rounding then include terms of second order.
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 }   // namespace meshfolio

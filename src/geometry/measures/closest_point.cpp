@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "base/at.h"
 #include "base/errors.h"
 #include "geometry/linear/special_values.h"
 #include "geometry/measures/spatial_order.h"
@@ -21,8 +22,8 @@ double squared_distance_to_segment(const Vector3& p, const Vector3& a, const Vec
     return (p - a - t * along).squaredNorm();
 }
 
-/// From its sides, and its plane where p lies over it: in coordinates along its longest side ab and across, for as narrow as the triangle
-/// may be, they lose no more than rounding of the corners does, where a normal would point anywhere.
+/// Computes it from the sides and, if p lies over the triangle, the plane, in coordinates along its longest side ab and across. However
+/// narrow the triangle, they lose no more than rounding of the corners does, while a normal could point anywhere.
 double squared_distance_to_narrow_triangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c) {
     const double to_sides =
         std::min({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c), squared_distance_to_segment(p, c, a)});
@@ -36,12 +37,12 @@ double squared_distance_to_narrow_triangle(const Vector3& p, const Vector3& a, c
     return over ? std::min(to_sides, (off - s * across).squaredNorm()) : to_sides;
 }
 
-/// Leaves out of `order`, in which equal triangles lie together, all but the first of each: no search could tell them apart.
+/// Returns `order`, in which equal triangles are adjacent, with the first of each only: no search could separate them.
 std::vector<int> without_repeats(const TriangleMesh& mesh, const Positions& centroids, const std::vector<int>& order) {
     using Corners = std::array<std::array<double, 3>, 3>;
     const auto corners_of = [&](int t) {
         Corners corners;
-        for (int k = 0; k < 3; ++k) std::copy_n(Vector3(mesh.X.row(mesh.F(t, k))).data(), 3, corners[static_cast<std::size_t>(k)].begin());
+        for (int k = 0; k < 3; ++k) std::copy_n(Vector3(mesh.X.row(mesh.F(t, k))).data(), 3, corners[at(k)].begin());
         std::sort(corners.begin(), corners.end());
         return std::pair{corners, t};
     };
@@ -66,8 +67,8 @@ std::vector<int> without_repeats(const TriangleMesh& mesh, const Positions& cent
 
 }   // namespace
 
-/// By the region of the plane that p lies over (Ericson 2005, Real-Time Collision Detection, 5.1.5), whose products keep twelve digits
-/// where the triangle is not much narrower than long and p is not far beyond it.
+// By the region of the plane below p (Ericson 2005, Real-Time Collision Detection, 5.1.5): its products keep twelve digits if the triangle
+// is not much narrower than long and p is not far from it.
 double squared_distance_to_triangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c, double known_bound) {
     const Vector3 ab = b - a, ac = c - a, bc = c - b, from_a = p - a, normal = ab.cross(ac);
     const double squared_to_a = from_a.squaredNorm(), squared_twice_area = normal.squaredNorm();
@@ -95,19 +96,12 @@ double squared_distance_to_triangle(const Vector3& p, const Vector3& a, const Ve
     return squared_height;
 }
 
-double ClosestPoint::TreeBox::squared_distance(const Vector3& p) const { return (p - p.cwiseMax(low).cwiseMin(high)).squaredNorm(); }
-
-void ClosestPoint::TreeBox::include(const Vector3& other_low, const Vector3& other_high) {
-    low = low.cwiseMin(other_low);
-    high = high.cwiseMax(other_high);
-}
-
 double ClosestPoint::to_triangle(const Vector3& p, int t, double known_bound) const {
     const auto corner = [&](int k) -> Vector3 { return mesh_.X.row(mesh_.F(t, k)); };
     return squared_distance_to_triangle(p, corner(0), corner(1), corner(2), known_bound);
 }
 
-/// Sorting along a curve takes a tenth of the time of splitting at medians, and searches hardly take longer.
+// Sorting along a curve takes a tenth of the time of splitting at medians, and searches hardly take longer.
 ClosestPoint::ClosestPoint(TriangleMesh mesh) : mesh_(std::move(mesh)) {
     int count = mesh_.face_count();
     if (count == 0) throw MeshError("ClosestPoint: a mesh without triangles has no surface");
@@ -118,14 +112,12 @@ ClosestPoint::ClosestPoint(TriangleMesh mesh) : mesh_(std::move(mesh)) {
     count = mesh_.face_count();
 
     const TreeBox empty{Vector3::Constant(infinity), Vector3::Constant(-infinity)};
-    const auto boxes_of = [&](std::size_t parts, int size) {
-        return std::vector<TreeBox>((parts - 1) / static_cast<std::size_t>(size) + 1, empty);
-    };
-    levels_.push_back(boxes_of(static_cast<std::size_t>(count), triangles_in_a_leaf));
+    const auto boxes_of = [&](std::size_t parts, int size) { return std::vector<TreeBox>((parts - 1) / at(size) + 1, empty); };
+    levels_.push_back(boxes_of(at(count), triangles_in_a_leaf));
     for (int t = 0; t < count; ++t) {
         for (const int v : mesh_.F.row(t)) {
             const Vector3 x = mesh_.X.row(v);
-            levels_[0][static_cast<std::size_t>(t / triangles_in_a_leaf)].include(x, x);
+            levels_[0][at(t / triangles_in_a_leaf)].include(x, x);
         }
     }
     while (levels_.back().size() > 1) {
@@ -143,7 +135,7 @@ ClosestPoint::Nearest ClosestPoint::nearest(const Vector3& p, double known_bound
         std::size_t level;
         int box;
     };
-    std::array<Visit, 128> pending;   // seven remain of each level, and 2³¹ triangles make eleven
+    std::array<Visit, 128> pending;   // at most seven of each level, and 2³¹ triangles make eleven levels
     std::size_t size = 0;
     pending[size++] = {levels_.back()[0].squared_distance(p), levels_.size() - 1, 0};
     while (size > 0 && nearest.squared_distance > enough && nearest.opened < most) {
@@ -162,7 +154,7 @@ ClosestPoint::Nearest ClosestPoint::nearest(const Vector3& p, double known_bound
         const int first = visit.box * boxes_in_a_box, last = std::min(first + boxes_in_a_box, static_cast<int>(below.size()));
         const std::size_t farthest = size;
         for (int i = first; i < last; ++i) {
-            const Visit next{below[static_cast<std::size_t>(i)].squared_distance(p), visit.level - 1, i};
+            const Visit next{below[at(i)].squared_distance(p), visit.level - 1, i};
             if (next.distance >= nearest.squared_distance) continue;
             std::size_t place = size++;
             for (; place > farthest && pending[place - 1].distance < next.distance; --place) pending[place] = pending[place - 1];

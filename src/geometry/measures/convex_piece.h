@@ -1,5 +1,5 @@
 /// @file
-/// Convex pieces of a triangle, cut ever smaller by the search for the farthest point. Private to the layer.
+/// Convex pieces of a triangle, for the search for the farthest point. Private to the layer.
 #pragma once
 
 #include <algorithm>
@@ -7,21 +7,23 @@
 #include <span>
 #include <utility>
 
+#include "base/at.h"
 #include "mesh/triangle_mesh.h"
 
 namespace meshfolio {
 
+/// A convex polygon in a plane of space.
 struct Piece {
     static constexpr int most_corners_to_cut = 8, most_corners = most_corners_to_cut + 4;   // three cuts add a corner each
     using Values = std::array<double, most_corners>;                                        // one a corner
 
-    double bound = 0;   // of the distances of its points [length]
+    double bound = 0;   // of the distance of any of its points [length]
     int count = 0, depth = 0;
-    std::array<Vector3, most_corners> corners;   // around it
+    std::array<Vector3, most_corners> corners;   // in order around it
 
     bool operator<(const Piece& other) const { return bound < other.bound; }
-    std::span<const Vector3> points() const { return std::span(corners).first(static_cast<std::size_t>(count)); }
-    void add(const Vector3& corner) { corners[static_cast<std::size_t>(count++)] = corner; }
+    std::span<const Vector3> points() const { return std::span(corners).first(at(count)); }
+    void add(const Vector3& corner) { corners[at(count++)] = corner; }
 
     Vector3 centre() const {
         Vector3 sum = Vector3::Zero();
@@ -34,12 +36,13 @@ struct Piece {
         return std::sqrt(squared);
     }
 
-    /// The parts where the values, linear along each side, are ≥ 0 and ≤ 0. A part of fewer than three corners lies within the other.
+    /// Returns the parts where the values, linear along each side, are ≥ 0 and ≤ 0. A part of fewer than three corners lies within the
+    /// other.
     std::pair<Piece, Piece> cut(const Values& values) const {
         std::pair<Piece, Piece> parts;
         parts.first.depth = parts.second.depth = depth + 1;
         for (int i = 0; i < count; ++i) {
-            const auto here = static_cast<std::size_t>(i), next = static_cast<std::size_t>(i + 1 == count ? 0 : i + 1);
+            const std::size_t here = at(i), next = at(i + 1 == count ? 0 : i + 1);
             if (values[here] >= 0) parts.first.add(corners[here]);
             if (values[here] <= 0) parts.second.add(corners[here]);
             if ((values[here] > 0 && values[next] < 0) || (values[here] < 0 && values[next] > 0)) {
@@ -51,18 +54,18 @@ struct Piece {
         return parts;
     }
 
-    /// Two parts: across the direction in which it reaches farthest from `around`, a point of it, so that they become round; one with many
-    /// corners along a diagonal, which adds none.
+    /// Returns two parts, cut across the direction of the corner farthest from `around`, a point of the piece, so that parts become round;
+    /// a piece with many corners is cut along a diagonal, which adds none.
     std::pair<Piece, Piece> halves(const Vector3& around) const {
         Values values{};
         if (count > most_corners_to_cut) {
-            for (int i = 1; i < count; ++i) values[static_cast<std::size_t>(i)] = i == count / 2 ? 0 : i < count / 2 ? 1 : -1;
+            for (int i = 1; i < count; ++i) values[at(i)] = i == count / 2 ? 0 : i < count / 2 ? 1 : -1;
             return cut(values);
         }
         Vector3 along = Vector3::Zero();
         for (const Vector3& p : points())
             if ((p - around).squaredNorm() > along.squaredNorm()) along = p - around;
-        for (int i = 0; i < count; ++i) values[static_cast<std::size_t>(i)] = along.dot(corners[static_cast<std::size_t>(i)] - around);
+        for (int i = 0; i < count; ++i) values[at(i)] = along.dot(corners[at(i)] - around);
         return cut(values);
     }
 };

@@ -15,23 +15,21 @@ namespace meshfolio {
 namespace {
 
 constexpr int triangles_in_a_group = 32, smallest_batch = 64, largest_batch = 1 << 14, candidates_a_task = 16, most_passes = 3;
-constexpr std::size_t most_pieces = 1 << 19;                                             // of one triangle that wait: 160 MB
-constexpr std::int64_t boxes_at_least = std::int64_t{1} << 24, boxes_a_triangle = 160;   // that may be opened in all
+constexpr std::size_t most_pieces = 1 << 19;                                             // waiting, of one triangle: 160 MB
+constexpr std::int64_t boxes_at_least = std::int64_t{1} << 24, boxes_a_triangle = 160;   // to open in all
 
-double square(double x) { return x * x; }
-
-/// What decides whether a piece is done.
+/// The accuracy of the search.
 struct Goal {
     double accuracy, rounding;
-    /// No point needs to be told from `found` that is nearer than this.
+    /// Returns the bound at which a piece is done: none of its points needs to be distinguished from `found`.
     double at(double found) const { return std::max((1 + accuracy) * found - rounding, found + rounding); }
 };
 
 /// Branch and bound over the pieces of one triangle. With the nearest triangle T at a point of a piece:
 ///   d(x) ≤ |x − y| + d(y)            as distances are 1-Lipschitz,
 ///   d(x) ≤ max over corners d(·, T)  as the distance to a convex set is convex.
-/// Pieces are cut along the planes through the sides of T, beyond which others are nearer, and where two triangles are equally near: where
-/// distances grow linearly, as between planes, that ends after as many cuts as there are triangles nearby.
+/// Pieces are cut along the planes through the sides of T, beyond which other triangles are nearer, and where two triangles are equally
+/// near: between planes, where distances grow linearly, that ends after as many cuts as there are triangles nearby.
 class TriangleSearch {
 public:
     TriangleSearch(const ClosestPoint& to, const Goal& goal, double found, std::int64_t boxes)
@@ -57,15 +55,16 @@ public:
     std::int64_t boxes_left() const { return boxes_; }
 
 private:
-    /// The nearest triangle, or −1 where none is below `known`; what is found counts.
+    /// Finds the nearest triangle, or −1 if none is below `known`, and raises found_.
     ClosestPoint::Nearest measure(const Vector3& p, double known, double enough) {
-        const auto nearest = to_.nearest(p, known * known * (1 + 1e-9), square(std::max(0.0, enough)), std::max<std::int64_t>(boxes_, 64));
+        const double at_least = std::max(0.0, enough);
+        const auto nearest = to_.nearest(p, known * known * (1 + 1e-9), at_least * at_least, std::max<std::int64_t>(boxes_, 64));
         boxes_ -= 1 + nearest.opened;
         if (nearest.triangle >= 0) found_ = std::max(found_, std::sqrt(nearest.squared_low));
         return nearest;
     }
 
-    /// @param near  a triangle of the other surface, for a bound of its own
+    /// Queues a piece, or settles it. @param near  a triangle of the other surface for one more bound; −1: none
     void push(Piece piece, double bound, int near = -1) {
         if (piece.count < 3) return;
         piece.bound = bound;
@@ -117,7 +116,7 @@ private:
         push(outside, bound);
     }
 
-    /// What lies over the triangle t, and what beyond each of its sides; false if no side cuts the piece.
+    /// Cuts the piece along the planes through the sides of triangle t; returns false if none crosses it.
     bool cut_along_sides(const Piece& piece, double radius, int t, double bound) {
         Eigen::Matrix3d triangle;
         for (int k = 0; k < 3; ++k) triangle.col(k) = to_.mesh().X.row(to_.mesh().F(t, k));
@@ -140,7 +139,7 @@ private:
         return any;
     }
 
-    /// Cuts where the triangles t and u are equally far; false if no such line crosses the piece.
+    /// Cuts where the triangles t and u are equally far; returns false if no such line crosses the piece.
     bool cut_where_equal(const Piece& piece, const Piece::Values& to_t, int t, int u, double bound) {
         if (u < 0 || u == t) return false;
         Piece::Values nearer_to_u{};
@@ -161,7 +160,7 @@ private:
     const ClosestPoint& to_;
     Goal goal_;
     double found_, settled_ = 0;
-    std::int64_t boxes_;   // that may still be opened
+    std::int64_t boxes_;   // left to open
     bool complete_ = true;
     std::vector<Piece> pieces_;   // a heap, the largest bound first
 };
@@ -173,7 +172,7 @@ struct Candidate {
     int triangle;
 };
 
-/// Best first, in batches: each begins with what the earlier ones found, whatever the number of processors.
+/// Searches the best candidates first, in batches: each begins with the results of the earlier ones, for any number of processors.
 class FarthestSearch {
 public:
     FarthestSearch(DistanceSearch& one, DistanceSearch& other, const Goal& goal) : searches_{&one, &other}, goal_(goal) {
@@ -247,7 +246,7 @@ private:
     std::vector<Candidate> waiting_;
 };
 
-/// The distance of a point of each group of triangles bounds those of the whole group.
+/// Bounds the distances of groups of triangles by that of one point of each.
 void bound_groups(DistanceSearch& search) {
     const TriangleMesh& from = search.from;
     const int groups = (from.face_count() - 1) / triangles_in_a_group + 1;
@@ -266,7 +265,8 @@ void bound_groups(DistanceSearch& search) {
     search.found = measured.maxCoeff();
 }
 
-/// No point of a triangle is farther from the other surface than its corners are from their own places there, as |a(x) − b(x)| is convex.
+/// Returns bounds for corresponding meshes: the distance of a point of a triangle is at most the largest displacement of its corners, as
+/// |a(x) − b(x)| is convex.
 Vector displacement_bounds(const TriangleMesh& from, const Vector& displacements) {
     Vector bounds(from.face_count());
     for (int t = 0; t < from.face_count(); ++t) bounds[t] = displacements(from.F.row(t)).maxCoeff();

@@ -8,30 +8,30 @@
 
 namespace meshfolio {
 
-/// max over the points of each surface of the distance to the other lies in [distance, bound].
+/// The largest distance of a point of either surface from the other lies in [distance, bound].
 struct HausdorffDistance {
-    double distance = 0;   // the largest that was measured at a point, to its rounding [length]
-    double bound = 0;      // with all rounding: never below the coordinates' own, 2⁻⁴² of their extent [length]
-    bool reached = true;   // bound − distance is within the accuracy, or within rounding; false: the work reached its limit
+    double distance = 0;   // the largest measured at a point, to its rounding [length]
+    double bound = 0;      // including rounding, at least that of the coordinates, 2⁻⁴² of their extent [length]
+    bool reached = true;   // true: bound − distance is within the accuracy or rounding; false: the work reached its limit
 };
 
 inline constexpr double default_accuracy = 1e-3;                    // of (bound − distance)/distance
-inline constexpr double least_accuracy = 1e-9, most_accuracy = 1;   // what may be asked for
+inline constexpr double least_accuracy = 1e-9, most_accuracy = 1;   // the range of accuracies
 
-/// Two-sided, over all points of all triangles, those without area being the segments and points that they are; 0 where neither has a
-/// triangle. Both directions share one search, which ends when no point can be farther than (1 + accuracy) times one that was found.
-/// @throws MeshError if one of them alone has no triangle
+/// Computes the two-sided distance over all points of all triangles; those without area are the segments and points that they are. 0 if
+/// neither mesh has a triangle. Ends when no point can be farther than (1 + accuracy) times one found.
+/// @throws MeshError if only one of them has no triangle
 HausdorffDistance hausdorff_distance(const TriangleMesh& a, const TriangleMesh& b, double accuracy = default_accuracy);
 
-/// One direction of the search, with what is known before it.
+/// One direction of the search, with its known bounds.
 struct DistanceSearch {
     const TriangleMesh& from;
     const ClosestPoint& to;
-    Vector bounds;      // one a triangle of `from`: no point of it is farther away; ∞ where nothing is known [length]
-    double found = 0;   // a distance that was measured; the search raises it [length]
+    Vector bounds;      // of the distance of all points of each triangle of `from`; ∞ if not known [length]
+    double found = 0;   // the largest distance measured; the search raises it [length]
 };
 
-/// Encloses the larger of both maxima. @param rounding  of any distance [length]
+/// Encloses the larger of the maxima of both directions. @param rounding  of any distance [length]
 HausdorffDistance enclose_farthest(DistanceSearch& one, DistanceSearch& other, double accuracy, double rounding);
 
 }   // namespace meshfolio

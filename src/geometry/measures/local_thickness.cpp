@@ -2,38 +2,30 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "geometry/linear/special_values.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
-
-namespace {
-
-/// Infinite where nothing is opposite.
-double thickness_at(const Positions& X, const Positions& normals, Eigen::Index p) {
-    const Eigen::RowVector3d at = X.row(p), n = normals.row(p);
-    double smallest = std::numeric_limits<double>::infinity();
-    for (Eigen::Index q = 0; q < X.rows(); ++q) {
-        const Eigen::RowVector3d behind = at - X.row(q);
-        const double depth = n.dot(behind);
-        if (!(depth > 0) || !(n.dot(normals.row(q)) < 0.5)) continue;
-        smallest = std::min(smallest, behind.squaredNorm() / depth);
-    }
-    return smallest;
-}
-
-}   // namespace
 
 Vector local_thickness(const TriangleMesh& mesh, double most_pairs) {
     const Positions normals = vertex_normals(mesh);   // 0 at unreferenced vertices, which then lie on no side
     const Eigen::Index n = mesh.X.rows();
     const auto stride = static_cast<Eigen::Index>(std::ceil(std::max(1.0, double(n) * double(n) / most_pairs)));
-    Vector thickness = Vector::Constant(n, std::nan(""));
+    Vector thickness = Vector::Constant(n, undefined);
     tbb::parallel_for(Eigen::Index{0}, (n + stride - 1) / stride, [&](Eigen::Index i) {
-        const double t = thickness_at(mesh.X, normals, i * stride);
-        if (std::isfinite(t)) thickness[i * stride] = t;
+        const Eigen::Index p = i * stride;
+        const Eigen::RowVector3d at = mesh.X.row(p), normal = normals.row(p);
+        double smallest = infinity;
+        for (Eigen::Index q = 0; q < n; ++q) {
+            const Eigen::RowVector3d behind = at - mesh.X.row(q);
+            const double depth = normal.dot(behind);
+            if (!(depth > 0) || !(normal.dot(normals.row(q)) < 0.5)) continue;
+            smallest = std::min(smallest, behind.squaredNorm() / depth);
+        }
+        if (std::isfinite(smallest)) thickness[p] = smallest;
     });
     return thickness;
 }

@@ -3,11 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "base/errors.h"
-#include "geometry/measures/shape_kernels.h"
+#include "geometry/linear/special_values.h"
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/orientation.h"
 #include "mesh/triangle_kind.h"
@@ -16,23 +15,7 @@
 namespace meshfolio {
 namespace {
 
-void require_same_triangles(const TriangleMesh& a, const TriangleMesh& b) {
-    if (a.X.rows() != b.X.rows()) {
-        throw MeshError("the meshes differ: " + std::to_string(a.X.rows()) + " vertices against " + std::to_string(b.X.rows()),
-                        "compare meshes with the same triangles");
-    }
-    if (a.F.rows() != b.F.rows()) {
-        throw MeshError("the meshes differ: " + std::to_string(a.F.rows()) + " triangles against " + std::to_string(b.F.rows()),
-                        "compare meshes with the same triangles");
-    }
-    for (Eigen::Index t = 0; t < a.F.rows(); ++t) {
-        if (a.F.row(t) == b.F.row(t)) continue;
-        throw MeshError("the meshes differ: triangle " + std::to_string(t) + " is not the same in both meshes",
-                        "compare meshes with the same triangles");
-    }
-}
-
-/// Angles between corresponding normals; rows of zeros, which have no direction, are left out. Means are NaN where none is left.
+/// Angles between corresponding normals, without rows of zeros, which have no direction. Means are NaN if none is left.
 struct NormalAngles {
     double mean = 0, mean_squared = 0;
     int inverted = 0;
@@ -55,7 +38,14 @@ struct NormalAngles {
 }   // namespace
 
 MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b) {
-    require_same_triangles(a, b);
+    const auto differ = [](const std::string& how) {
+        return MeshError("the meshes differ: " + how, "compare meshes with the same triangles");
+    };
+    if (a.X.rows() != b.X.rows()) throw differ(std::to_string(a.X.rows()) + " vertices against " + std::to_string(b.X.rows()));
+    if (a.F.rows() != b.F.rows()) throw differ(std::to_string(a.F.rows()) + " triangles against " + std::to_string(b.F.rows()));
+    for (int t = 0; t < a.face_count(); ++t)
+        if (a.F.row(t) != b.F.row(t)) throw differ("triangle " + std::to_string(t) + " is not the same in both meshes");
+
     MeshDifference difference;
     difference.box_diagonal = bounding_box(a).diagonal();
     difference.rms = vertex_rms(a.X, b.X);
@@ -72,7 +62,7 @@ MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b) {
     difference.inverted_faces = angles.inverted;
     const MeshTopology topology = topology_without_edges(a);
     const double volume = enclosed_volume(a, topology);
-    difference.volume_ratio = volume != 0 ? enclosed_volume(b, topology) / volume : std::numeric_limits<double>::quiet_NaN();
+    difference.volume_ratio = volume != 0 ? enclosed_volume(b, topology) / volume : undefined;
     difference.area_ratio = surface_area(b) / surface_area(a);
     return difference;
 }
@@ -80,14 +70,6 @@ MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b) {
 double vertex_rms(const Positions& a, const Positions& b) {
     if (a.rows() != b.rows()) throw MeshError("vertex_rms: " + std::to_string(a.rows()) + " vertices against " + std::to_string(b.rows()));
     return a.rows() > 0 ? std::sqrt((a - b).squaredNorm() / static_cast<double>(a.rows())) : 0;
-}
-
-Vector shape_distances(const TriangleMesh& clean, const Positions& X) {
-    if (clean.X.rows() != X.rows())
-        throw MeshError("shape_distances: " + std::to_string(clean.X.rows()) + " vertices against " + std::to_string(X.rows()));
-    Vector nearest = (X - clean.X).rowwise().squaredNorm();
-    lower_to_shape(clean, X, nearest);
-    return nearest.cwiseSqrt();
 }
 
 double shape_rms(const TriangleMesh& clean, const Positions& X) {
@@ -100,8 +82,6 @@ double mean_normal_angle(const Positions& a, const Positions& b) {
     return NormalAngles(a, b).mean;
 }
 
-double smallest_angle(const TriangleMesh& mesh) {
-    return mesh.face_count() > 0 ? corner_angles(mesh).minCoeff() : std::numeric_limits<double>::quiet_NaN();
-}
+double smallest_angle(const TriangleMesh& mesh) { return mesh.face_count() > 0 ? corner_angles(mesh).minCoeff() : undefined; }
 
 }   // namespace meshfolio

@@ -12,22 +12,11 @@
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
-
 namespace {
 
-struct Operators {
-    LaplaceBeltrami laplacian;
-    Vector H, K;
-};
-Operators operators_of(const TriangleMesh& mesh, const MeshTopology& topology) {
-    LaplaceBeltrami laplacian = laplace_beltrami(mesh);
-    Vector H = cotangent_mean_curvature(mesh, topology, laplacian), K = gaussian_curvature(mesh, topology, laplacian.M);
-    return {std::move(laplacian), std::move(H), std::move(K)};
-}
-
-/// The shortest decimal that is this double.
+/// The shortest decimal equal to a double: its significant digits, and the exponent of the first.
 struct Decimal {
-    int digits = 0, exponent = 0;   // significant ones, and of the first
+    int digits = 0, exponent = 0;
 
     int decimals() const { return std::max(0, digits - 1 - exponent); }
 };
@@ -41,7 +30,7 @@ Decimal decimal_of(double x) {
     return decimal;
 }
 
-/// Distance to the next larger number of this type.
+/// Returns the distance from x to the next larger number of this type.
 template <class Number>
 double spacing_at(double x) {
     const auto number = static_cast<Number>(x);
@@ -61,12 +50,7 @@ double grid_step(const Positions& X, double per_unit) {
     return least > 0 ? static_cast<double>(least) : 1;
 }
 
-double farthest_coordinate(const Positions& X) { return X.size() > 0 ? X.cwiseAbs().maxCoeff() : 0; }
-
-/// A power of two not below x > 0.
-double power_of_two_above(double x) { return std::ldexp(1.0, std::ilogb(x) + 1); }
-
-/// Largest |a·unit − b| over the largest |b|, where both are numbers.
+/// Returns the largest |a·unit − b| over the largest |b|, among entries that are numbers.
 double relative_change(const Vector& a, double unit, const Vector& b) {
     double change = 0, size = 0;
     for (Eigen::Index i = 0; i < b.size(); ++i) {
@@ -103,8 +87,8 @@ MeshFacts mesh_facts(const PreparedMesh& prepared) {
 }
 
 double written_spacing(const Positions& X) {
-    constexpr int longest = 15;   // digits that every double keeps
-    const double farthest = farthest_coordinate(X), finest = spacing_at<double>(farthest);
+    constexpr int longest = 15;   // digits that every double has
+    const double farthest = X.size() > 0 ? X.cwiseAbs().maxCoeff() : 0, finest = spacing_at<double>(farthest);
     int digits = 0, decimals = 0;
     bool single = farthest <= std::numeric_limits<float>::max();
     for (const double x : X.reshaped()) {
@@ -128,15 +112,17 @@ double coordinate_spacing(const TriangleMesh& mesh) {
 double change_when_moved(const PreparedMesh& prepared, double scale) {
     const TriangleMesh& mesh = prepared.mesh;
     const Box box{prepared.preflight.box_low, prepared.preflight.box_high};
-    const double unit = power_of_two_above(box.diagonal());
+    const double unit = std::ldexp(1.0, std::ilogb(box.diagonal()) + 1);   // a power of two above the diagonal
     const double away = std::ldexp(unit, 20);
     const Positions near = (mesh.X.rowwise() - box.centre().transpose()) / unit;   // within [−1, 1]
     const Positions far = near.array() * scale * unit + away * scale;              // rounded here
     const Positions back = far.array() / scale - away;                             // not here
-    const Operators a = operators_of(moved_to(mesh, far), prepared.topology), b = operators_of(moved_to(mesh, back), prepared.topology);
-    const Vector Ca = a.laplacian.C.coeffs(), Cb = b.laplacian.C.coeffs();
-    return std::max({relative_change(Ca, 1, Cb), relative_change(a.laplacian.M, 1 / (scale * scale), b.laplacian.M),
-                     relative_change(a.H, scale, b.H), relative_change(a.K, scale * scale, b.K)});
+    const TriangleMesh there = moved_to(mesh, far), here = moved_to(mesh, back);
+    const LaplaceBeltrami a = laplace_beltrami(there), b = laplace_beltrami(here);
+    const Vector H = cotangent_mean_curvature(here, prepared.topology, b), K = gaussian_curvature(here, prepared.topology, b.M);
+    return std::max({relative_change(a.C.coeffs(), 1, b.C.coeffs()), relative_change(a.M, 1 / (scale * scale), b.M),
+                     relative_change(cotangent_mean_curvature(there, prepared.topology, a), scale, H),
+                     relative_change(gaussian_curvature(there, prepared.topology, a.M), scale * scale, K)});
 }
 
 }   // namespace meshfolio

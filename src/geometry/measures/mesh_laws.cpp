@@ -14,24 +14,9 @@
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
-
 namespace {
 
 double largest_entry(const SparseMatrix& C) { return C.nonZeros() > 0 ? C.coeffs().abs().maxCoeff() : 0; }
-
-/// n × 3: ∂(area)/∂x_i = ½ Σ n × e over the triangles around i, n the unit normal, e the opposite edge counter-clockwise.
-Positions area_gradient(const TriangleMesh& mesh) {
-    Positions gradient = Positions::Zero(mesh.X.rows(), 3);
-    const Positions normals = face_normals(mesh);
-    for (Eigen::Index t = 0; t < mesh.F.rows(); ++t) {
-        const Vector3 normal = normals.row(t);
-        for (int k = 0; k < 3; ++k) {
-            const Vector3 opposite = mesh.X.row(mesh.F(t, (k + 2) % 3)) - mesh.X.row(mesh.F(t, (k + 1) % 3));
-            gradient.row(mesh.F(t, k)) += 0.5 * normal.cross(opposite).transpose();
-        }
-    }
-    return gradient;
-}
 
 }   // namespace
 
@@ -45,7 +30,15 @@ double row_sum_error(const SparseMatrix& C) { return (C * Vector::Ones(C.cols())
 double energy_over_area(const TriangleMesh& mesh, const SparseMatrix& C) { return dirichlet_energy(C, mesh.X) / surface_area(mesh); }
 
 double first_variation_error(const TriangleMesh& mesh, const SparseMatrix& C) {
-    const Positions gradient = area_gradient(mesh);
+    Positions gradient = Positions::Zero(mesh.X.rows(), 3);   // ∂(area)/∂x_i = ½ Σ n × e, e the edge opposite i, counter-clockwise
+    const Positions normals = face_normals(mesh);
+    for (Eigen::Index t = 0; t < mesh.F.rows(); ++t) {
+        const Vector3 normal = normals.row(t);
+        for (int k = 0; k < 3; ++k) {
+            const Vector3 opposite = mesh.X.row(mesh.F(t, (k + 2) % 3)) - mesh.X.row(mesh.F(t, (k + 1) % 3));
+            gradient.row(mesh.F(t, k)) += 0.5 * normal.cross(opposite).transpose();
+        }
+    }
     double largest = 0;
     for (int j = 0; j < C.outerSize(); ++j) {
         Eigen::RowVector3d force = gradient.row(j);

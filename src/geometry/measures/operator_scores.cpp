@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/at.h"
 #include "base/errors.h"
 #include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_laws.h"
@@ -13,21 +13,19 @@
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
-
 namespace {
 
-bool in_use(const MeshTopology& topology, int v) { return topology.vertex_faces.size(v) > 0; }
-bool on_boundary(const MeshTopology& topology, int v) { return topology.on_boundary[static_cast<std::size_t>(v)] != 0; }
+bool on_boundary(const MeshTopology& topology, int v) { return topology.on_boundary[at(v)] != 0; }
 
 int vertices_without_mass(const Vector& M, const MeshTopology& topology) {
     int count = 0;
-    for (int v = 0; v < M.size(); ++v) count += in_use(topology, v) && !(M[v] > 0) ? 1 : 0;
+    for (int v = 0; v < M.size(); ++v) count += topology.vertex_faces.size(v) > 0 && !(M[v] > 0) ? 1 : 0;
     return count;
 }
 
 void score_weights(OperatorScores& scores, const SparseMatrix& C, const MeshTopology& topology) {
     double largest = 0;
-    scores.smallest_weight = std::numeric_limits<double>::infinity();
+    scores.smallest_weight = infinity;
     const auto for_each_weight = [&](auto visit) {
         for (int j = 0; j < C.cols(); ++j) {
             for (SparseMatrix::InnerIterator entry(C, j); entry; ++entry)
@@ -45,10 +43,10 @@ void score_weights(OperatorScores& scores, const SparseMatrix& C, const MeshTopo
     });
 }
 
-/// Are all triangles around an interior vertex parallel to one plane?
+/// True if all triangles around an interior vertex are parallel to one plane.
 bool is_flat(const TriangleMesh& mesh, const MeshTopology& topology, int v) {
     const Incidence& around = topology.vertex_faces;
-    if (around.size(v) == 0 || on_boundary(topology, v) || topology.nonmanifold[static_cast<std::size_t>(v)] != 0) return false;
+    if (around.size(v) == 0 || on_boundary(topology, v) || topology.nonmanifold[at(v)] != 0) return false;
     const auto normal = [&](int t) -> Vector3 {
         const Vector3 a = mesh.X.row(mesh.F(t, 0)), b = mesh.X.row(mesh.F(t, 1)), c = mesh.X.row(mesh.F(t, 2));
         return (b - a).cross(c - a).stableNormalized();
@@ -76,14 +74,14 @@ OperatorScores operator_scores(const LaplaceBeltrami& laplacian, const MeshTopol
 
 Vector smallest_nonzero_eigenvalues(const LaplaceBeltrami& laplacian, const MeshTopology& topology, int count) try {
     if (vertices_without_mass(laplacian.M, topology) > 0) return {};
-    // One zero a component that the operator knows: clamping may cut some off, so more are asked for until enough are left.
+    // Clamping may add zeros to the one of each component, so more pairs are requested until enough others remain.
     for (int asked = count + topology.component_count;; asked *= 2) {
         const Spectrum spectrum = smallest_eigenpairs(laplacian, asked, {.dense_below = 200});
         const Vector& mu = spectrum.eigenvalues;
         const auto zeros = std::count(mu.begin(), mu.end(), 0.0);
         if (mu.size() - zeros >= count || mu.size() < asked) return mu.segment(zeros, std::min<Eigen::Index>(count, mu.size() - zeros));
     }
-} catch (const SolverError&) {   // −C is indefinite, which other scores say, or too badly conditioned
+} catch (const SolverError&) {   // −C is indefinite, which other scores show, or too badly conditioned
     return {};
 }
 

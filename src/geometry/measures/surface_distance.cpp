@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/at.h"
 #include "base/parallel.h"
 #include "base/parallel_tasks.h"
 #include "geometry/linear/special_values.h"
@@ -18,10 +19,10 @@ namespace {
 constexpr double pieces_wanted = 16384;
 constexpr int triangles_a_task = 64;
 
-/// Into how many parts the sides of each triangle are divided, and where its pieces begin in the list of all.
+/// The division of triangles into pieces.
 struct Pieces {
-    std::vector<int> parts;
-    std::vector<Eigen::Index> start;
+    std::vector<int> parts;            // of each side of a triangle
+    std::vector<Eigen::Index> start;   // of its pieces in the list of all
 
     explicit Pieces(const Vector& areas) : start{0} {
         const double largest = areas.sum() / pieces_wanted;
@@ -32,25 +33,25 @@ struct Pieces {
     }
 };
 
-/// visit(corners) of each of the k² pieces of a triangle.
+/// Calls visit(corners) for each of the k² pieces of a triangle.
 template <class Visit>
 void for_each_piece(const Eigen::Matrix3d& corners, int k, const Visit& visit) {
-    const auto at = [&](int i, int j) -> Vector3 {
+    const auto point = [&](int i, int j) -> Vector3 {
         return corners.col(0) + (1.0 * i / k) * (corners.col(1) - corners.col(0)) + (1.0 * j / k) * (corners.col(2) - corners.col(0));
     };
     Eigen::Matrix3d piece;
     for (int i = 0; i < k; ++i) {
         for (int j = 0; i + j < k; ++j) {
-            piece << at(i, j), at(i + 1, j), at(i, j + 1);
+            piece << point(i, j), point(i + 1, j), point(i, j + 1);
             visit(piece);
             if (i + j + 1 == k) continue;
-            piece << at(i + 1, j + 1), at(i, j + 1), at(i + 1, j);   // stands on its tip
+            piece << point(i + 1, j + 1), point(i, j + 1), point(i + 1, j);   // stands on its tip
             visit(piece);
         }
     }
 }
 
-/// How many boxes each of many searches may open: a share, several times what is ordinary, and half of what those before it saved.
+/// The boxes that each of many searches may open: a share, several times the usual number, and half of those saved so far.
 class Allowance {
 public:
     explicit Allowance(Eigen::Index searches) : share_(40 + (std::int64_t{1} << 23) / searches) {}
@@ -62,17 +63,17 @@ private:
 };
 
 struct VertexDistances {
-    Vector high, low;   // n each, NaN where no triangle uses the vertex; they differ only where a search reached its limit [length]
+    Vector high, low;   // n each, NaN if no triangle uses the vertex; they differ only if a search reached its limit [length]
 };
 
 VertexDistances measure_vertices(const TriangleMesh& from, const ClosestPoint& to) {
-    std::vector<char> used(static_cast<std::size_t>(from.vertex_count()), 0);
-    for (const int v : from.F.reshaped()) used[static_cast<std::size_t>(v)] = 1;
+    std::vector<char> used(at(from.vertex_count()), 0);
+    for (const int v : from.F.reshaped()) used[at(v)] = 1;
     VertexDistances found{Vector::Constant(from.vertex_count(), undefined), Vector::Constant(from.vertex_count(), undefined)};
     for_blocks(from.vertex_count(), [&](int, int begin, int end) {
         Allowance allowance(from.vertex_count());
         for (int v = begin; v < end; ++v) {
-            if (used[static_cast<std::size_t>(v)] == 0) continue;
+            if (used[at(v)] == 0) continue;
             const auto nearest = to.nearest(from.X.row(v), infinity, 0, allowance.next());
             allowance.spend(nearest.opened);
             found.high[v] = std::sqrt(nearest.squared_distance);
@@ -87,10 +88,10 @@ struct PieceBounds {
     double d_low, d_high, squared_low, squared_high, largest;
 };
 
-/// At the centroid c d is `nearest`; `f` are the distances of the corners to the triangle nearest to c, `of_corners` those to the whole
-/// surface, NaN where they are not known. As d is 1-Lipschitz and the mean of |x − c|² is s/36, s being the sum of the squared sides,
-/// mean d ≥ d(c) − √s/6. As d ≤ f and f is convex, mean d ≤ Σf/3 and mean d² ≤ Σ_{i≤j} f_i f_j/6. As d² − |x|² is a minimum of linear
-/// functions, thus concave, Σd²/3 − s/12 ≤ mean d² ≤ d²(c) + s/36, the first over the corners.
+/// Bounds a piece from d(c) = `nearest` at the centroid c, from the distances f of its corners to the triangle nearest to c, and from those
+/// to the whole surface, `of_corners`, NaN if not known. As d is 1-Lipschitz and the mean of |x − c|² is s/36, s being the sum of the
+/// squared sides, mean d ≥ d(c) − √s/6. As d ≤ f and f is convex, mean d ≤ Σf/3 and mean d² ≤ Σ_{i≤j} f_i f_j/6. As d² − |x|² is a minimum
+/// of linear functions, thus concave, Σd²/3 − s/12 ≤ mean d² ≤ d²(c) + s/36, the first over the corners.
 PieceBounds bounds_over(const Eigen::Matrix3d& corners, const ClosestPoint::Nearest& nearest, const Vector3& f, const Vector3& of_corners) {
     const Vector3 c = corners.rowwise().mean();
     const Eigen::Matrix3d from_centroid = corners.colwise() - c;
@@ -110,32 +111,31 @@ PieceBounds bounds_over(const Eigen::Matrix3d& corners, const ClosestPoint::Near
     return bounds;
 }
 
-/// One direction as it is measured: `areas` times the bounds of the means, summed over the pieces of each triangle.
+/// The measures of one direction.
 struct Measured {
     DistancesTo found;
-    Vector angles;                          // of the normals, one a piece; NaN where a triangle has none [rad]
-    Eigen::Matrix<double, -1, 4> of_area;   // one row a triangle: d_low, d_high, squared_low, squared_high
-    Vector bounds;                          // one a triangle: no point of it is farther away
-    Vector cut_off;                         // one a triangle: how many searches reached their limit
+    Vector angles;   // between normals, one a piece; NaN if a triangle has none [rad]
+    Eigen::Matrix<double, -1, 4>
+        of_area;      // areas times bounds, summed over the pieces of each triangle: d_low, d_high, squared_low, squared_high
+    Vector bounds;    // of the distance of all points of each triangle
+    Vector cut_off;   // searches that reached their limit, of each triangle
 };
 
-/// A step of r changes a distance by r at most, so that those of the corners bound the search.
+/// Measures all pieces. A step of r changes a distance by at most r, so that those of the corners bound the search.
 void measure_pieces(const TriangleMesh& from, const Pieces& pieces, const Vector& face_area, const ClosestPoint& to,
                     const Vector& vertex_low, Measured& measured) {
     const Positions normals = face_normals(from), normals_of_other = face_normals(to.mesh());
     const auto measure_triangle = [&](int t, Allowance& allowance) {
-        const auto face = static_cast<std::size_t>(t);
-        const int parts = pieces.parts[face];
+        const int parts = pieces.parts[at(t)];
         const Eigen::Matrix3d corners = from.X(from.F.row(t), Eigen::all).transpose();
         const Vector3 of_corners = measured.found.of_vertices(from.F.row(t)), normal = normals.row(t);
         const Vector3 low = parts == 1 ? Vector3(vertex_low(from.F.row(t))) : Vector3::Constant(undefined);
         const double area = face_area[t] / (parts * parts);
-        Eigen::Index piece = pieces.start[face];
+        Eigen::Index piece = pieces.start[at(t)];
         for_each_piece(corners, parts, [&](const Eigen::Matrix3d& part) {
             const Vector3 p = part.rowwise().mean();
             const double bound = (of_corners.transpose() + (corners.colwise() - p).colwise().norm()).minCoeff();
-            const auto nearest =
-                to.nearest(p, 1.0001 * bound * bound, 0, allowance.next());   // with room for rounding: some triangle is found
+            const auto nearest = to.nearest(p, 1.0001 * bound * bound, 0, allowance.next());   // above rounding: some triangle is found
             allowance.spend(nearest.opened);
             measured.found.of_pieces[piece] = std::sqrt(nearest.squared_distance);
             measured.found.areas[piece] = area;
@@ -157,7 +157,7 @@ void measure_pieces(const TriangleMesh& from, const Pieces& pieces, const Vector
     });
 }
 
-/// The larger of what a value, found by measuring, can be off to both sides.
+/// Returns the largest error of a value that lies between the bounds; NaN for NaN.
 double error_of(double value, double low, double high) { return std::max({0.0, value - low, high - value}) + 0 * value; }
 
 Measured measured_from(const TriangleMesh& from, const ClosestPoint& to) {
@@ -190,12 +190,6 @@ Measured measured_from(const TriangleMesh& from, const ClosestPoint& to) {
     return measured;
 }
 
-void scale_lengths(DistancesTo& distances, double factor) {
-    for (Vector* lengths : {&distances.of_vertices, &distances.of_pieces}) *lengths *= factor;
-    distances.areas *= factor * factor;
-    for (double* length : {&distances.max, &distances.mean, &distances.rms, &distances.mean_error, &distances.rms_error}) *length *= factor;
-}
-
 }   // namespace
 
 SurfaceDistances surface_distances(const TriangleMesh& a, const TriangleMesh& b, double accuracy) {
@@ -211,7 +205,12 @@ SurfaceDistances surface_distances(const TriangleMesh& a, const TriangleMesh& b,
     }
     from_a.found.max = to_b.found;
     from_b.found.max = to_a.found;
-    for (Measured* one : {&from_a, &from_b}) scale_lengths(one->found, 1 / unit.scale);
+    const double factor = 1 / unit.scale;
+    for (DistancesTo* one : {&from_a.found, &from_b.found}) {
+        for (Vector* lengths : {&one->of_vertices, &one->of_pieces}) *lengths *= factor;
+        one->areas *= factor * factor;
+        for (double* length : {&one->max, &one->mean, &one->rms, &one->mean_error, &one->rms_error}) *length *= factor;
+    }
     hausdorff.distance /= unit.scale;
     hausdorff.bound /= unit.scale;
     return {std::move(from_a.found), std::move(from_b.found), hausdorff};
@@ -225,10 +224,10 @@ Vector vertex_distances(const TriangleMesh& from, const TriangleMesh& to) {
 std::vector<double> area_histogram(const DistancesTo& distances, double high, int bins) {
     const double area = distances.areas.sum();
     if (!(area > 0)) return {};
-    std::vector<double> shares(static_cast<std::size_t>(bins), 0);
+    std::vector<double> shares(at(bins), 0);
     for (Eigen::Index i = 0; i < distances.areas.size(); ++i) {
         const double place = high > 0 ? bins * (distances.of_pieces[i] / high) : 0;
-        shares[static_cast<std::size_t>(std::clamp(static_cast<int>(place), 0, bins - 1))] += distances.areas[i] / area;
+        shares[at(std::clamp(static_cast<int>(place), 0, bins - 1))] += distances.areas[i] / area;
     }
     return shares;
 }

@@ -1,5 +1,5 @@
 /// @file
-/// How far any two triangle surfaces are apart, whatever their triangles.
+/// Distances between any two triangle surfaces.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,16 @@
 
 namespace meshfolio {
 
-/// From the points of one surface to the nearest of another. Each triangle is divided into k² equal pieces, none of them larger than
-/// 1/16384 of the surface. Means are over pieces, weighted by area and measured at centroids.
+/// Distances from the points of one surface to another. Each triangle is divided into k² equal pieces, none larger than 1/16384 of the
+/// surface. Means are over pieces, weighted by area and measured at centroids.
 struct DistancesTo {
-    Vector of_vertices;                     // n, NaN where no triangle uses the vertex [length]
+    Vector of_vertices;                     // n, NaN if no triangle uses the vertex [length]
     Vector of_pieces, areas;                // one a piece [length], [length²]
-    double max = 0;                         // the largest that was measured [length]
-    double mean = 0, rms = 0;               // NaN where nothing has an area [length]
-    double mean_error = 0, rms_error = 0;   // what the means of all points cannot differ by; NaN likewise [length]
+    double max = 0;                         // the largest measured [length]
+    double mean = 0, rms = 0;               // NaN if nothing has an area [length]
+    double mean_error = 0, rms_error = 0;   // bounds of their difference from the means over all points; NaN likewise [length]
     double mean_normal_angle = 0;           // between the normals of a piece and of the triangle nearest to it; NaN likewise [rad]
-    bool exact = true;                      // false: some search reached its limit, and distances of vertices are upper bounds
+    bool exact = true;                      // false: a search reached its limit, and distances of vertices are upper bounds
 };
 
 struct SurfaceDistances {
@@ -26,14 +26,15 @@ struct SurfaceDistances {
     bool exact() const { return a_to_b.exact && b_to_a.exact; }
 };
 
+/// Measures both directions.
 /// @param accuracy  of the Hausdorff distance
 /// @throws MeshError if one of them has no triangle
 SurfaceDistances surface_distances(const TriangleMesh& a, const TriangleMesh& b, double accuracy = default_accuracy);
 
-/// DistancesTo::of_vertices alone. @throws MeshError if one of them has no triangle
+/// Returns DistancesTo::of_vertices alone. @throws MeshError if one of them has no triangle
 Vector vertex_distances(const TriangleMesh& from, const TriangleMesh& to);
 
-/// Shares of the area at distances in equal bins over [0, high]; empty without any area.
+/// Returns the shares of the area with distances in equal bins over [0, high]; empty without any area.
 std::vector<double> area_histogram(const DistancesTo& distances, double high, int bins);
 
 }   // namespace meshfolio

@@ -10,21 +10,18 @@
 #include "mesh/prefetch.h"
 
 namespace meshfolio {
-
 namespace {
 
 using Corners = std::array<Vector3, 3>;
 
-/// Whether all edges clearly have a length, from squares alone. False where the range of a double could decide.
-bool clearly_apart(const Corners& x, double longest_squared) {
-    const double a = (x[2] - x[1]).squaredNorm(), b = (x[0] - x[2]).squaredNorm(), c = (x[1] - x[0]).squaredNorm();
-    const double longest = std::max({a, b, c});
-    return longest > 1e-200 && std::min({a, b, c}) > std::max(no_area, longest_squared) * longest;
-}
-
 /// Calls join(k, l) for the corners at the ends of each edge without length.
 template <class Join>
 void for_each_edge_without_length(const Corners& x, double longest_squared, Join join) {
+    const double a = (x[2] - x[1]).squaredNorm(), b = (x[0] - x[2]).squaredNorm(), c = (x[1] - x[0]).squaredNorm();
+    const double longest = std::max({a, b, c});
+    // Most triangles are clear from squares alone, far from the ends of the range of a double.
+    if (longest > 1e-200 && std::min({a, b, c}) > std::max(no_area, longest_squared) * longest) return;
+
     const Vector3 u = x[1] - x[0], v = x[2] - x[0];
     const double extent = std::max(u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
     const double unit = extent > 0 ? extent : 1;
@@ -43,7 +40,6 @@ std::vector<VertexCopy> coincident_vertices(const TriangleMesh& mesh, double lon
         for (int t = begin; t < end; ++t) {
             prefetch_corners(mesh, t);
             const Corners x{mesh.X.row(mesh.F(t, 0)), mesh.X.row(mesh.F(t, 1)), mesh.X.row(mesh.F(t, 2))};
-            if (clearly_apart(x, longest_squared)) continue;
             for_each_edge_without_length(x, longest_squared, [&](std::size_t k, std::size_t l) {
                 pairs.emplace_back(mesh.F(t, static_cast<int>(k)), mesh.F(t, static_cast<int>(l)));
             });
@@ -54,13 +50,13 @@ std::vector<VertexCopy> coincident_vertices(const TriangleMesh& mesh, double lon
     DisjointSets classes(mesh.vertex_count());
     for (const auto& block : joined_in)
         for (const auto& [a, b] : block.value) classes.join(a, b);
-    const auto stays = [&](int t) {
-        const int a = classes.find(mesh.F(t, 0)), b = classes.find(mesh.F(t, 1)), c = classes.find(mesh.F(t, 2));
+    const auto stays = [&](const auto& face) {
+        const int a = classes.find(face[0]), b = classes.find(face[1]), c = classes.find(face[2]);
         return a != b && b != c && c != a;
     };
-    bool some_stay = false;
-    for (int t = 0; t < mesh.face_count() && !some_stay; ++t) some_stay = stays(t);
-    if (!some_stay) return {};   // a strip a hundred million times as long as wide is a strip, not a line
+    const auto faces = mesh.F.rowwise();
+    // A strip a hundred million times as long as wide is a strip, not a line.
+    if (std::none_of(faces.begin(), faces.end(), stays)) return {};
     std::vector<VertexCopy> copies;
     for (int v = 0; v < mesh.vertex_count(); ++v)
         if (const int first = classes.find(v); first != v) copies.push_back({v, first});

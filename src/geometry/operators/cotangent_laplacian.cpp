@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "geometry/operators/intrinsic_triangles.h"
+#include "geometry/operators/intrinsic_delaunay.h"
 #include "geometry/operators/triangle_shape.h"
 
 namespace meshfolio {
@@ -11,7 +11,7 @@ namespace {
 
 using Cotangent = double (TriangleShape::*)(std::size_t k) const;
 
-/// @param shape_of  the shape of triangle t, in any unit of length
+/// Returns the m × 3 cotangents of triangles. @param shape_of  returns the shape of triangle t in any unit of length
 template <class ShapeOf>
 CornerValues cotangents_of(Eigen::Index triangles, ShapeOf shape_of, Cotangent cotangent = &TriangleShape::cotangent) {
     CornerValues cotangents(triangles, 3);
@@ -28,8 +28,8 @@ CornerValues cotangents_of(const TriangleMesh& mesh, Cotangent cotangent) {
         mesh.F.rows(), [&](int t) { return triangle_shape(mesh, t, scale); }, cotangent);
 }
 
-/// Σ value(t, k) over the corners opposite the edge from i to j, at (i, j) and (j, i), in the order of the triangles; diagonal entries are
-/// stored.
+/// Returns the matrix with Σ value(t, k) over the corners opposite the edge from i to j, in the order of the triangles, at (i, j) and
+/// (j, i); diagonal entries are stored.
 template <class Value>
 SparseMatrix sum_at_opposite_edges(const Faces& F, int vertex_count, Value value) {
     std::vector<Eigen::Triplet<double>> entries;
@@ -48,7 +48,7 @@ SparseMatrix sum_at_opposite_edges(const Faces& F, int vertex_count, Value value
     return sum;
 }
 
-/// C_jj = −Σ_i C_ij; every column stores its diagonal.
+/// Sets C_jj = −Σ_i C_ij; every column stores its diagonal.
 void set_diagonal(SparseMatrix& C) {
     for (Eigen::Index j = 0; j < C.cols(); ++j) {
         double sum = 0;

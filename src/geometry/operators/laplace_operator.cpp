@@ -12,7 +12,6 @@
 #include "geometry/operators/uniform_laplacian.h"
 
 namespace meshfolio {
-
 namespace {
 
 constexpr std::array operators{
@@ -32,16 +31,13 @@ constexpr std::array operators{
                   "Intrinsic Delaunay on the two-sided cover with mollified lengths, for non-manifold meshes too."},
 };
 
-/// A mass of one at each vertex of a triangle.
-Vector ones_in_use(const TriangleMesh& mesh) {
-    Vector ones = Vector::Zero(mesh.X.rows());
-    for (const int v : mesh.F.reshaped()) ones[v] = 1;
-    return ones;
-}
-
-/// Of a mesh without coincident vertices.
+/// Assembles an operator on a mesh without coincident vertices.
 LaplaceBeltrami assembled(const TriangleMesh& mesh, OperatorKind kind, AreaForm area) {
-    if (kind == OperatorKind::edge_normalised) return {edge_normalised_laplacian(mesh), ones_in_use(mesh)};
+    if (kind == OperatorKind::edge_normalised) {
+        LaplaceBeltrami laplacian{edge_normalised_laplacian(mesh), Vector::Zero(mesh.X.rows())};
+        for (const int v : mesh.F.reshaped()) laplacian.M[v] = 1;
+        return laplacian;
+    }
     if (kind == OperatorKind::tufted) return tufted_laplacian(mesh, area);
     const IntrinsicTriangles delaunay = intrinsic_delaunay(intrinsic_triangles(mesh)).triangles;
     LaplaceBeltrami laplacian = laplace_beltrami(delaunay.F, delaunay.vertex_count, delaunay.lengths, area);
@@ -69,10 +65,7 @@ OperatorKind operator_named(const std::string& name) {
 
 std::string operator_names() {
     std::string names;
-    for (const OperatorEntry& entry : operators) {
-        if (!names.empty()) names += ", ";
-        names += entry.name;
-    }
+    for (const OperatorEntry& entry : operators) names += (names.empty() ? "" : ", ") + std::string(entry.name);
     return names;
 }
 

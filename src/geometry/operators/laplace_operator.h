@@ -1,5 +1,5 @@
 /// @file
-/// Every discrete Laplacian the program knows, by name: what --operator accepts and what the operator laboratory compares.
+/// Every discrete Laplacian of the program, by name, for --operator and the operator laboratory.
 #pragma once
 
 #include <span>
@@ -21,34 +21,34 @@ struct OperatorEntry {
     std::string_view description;   // one sentence
 };
 
+/// Lists all operators, in the order of tables.
 std::span<const OperatorEntry> operator_list();
 const OperatorEntry& operator_entry(OperatorKind kind);
+/// Returns the operator of this name.
 /// @throws UsageError with the nearest name and all known ones
 OperatorKind operator_named(const std::string& name);
-/// "cotan, uniform, …" for help and messages.
+/// Returns "cotan, uniform, …" for help and messages.
 std::string operator_names();
 
-/// Does L = M⁻¹C have no unit, so that a smoothing step has none either? True for the uniform operator and for no other,
-/// whose L is in 1/length² and whose steps are areas.
+/// True if L = M⁻¹C, and so a smoothing step, has no unit: only for the uniform operator. Other L are in 1/length², their steps are areas.
 bool is_dimensionless(OperatorKind kind);
 
-/// Is C the sum of the stiffness matrices of the mesh's own triangles, so that −C is positive semidefinite but for rounding
-/// (definiteness.h)? That is not said of intrinsic triangulations, whose edges may join a vertex to itself.
+/// Returns `triangles` if C is the sum of the stiffness matrices of the mesh's own triangles, so that −C is positive semidefinite but for
+/// rounding (definiteness.h). Not so for intrinsic triangulations, where edges may join a vertex to itself.
 Assembly assembly_of(OperatorKind kind);
 
-/// Are lengths of C those of edges that flips or a cover have made, rounded once more? On strongly stretched meshes C then is that of a
-/// slightly different surface: what is proved of it is proved of the operator as stored.
+/// True if C has lengths of edges that flips or a cover have made, rounded once more. On strongly stretched meshes it then belongs to a
+/// slightly different surface: proofs hold for the operator as stored.
 bool has_intrinsic_lengths(OperatorKind kind);
 
-/// C and M of the operator, M = 0 at unreferenced vertices.
-/// @param area  how the masses are measured. The uniform operator has the valences as masses, the one normalised per edge has
-///              ones (its C is L itself, made with barycentric areas); both leave `area` aside. For idt and tufted they are those
-///              of the intrinsic triangles.
+/// Returns C and M of the operator; M = 0 at unreferenced vertices.
+/// @param area  the form of the masses. Two operators ignore it: the uniform one, with valences as masses, and the one normalised per edge,
+///              with masses 1 and C = L from barycentric areas. For idt and tufted the areas are those of the intrinsic triangles.
 /// @throws SolverError if the flips of an intrinsic Delaunay triangulation do not end
 LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, AreaForm area = AreaForm::barycentric);
 
-/// Mean curvature by the operator: ½‖Lx‖ with the sign of −Lx · n; that of a dimensionless one is scaled by 4/h², h² the mean squared edge
-/// of the one-ring. NaN where cotangent_mean_curvature has it. [1/length]
+/// Returns the mean curvature by the operator: ½‖Lx‖ with the sign of −Lx · n, for a dimensionless one times 4/h², h² the mean squared edge
+/// of the one-ring. NaN as in cotangent_mean_curvature(). [1/length]
 /// @param laplacian  laplace_operator(mesh, kind, …)
 Vector operator_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology, OperatorKind kind, const LaplaceBeltrami& laplacian);
 

@@ -1,5 +1,5 @@
 /// @file
-/// What cotangents and areas need of a triangle, from positions or from edge lengths: dot products, cross product and squared edges.
+/// Dot products, cross product and squared edges of a triangle, for cotangents and areas, from positions or from edge lengths.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,6 +9,7 @@
 
 #include "geometry/linear/special_values.h"
 #include "mesh/triangle_kind.h"
+#include "mesh/triangle_measures.h"
 #include "mesh/triangle_mesh.h"
 
 namespace meshfolio {
@@ -19,26 +20,26 @@ struct TriangleShape {
     double cross;                         // |u × v| = 2A, the same at every corner [length²]
 
     double longest_squared_edge() const { return std::max({squared_edge[0], squared_edge[1], squared_edge[2]}); }
-    /// Without area: |u × v| is rounding.
+    /// True if the triangle has no area: |u × v| is rounding.
     bool degenerate() const { return !(cross > no_area * longest_squared_edge()); }
-    /// 0 of a triangle without area.
+    /// Returns A; 0 for a triangle without area. [length²]
     double area() const { return degenerate() ? 0 : 0.5 * cross; }
-    /// cot θ_k = (u · v)/|u × v|; 0 of a triangle without area, which has no stiffness.
+    /// Returns cot θ_k = (u · v)/|u × v|; 0 for a triangle without area, which has no stiffness.
     double cotangent(std::size_t k) const { return degenerate() ? 0 : dot[k] / cross; }
-    /// The same where a triangle without area keeps a stiffness: |u × v| is taken as no_area times the squared longest edge then.
+    /// Returns cot θ_k with |u × v| at least no_area times the squared longest edge, so that a triangle without area has a stiffness.
     double floored_cotangent(std::size_t k) const {
         const double denominator = std::max(cross, no_area * longest_squared_edge());
         return denominator > 0 ? dot[k] / denominator : 0;
     }
-    /// θ_k in [0, π]. The angles of a triangle add up to π whatever its shape, or Gauss–Bonnet would not hold: they are right at both ends
-    /// of a side without length, and alike where all three points are one. [rad]
+    /// Returns θ_k in [0, π]. The angles sum to π for every shape, as Gauss–Bonnet needs: they are π/2 at both ends of a side without
+    /// length, π/3 where all three points coincide. [rad]
     double angle(std::size_t k) const {
         if (cross > 0 || dot[k] != 0) return std::atan2(cross, dot[k]);
         return squared_edge[k] > 0 ? pi / 2 : pi / 3;
     }
 };
 
-/// The triangle of three points. |u × v| is taken between the two shorter edges, where it loses least to rounding.
+/// Returns the shape of three points. |u × v| is taken between the two shorter edges, where it loses least to rounding.
 inline TriangleShape triangle_shape(const Vector3& p0, const Vector3& p1, const Vector3& p2) {
     const std::array<Vector3, 3> edge{p2 - p1, p0 - p2, p1 - p0};
     TriangleShape shape;
@@ -52,17 +53,32 @@ inline TriangleShape triangle_shape(const Vector3& p0, const Vector3& p1, const 
     return shape;
 }
 
-/// Triangle t of a mesh whose positions are multiplied by `scale`.
+/// Returns the shape of triangle t of a mesh with positions multiplied by `scale`.
 inline TriangleShape triangle_shape(const TriangleMesh& mesh, Eigen::Index t, double scale) {
     const auto corner = [&](int k) -> Vector3 { return scale * mesh.X.row(mesh.F(t, k)).transpose(); };
     return triangle_shape(corner(0), corner(1), corner(2));
 }
 
-/// The triangle of three edge lengths. 2A by Kahan's form of Heron's formula; 0 where the triangle inequality fails.
-TriangleShape triangle_shape(double l0, double l1, double l2);
+/// Returns the shape of three edge lengths. 2A by Kahan's form of Heron's formula; 0 where the triangle inequality fails.
+inline TriangleShape triangle_shape(double l0, double l1, double l2) {
+    TriangleShape shape;
+    shape.squared_edge = {l0 * l0, l1 * l1, l2 * l2};
+    for (std::size_t k = 0; k < 3; ++k)
+        shape.dot[k] = 0.5 * (shape.squared_edge[(k + 1) % 3] + shape.squared_edge[(k + 2) % 3] - shape.squared_edge[k]);
+    std::array<double, 3> sorted{l0, l1, l2};
+    std::sort(sorted.begin(), sorted.end());
+    const auto [c, b, a] = sorted;
+    const double sixteen_area_squared = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+    shape.cross = 0.5 * std::sqrt(std::max(0.0, sixteen_area_squared));
+    return shape;
+}
 
-/// The power of two that brings the largest extent of the mesh into [1, 2): multiplying by it is exact, and keeps squares and
+/// Returns the power of two that brings the largest extent of the mesh into [1, 2): multiplying by it is exact, and keeps squares and
 /// fourth powers of lengths within range whatever the model's unit. 1 for a mesh of one point.
-double unit_scale(const TriangleMesh& mesh);
+inline double unit_scale(const TriangleMesh& mesh) {
+    const double extent = bounding_box(mesh).extent().maxCoeff();
+    if (!(extent > 0) || !std::isfinite(extent)) return 1;
+    return std::ldexp(1.0, -std::clamp(std::ilogb(extent), -1000, 1000));
+}
 
 }   // namespace meshfolio

@@ -3,41 +3,38 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <span>
+#include <vector>
 
+#include "base/at.h"
 #include "geometry/linear/special_values.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
-
 namespace {
 
 /// A triangle at an edge, seen along the edge from its lower end to its higher one.
 struct Blade {
-    double angle;    // around the edge, from the first triangle on [rad]
-    int ascending;   // the side of the copy that runs from low to high
-    int descending;
+    double angle;     // around the edge, from the first triangle on [rad]
+    int ascending;    // the side of the copy that runs from low to high
+    int descending;   // the side of the other copy
 };
 
-/// Side k of the front is the side of the back at the corner with the same vertex: the back is (F0, F2, F1).
-int other_face_of(int side, int triangles) { return 3 * (triangles + side / 3) + (3 - side % 3) % 3; }
-
-double angle_around(const TriangleMesh& mesh, const SideOfEdge& edge, const Vector3& start) {
-    const Vector3 low = mesh.X.row(edge.low), axis = (mesh.X.row(edge.high).transpose() - low).stableNormalized();
-    const Vector3 arm = (mesh.X.row(mesh.F(edge.side / 3, edge.side % 3)).transpose() - low).stableNormalized();
-    return std::atan2(axis.dot(start.cross(arm)), start.dot(arm) - start.dot(axis) * arm.dot(axis));
-}
-
-/// The triangles at one edge in cyclic order. The first is at angle 0, so that its own rounding cannot move it to the end.
-std::vector<Blade> blades_around(const TriangleMesh& mesh, std::vector<SideOfEdge>::const_iterator first,
-                                 std::vector<SideOfEdge>::const_iterator last) {
-    const Vector3 low = mesh.X.row(first->low);
-    const Vector3 start = (mesh.X.row(mesh.F(first->side / 3, first->side % 3)).transpose() - low).stableNormalized();
+/// Returns the triangles at one edge in cyclic order. The first is at angle 0, so that its own rounding cannot move it to the end.
+std::vector<Blade> blades_around(const TriangleMesh& mesh, std::span<const SideOfEdge> sides) {
+    const int low = sides[0].low, high = sides[0].high;
+    const auto direction = [&](int v) { return Vector3(mesh.X.row(v) - mesh.X.row(low)).stableNormalized(); };
+    const auto arm_of = [&](const SideOfEdge& s) { return direction(mesh.F(s.side / 3, s.side % 3)); };
+    const Vector3 axis = direction(high), start = arm_of(sides[0]);
     std::vector<Blade> blades;
-    for (auto s = first; s != last; ++s) {
-        const int back = other_face_of(s->side, mesh.face_count());
-        blades.push_back({s == first ? 0 : angle_around(mesh, *s, start), s->ascending ? s->side : back, s->ascending ? back : s->side});
-        if (blades.back().angle < 0) blades.back().angle += 2 * pi;
+    for (const SideOfEdge& s : sides) {
+        const Vector3 arm = arm_of(s);
+        double angle = std::atan2(axis.dot(start.cross(arm)), start.dot(arm) - start.dot(axis) * arm.dot(axis));
+        if (blades.empty()) angle = 0;
+        if (angle < 0) angle += 2 * pi;
+        // Side k of the front is the side of the back at the corner with the same vertex: the back is (F0, F2, F1).
+        const int back = 3 * (mesh.face_count() + s.side / 3) + (3 - s.side % 3) % 3;
+        blades.push_back({angle, s.ascending ? s.side : back, s.ascending ? back : s.side});
     }
     std::stable_sort(blades.begin(), blades.end(), [](const Blade& a, const Blade& b) { return a.angle < b.angle; });
     return blades;
@@ -63,20 +60,16 @@ IntrinsicTriangles two_sided_cover(const TriangleMesh& mesh) {
     IntrinsicTriangles cover{Faces(2 * m, 3), CornerValues(2 * m, 3), {}, mesh.vertex_count()};
     cover.F << mesh.F, mesh.F(Eigen::all, {0, 2, 1});
     cover.lengths << lengths, lengths(Eigen::all, {0, 2, 1});
-    cover.glued_to.assign(6 * static_cast<std::size_t>(m), IntrinsicTriangles::not_glued);
-    const std::vector<SideOfEdge> sides = sides_by_edge(mesh.F);
-    for (auto first = sides.begin(); first != sides.end();) {
-        const auto last =
-            std::find_if_not(first, sides.end(), [&](const SideOfEdge& s) { return s.low == first->low && s.high == first->high; });
-        const std::vector<Blade> blades = blades_around(mesh, first, last);
+    cover.glued_to.assign(6 * at(m), IntrinsicTriangles::not_glued);
+    for_each_edge(mesh.F, [&](std::span<const SideOfEdge> sides) {
+        const std::vector<Blade> blades = blades_around(mesh, sides);
         for (std::size_t b = 0; b < blades.size(); ++b) {
             // Counter-clockwise (low, high, tip) has its normal towards growing angles: it faces the next triangle.
             const int facing_next = blades[b].ascending, facing_back = blades[(b + 1) % blades.size()].descending;
-            cover.glued_to[static_cast<std::size_t>(facing_next)] = facing_back;
-            cover.glued_to[static_cast<std::size_t>(facing_back)] = facing_next;
+            cover.glued_to[at(facing_next)] = facing_back;
+            cover.glued_to[at(facing_back)] = facing_next;
         }
-        first = last;
-    }
+    });
     return cover;
 }
 

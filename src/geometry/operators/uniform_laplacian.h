@@ -7,15 +7,15 @@
 
 namespace meshfolio {
 
-/// n × n, rows sum to 0: −1 on the diagonal, 1/valence for neighbours. Rows of unreferenced vertices are zero.
+/// Returns the n × n matrix with rows that sum to 0: −1 on the diagonal, 1/valence for neighbours. Rows of unreferenced vertices are zero.
 SparseMatrix uniform_laplacian(const MeshTopology& topology);
-/// The same as M⁻¹C with the valences as masses: C = D U is symmetric, the graph Laplacian.
+/// Returns the umbrella operator as M⁻¹C with the valences as masses: C, the graph Laplacian, is symmetric.
 LaplaceBeltrami uniform_operator(const MeshTopology& topology);
-/// The same of a mesh whose coincident vertices are one. It sees no lengths, so that a closing gap does not lead to it: at a gap of 0 they
-/// are joined all the same, as in every operator, because one point has one motion. @param topology  of the mesh as it is
+/// Returns that operator for a mesh with its coincident vertices joined. It ignores lengths, so it jumps as a gap closes; vertices at the
+/// same point are joined all the same, as in every operator, because a point has one motion. @param topology  of the mesh as it is
 LaplaceBeltrami uniform_operator(const TriangleMesh& mesh, const MeshTopology& topology);
 
-/// n values: mean of |x_j − x_i|² over the one-ring of i; 0 at unreferenced vertices. [length²]
+/// Returns n values, the mean of |x_j − x_i|² over the one-ring of i; 0 at unreferenced vertices. [length²]
 /// Δ_uniform x ≈ −½ H h² n with h² this mean, so 4/h² turns ½‖Δ_uniform x‖ (a length) into a curvature.
 Vector mean_squared_ring_edge(const TriangleMesh& mesh, const MeshTopology& topology);
 

@@ -2,9 +2,10 @@
 
 #include <array>
 
+#include "base/at.h"
 #include "base/errors.h"
 #include "base/parallel.h"
-#include "geometry/operators/intrinsic_triangles.h"
+#include "geometry/operators/intrinsic_delaunay.h"
 #include "geometry/operators/triangle_shape.h"
 
 namespace meshfolio {
@@ -14,40 +15,30 @@ constexpr std::array<std::string_view, 3> form_names{"barycentric", "voronoi", "
 
 using CornerAreas = std::array<double, 3>;
 
-CornerAreas barycentric_shares(const TriangleShape& triangle) {
-    const double third = triangle.area() / 3;
-    return {third, third, third};
-}
-
-/// Corner i of edges e_j, e_k: (cot θ_j |e_j|² + cot θ_k |e_k|²)/8.
-CornerAreas voronoi_shares(const TriangleShape& triangle) {
-    CornerAreas edge_part;
-    for (std::size_t k = 0; k < 3; ++k) edge_part[k] = triangle.cotangent(k) * triangle.squared_edge[k] / 8;
-    return {edge_part[1] + edge_part[2], edge_part[2] + edge_part[0], edge_part[0] + edge_part[1]};
-}
-
-/// Meyer et al. 2003, figure 4: an obtuse triangle gives half of itself to the obtuse corner, a quarter to the others.
-CornerAreas mixed_shares(const TriangleShape& triangle) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (triangle.dot[k] >= 0) continue;
-        CornerAreas shares;
+/// Returns the share of each corner in the area of a triangle.
+CornerAreas corner_areas(const TriangleShape& triangle, AreaForm form) {
+    CornerAreas shares;
+    shares.fill(triangle.area() / 3);
+    if (form == AreaForm::barycentric) return shares;
+    for (std::size_t k = 0; k < 3 && form == AreaForm::mixed; ++k) {
+        if (triangle.dot[k] >= 0) continue;   // Meyer et al. 2003, figure 4, for an obtuse corner
         shares.fill(triangle.area() / 4);
         shares[k] = triangle.area() / 2;
         return shares;
     }
-    return voronoi_shares(triangle);
+    CornerAreas edge_part;   // Voronoi: corner i of edges e_j, e_k has (cot θ_j |e_j|² + cot θ_k |e_k|²)/8
+    for (std::size_t k = 0; k < 3; ++k) edge_part[k] = triangle.cotangent(k) * triangle.squared_edge[k] / 8;
+    return {edge_part[1] + edge_part[2], edge_part[2] + edge_part[0], edge_part[0] + edge_part[1]};
 }
 
-/// Sums over the triangles, in their order; `shape_of(t)` is triangle t in units of which `unit_area` is one [length²].
+/// Returns n areas, summed over the triangles in their order. @param shape_of  triangle t in a unit with squared length `unit_area`
 template <class ShapeOf>
 Vector sum_of_shares(const Faces& F, Eigen::Index vertex_count, AreaForm form, ShapeOf shape_of, double unit_area) {
-    constexpr std::array shares_of_form{barycentric_shares, voronoi_shares, mixed_shares};
-    const auto shares_of = shares_of_form[static_cast<std::size_t>(form)];
     Vector areas = Vector::Zero(vertex_count);
     in_order(
-        static_cast<int>(F.rows()), [&](int t) { return shares_of(shape_of(t)); },
+        static_cast<int>(F.rows()), [&](int t) { return corner_areas(shape_of(t), form); },
         [&](int t, const CornerAreas& share) {
-            for (int k = 0; k < 3; ++k) areas[F(t, k)] += share[static_cast<std::size_t>(k)];
+            for (int k = 0; k < 3; ++k) areas[F(t, k)] += share[at(k)];
         });
     return areas * unit_area;
 }

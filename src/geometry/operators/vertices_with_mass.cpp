@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "base/at.h"
 #include "base/errors.h"
 #include "base/number_text.h"
 
 namespace meshfolio {
-
 namespace {
 
 void check_masses(const LaplaceBeltrami& laplacian) {
@@ -34,7 +34,7 @@ OperatorWithMass operator_with_mass(const LaplaceBeltrami& laplacian) {
     std::vector<int> row(static_cast<std::size_t>(M.size()), -1);
     for (int v = 0; v < reduced.all_vertices; ++v) {
         if (!(M[v] > 0)) continue;
-        row[static_cast<std::size_t>(v)] = reduced.size();
+        row[at(v)] = reduced.size();
         reduced.vertex.push_back(v);
     }
     reduced.M = M(reduced.vertex);
@@ -45,10 +45,10 @@ OperatorWithMass operator_with_mass(const LaplaceBeltrami& laplacian) {
     for (int j = 0; j < n; ++j) {
         reduced.A.startVec(j);
         double to_massless = 0;   // weight of edges that go with the vertices dropped
-        for (SparseMatrix::InnerIterator entry(C, reduced.vertex[static_cast<std::size_t>(j)]); entry; ++entry)
-            if (row[static_cast<std::size_t>(entry.row())] < 0) to_massless += entry.value();
-        for (SparseMatrix::InnerIterator entry(C, reduced.vertex[static_cast<std::size_t>(j)]); entry; ++entry) {
-            const int i = row[static_cast<std::size_t>(entry.row())];
+        for (SparseMatrix::InnerIterator entry(C, reduced.vertex[at(j)]); entry; ++entry)
+            if (row[std::size_t(entry.row())] < 0) to_massless += entry.value();
+        for (SparseMatrix::InnerIterator entry(C, reduced.vertex[at(j)]); entry; ++entry) {
+            const int i = row[std::size_t(entry.row())];
             if (i >= 0) reduced.A.insertBack(i, j) = -(i == j ? entry.value() + to_massless : entry.value());
         }
     }
@@ -59,7 +59,7 @@ OperatorWithMass operator_with_mass(const LaplaceBeltrami& laplacian) {
 DenseMatrix to_all_vertices(const OperatorWithMass& reduced, const DenseMatrix& rows) {
     DenseMatrix all = DenseMatrix::Zero(reduced.all_vertices, rows.cols());
     for (Eigen::Index c = 0; c < rows.cols(); ++c)
-        for (int i = 0; i < reduced.size(); ++i) all(reduced.vertex[static_cast<std::size_t>(i)], c) = rows(i, c);
+        for (int i = 0; i < reduced.size(); ++i) all(reduced.vertex[at(i)], c) = rows(i, c);
     spread(reduced.copies, all);
     return all;
 }
@@ -69,14 +69,14 @@ Components components_of(const SparseMatrix& A) {
     components.label.assign(static_cast<std::size_t>(A.cols()), -1);
     std::vector<int> open;
     for (int seed = 0; seed < A.cols(); ++seed) {
-        if (components.label[static_cast<std::size_t>(seed)] >= 0) continue;
-        components.label[static_cast<std::size_t>(seed)] = components.count;
+        if (components.label[at(seed)] >= 0) continue;
+        components.label[at(seed)] = components.count;
         open.push_back(seed);
         while (!open.empty()) {
             const int j = open.back();
             open.pop_back();
             for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) {
-                int& label = components.label[static_cast<std::size_t>(entry.row())];
+                int& label = components.label[std::size_t(entry.row())];
                 if (entry.value() == 0 || label >= 0) continue;
                 label = components.count;
                 open.push_back(static_cast<int>(entry.row()));

@@ -1,17 +1,19 @@
 #include "geometry/smoothing/diffusion_step.h"
-#include "base/parallel.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <atomic>
 
+#include "base/at.h"
+#include "base/parallel.h"
+
 namespace meshfolio {
 
 FourColumns gathered(const Positions& X, const std::vector<int>& vertex) {
     FourColumns rows(static_cast<Eigen::Index>(vertex.size()));
     for_each_index(static_cast<int>(vertex.size()), [&](int i) {
-        const int v = vertex[static_cast<std::size_t>(i)];
+        const int v = vertex[at(i)];
         double* const row = rows.row(i);
         for (int c = 0; c < 3; ++c) row[c] = X(v, c);
         row[3] = 0;
@@ -21,17 +23,9 @@ FourColumns gathered(const Positions& X, const std::vector<int>& vertex) {
 
 void scatter(const FourColumns& rows, const std::vector<int>& vertex, Positions& X) {
     for_each_index(static_cast<int>(vertex.size()), [&](int i) {
-        const int v = vertex[static_cast<std::size_t>(i)];
+        const int v = vertex[at(i)];
         for (int c = 0; c < 3; ++c) X(v, c) = rows.row(i)[c];
     });
-}
-
-DifferenceRows difference_rows(const OperatorWithMass& whole) {
-    DifferenceRows L = whole.A;
-    for (int i = 0; i < whole.size(); ++i)
-        for (DifferenceRows::InnerIterator entry(L, i); entry; ++entry) entry.valueRef() /= -whole.M[i];
-    L.prune([](Eigen::Index i, Eigen::Index j, double) { return i != j; });
-    return L;
 }
 
 bool explicit_rows(const DifferenceRows& L, double lambda, const FourColumns& X, int first, int last, double bound, FourColumns& Y) {
@@ -49,8 +43,11 @@ bool explicit_rows(const DifferenceRows& L, double lambda, const FourColumns& X,
     return near;
 }
 
-ExplicitDiffusion::ExplicitDiffusion(const OperatorWithMass& whole)
-    : vertex_(whole.vertex), copies_(whole.copies), L_(difference_rows(whole)) {}
+ExplicitDiffusion::ExplicitDiffusion(const OperatorWithMass& whole) : vertex_(whole.vertex), copies_(whole.copies), L_(whole.A) {
+    for (int i = 0; i < whole.size(); ++i)
+        for (DifferenceRows::InnerIterator entry(L_, i); entry; ++entry) entry.valueRef() /= -whole.M[i];
+    L_.prune([](Eigen::Index i, Eigen::Index j, double) { return i != j; });
+}
 
 bool ExplicitDiffusion::step(double lambda, const FourColumns& X, FourColumns& Y, double bound) const {
     constexpr int rows_a_task = 4096;
@@ -58,7 +55,7 @@ bool ExplicitDiffusion::step(double lambda, const FourColumns& X, FourColumns& Y
     const auto body = [&](const tbb::blocked_range<int>& rows) {
         if (!explicit_rows(L_, lambda, X, rows.begin(), rows.end(), bound, Y)) near = false;
     };
-    // Each thread comes back to the rows that are in its cache.
+    // Each thread returns to the rows in its cache.
     tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(L_.rows()), rows_a_task), body, tbb::static_partitioner());
     return near;
 }

@@ -10,28 +10,28 @@
 
 namespace meshfolio {
 
-/// Row i is row vertex[i] of X, and back: the other rows of X stay.
+/// Returns the rows vertex[i] of X as rows i.
 FourColumns gathered(const Positions& X, const std::vector<int>& vertex);
+/// Stores row i as row vertex[i] of X; other rows of X stay.
 void scatter(const FourColumns& rows, const std::vector<int>& vertex, Positions& X);
 
-/// M⁻¹C without its diagonal: its rows sum to 0, which says what stands there.
+/// M⁻¹C by rows without its diagonal, which follows from row sums of 0.
 using DifferenceRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-DifferenceRows difference_rows(const OperatorWithMass& whole);
 
-/// y_i = x_i + λ Σ_j w_ij (x_j − x_i) for the rows [first, last).
-/// @return  whether all |y| there are finite and at most `bound`
+/// Computes y_i = x_i + λ Σ_j w_ij (x_j − x_i) for the rows [first, last).
+/// @return  true if all |y| there are finite and at most `bound`
 bool explicit_rows(const DifferenceRows& L, double lambda, const FourColumns& X, int first, int last, double bound, FourColumns& Y);
 
-/// X ↦ X + λLX, L = M⁻¹C. Each weight read serves three coordinates; constants stay to the last bit, since only differences of
+/// The step X ↦ X + λLX, L = M⁻¹C. Each weight read serves three coordinates. Constants stay to the last bit, since only differences of
 /// neighbours are weighted. Every row is a sum in fixed order: threads do not change it.
 class ExplicitDiffusion {
 public:
     explicit ExplicitDiffusion(const OperatorWithMass& whole);
 
-    const std::vector<int>& vertex() const { return vertex_; }   // of each row
-    /// @return whether all numbers of Y are finite and at most `bound`
+    const std::vector<int>& vertex() const { return vertex_; }   // the vertex of each row
+    /// Computes Y = X + λLX. @return true if all numbers of Y are finite and at most `bound`
     bool step(double lambda, const FourColumns& X, FourColumns& Y, double bound = std::numeric_limits<double>::max()) const;
-    /// n × 3 for the whole mesh; copies go with their vertices, those without mass stay.
+    /// Returns X + λLX, n × 3 for the whole mesh; copies move with their vertices, vertices without mass stay.
     Positions step(double lambda, const Positions& X) const;
 
 private:

@@ -8,7 +8,6 @@
 #include "geometry/linear/special_values.h"
 
 namespace meshfolio {
-
 namespace {
 
 struct Energy {
@@ -16,8 +15,8 @@ struct Energy {
     double magnitude = 0;   // sum of the absolute values of its terms
 };
 
-/// E = ½ Σ_{i<j} C_ij |x_i − x_j|², which is −½ Σ_c x_cᵀ C x_c because rows of C sum to 0. In the longest mantissa there is: needles make
-/// large terms of both signs.
+/// Computes E = ½ Σ_{i<j} C_ij |x_i − x_j|², which is −½ Σ_c x_cᵀ C x_c because rows of C sum to 0. In the longest mantissa there is:
+/// needles make large terms of both signs.
 Energy evaluated_energy(const SparseMatrix& C, const Positions& X) {
     long double energy = 0, magnitude = 0;
     for (Eigen::Index j = 0; j < C.outerSize(); ++j)
@@ -30,30 +29,20 @@ Energy evaluated_energy(const SparseMatrix& C, const Positions& X) {
     return {static_cast<double>(energy), static_cast<double>(magnitude)};
 }
 
-/// What rounding can have changed of it: a term has five roundings, and one for each that is added before it.
-double evaluation_rounding(const SparseMatrix& C, const Energy& energy) {
-    const double roundings = static_cast<double>(5 + C.nonZeros() / 2) * std::numeric_limits<long double>::epsilon();
-    return roundings * energy.magnitude + epsilon * energy.value;
-}
-
-/// max_i Σ_j |C_ij|/M_i among the vertices with mass.
-double largest_row(const LaplaceBeltrami& laplacian) {
-    double largest = 0;
-    const Vector M = summed_at_first(laplacian.copies, laplacian.M);
-    for (int i = 0; i < laplacian.C.outerSize(); ++i)
-        if (M[i] > 0) largest = std::max(largest, laplacian.C.col(i).cwiseAbs().sum() / M[i]);
-    return largest;
-}
-
 }   // namespace
 
 double dirichlet_energy(const SparseMatrix& C, const Positions& X) { return evaluated_energy(C, X).value; }
 
-/// A cotangent is known to a few roundings of its size.
+// A cotangent is known to a few roundings of its size.
 double energy_rounding(const SparseMatrix& C, const Positions& X) { return 16 * epsilon * evaluated_energy(C, X).magnitude; }
 
 EnergyWatch::EnergyWatch(const LaplaceBeltrami& laplacian, SmoothingScheme scheme, double lambda, const Positions& start)
-    : laplacian_(laplacian), scheme_(scheme), lambda_(lambda), stiffness_(std::min(1 / lambda, largest_row(laplacian))), before_(start) {
+    : laplacian_(laplacian), scheme_(scheme), lambda_(lambda), before_(start) {
+    double largest_row = 0;   // max R_i/M_i among the vertices with mass
+    const Vector M = summed_at_first(laplacian.copies, laplacian.M);
+    for (int i = 0; i < laplacian.C.outerSize(); ++i)
+        if (M[i] > 0) largest_row = std::max(largest_row, laplacian.C.col(i).cwiseAbs().sum() / M[i]);
+    stiffness_ = std::min(1 / lambda, largest_row);
     enter(start);
     rounding_.push_back(0);
 }
@@ -62,8 +51,7 @@ void EnergyWatch::look(const Positions& X) {
     const double evaluation_before = evaluation_, energy_before = energy_.back();
     enter(X);
     const double D = energy_of_rounding(X);
-    const double of_a_point =
-        epsilon * epsilon * energy_.front();   // where the mesh has collapsed, positions are known to ε of what it was
+    const double of_a_point = epsilon * epsilon * energy_.front();   // a collapsed mesh: positions are known to ε of its former size
     rounding_.push_back(evaluation_before + evaluation_ + 2 * std::sqrt(std::max(energy_before, 0.0) * D) + D + of_a_point);
     before_ = X;
 }
@@ -71,13 +59,15 @@ void EnergyWatch::look(const Positions& X) {
 void EnergyWatch::enter(const Positions& X) {
     const Energy energy = evaluated_energy(laplacian_.C, X);
     energy_.push_back(energy.value);
-    evaluation_ = evaluation_rounding(laplacian_.C, energy);
+    // A term has five roundings, and one for each that is added before it.
+    const double roundings = static_cast<double>(5 + laplacian_.C.nonZeros() / 2) * std::numeric_limits<long double>::epsilon();
+    evaluation_ = roundings * energy.magnitude + epsilon * energy.value;
 }
 
 double EnergyWatch::energy_of_rounding(const Positions& X) const {
     constexpr double most_roundings = 1000;
     const bool implicit = scheme_ == SmoothingScheme::implicit_euler;
-    const Positions& at = implicit ? X : before_;   // where the Laplacian is taken
+    const Positions& taken_at = implicit ? X : before_;   // of the Laplacian
     const auto energy_at = [&](int i) {
         const double mass = laplacian_.M[i];
         if (!(mass > 0)) return 0.0;
@@ -87,7 +77,7 @@ double EnergyWatch::energy_of_rounding(const Positions& X) const {
         for (SparseMatrix::InnerIterator entry(laplacian_.C, i); entry; ++entry, ++entries) {   // C is symmetric: column i is row i
             row += std::abs(entry.value());
             if (entry.row() == i) continue;
-            const Eigen::RowVector3d edge = at.row(entry.row()) - at.row(i);
+            const Eigen::RowVector3d edge = taken_at.row(entry.row()) - taken_at.row(i);
             pull += entry.value() * edge;
             size += std::abs(entry.value()) * edge.cwiseAbs().maxCoeff();
         }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/at.h"
 #include "base/available_memory.h"
 #include "base/errors.h"
 #include "base/parallel.h"
@@ -13,7 +14,6 @@
 #include "geometry/smoothing/diffusion_step.h"
 
 namespace meshfolio {
-
 namespace {
 
 using Columns = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, FourColumns::width, Eigen::RowMajor>>;
@@ -24,28 +24,8 @@ bool same_pattern(const SparseMatrix& A, const SparseMatrix& B) {
            std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr());
 }
 
-bool same_numbers(const OperatorWithMass& a, const OperatorWithMass& b) {
-    return std::equal(a.A.valuePtr(), a.A.valuePtr() + a.A.nonZeros(), b.A.valuePtr()) && a.M == b.M;
-}
-
-/// M − λC = M + λA.
-SparseMatrix system_of(const OperatorWithMass& whole, double lambda) {
-    SparseMatrix mass(whole.A.rows(), whole.A.cols());
-    mass = whole.M.asDiagonal();
-    return mass + lambda * whole.A;
-}
-
-/// M − λC ≥ M, so that a factor whose rounding δ reaches the masses (xᵀEx ≤ δ xᵀMx) says nothing of them any more. Only asked where λμ_max
-/// is large.
-/// @throws SolverError there
-void require_masses_above_rounding(const OrderedFactor& factor, const SparseMatrix& system, const Vector& M) {
-    constexpr double harmless = 1e9;
-    if (system.diagonal().cwiseQuotient(M).maxCoeff() < harmless) return;
-    if (!(factor.backward_error(M) < 1)) throw SolverError("its rounding may be as large as the masses");
-}
-
-/// (I − λM^−½CM^−½) y = M^½ x by Eigen's conjugate gradients, preconditioned by the incomplete Cholesky factor, where a factorisation would
-/// not fit into memory: the norm of its residual is that of M⁻¹.
+/// Solves (I − λM^−½CM^−½) y = M^½ x by Eigen's conjugate gradients, preconditioned by the incomplete Cholesky factor, where a factor would
+/// not fit into memory. The norm of its residual is that of M⁻¹.
 class ConjugateGradients {
 public:
     ConjugateGradients(const SparseMatrix& system, const Vector& M) : system_(symmetric_form(system, M)), root_(M.cwiseSqrt()) {
@@ -55,7 +35,7 @@ public:
         if (solver_.info() != Eigen::Success) throw SolverError("conjugate gradients: the matrix is not positive definite");
     }
 
-    /// X := X', starting from X. Returns the iterations. @throws SolverError if they do not end
+    /// Replaces X by X', starting from X. Returns the iterations. @throws SolverError if they do not end
     long long solve(FourColumns& X) const {
         Columns columns(X.data(), X.rows(), FourColumns::width);
         long long iterations = 0;
@@ -82,7 +62,7 @@ private:
 }   // namespace
 
 struct ImplicitSolver::State {
-    OperatorWithMass whole;   // as it came last
+    OperatorWithMass whole;   // as last prepared
     std::optional<EliminationOrder> order;
     double lambda = 0;
     LinearSolver ready = LinearSolver::none;
@@ -91,10 +71,9 @@ struct ImplicitSolver::State {
     RemoteFactor remote;
     std::vector<int> vertex;   // of each row of the steps
     Vector M;                  // in that order
-    int analyses = 0, factorisations = 0;
-    long long iterations = 0;
+    SolverWork work;
 
-    /// What would fit is known only after the symbolic analysis; one that cannot even be made does not fit either.
+    /// True if a factor fits, as far as the symbolic analysis tells; one that cannot even be analysed does not fit.
     bool fits(double limit) const {
         constexpr double always_there = 16e6;   // asking the system takes as long as a small factor, and rebuilding asks at every step
         if (!order) return false;
@@ -104,7 +83,7 @@ struct ImplicitSolver::State {
 
     void analyse(const SparseMatrix& system) {
         order.reset();
-        ++analyses;
+        ++work.analyses;
         try {
             order.emplace(system);
         } catch (const std::bad_alloc&) {
@@ -115,22 +94,26 @@ struct ImplicitSolver::State {
         const SparseMatrix ordered = order->apply(system);
         M = whole.M(order->row);
         factor.emplace(ordered, 0, OrderedFactor::Kind::definite);
-        require_masses_above_rounding(*factor, ordered, M);
+        // M − λC ≥ M, so that a factor with rounding δ as large as the masses (xᵀEx ≤ δ xᵀMx) says nothing of them. Rare below this λμ_max:
+        constexpr double harmless = 1e9;
+        if (ordered.diagonal().cwiseQuotient(M).maxCoeff() >= harmless && !(factor->backward_error(M) < 1))
+            throw SolverError("its rounding may be as large as the masses");
         vertex.clear();
-        for (const int row : order->row) vertex.push_back(whole.vertex[static_cast<std::size_t>(row)]);
+        for (const int row : order->row) vertex.push_back(whole.vertex[at(row)]);
     }
 };
 
 ImplicitSolver::ImplicitSolver() : state_(std::make_unique<State>()) {}
 ImplicitSolver::~ImplicitSolver() = default;
-ImplicitSolver::ImplicitSolver(ImplicitSolver&&) noexcept = default;
-ImplicitSolver& ImplicitSolver::operator=(ImplicitSolver&&) noexcept = default;
 
 void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, double memory_limit, const FactorRemotely& remotely) {
     State& s = *state_;
     const bool known =
-        s.analyses > 0 && whole.vertex == s.whole.vertex && whole.copies == s.whole.copies && same_pattern(whole.A, s.whole.A);
-    if (known && lambda == s.lambda && !remotely && s.ready != LinearSolver::none && same_numbers(whole, s.whole) &&
+        s.work.analyses > 0 && whole.vertex == s.whole.vertex && whole.copies == s.whole.copies && same_pattern(whole.A, s.whole.A);
+    const auto same_numbers = [&] {
+        return std::equal(whole.A.valuePtr(), whole.A.valuePtr() + whole.A.nonZeros(), s.whole.A.valuePtr()) && whole.M == s.whole.M;
+    };
+    if (known && lambda == s.lambda && !remotely && s.ready != LinearSolver::none && same_numbers() &&
         s.fits(memory_limit) == (s.ready == LinearSolver::direct))
         return;
     s.ready = LinearSolver::none;
@@ -138,7 +121,7 @@ void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, doubl
     s.gradients.reset();
     s.whole = whole;
     s.lambda = lambda;
-    const SparseMatrix system = system_of(whole, lambda);
+    const SparseMatrix mass(whole.M.asDiagonal()), system = mass + lambda * whole.A;   // M − λC
     if (!known && !remotely) s.analyse(system);
     const bool direct = !remotely && s.fits(memory_limit);
     s.vertex = whole.vertex;
@@ -154,7 +137,7 @@ void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, doubl
         throw SolverError("M − λC cannot be factored at this lambda: " + std::string(error.what()),
                           "take a smaller lambda, or repair triangles of zero area");
     }
-    ++s.factorisations;
+    ++s.work.factorisations;
     s.ready = remotely ? LinearSolver::distributed : direct ? LinearSolver::direct : LinearSolver::conjugate_gradients;
 }
 
@@ -163,7 +146,7 @@ const std::vector<int>& ImplicitSolver::vertex() const { return state_->vertex; 
 void ImplicitSolver::step(FourColumns& X) {
     State& s = *state_;
     if (s.ready == LinearSolver::conjugate_gradients) {
-        s.iterations += s.gradients->solve(X);
+        s.work.iterations += s.gradients->solve(X);
         return;
     }
     for_each_index(static_cast<int>(X.rows()), [&](int i) { row_of(X, i) *= s.M[i]; });
@@ -192,8 +175,6 @@ long long ImplicitSolver::factor_nonzeros() const {
     return state_->order ? state_->order->operations.nonzeros : 0;
 }
 
-int ImplicitSolver::analyses() const { return state_->analyses; }
-int ImplicitSolver::factorisations() const { return state_->factorisations; }
-long long ImplicitSolver::iterations() const { return state_->iterations; }
+const SolverWork& ImplicitSolver::work() const { return state_->work; }
 
 }   // namespace meshfolio

@@ -1,5 +1,5 @@
 /// @file
-/// (M − λC) X' = M X for many X, and again for other λ and other positions of the same triangles.
+/// Solves (M − λC) X' = M X for many X, for several λ and for several positions of the same triangles.
 #pragma once
 
 #include <functional>
@@ -14,16 +14,21 @@ struct OperatorWithMass;
 
 enum class LinearSolver { none, direct, conjugate_gradients, distributed };
 
-/// A factor of a definite matrix that is held elsewhere, by several processes (geometry/distributed).
+/// A factor of a definite matrix held by several processes (geometry/distributed).
 struct RemoteFactor {
     std::function<DenseMatrix(const DenseMatrix&)> solve;
     long long nonzeros = 0;
 };
 using FactorRemotely = std::function<RemoteFactor(const SparseMatrix&)>;
 
-/// Keeps what it can from one system to the next: the order of elimination as long as the operator's pattern is the same, the factor as
-/// long as operator, mass and λ are. To be handed from run to run by whoever makes several. Rows are kept in the order of elimination, so
-/// that a step moves nothing about.
+/// The work of a solver so far.
+struct SolverWork {
+    int analyses = 0, factorisations = 0;   // symbolic, numerical
+    long long iterations = 0;               // of conjugate gradients
+};
+
+/// A solver that reuses its work from one system to the next: the elimination order while the pattern of the operator stays, the factor
+/// while operator, masses and λ stay. Pass one solver to several runs. Rows are kept in elimination order, so that a step moves no data.
 class ImplicitSolver {
 public:
     /// Conjugate gradients end when ‖r‖ ≤ 10⁻¹¹ ‖M X‖ in the norm of M⁻¹, per coordinate. As M − λC ≥ M, this proves an error
@@ -32,27 +37,22 @@ public:
 
     ImplicitSolver();
     ~ImplicitSolver();
-    ImplicitSolver(ImplicitSolver&&) noexcept;
-    ImplicitSolver& operator=(ImplicitSolver&&) noexcept;
 
-    /// Readies the system. Steps are made by conjugate gradients where a factor, by its symbolic analysis, exceeds `memory_limit`.
-    /// @param memory_limit  [bytes]; 0: what the machine has left
-    /// @param remotely      factors elsewhere, without a limit; empty: here
+    /// Prepares the system. Steps use conjugate gradients if a factor, by its symbolic analysis, exceeds `memory_limit`.
+    /// @param memory_limit  [bytes]; 0: the available memory
+    /// @param remotely      factors in other processes, without a limit; empty: in this one
     /// @throws SolverError if M − λC cannot be factored
     void prepare(const OperatorWithMass& whole, double lambda, double memory_limit = 0, const FactorRemotely& remotely = {});
 
-    const std::vector<int>& vertex() const;   // of each row
-    /// X := X'. @throws SolverError if conjugate gradients do not end
+    const std::vector<int>& vertex() const;   // the vertex of each row
+    /// Replaces X by X'. @throws SolverError if conjugate gradients do not end
     void step(FourColumns& X);
-    /// n × 3 for the whole mesh; copies go with their vertices, those without mass stay.
+    /// Returns X', n × 3 for the whole mesh; copies move with their vertices, vertices without mass stay.
     Positions step(const Positions& X);
 
-    LinearSolver solver() const;         // that is ready
+    LinearSolver solver() const;         // the solver prepared
     long long factor_nonzeros() const;   // of its factor, an incomplete one for conjugate gradients
-    /// So far: symbolic analyses, numerical factorisations, iterations of conjugate gradients.
-    int analyses() const;
-    int factorisations() const;
-    long long iterations() const;
+    const SolverWork& work() const;
 
 private:
     struct State;

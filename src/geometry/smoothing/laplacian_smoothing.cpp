@@ -16,36 +16,24 @@
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
-
 namespace {
 
-/// Is no more left than the rounding of positions: a surface shrunk to a point (by 10⁻¹² in length), one as thin as a line, or one whose
-/// triangles all have no area?
-bool collapsed(const TriangleMesh& mesh, double first_area) {
-    int t = 0;
-    while (t < mesh.face_count() && kind_of(mesh, t) == TriangleKind::zero_area) ++t;
-    if (t == mesh.face_count()) return true;
-    const double area = surface_area(mesh), diagonal = bounding_box(mesh).diagonal();
-    return !(area > 1e-24 * first_area && area > 1e-12 * diagonal * diagonal);
-}
-
-/// The units a run is computed in: about the box centre, by a power of two near the box diagonal. Scaling is exact, and
-/// coordinates far from the origin do not eat the digits of the differences between them.
+/// The units of a run: about the box centre, by a power of two near the box diagonal. Scaling is exact, and coordinates far from the origin
+/// do not cost the differences between them their digits.
 struct Frame {
     Eigen::RowVector3d centre{0, 0, 0};
     double unit = 1;       // [length]
     double diagonal = 0;   // of the box [unit]
 
+    explicit Frame(const TriangleMesh& mesh) {
+        const Box box = bounding_box(mesh);
+        if (!(box.diagonal() > 0)) throw MeshError("smoothing: the mesh has no extent");
+        centre = box.centre().transpose();
+        unit = std::exp2(std::ceil(std::log2(box.diagonal())));
+        diagonal = box.diagonal() / unit;
+    }
     Positions inside(const Positions& X) const { return (X.rowwise() - centre) / unit; }
 };
-
-Frame frame_of(const TriangleMesh& mesh) {
-    const Box box = bounding_box(mesh);
-    const double diagonal = box.diagonal();
-    if (!(diagonal > 0)) throw MeshError("smoothing: the mesh has no extent");
-    const double unit = std::exp2(std::ceil(std::log2(diagonal)));
-    return {box.centre().transpose(), unit, diagonal / unit};
-}
 
 void check(const SmoothingOptions& options) {
     if (!std::isfinite(options.lambda) || options.lambda <= 0)
@@ -68,50 +56,7 @@ void check_rows(const OperatorWithMass& whole, const Positions& X) {
                     " vertices");
 }
 
-/// Enters a step of the run; its λ comes in the units of the frame.
-void enter_step(Smoothed& result, StepStability step, double step_unit) {
-    step.lambda *= step_unit;
-    result.steps.push_back(step);
-    if (result.crossing_iteration > 0 || !(step.top > 2)) return;
-    result.crossing_iteration = static_cast<int>(result.steps.size());
-    result.crossing_vertex = step.vertex;
-}
-
-/// The first vertex that is not finite, else the farthest one beyond `limit` from the origin; −1 when all is well.
-int runaway_vertex(const FourColumns& X, const std::vector<int>& vertex, double limit) {
-    int farthest = -1, not_finite = -1;
-    double largest = limit * limit;
-    for (Eigen::Index i = 0; i < X.rows(); ++i) {
-        const int v = vertex[static_cast<std::size_t>(i)];
-        const double distance = Eigen::Map<const Vector3>(X.row(i)).squaredNorm();
-        if (!std::isfinite(distance)) {
-            if (not_finite < 0 || v < not_finite) not_finite = v;
-        } else if (distance > largest || (distance == largest && v < farthest)) {
-            largest = distance;
-            farthest = v;
-        }
-    }
-    return not_finite >= 0 ? not_finite : farthest;
-}
-
-/// What a solver had done before a run.
-struct SolverCounts {
-    int analyses, factorisations;
-    long long iterations;
-
-    explicit SolverCounts(const ImplicitSolver& solver)
-        : analyses(solver.analyses()), factorisations(solver.factorisations()), iterations(solver.iterations()) {}
-    void enter(const ImplicitSolver& solver, Smoothed& result) const {
-        result.solver = solver.solver();
-        result.factor_nonzeros = solver.factor_nonzeros();
-        result.analyses = solver.analyses() - analyses;
-        result.factorisations = solver.factorisations() - factorisations;
-        result.solver_iterations = solver.iterations() - iterations;
-    }
-};
-
-/// A run in the units of the frame: one scheme, one operator at a time, and the positions of the vertices with mass as the rows of the
-/// solver at hand.
+/// A run in the units of the frame: one scheme, one operator at a time, and the positions of the vertices with mass as rows of its solver.
 class Diffusion {
 public:
     /// @param options  in the units of the frame; kept by reference, as `mesh` and `implicit`
@@ -120,27 +65,46 @@ public:
         assemble();
     }
 
-    /// Takes the operator of the positions as they are. @return false where nothing is left of the surface
+    /// Rebuilds the operator from the current positions. @return false if no more is left of the surface than the rounding of positions:
+    /// if it shrank to a point (by 10⁻¹² in length) or a line, or all triangles have no area
     bool rebuild() {
         scatter(X_, vertex(), current_.X);
         spread(copies_, current_.X);
-        if (collapsed(current_, area_)) return false;
+        const double area = surface_area(current_), diagonal = bounding_box(current_).diagonal();
+        if (!(area > 1e-24 * area_ && area > 1e-12 * diagonal * diagonal)) return false;
+        int t = 0;
+        while (t < current_.face_count() && kind_of(current_, t) == TriangleKind::zero_area) ++t;
+        if (t == current_.face_count()) return false;
         assemble();
         return true;
     }
 
-    /// One step, to be accepted. @return the vertex that has run away in it, −1: none
+    /// Makes one step, not accepted yet. @return the first vertex that is not finite, else the farthest one out of bounds; −1 if all is
+    /// well
     int step() {
         const double limit = options_.blow_up_at * frame_.diagonal;
-        // Of each coordinate: then the distance is less than the limit, and its square finite.
-        return advance(std::min(limit / 2, 1e153)) ? -1 : runaway_vertex(next_, vertex(), limit);
+        // Bounds of coordinates: then the distance is less than the limit, and its square finite.
+        if (advance(std::min(limit / 2, 1e153))) return -1;
+        int farthest = -1, not_finite = -1;
+        double largest = limit * limit;
+        for (Eigen::Index i = 0; i < next_.rows(); ++i) {
+            const int v = vertex()[std::size_t(i)];
+            const double distance = Eigen::Map<const Vector3>(next_.row(i)).squaredNorm();
+            if (!std::isfinite(distance)) {
+                if (not_finite < 0 || v < not_finite) not_finite = v;
+            } else if (distance > largest || (distance == largest && v < farthest)) {
+                largest = distance;
+                farthest = v;
+            }
+        }
+        return not_finite >= 0 ? not_finite : farthest;
     }
     bool step_is_finite() const {
         return (Eigen::Map<const Vector>(next_.data(), FourColumns::width * next_.rows()) * frame_.unit).allFinite();
     }
     void accept() { std::swap(X_, next_); }
 
-    /// What one step advances the time by.
+    /// Returns the diffusion time of one step.
     double time_step() const {
         if (options_.scheme == SmoothingScheme::taubin) return options_.lambda + taubin_mu_;
         return options_.scheme == SmoothingScheme::explicit_euler ? limit_.lambda() : options_.lambda;
@@ -148,7 +112,7 @@ public:
     const LimitWatch& limit() const { return limit_; }
     double taubin_mu() const { return taubin_mu_; }
 
-    /// Of the whole mesh, in its own units.
+    /// Returns the positions of the whole mesh in its own units.
     Positions positions() const {
         Positions all = mesh_.X;
         for (std::size_t i = 0; i < vertex().size(); ++i)
@@ -175,7 +139,7 @@ private:
         between_ = FourColumns(options_.scheme == SmoothingScheme::taubin ? X_.rows() : 0);
     }
 
-    /// From X to the next. @return whether all coordinates are known to be finite and within ± `bound` after it
+    /// Computes the next X. @return true if all its coordinates are known to be finite and within ± `bound`
     bool advance(double bound) {
         switch (options_.scheme) {
             case SmoothingScheme::implicit_euler:
@@ -191,21 +155,21 @@ private:
         return explicit_->step(limit_.lambda(), X_, next_, bound);
     }
 
-    /// Of each row.
+    /// Returns the vertex of each row.
     const std::vector<int>& vertex() const { return explicit_ ? explicit_->vertex() : implicit_.vertex(); }
 
     const TriangleMesh& mesh_;
     const SmoothingOptions& options_;
     Frame frame_;
-    TriangleMesh current_;   // as the operator was built on it last
+    TriangleMesh current_;   // the mesh of the current operator
     const double area_ = surface_area(current_);
     std::vector<VertexCopy> copies_;
     LimitWatch limit_;
     ImplicitSolver& implicit_;
     double taubin_mu_ = 0;
-    std::vector<int> order_;   // of the rows of explicit steps: spatially sorted, neighbours are near each other in memory
+    std::vector<int> order_;   // rows of explicit steps in spatial order: neighbours are near each other in memory
     std::optional<ExplicitDiffusion> explicit_;
-    FourColumns X_, next_, between_;   // the last: after the first of Taubin's two steps
+    FourColumns X_, next_, between_;   // between_: after the first of Taubin's two steps
 };
 
 }   // namespace
@@ -225,12 +189,12 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options) {
 
 Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, ImplicitSolver& solver) {
     check(options);
-    const Frame frame = frame_of(mesh);
+    const Frame frame(mesh);
     const double step_unit = is_dimensionless(options.laplacian) ? 1 : frame.unit * frame.unit;   // of λ
     SmoothingOptions inside = options;
     inside.lambda /= step_unit;
     inside.taubin_mu /= step_unit;
-    const SolverCounts before(solver);
+    const SolverWork before = solver.work();
     Diffusion diffusion(mesh, inside, frame, solver);
     const bool rebuild = options.rebuild && options.laplacian != OperatorKind::uniform;   // the uniform operator sees no positions
     Smoothed result;
@@ -239,7 +203,14 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, Impli
             result.collapse_iteration = t;
             break;
         }
-        if (diffusion.limit().watching()) enter_step(result, diffusion.limit().step(), step_unit);
+        if (diffusion.limit().watching()) {
+            result.steps.push_back(diffusion.limit().step());
+            result.steps.back().lambda *= step_unit;
+            if (result.crossing_iteration == 0 && result.steps.back().top > 2) {
+                result.crossing_iteration = t;
+                result.crossing_vertex = result.steps.back().vertex;
+            }
+        }
         result.blow_up_vertex = diffusion.step();
         result.blew_up = result.blow_up_vertex >= 0;
         if (result.blew_up) result.blow_up_iteration = t;
@@ -251,7 +222,12 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, Impli
     }
     result.X = result.iterations > 0 ? diffusion.positions() : mesh.X;
     result.taubin_mu = diffusion.taubin_mu() * step_unit;
-    if (options.scheme == SmoothingScheme::implicit_euler) before.enter(solver, result);
+    if (options.scheme != SmoothingScheme::implicit_euler) return result;
+    result.solver = solver.solver();
+    result.factor_nonzeros = solver.factor_nonzeros();
+    result.analyses = solver.work().analyses - before.analyses;
+    result.factorisations = solver.work().factorisations - before.factorisations;
+    result.solver_iterations = solver.work().iterations - before.iterations;
     return result;
 }
 
@@ -263,7 +239,7 @@ double taubin_mu_of(const LaplaceBeltrami& laplacian, const SmoothingOptions& op
                     "take a smaller lambda");
 }
 
-/// f(μ) = (1 − λμ)(1 − mμ) with m < 0 is largest at μ = (1/λ + 1/m)/2, half the pass-band; |f| there or at the end of the spectrum.
+// f(μ) = (1 − λμ)(1 − mμ) with m < 0 is largest at μ = (1/λ + 1/m)/2, half the pass-band; |f| there or at the end of the spectrum.
 TaubinGrowth taubin_growth(const LaplaceBeltrami& laplacian, const SmoothingOptions& options) {
     const double lambda = options.lambda, m = taubin_mu_of(laplacian, options), top = largest_eigenvalue(laplacian).value;
     const auto factor = [&](double mu) { return std::abs((1 - lambda * mu) * (1 - m * mu)); };

@@ -7,8 +7,6 @@
 
 namespace meshfolio {
 
-double ModeGrowth::predicted(int t) const { return std::pow(factor_a_step, t); }
-
 ModeGrowth mode_growth(const LaplaceBeltrami& laplacian, const LargestEigenvalue& top, const Positions& X, double lambda, int steps) {
     if (X.rows() != laplacian.M.size() || top.mode.size() != X.rows()) {
         throw MeshError("growth of a mode: " + std::to_string(X.rows()) + " positions and a mode of " + std::to_string(top.mode.size()) +
@@ -24,7 +22,7 @@ ModeGrowth mode_growth(const LaplaceBeltrami& laplacian, const LargestEigenvalue
     };
     const auto energy = [&](const Positions& Y) { return -(Y.array() * (laplacian.C * Y).array()).sum(); };
 
-    // The constant part is in no mode but that of μ = 0; without it no digits are lost to it.
+    // Only the mode of μ = 0 holds the constant part; without it no digits are lost to it.
     Positions centred = X.rowwise() - (X.transpose() * laplacian.M / laplacian.M.sum()).transpose();
     FourColumns Y = gathered(centred, diffusion.vertex()), next(Y.rows());
     const double start = amplitude(Y), energy_at_start = energy(centred);

@@ -2,6 +2,7 @@
 /// The law of frozen explicit smoothing, measured: t steps multiply the coefficient of an eigenmode by (1 − λμ)ᵗ.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "geometry/spectrum/stability.h"
@@ -15,16 +16,16 @@ struct ModeGrowth {
     double energy_ratio = 0;      // Dirichlet energy at the end over that at the start
 
     int steps() const { return static_cast<int>(factor.size()) - 1; }
-    double predicted(int t) const;   // |1 − λμ|ᵗ
+    double predicted(int t) const { return std::pow(factor_a_step, t); }   // |1 − λμ|ᵗ
 };
 
-/// `steps` explicit steps of λ with the operator as it is, from positions X.
+/// Measures how the mode grows in `steps` explicit steps of λ with the fixed operator, from positions X.
 /// @param top  an eigenpair of the operator
-/// @throws MeshError if X or the mode have another number of rows than the operator, or X has none of the mode in it
+/// @throws MeshError if X or the mode have another number of rows than the operator, or X has no part in the mode
 ModeGrowth mode_growth(const LaplaceBeltrami& laplacian, const LargestEigenvalue& top, const Positions& X, double lambda, int steps);
 
-/// X with the mode added in each coordinate, `height` high where it is largest: a symmetric mesh has none of its top mode, and without
-/// it there would be nothing to grow. [length]
+/// Returns X with the mode added in each coordinate, `height` high where it is largest: a symmetric mesh has no part in its top mode, so
+/// that without it nothing would grow. [length]
 Positions seeded(const Positions& X, const LargestEigenvalue& top, double height);
 
 }   // namespace meshfolio

@@ -1,7 +1,7 @@
 /// @file
-/// The limit λ_crit = 2/μ_max of explicit smoothing, proved. Two things make a step λ stable: no mode grows by overshooting, λμ_max ≤ 2,
-/// and none has μ < 0 (definiteness.h). μ_max is enclosed by a Cholesky factorisation from above and by a Rayleigh quotient from below
-/// (eigenvalue_enclosure.h, with what floating point can prove: the bounds hold for the numbers stored in C and M).
+/// The limit λ_crit = 2/μ_max of explicit smoothing, proved. A step λ is stable if no mode overshoots, λμ_max ≤ 2, and none has μ < 0
+/// (definiteness.h). A Cholesky factorisation encloses μ_max from above, a Rayleigh quotient from below (eigenvalue_enclosure.h). The
+/// bounds hold for the numbers stored in C and M.
 #pragma once
 
 #include <functional>
@@ -13,39 +13,35 @@ namespace meshfolio {
 
 struct StabilityCertificate {
     double mu_low = 0, mu_high = 0;   // proved: mu_low ≤ μ_max ≤ mu_high [1/length²]
-    double rounding = 0;              // of the factorisation that proves mu_high, over mu_high, and within the bound
+    double rounding = 0;              // of the factorisation that proves mu_high, relative; part of the bound
     int factorisations = 0;           // of σM + C: 1 when the first guess held
-    int failed = 0;                   // of these, how many broke down: μ_max lay above their σ
+    int failed = 0;                   // the number of these that broke down: μ_max lay above their σ
     long long factor_nonzeros = 0;    // of the largest factor
-    LargestEigenvalue top;            // the estimate it began with, or a better one
-    Definiteness bottom;              // what is known of the modes below 0
+    LargestEigenvalue top;            // the best estimate of the top mode
+    Definiteness bottom;              // about modes with μ < 0
 
-    /// Proved stable up to here, but for the growth of rounding that definiteness.h bounds; 0 unless −C is proved semidefinite. [length²]
+    /// Returns the step up to which stability is proved, except for growth of rounding (definiteness.h); 0 unless −C is proved
+    /// semidefinite. [length²]
     double lambda_low() const { return bottom.semidefinite() ? 2 / mu_high : 0; }
-    /// Proved unstable beyond; 0 if −C is indefinite, for then every step is. [length²]
+    /// Returns the step above which instability is proved; 0 if −C is indefinite, for then every step is unstable. [length²]
     double lambda_high() const { return bottom.indefinite() ? 0 : 2 / mu_low; }
-    /// Twice the inverse of the Gershgorin bound: stable and cheap to know; 0 unless −C is proved semidefinite. [length²]
+    /// Returns 2 over the Gershgorin bound: stable and cheap to compute; 0 unless −C is proved semidefinite. [length²]
     double lambda_safe() const { return bottom.semidefinite() ? 2 / top.upper_bound : 0; }
     double relative_width() const { return (mu_high - mu_low) / mu_low; }
-    bool refuted() const { return failed > 0; }   // a factorisation just above the first value broke down
+    bool refuted() const { return failed > 0; }   // a factorisation just above an estimate broke down
 };
 
 struct CertificateOptions {
-    double width = 1e-8;   // (mu_high − mu_low)/mu_low wanted; wider where rounding forbids it (from a million vertices)
-    Assembly assembly = Assembly::unknown;                 // of C
-    std::function<void(std::string_view)> progress = {};   // told what begins
+    double width = 1e-8;                     // wanted (mu_high − mu_low)/mu_low; wider if rounding forbids it (from a million vertices)
+    Assembly assembly = Assembly::unknown;   // of C
+    std::function<void(std::string_view)> progress = {};   // called with the name of each stage
 };
 
-/// Begins with plain Lanczos; nothing of it is trusted, the last factorisation is the proof. The same with any number of threads.
-/// @throws MeshError as operator_with_mass, or if no two vertices are joined
+/// Proves the limit. The estimate of plain Lanczos only guides; the last factorisation is the proof. Independent of the number of threads.
+/// @throws MeshError as operator_with_mass(), or if no two vertices are joined
 StabilityCertificate stability_certificate(const LaplaceBeltrami& laplacian, const CertificateOptions& options = {});
-/// The same from an estimate of one's own, which may be wrong.
-/// @throws MeshError too if guess.mode has another size
-StabilityCertificate stability_certificate(const LaplaceBeltrami& laplacian, const LargestEigenvalue& guess,
-                                           const CertificateOptions& options = {});
-
-/// Does Cholesky of σM + C run to its end? True proves μ_max ≤ σ(1 + ρ); false says that μ_max lies above, up to rounding.
-/// @throws MeshError as operator_with_mass
+/// True if Cholesky of σM + C runs to its end, which proves μ_max ≤ σ(1 + ρ), ρ its rounding; false means μ_max > σ up to rounding.
+/// @throws MeshError as operator_with_mass()
 bool is_positive_definite_at(const LaplaceBeltrami& laplacian, double sigma);
 
 }   // namespace meshfolio

@@ -3,47 +3,43 @@
 #include <cmath>
 #include <vector>
 
+#include "base/at.h"
 #include "geometry/linear/special_values.h"
 #include "geometry/spectrum/eigenvalue_enclosure.h"
+#include "geometry/spectrum/top_lanczos.h"
 
 namespace meshfolio {
-
 namespace {
 
 constexpr double negligible = 1e-10;   // ν over max A_ii/M_i of the same component
 
-/// What Gershgorin and the sum over triangles need of A = −C.
+/// The row sums of A = −C for Gershgorin and for the sum over triangles.
 struct Rows {
     Vector excess;     // ≥ |min(Σ_j A_ij, 0)|, its rounding included
     Vector negative;   // Σ_j max(A_ij, 0) off the diagonal: weights below 0
-    Vector around;     // Σ_j A_jj over the row's vertex and those it is joined to
+    Vector around;     // Σ_j A_jj over the vertex of the row and its neighbours
     Vector entries;    // t_i
     Vector rounding;   // of Σ_j A_ij
+
+    explicit Rows(const SparseMatrix& A) {
+        for (Vector* values : {&excess, &negative, &around, &entries, &rounding}) values->setZero(A.rows());
+        const Vector diagonal = A.diagonal();
+        for (Eigen::Index i = 0; i < A.rows(); ++i) {
+            double sum = 0, magnitude = 0;
+            for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry) {   // column i is row i
+                sum += entry.value();
+                magnitude += std::abs(entry.value());
+                if (entry.row() != i) negative[i] += std::max(entry.value(), 0.0);
+                around[i] += std::abs(diagonal[entry.row()]);
+                ++entries[i];
+            }
+            rounding[i] = epsilon * (entries[i] + 2) * magnitude;
+            excess[i] = std::max(-sum, 0.0) + rounding[i];
+        }
+    }
 };
 
-Rows rows_of(const SparseMatrix& A) {
-    const Eigen::Index n = A.rows();
-    const Vector diagonal = A.diagonal();
-    Rows rows{Vector(n), Vector(n), Vector(n), Vector(n), Vector(n)};
-    for (Eigen::Index i = 0; i < n; ++i) {
-        double sum = 0, magnitude = 0, negative = 0, around = 0, entries = 0;
-        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry) {   // column i is row i
-            sum += entry.value();
-            magnitude += std::abs(entry.value());
-            if (entry.row() != i) negative += std::max(entry.value(), 0.0);
-            around += std::abs(diagonal[entry.row()]);
-            ++entries;
-        }
-        rows.rounding[i] = epsilon * (entries + 2) * magnitude;
-        rows.excess[i] = std::max(-sum, 0.0) + rows.rounding[i];
-        rows.negative[i] = negative;
-        rows.around[i] = around;
-        rows.entries[i] = entries;
-    }
-    return rows;
-}
-
-/// Are all entries between vertices with mass and vertices without 0? Then leaving the latter out leaves a sum over triangles.
+/// True if no entry joins a vertex with mass and one without: C restricted to the former is a sum over triangles, too.
 bool stands_alone(const LaplaceBeltrami& laplacian) {
     for (Eigen::Index j = 0; j < laplacian.C.cols(); ++j) {
         for (SparseMatrix::InnerIterator entry(laplacian.C, j); entry; ++entry)
@@ -52,47 +48,42 @@ bool stands_alone(const LaplaceBeltrami& laplacian) {
     return true;
 }
 
-/// A with rows that sum to 0, without the stiffest vertex of each component.
-struct Grounded {
-    SparseMatrix A;
-    Vector M;
-};
-
-Grounded grounded(const OperatorWithMass& whole) {
+/// Returns A, with rows that sum to 0, without the stiffest vertex of each component.
+OperatorWithMass grounded(const OperatorWithMass& whole) {
     const Components components = components_of(whole.A);
-    std::vector<int> ground(static_cast<std::size_t>(components.count), -1), row(static_cast<std::size_t>(whole.size()));
+    std::vector<int> ground(at(components.count), -1), row(at(whole.size()), -1);
     const Vector diagonal = whole.A.diagonal();
     for (int v = 0; v < whole.size(); ++v) {
-        int& chosen = ground[static_cast<std::size_t>(components.label[static_cast<std::size_t>(v)])];
+        int& chosen = ground[at(components.label[at(v)])];
         if (chosen < 0 || diagonal[v] > diagonal[chosen]) chosen = v;
     }
-    std::vector<int> kept;
+    OperatorWithMass kept;
     for (int v = 0; v < whole.size(); ++v) {
-        const bool grounds = ground[static_cast<std::size_t>(components.label[static_cast<std::size_t>(v)])] == v;
-        row[static_cast<std::size_t>(v)] = grounds ? -1 : static_cast<int>(kept.size());
-        if (!grounds) kept.push_back(v);
+        if (ground[at(components.label[at(v)])] == v) continue;
+        row[at(v)] = kept.size();
+        kept.vertex.push_back(v);
     }
-    const auto n = static_cast<Eigen::Index>(kept.size());
-    Grounded result{SparseMatrix(n, n), whole.M(kept)};
-    result.A.reserve(whole.A.nonZeros());
-    for (Eigen::Index j = 0; j < n; ++j) {
-        const int v = kept[static_cast<std::size_t>(j)];
+    kept.M = whole.M(kept.vertex);
+    kept.A.resize(kept.size(), kept.size());
+    kept.A.reserve(whole.A.nonZeros());
+    for (int j = 0; j < kept.size(); ++j) {
+        const int v = kept.vertex[at(j)];
         double others = 0;
         for (SparseMatrix::InnerIterator entry(whole.A, v); entry; ++entry) others += entry.row() != v ? entry.value() : 0;
-        result.A.startVec(j);
+        kept.A.startVec(j);
         for (SparseMatrix::InnerIterator entry(whole.A, v); entry; ++entry) {
-            const int i = row[static_cast<std::size_t>(entry.row())];
-            if (i >= 0) result.A.insertBack(i, j) = i == j ? 0 - others : entry.value();
+            const int i = row[std::size_t(entry.row())];
+            if (i >= 0) kept.A.insertBack(i, j) = i == j ? 0 - others : entry.value();
         }
     }
-    result.A.finalize();
-    return result;
+    kept.A.finalize();
+    return kept;
 }
 
-/// Does Cholesky prove that matrix positive definite, in spite of the rounding of the factor and of the rows' sums?
+/// True if Cholesky proves the grounded matrix positive definite in spite of the rounding of the factor and of the row sums.
 bool grounded_is_definite(const OperatorWithMass& whole, const Rows& rows, int& factorisations) {
-    const Grounded kept = grounded(whole);
-    if (kept.M.size() == 0) return true;
+    const OperatorWithMass kept = grounded(whole);
+    if (kept.size() == 0) return true;
     const SparseMatrix S = -kept.A;
     const double sums = rows.rounding.cwiseQuotient(whole.M).maxCoeff();
     constexpr double usual = 400;   // roundings: measured 60 to 200 on surfaces of 1,000 to 6,000 vertices
@@ -108,25 +99,16 @@ bool grounded_is_definite(const OperatorWithMass& whole, const Rows& rows, int& 
     return false;
 }
 
-/// The lowest mode, from the top of M⁻¹C.
-Enclosure enclose_bottom(const OperatorWithMass& whole, double nu, double stiffest) {
-    const OperatorWithMass negated{-whole.A, whole.M, whole.vertex, whole.all_vertices, whole.copies};
-    const TopEstimate estimate = top_estimate(negated);
-    constexpr double width = 1e-6;
-    return enclose_largest(negated.A, negated.M, estimate.phi,
-                           {.high = nu, .least_scale = 1e-9 * stiffest, .width = width, .missing = estimate.change});
-}
-
-/// max A_jj/M_j over the component of each row: a speck, whose eigenvalues are huge, excuses nothing on the rest.
+/// Returns max A_jj/M_j over the component of each row: a speck, with its huge eigenvalues, excuses nothing elsewhere.
 Vector stiffest_of_components(const OperatorWithMass& whole) {
     const Components components = components_of(whole.A);
     const Vector stiffness = whole.A.diagonal().cwiseQuotient(whole.M);
     Vector largest = Vector::Zero(components.count), of_rows(whole.size());
     for (int i = 0; i < whole.size(); ++i) {
-        double& size = largest[components.label[static_cast<std::size_t>(i)]];
+        double& size = largest[components.label[at(i)]];
         size = std::max(size, stiffness[i]);
     }
-    for (int i = 0; i < whole.size(); ++i) of_rows[i] = largest[components.label[static_cast<std::size_t>(i)]];
+    for (int i = 0; i < whole.size(); ++i) of_rows[i] = largest[components.label[at(i)]];
     return of_rows;
 }
 
@@ -138,7 +120,7 @@ Definiteness definiteness(const LaplaceBeltrami& laplacian, Assembly assembly) {
     OperatorWithMass whole = operator_with_mass(laplacian);
     const double unit = std::exp2(std::round(std::log2(whole.M.mean())));   // a power of two: scaling by it is exact
     whole.M /= unit;
-    const Rows rows = rows_of(whole.A);
+    const Rows rows(whole.A);
     const Vector stiffest = stiffest_of_components(whole);
 
     Definiteness found;
@@ -158,13 +140,16 @@ Definiteness definiteness(const LaplaceBeltrami& laplacian, Assembly assembly) {
         return found;
     if (grounded_is_definite(whole, rows, found.factorisations) && at_least(rows.excess, Evidence::factor)) return found;
 
-    const Enclosure bottom = enclose_bottom(whole, nu, stiffest.maxCoeff());
+    const OperatorWithMass negated{-whole.A, whole.M, whole.vertex, whole.all_vertices, whole.copies};   // its top is the lowest mode
+    const TopEstimate estimate = top_estimate(negated);
+    const EnclosureOptions options{.high = nu, .least_scale = 1e-9 * stiffest.maxCoeff(), .width = 1e-6, .missing = estimate.change};
+    const Enclosure bottom = enclose_largest(negated.A, negated.M, estimate.phi, options);
     found.factorisations += bottom.factorisations;
     found.mu_low = -bottom.high / unit;
     found.mu_high = std::min(found.mu_high, -bottom.low / unit);
     whole.M *= unit;
     found.bottom = top_mode(whole, bottom.quotient / unit, bottom.y);
-    // Where C is known to be a sum over triangles, what lies below 0 can only be its rounding.
+    // If C is known to be a sum over triangles, eigenvalues below 0 can only be its rounding.
     const bool proved = found.mu_high < 0 && !triangles, nothing_below = bottom.high <= negligible * stiffest.minCoeff();
     if (proved || nothing_below) found.verdict = proved ? Verdict::indefinite : Verdict::semidefinite;
     found.evidence = proved ? Evidence::vector : nothing_below ? Evidence::factor : Evidence::none;

@@ -3,29 +3,16 @@
 #include <Spectra/SymEigsSolver.h>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <new>
 
 #include "base/errors.h"
 #include "geometry/linear/special_values.h"
-#include "geometry/spectrum/stability.h"
+#include "geometry/spectrum/top_lanczos.h"
 
 namespace meshfolio {
-
 namespace {
 
-/// Σ |S_ij| y_i y_j.
-double magnitude_of(const SparseMatrix& S, const Vector& y) {
-    double sum = 0;
-    for (Eigen::Index j = 0; j < S.cols(); ++j) {
-        double column = 0;
-        for (SparseMatrix::InnerIterator entry(S, j); entry; ++entry) column += std::abs(entry.value()) * y[entry.row()];
-        sum += column * y[j];
-    }
-    return sum;
-}
-
-/// y ↦ M^½ (σM − S)⁻¹ M^½ y, as Spectra asks for it.
+/// The operator y ↦ M^½ (σM − S)⁻¹ M^½ y in the form of Spectra.
 struct ShiftInverse {
     using Scalar = double;
     const SparseFactor& factor;
@@ -39,7 +26,7 @@ struct ShiftInverse {
     }
 };
 
-/// The vector of largest Ritz value of (σM − S)⁻¹M after a few steps of Lanczos from y, whatever its residual.
+/// Returns the vector of largest Ritz value of (σM − S)⁻¹M after a few steps of Lanczos from y, with any residual.
 Vector shift_invert_lanczos(const SparseFactor& factor, const Vector& M, const Vector& y) {
     constexpr Eigen::Index most_steps = 12;
     constexpr double any_residual = 1;
@@ -53,13 +40,13 @@ Vector shift_invert_lanczos(const SparseFactor& factor, const Vector& M, const V
     return Vector(lanczos.eigenvectors(1)).cwiseQuotient(root_mass);
 }
 
-/// Closes in on μ from both sides.
-class Closing {
+/// The search for bounds of μ from both sides.
+class EnclosureSearch {
 public:
-    Closing(const SparseMatrix& S, const Vector& M, const Vector& start, const EnclosureOptions& options)
+    EnclosureSearch(const SparseMatrix& S, const Vector& M, const Vector& start, const EnclosureOptions& options)
         : S_(S), M_(M), least_scale_(options.least_scale) {
         result_.high = options.high;
-        result_.low = -std::numeric_limits<double>::infinity();
+        result_.low = -infinity;
         result_.quotient = result_.low;
         if (start.size() == M.size() && start.allFinite() && start.squaredNorm() > 0) take(start.normalized());
         Eigen::Index stiffest = 0;
@@ -67,7 +54,7 @@ public:
         if (!(result_.quotient > single)) take(Vector::Unit(M.size(), stiffest));
     }
 
-    /// σ = quotient + δ·scale; it follows the quotient down until δ is half the gap.
+    /// Tries σ = quotient + δ·scale, following the quotient, until δ is half the gap.
     void close(double gap, double missing) {
         constexpr double far = 1e-3;
         constexpr int most_factorisations = 60, most_turns = 200;
@@ -88,7 +75,7 @@ public:
         }
     }
 
-    /// Solves with the factor just above μ turn y towards its vector: each by the gap to the next eigenvalue over the distance of σ.
+    /// Turns y towards its vector by solves with the factor just above μ: each by the gap to the next eigenvalue over the distance of σ.
     void polish() {
         constexpr int most_solves = 3;
         if (!factor_) return;
@@ -99,17 +86,16 @@ public:
 
 private:
     double scale() const { return std::max(result_.quotient, least_scale_); }
-    /// A little of every vector, lest y be one that is not the largest.
-    Vector mixed_in() const { return 0.02 * result_.y.norm() * irregular_direction(static_cast<int>(M_.size())); }
-
-    /// Raises the quotient with the factor at hand: solves are cheap beside the next factorisation.
-    /// @return the distance from the quotient at which to try that one
+    /// Raises the quotient with the last factor: solves are cheap beside a factorisation.
+    /// @return the distance from the quotient for the next one
     double approach(double last) {
         constexpr int most_rounds = 3;
         double expected = 0;
         for (int round = 0; round < most_rounds; ++round) {
             const double before = result_.quotient;
-            take(shift_invert_lanczos(*factor_, M_, round == 0 ? Vector(result_.y + mixed_in()) : result_.y));
+            Vector start = result_.y;   // at first with a part in every vector, lest y be one that is not the largest
+            if (round == 0) start += 0.02 * result_.y.norm() * irregular_direction(static_cast<int>(M_.size()));
+            take(shift_invert_lanczos(*factor_, M_, start));
             const double step = (result_.quotient - before) / scale(), left = (shift_ - result_.quotient) / scale();
             expected = std::min(left / 100, 20 * step * step / left);
             if (expected <= last) return last;
@@ -134,7 +120,7 @@ private:
         return true;
     }
 
-    /// @param slack  a quotient smaller by no more than this share, which is rounding, is taken too
+    /// Keeps y if its quotient is larger, or smaller by a share of at most `slack`, which is rounding.
     void take(const Vector& y, double slack = 0) {
         const Quotient quotient = rayleigh_quotient(S_, M_, y);
         result_.low = std::max(result_.low, quotient.low);
@@ -154,10 +140,8 @@ private:
 }   // namespace
 
 std::optional<SparseFactor> factor_at(const SparseMatrix& S, const Vector& M, double sigma) {
-    SparseMatrix mass(M.size(), M.size());
-    mass = (sigma * M).asDiagonal();
     try {
-        return SparseFactor::cholesky(mass - S);
+        return SparseFactor::cholesky(SparseMatrix((sigma * M).asDiagonal()) - S);
     } catch (const SolverError&) {
         return {};
     }
@@ -169,23 +153,29 @@ double rounding_of(const SparseFactor& factor, const Vector& M, double sigma) {
 
 Quotient rayleigh_quotient(const SparseMatrix& S, const Vector& M, const Vector& y) {
     const Vector size = y.cwiseAbs();
-    const double mass = y.dot(M.cwiseProduct(y));
-    const double value = y.dot(S * y) / mass, magnitude = magnitude_of(S, size) / mass;
-    Eigen::Index longest = 0;
-    for (Eigen::Index j = 0; j < S.cols(); ++j) longest = std::max<Eigen::Index>(longest, S.outerIndexPtr()[j + 1] - S.outerIndexPtr()[j]);
+    const double mass = y.dot(M.cwiseProduct(y)), value = y.dot(S * y) / mass;
+    double magnitude = 0;   // Σ |S_ij y_i y_j|
+    int longest = 0;        // row
+    for (Eigen::Index j = 0; j < S.cols(); ++j) {
+        double column = 0;
+        for (SparseMatrix::InnerIterator entry(S, j); entry; ++entry) column += std::abs(entry.value()) * size[entry.row()];
+        magnitude += column * size[j];
+        longest = std::max(longest, S.outerIndexPtr()[j + 1] - S.outerIndexPtr()[j]);
+    }
+    magnitude /= mass;
     const double rounding = epsilon * static_cast<double>(y.size() + longest + 4) * (magnitude + std::abs(value));
     return {value, value - rounding, value + rounding};
 }
 
 Enclosure enclose_largest(const SparseMatrix& S, const Vector& M, const Vector& start, const EnclosureOptions& options) {
-    Closing closing(S, M, start, options);
+    EnclosureSearch search(S, M, start, options);
     try {
-        closing.close(options.width, options.missing);
-        closing.polish();
+        search.close(options.width, options.missing);
+        search.polish();
     } catch (const std::bad_alloc&) {
-        // A factor does not fit into memory: what is proved by then stands.
+        // A factor does not fit into memory: the bounds proved so far stand.
     }
-    return closing.result();
+    return search.result();
 }
 
 }   // namespace meshfolio

@@ -4,27 +4,15 @@
 
 #include "base/errors.h"
 #include "geometry/operators/vertices_with_mass.h"
-#include "geometry/spectrum/engine/component_spectra.h"
 #include "geometry/spectrum/engine/spectrum_modes.h"
 
 namespace meshfolio {
-
-namespace {
-
-/// √area of each component, in the order of the zero modes.
-Vector root_areas(const Components& components, const Vector& M) {
-    Vector area = Vector::Zero(components.count);
-    for (Eigen::Index i = 0; i < M.size(); ++i) area[components.label[static_cast<std::size_t>(i)]] += M[i];
-    return area.cwiseSqrt();
-}
-
-}   // namespace
 
 Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const SpectrumOptions& options) {
     if (k < 1) throw MeshError("smallest_eigenpairs: k = " + std::to_string(k), "ask for at least one");
     const OperatorWithMass whole = operator_with_mass(laplacian);
     const double total = whole.M.sum();
-    const Vector M = whole.M / total;   // in units where the area is 1, whatever the model's
+    const Vector M = whole.M / total;   // in units where the area is 1
     k = std::min(k, whole.size());
     const Components components = components_of(whole.A);
     Modes modes = components.count > 1 ? modes_of_components(whole.A, M, components, k, options) : modes_of(whole.A, M, k, options);
@@ -32,8 +20,12 @@ Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const Spec
     const Vector root = M.cwiseSqrt();
     Spectrum spectrum;
     spectrum.residuals = relative_residuals(symmetric_form(whole.A, M), root, modes.pairs);
-    const int zeros = std::min(k, components.count);
-    if (components.count > 1) spectrum.residuals.head(zeros).array() *= root_areas(components, M).head(zeros).array();
+    if (components.count > 1) {   // zero modes come in the order of their components
+        Vector area = Vector::Zero(components.count);
+        for (Eigen::Index i = 0; i < M.size(); ++i) area[components.label[std::size_t(i)]] += M[i];
+        const int zeros = std::min(k, components.count);
+        spectrum.residuals.head(zeros).array() *= area.cwiseSqrt().head(zeros).array();
+    }
     spectrum.eigenvalues = modes.pairs.mu / total;
     DenseMatrix Phi = std::move(modes.pairs.Y);   // n × k may be most of the memory: scaled where it is
     const Vector scale = (root * std::sqrt(total)).cwiseInverse();

@@ -10,8 +10,8 @@ QuantisedModes quantised(const DenseMatrix& modes, const Vector& precision) {
     result.numbers.reserve(static_cast<std::size_t>(modes.size()));
     for (Eigen::Index j = 0; j < modes.cols(); ++j) {
         const double peak = modes.col(j).cwiseAbs().maxCoeff();
-        const double most = QuantisedModes::largest,
-                     steps = precision.size() > 0 ? std::clamp(std::ceil(precision[j] * most), 127.0, most) : most;
+        const double most = QuantisedModes::largest;
+        const double steps = precision.size() > 0 ? std::clamp(std::ceil(precision[j] * most), 127.0, most) : most;
         const double scale = result.scale[j] = peak > 0 ? peak / steps : 1;
         for (const double value : modes.col(j)) result.numbers.push_back(static_cast<std::int16_t>(std::lround(value / scale)));
     }

@@ -1,5 +1,5 @@
 /// @file
-/// Eigenvectors in 16 bits a number: a reader's page carries those of a small mesh.
+/// Eigenvectors in 16 bits a number, for pages that contain those of a small mesh.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,19 @@
 
 namespace meshfolio {
 
-/// Column j is scale[j] times whole numbers between ±32767.
+/// A matrix with column j = scale[j] times whole numbers between ±32767.
 struct QuantisedModes {
     static constexpr int largest = 32767;
     int rows = 0;
     Vector scale;                        // a step [as the modes]
     std::vector<std::int16_t> numbers;   // column by column
 
-    DenseMatrix restored() const;
+    DenseMatrix restored() const;   // the matrix, rounded
 };
 
-/// No number moves by more than half of its column's scale: of its largest magnitude, 1/65534 over the precision, and at most 1/254.
-/// @param precision  of each column, 1 at most; empty: 1
+/// Rounds the columns. No number moves by more than half of its column's scale: of its largest magnitude 1/65534 over the precision, at
+/// most 1/254.
+/// @param precision  of each column, at most 1; empty: 1
 QuantisedModes quantised(const DenseMatrix& modes, const Vector& precision = {});
 
 }   // namespace meshfolio

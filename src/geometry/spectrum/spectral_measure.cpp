@@ -11,7 +11,6 @@
 #include "geometry/operators/vertices_with_mass.h"
 
 namespace meshfolio {
-
 namespace {
 
 struct Quadrature {
@@ -19,7 +18,8 @@ struct Quadrature {
     bool exact = true;
 };
 
-/// The eigenvalues of the leading n × n block of the tridiagonal matrix, and the squared first entries of its eigenvectors.
+/// Computes nodes, the eigenvalues of the leading n × n block of a tridiagonal matrix, and weights, the squared first entries of its
+/// vectors.
 void nodes_and_weights(const Vector& diagonal, const Vector& beside, int n, double total, Vector& nodes, Vector& weights) {
     const double unit = diagonal.maxCoeff();   // the solver takes numbers far below 1 for zeros
     const DenseEigenpairs pairs = tridiagonal_eigenpairs(diagonal.head(n) / unit, beside.head(n - 1) / unit);
@@ -27,15 +27,10 @@ void nodes_and_weights(const Vector& diagonal, const Vector& beside, int n, doub
     weights = total * pairs.vectors.row(0).transpose().cwiseAbs2();
 }
 
-void append(Vector& all, const Vector& more) {
-    all.conservativeResize(all.size() + more.size());
-    all.tail(more.size()) = more;
-}
-
-/// What Lanczos makes of B from y: T = VᵀBV, tridiagonal, the columns of V orthonormal.
+/// T = VᵀBV of Lanczos for B and y: tridiagonal, the columns of V orthonormal.
 struct LanczosCoefficients {
     Vector diagonal, beside;
-    bool exact = false;   // an invariant subspace: y has no other mode in it
+    bool exact = false;   // the subspace is invariant: y has no other mode in it
 };
 
 LanczosCoefficients lanczos(const SparseMatrix& B, const Vector& y, int steps) {
@@ -59,7 +54,7 @@ LanczosCoefficients lanczos(const SparseMatrix& B, const Vector& y, int steps) {
     return T;
 }
 
-/// Gauss quadrature for the measure of y.
+/// Computes the Gauss quadrature for the measure of y.
 Quadrature gauss_quadrature(const SparseMatrix& B, const Vector& y, int steps) {
     const double square = y.squaredNorm();
     if (!(square > 0)) return {};
@@ -84,7 +79,7 @@ SpectralMeasure spectral_measure(const LaplaceBeltrami& laplacian, const Positio
     const Vector root = whole.M.cwiseSqrt();
     SpectralMeasure measure;
     measure.mass = whole.M.sum();
-    // Coordinates far from the origin would leave their digits in the mean.
+    // Coordinates far from the origin would lose their digits to the mean.
     const Positions near = X(whole.vertex, Eigen::all).rowwise() - X.row(whole.vertex.front());
     const Positions centred = near.rowwise() - (near.transpose() * whole.M / measure.mass).transpose();
     std::array<Quadrature, 3> coordinates;
@@ -93,6 +88,10 @@ SpectralMeasure spectral_measure(const LaplaceBeltrami& laplacian, const Positio
                                           std::min(steps, static_cast<int>(root.size())));
     });
     measure.exact = true;
+    const auto append = [](Vector& all, const Vector& more) {
+        all.conservativeResize(all.size() + more.size());
+        all.tail(more.size()) = more;
+    };
     for (const Quadrature& quadrature : coordinates) {
         append(measure.nodes, quadrature.nodes);
         append(measure.weights, quadrature.weights);

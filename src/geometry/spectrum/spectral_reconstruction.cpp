@@ -7,10 +7,9 @@
 #include "base/errors.h"
 
 namespace meshfolio {
-
 namespace {
 
-/// Positions about their centroid. Far from the origin, rounding of ΦᵀM1 = 0 times the distance would be all one sees.
+/// Positions about their centroid. Far from the origin, rounding of ΦᵀM1 = 0 times the distance would hide all else.
 struct Centred {
     Eigen::RowVector3d centroid;
     DenseMatrix X;   // n × 3
@@ -26,23 +25,30 @@ Centred centred(const Vector& M, const Positions& X) {
     return {near + mean, offset.rowwise() - mean};
 }
 
-int zero_modes(const Spectrum& spectrum, int k) { return static_cast<int>((spectrum.eigenvalues.head(k).array() == 0).count()); }
+/// @throws MeshError if the sizes do not fit, or k is not between 0 and the number of modes
+void check_sizes(const Spectrum& spectrum, const Vector& M, const Positions& X, Eigen::Index k) {
+    const DenseMatrix& Phi = spectrum.eigenvectors;
+    if (Phi.rows() == M.size() && X.rows() == M.size() && M.size() > 0 && k >= 0 && k <= Phi.cols()) return;
+    throw MeshError("a reconstruction from " + std::to_string(k) + " of " + std::to_string(Phi.cols()) + " modes with " +
+                    std::to_string(Phi.rows()) + " rows, " + std::to_string(M.size()) + " areas and " + std::to_string(X.rows()) +
+                    " positions does not fit together");
+}
 
-void check_sizes(const Spectrum& spectrum, const Vector& M, const Positions& X) {
-    if (spectrum.eigenvectors.rows() == M.size() && X.rows() == M.size() && M.size() > 0) return;
-    throw MeshError("eigenvectors with " + std::to_string(spectrum.eigenvectors.rows()) + " rows, " + std::to_string(M.size()) +
-                    " areas and " + std::to_string(X.rows()) + " positions do not belong together");
+Positions with_massless_kept(Positions rebuilt, const Vector& M, const Positions& X) {
+    for (Eigen::Index v = 0; v < M.size(); ++v)
+        if (!(M[v] > 0)) rebuilt.row(v) = X.row(v);
+    return rebuilt;
 }
 
 }   // namespace
 
-/// Φᵀ M X = Φᵀ M (X − 1c) + (Φᵀ M 1) c, where only the zero modes see the constant.
+// Φᵀ M X = Φᵀ M (X − 1c) + (Φᵀ M 1) c, where only the zero modes see the constant.
 DenseMatrix spectral_coefficients(const Spectrum& spectrum, const Vector& M, const Positions& X) {
-    check_sizes(spectrum, M, X);
+    check_sizes(spectrum, M, X, 0);
     const Centred about = centred(M, X);
     const DenseMatrix& Phi = spectrum.eigenvectors;
     DenseMatrix coefficients = Phi.transpose() * (M.asDiagonal() * about.X);
-    const int zeros = zero_modes(spectrum, static_cast<int>(Phi.cols()));
+    const Eigen::Index zeros = (spectrum.eigenvalues.array() == 0).count();
     coefficients.topRows(zeros) += Phi.leftCols(zeros).transpose() * M * about.centroid;
     return coefficients;
 }
@@ -71,14 +77,11 @@ void ReconstructionStream::add(const Eigen::Ref<const DenseMatrix>& modes, const
 
 Positions ReconstructionStream::positions() const {
     // Z Zᵀ M 1 is 1 on every component whose zero mode is among those added, else 0; rounded to be exactly that.
-    Positions result = sum_ + constant_.array().round().matrix() * centroid_;
-    for (Eigen::Index v = 0; v < M_.size(); ++v)
-        if (!(M_[v] > 0)) result.row(v) = X_.row(v);
-    return result;
+    return with_massless_kept(sum_ + constant_.array().round().matrix() * centroid_, M_, X_);
 }
 
-/// ‖X − X_k‖²_M = ‖X − X_K‖²_M + Σ_{k ≤ j < K} |ĉ_j|², K the number of modes. Summed from the far end: ‖X‖²_M − Σ_{j<k} |ĉ_j|²
-/// would leave the rounding of ‖X‖²_M where the error is small.
+// ‖X − X_k‖²_M = ‖X − X_K‖²_M + Σ_{k ≤ j < K} |ĉ_j|², K the number of modes. Summed from the far end: ‖X‖²_M − Σ_{j<k} |ĉ_j|²
+// would leave the rounding of ‖X‖²_M where the error is small.
 Vector ReconstructionStream::rms() const {
     const int K = modes();
     Vector squared(K + 1);
@@ -88,19 +91,32 @@ Vector ReconstructionStream::rms() const {
 }
 
 Positions reconstruct(const Spectrum& spectrum, const Vector& M, const Positions& X, int k) {
-    check_sizes(spectrum, M, X);
-    if (k < 0 || k > spectrum.eigenvalues.size())
-        throw MeshError("reconstruct: k = " + std::to_string(k) + " of " + std::to_string(spectrum.eigenvalues.size()) + " modes");
+    check_sizes(spectrum, M, X, k);
     ReconstructionStream stream(M, X);
     stream.add(spectrum.eigenvectors.leftCols(k), spectrum.eigenvalues.head(k));
     return stream.positions();
 }
 
 Vector reconstruction_rms(const Spectrum& spectrum, const Vector& M, const Positions& X) {
-    check_sizes(spectrum, M, X);
+    check_sizes(spectrum, M, X, 0);
     ReconstructionStream stream(M, X);
     stream.add(spectrum.eigenvectors, spectrum.eigenvalues);
     return stream.rms();
+}
+
+Positions reconstruct_unmapped(const Spectrum& spectrum, const Vector& M, const Positions& X, int k) {
+    check_sizes(spectrum, M, X, k);
+    const auto Phi = spectrum.eigenvectors.leftCols(k);
+    const Vector root = M.cwiseSqrt();
+    const DenseMatrix coefficients = Phi.transpose() * (root.asDiagonal() * X);   // Ψᵀ X
+    return with_massless_kept(root.asDiagonal() * (Phi * coefficients), M, X);
+}
+
+Positions reconstruct_unweighted(const Spectrum& spectrum, const Vector& M, const Positions& X, int k) {
+    check_sizes(spectrum, M, X, k);
+    const auto Phi = spectrum.eigenvectors.leftCols(k);
+    const DenseMatrix coefficients = Phi.transpose() * X;
+    return with_massless_kept(Phi * coefficients, M, X);
 }
 
 }   // namespace meshfolio

@@ -4,10 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
-namespace meshfolio {
+#include "base/errors.h"
+#include "geometry/linear/dense_eigenpairs.h"
+#include "geometry/linear/special_values.h"
 
+namespace meshfolio {
 namespace {
 
 /// Lanczos' symmetric tridiagonal matrix T.
@@ -16,7 +20,7 @@ struct Tridiagonal {
 
     std::size_t size() const { return diagonal.size(); }
 
-    /// Sturm: are all eigenvalues below x?
+    /// True if all eigenvalues are below x (Sturm).
     bool below(double x) const {
         double pivot = diagonal[0] - x;
         for (std::size_t i = 1; pivot < 0 && i < size(); ++i) pivot = diagonal[i] - x - beside[i - 1] * beside[i - 1] / pivot;
@@ -24,14 +28,14 @@ struct Tridiagonal {
     }
     double largest_eigenvalue() const;
     std::vector<double> top_eigenvector(double theta) const;
-    /// Its last entry, where it has the length 1.
+    /// Returns |last entry| of that vector at length 1.
     double last_of_top_eigenvector(double theta) const {
         const std::vector<double> s = top_eigenvector(theta);
         return std::abs(s.back()) / std::sqrt(std::inner_product(s.begin(), s.end(), s.begin(), 0.0));
     }
 };
 
-/// By bisection to the last bit, from the circles of Gershgorin.
+/// By bisection to the last bit, from Gershgorin's circles.
 double Tridiagonal::largest_eigenvalue() const {
     double low = *std::max_element(diagonal.begin(), diagonal.end()), high = low;
     for (std::size_t i = 0; i < size(); ++i) {
@@ -47,7 +51,7 @@ double Tridiagonal::largest_eigenvalue() const {
 
 /// Inverse iteration just above θ, where T − σI is negative definite and elimination needs no pivoting.
 std::vector<double> Tridiagonal::top_eigenvector(double theta) const {
-    const double sigma = theta + 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(theta), std::abs(diagonal[0]));
+    const double sigma = theta + 4 * epsilon * std::max(std::abs(theta), std::abs(diagonal[0]));
     std::vector<double> s(size(), 1), pivot(size());
     for (int repeat = 0; repeat < 3; ++repeat) {
         pivot[0] = diagonal[0] - sigma;
@@ -65,24 +69,24 @@ std::vector<double> Tridiagonal::top_eigenvector(double theta) const {
     return s;
 }
 
-/// v₁, v₂, … of the three-term recurrence.
+/// The three-term recurrence for v₁, v₂, …
 class Recurrence {
 public:
     Recurrence(const SparseMatrix& B, const Vector& start) : B_(B), v_(start.normalized()), before_(Vector::Zero(start.size())) {}
 
     const Vector& v() const { return v_; }
-    /// u = Bv − βv₋₁. @return vᵀu, the next entry of the diagonal of T
+    /// Computes u = Bv − βv₋₁. @return vᵀu, the next diagonal entry of T
     double multiply() {
         u_.noalias() = B_.selfadjointView<Eigen::Lower>() * v_;
         u_ -= beta_ * before_;
         return u_.dot(v_);
     }
-    /// @return ‖u − αv‖, the next entry beside the diagonal
-    double take_off(double alpha) {
+    /// Computes u − αv. @return its length, the next entry beside the diagonal
+    double subtract(double alpha) {
         u_ -= alpha * v_;
         return u_.norm();
     }
-    void go_on(double beta) {
+    void advance(double beta) {
         beta_ = beta;
         before_.swap(v_);
         v_ = u_ / beta;
@@ -94,61 +98,85 @@ private:
     double beta_ = 0;
 };
 
-/// The Ritz vector Σ sⱼvⱼ from the vectors kept or, where they are too many to keep, by going through the recurrence once more.
-Vector ritz_vector(const SparseMatrix& B, const Vector& start, const Tridiagonal& T, const std::vector<double>& s,
-                   const std::vector<Vector>& kept) {
-    if (kept.size() == T.size()) {
-        Vector y = s[0] * kept[0];
-        for (std::size_t j = 1; j < T.size(); ++j) y += s[j] * kept[j];
-        return y.normalized();
-    }
+/// Returns the Ritz vector Σ sⱼvⱼ from the vectors kept or, if they were too many to keep, from a second pass of the recurrence.
+Vector ritz_vector(const SparseMatrix& B, const Vector& start, const Tridiagonal& T, const std::vector<Vector>& kept, double theta) {
+    const std::vector<double> s = T.top_eigenvector(theta);
     Recurrence recurrence(B, start);
     Vector y = s[0] * recurrence.v();
     for (std::size_t j = 1; j < T.size(); ++j) {
-        recurrence.multiply();
-        recurrence.take_off(T.diagonal[j - 1]);
-        recurrence.go_on(T.beside[j - 1]);
-        y += s[j] * recurrence.v();
+        if (kept.size() < T.size()) {
+            recurrence.multiply();
+            recurrence.subtract(T.diagonal[j - 1]);
+            recurrence.advance(T.beside[j - 1]);
+        }
+        y += s[j] * (kept.size() < T.size() ? recurrence.v() : kept[j]);
     }
     return y.normalized();
 }
 
-}   // namespace
-
-TopPair top_by_lanczos(const SparseMatrix& B, const Vector& start, const TopLanczos& options) {
-    struct Seen {
-        int steps;
-        double value;
-    };
-    std::vector<Seen> seen;
+/// Runs Lanczos on B from `start`, which must not be 0.
+TopEstimate top_by_lanczos(const SparseMatrix& B, const Vector& start, const TopSearch& search) {
+    constexpr Eigen::Index most_kept = Eigen::Index{1} << 23;   // numbers, 64 MiB
+    std::vector<std::pair<int, double>> seen;                   // steps and value
+    std::vector<Vector> kept;
     Tridiagonal T;
     Recurrence recurrence(B, start);
-    TopPair top;
+    TopEstimate top;
     double largest = 0;   // entry of T
-    int look = 24;
-    constexpr std::size_t most_kept = std::size_t(1) << 23;   // numbers, 64 MiB
-    std::vector<Vector> kept;
+    int next_look = 24;
     for (int steps = 1;; ++steps) {
-        if ((kept.size() + 1) * static_cast<std::size_t>(start.size()) <= most_kept) kept.push_back(recurrence.v());
+        if ((std::ssize(kept) + 1) * start.size() <= most_kept) kept.push_back(recurrence.v());
         T.diagonal.push_back(recurrence.multiply());
-        const double beta = recurrence.take_off(T.diagonal.back());
+        const double beta = recurrence.subtract(T.diagonal.back());
         largest = std::max({largest, std::abs(T.diagonal.back()), beta});
         const bool filled = !(beta > 1e-14 * largest);   // nothing is left outside the space
-        if (steps == look || steps == options.most_steps || filled) {
-            top.value = T.largest_eigenvalue();
-            double before = -std::numeric_limits<double>::infinity();
-            for (const Seen& s : seen) before = 3 * s.steps <= 2 * steps ? s.value : before;
-            top.change = filled ? 0 : std::max(0.0, (top.value - before) / std::abs(top.value));
-            seen.push_back({steps, top.value});
-            look = steps + 8 + steps / 10;
-            top.residual = filled ? 0 : beta * T.last_of_top_eigenvector(top.value) / std::abs(top.value);
-            if ((top.change <= options.tolerance && top.residual <= options.residual) || steps == options.most_steps) break;
+        if (steps == next_look || steps == search.most_steps || filled) {
+            top.mu = T.largest_eigenvalue();
+            double before = -infinity;
+            for (const auto& [earlier, value] : seen) before = 3 * earlier <= 2 * steps ? value : before;
+            top.change = filled ? 0 : std::max(0.0, (top.mu - before) / std::abs(top.mu));
+            seen.emplace_back(steps, top.mu);
+            next_look = steps + 8 + steps / 10;
+            top.residual = filled ? 0 : beta * T.last_of_top_eigenvector(top.mu) / std::abs(top.mu);
+            if ((top.change <= search.change && top.residual <= search.residual) || steps == search.most_steps) break;
         }
         T.beside.push_back(beta);
-        recurrence.go_on(beta);
+        recurrence.advance(beta);
     }
-    top.y = ritz_vector(B, start, T, T.top_eigenvector(top.value), kept);
+    top.phi = ritz_vector(B, start, T, kept, top.mu);
     return top;
+}
+
+}   // namespace
+
+TopEstimate top_estimate(const OperatorWithMass& whole, const TopSearch& search, const Vector& start) {
+    constexpr int dense_up_to = 200;
+    const double total = whole.M.sum();
+    const Vector M = whole.M / total;   // in units where the area is 1
+    const SparseMatrix B = symmetric_form(whole.A, M);
+    Vector y = irregular_direction(whole.size());
+    if (start.size() == whole.all_vertices) {
+        const Vector warm = start(whole.vertex).cwiseProduct(M.cwiseSqrt());
+        // From an eigenvector alone Lanczos could not leave it.
+        if (warm.allFinite() && warm.squaredNorm() > 0) y = warm.normalized() + 0.1 * y;
+    }
+    TopEstimate top;
+    if (whole.size() <= dense_up_to) {
+        const DenseEigenpairs pairs = dense_eigenpairs(B);
+        top = {pairs.values.tail(1)[0], pairs.vectors.rightCols(1), 0, 0};
+    } else {
+        top = top_by_lanczos(B, y, search);
+    }
+    if (!std::isfinite(top.mu)) throw SolverError("largest eigenvalue: the operator has weights that are not finite");
+    top.mu /= total;
+    top.phi = top.phi.cwiseQuotient(M.cwiseSqrt()).eval();
+    return top;
+}
+
+Vector irregular_direction(int n) {
+    Vector y(n);
+    for (int i = 0; i < n; ++i) y[i] = static_cast<double>((i * 2654435761LL + 12345) % 1000003) / 1000003 - 0.5;
+    return y.normalized();
 }
 
 }   // namespace meshfolio

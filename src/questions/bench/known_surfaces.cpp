@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "geometry/curvature/test_surfaces.h"
+#include "geometry/curvature/analytic_surfaces.h"
 #include "geometry/linear/special_values.h"
 #include "mesh/samples/sample_shapes.h"
 

@@ -137,7 +137,7 @@ extern const Chapter chapter{
     .code = {{"with_noise", "src/mesh/vertex_noise.cpp"},
              {"denoise", "src/geometry/denoising/denoising_methods.cpp"},
              {"filtered_normals", "src/geometry/denoising/normal_filters.cpp"},
-             {"conformalised", "src/geometry/smoothing/conformal_flow.cpp"},
+             {"conformalised", "src/geometry/denoising/denoising_methods.cpp"},
              {"with_volumes", "src/geometry/denoising/component_size.cpp"},
              {"search", "src/questions/bench/denoising_search.cpp"},
              {"answer", "src/questions/methods/chapter.cpp"}},

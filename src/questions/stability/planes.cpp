@@ -110,8 +110,8 @@ SchemeMap scheme_map(const SmoothingMaps& maps, SmoothingScheme scheme) {
         for (std::size_t step = lane; step < maps.lambdas.size(); step += lanes) run_step(maps, ruler, step, map, solvers[lane]);
     });
     for (const ImplicitSolver& solver : solvers) {
-        map.analyses += solver.analyses();
-        map.factorisations += solver.factorisations();
+        map.analyses += solver.work().analyses;
+        map.factorisations += solver.work().factorisations;
     }
     return map;
 }

@@ -7,7 +7,6 @@
 #include "base/errors.h"
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/vertices_with_mass.h"
-#include "geometry/spectrum/spectral_mistakes.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 #include "mesh/triangle_measures.h"
 

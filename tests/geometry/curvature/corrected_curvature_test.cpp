@@ -45,7 +45,7 @@ double l2_error_of_H(const TriangleMesh& mesh, const Positions& normals) {
 
 }   // namespace
 
-// On a sphere u = x/R: each triangle's measures are in the exact proportion, whatever the triangles.
+// A sphere has u = x/R: the measures of each triangle are in the exact proportion, for any triangles.
 TEST(CorrectedCurvature, IsExactOnASphereWithExactNormals) {
     for (const double R : {1.0, 3.0}) {
         TriangleMesh mesh = random_sphere(400, 2);
@@ -97,7 +97,7 @@ TEST(CorrectedCurvature, NormalsOfSpherePointsAreExactWithMaxsWeights) {
 }
 
 // Cutting a face in two that lie in its plane changes no angle at a vertex: angle weights do not notice.
-TEST(CorrectedCurvature, AngleWeightsDoNotSeeHowFacesAreCut) {
+TEST(CorrectedCurvature, AngleWeightsIgnoreHowFacesAreCut) {
     TriangleMesh corner;   // the corner of a cube, one of its squares cut through the corner and one not
     corner.X.resize(7, 3);
     corner.X << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 1;
@@ -107,7 +107,7 @@ TEST(CorrectedCurvature, AngleWeightsDoNotSeeHowFacesAreCut) {
     EXPECT_LT((weighted_vertex_normals(corner, NormalWeights::angle).row(0).transpose() - diagonal).norm(), 1e-14);
 }
 
-TEST(CorrectedCurvature, SaysWhereThereIsNone) {
+TEST(CorrectedCurvature, IsNaNWhereItIsUndefined) {
     TriangleMesh mesh = icosphere(1);
     mesh.X.conservativeResize(mesh.X.rows() + 1, 3);
     mesh.X.row(mesh.X.rows() - 1) << 5, 5, 5;

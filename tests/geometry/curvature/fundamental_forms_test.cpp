@@ -146,7 +146,7 @@ TEST(FundamentalForms, PolesAreExplained) {
     }
 }
 
-TEST(FundamentalForms, RefuseWhatIsNoEllipsoidPointOrDirection) {
+TEST(FundamentalForms, RefuseInvalidEllipsoidsPointsAndDirections) {
     EXPECT_THROW(ellipsoid_forms({1, 0, 1}, 0, 1), MeshError);
     EXPECT_THROW(ellipsoid_forms({1, -1, 1}, 0, 1), MeshError);
     EXPECT_THROW(ellipsoid_forms({1, 1, std::numeric_limits<double>::infinity()}, 0, 1), MeshError);

@@ -54,7 +54,7 @@ TriangleMesh cubic_patch(double size) {
     return mesh;
 }
 
-/// A torus whose vertices have wandered over it, its edges flipped to Delaunay.
+/// A torus with vertices moved over its surface and edges flipped to Delaunay.
 TriangleMesh irregular_torus(int around) {
     TriangleMesh mesh = torus_mesh(around, around / 2, 1, 0.4);
     NormalNumbers random(3);
@@ -172,7 +172,7 @@ TEST(JetFit, OfThinTrianglesIsKeptWhereItIsGood) {
     }
 }
 
-TEST(JetFit, SaysWhereThereIsNone) {
+TEST(JetFit, IsNaNWhereItIsUndefined) {
     const TriangleMesh star = fan(6, 0.1);   // seven points
     const JetCurvature none = jet_curvature(star, topology_of(star));
     EXPECT_TRUE(none.H.array().isNaN().all() && none.K.array().isNaN().all());

@@ -263,7 +263,7 @@ TEST(ConformalFlow, LeadsToASphereAsTheTrianglesGetFinerWhereTheRebuiltFlowColla
     }
 }
 
-TEST(DenoisingMethods, StopWhenTold) {
+TEST(DenoisingMethods, StopWhenTheCallbackReturnsFalse) {
     const TriangleMesh mesh = noisy(icosphere(2), 0.1);
     const double largest = largest_eigenvalue(laplace_beltrami(mesh)).value;
     const MeshTopology topology = topology_of(mesh);

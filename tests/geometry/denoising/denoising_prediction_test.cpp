@@ -103,7 +103,7 @@ TEST(DenoisingPrediction, BeginsWithTheNoise) {
     }
 }
 
-// On a flat torus of unit squares M = I, μ = 4 − 2cos(2πj/n) − 2cos(2πk/m), and cosines are modes.
+// A flat torus of unit squares has M = I, μ = 4 − 2cos(2πj/n) − 2cos(2πk/m), and cosines are modes.
 TEST(DenoisingPrediction, ClosedFormOnAFlatTorus) {
     const int nx = 8, ny = 6, steps = 7;
     const LaplaceBeltrami laplacian = flat_torus_operator(nx, ny, std::sqrt(2.0));
@@ -213,7 +213,7 @@ TEST(DenoisingPrediction, VerticesWithoutMassKeepTheirNoise) {
     }
 }
 
-TEST(DenoisingPrediction, RefusesWhatHasNoAnswer) {
+TEST(DenoisingPrediction, RefusesInvalidInput) {
     const TriangleMesh mesh = icosphere(1);
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     EXPECT_THROW(denoising_prediction(laplacian, mesh.X, options_of(0, 3)), MeshError);

@@ -45,8 +45,8 @@ TEST(NoiseLevel, FindsTheNoiseOfSmoothSurfaces) {
     EXPECT_NEAR(ratio(icosphere(4), 0.01), 1, 0.1);
 }
 
-// On a cube of 20 × 20 squares a side, a fifth of the patches crosses an edge; their residuals do not count.
-TEST(NoiseLevel, CreasesAreLeftOut) {
+// A fifth of the patches crosses an edge of a cube with 20 × 20 squares a side; their residuals do not count.
+TEST(NoiseLevel, PatchesOnCreasesAreIgnored) {
     EXPECT_NEAR(ratio(cube_mesh(20), 0.03), 1, 0.08);
     EXPECT_NEAR(ratio(cube_mesh(20), 0.1), 1, 0.08);
     const TriangleMesh noisy = with_noise(cube_mesh(20), 0.03 * mean_edge_length(cube_mesh(20)));

@@ -9,7 +9,7 @@
 
 namespace meshfolio::testing {
 
-/// Gaussian noise on each coordinate, of so many mean edges.
+/// Returns the mesh with Gaussian noise on each coordinate, in mean edges.
 inline TriangleMesh noisy(const TriangleMesh& mesh, double edges, std::uint64_t seed = 3) {
     return moved_to(mesh, with_gaussian_noise(mesh.X, Vector3::Constant(edges * mean_edge_length(mesh)), seed));
 }

@@ -14,7 +14,7 @@ using namespace meshfolio::testing;
 
 namespace {
 
-/// Of unit normals.
+/// Returns the largest difference of unit normals.
 double largest_change(const Positions& a, const Positions& b) { return (a - b).rowwise().norm().maxCoeff(); }
 
 Positions bilateral(const TriangleMesh& mesh, double sigma_r) {
@@ -110,7 +110,7 @@ TEST(NormalFilters, TheGuideIsNearerToTheTruthThanTheNormals) {
     EXPECT_LT(mean_normal_angle(truth, guide), 0.6 * mean_normal_angle(truth, N));
 }
 
-TEST(NormalFilters, TurnWithTheMeshAndDoNotSeeItsScale) {
+TEST(NormalFilters, TurnWithTheMeshAndIgnoreItsScale) {
     const TriangleMesh mesh = noisy(ellipsoid_mesh(2, {1, 0.8, 0.5}), 0.1), turned = scaled(rotated_and_moved(mesh), 40);
     EXPECT_LT(largest_change(bilateral(turned, 0.4), bilateral(mesh, 0.4) * some_rotation().transpose()), 1e-12);
     const auto guide = [](const TriangleMesh& m) { return guiding_normals(m, face_rings(m), face_normals(m)); };

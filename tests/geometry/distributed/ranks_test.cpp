@@ -39,7 +39,7 @@ public:
         const DenseMatrix& Q = eigen_.eigenvectors;
         return Q * eigen_.eigenvalues.cwiseInverse().asDiagonal() * (Q.transpose() * B);
     }
-    /// Without the `lost` pairs that come first in the next calls.
+    /// Ranks that lose the first `lost` pairs of the next calls.
     InversePairs largest_of_inverse(int count, const DenseMatrix& known) override {
         InversePairs pairs{Vector(count), DenseMatrix(known.rows(), count)};
         int kept = 0, passed = lost > 0 ? 1 : 0;
@@ -160,7 +160,7 @@ TEST_P(WithRanks, ImplicitStepsAreThoseOfThisProcess) {
     }
 }
 
-TEST_P(WithRanks, WhatIsNotDefiniteIsRefused) {
+TEST_P(WithRanks, IndefiniteMatricesAreRefused) {
     SparseMatrix S(3, 3);
     S.setIdentity();
     S.coeffRef(1, 1) = -1;

@@ -26,7 +26,7 @@ struct Pencil {
     LaplaceBeltrami laplacian;
 };
 
-/// C of one more triangle whose corners lie on a line: w(x0 − 2x1 + x2)². Its weights swallow the digits of the others.
+/// Adds C of a triangle with corners on a line: w(x0 − 2x1 + x2)². The others lose their digits to its weights.
 SparseMatrix with_flat_triangle(const SparseMatrix& C, int p0, int p1, int p2, double w) {
     DenseMatrix dense = C;
     const auto add = [&](int i, int j, double weight) {
@@ -156,7 +156,7 @@ TEST(Inertia, CountsLieWithinTheirRounding) {
     EXPECT_GE(wrong_at_sigma, 15) << "nothing here needs a bound: choose harder shifts";
 }
 
-TEST(Inertia, BetweenTwoNumbersItLooksForAShiftThatTells) {
+TEST(Inertia, BetweenTwoNumbersItFindsAShiftThatDecides) {
     const LaplaceBeltrami sphere = laplace_beltrami(icosphere(2));
     const auto inertia = inertia_between(-sphere.C, sphere.M, 2.5, 5.5);
     ASSERT_TRUE(inertia);
@@ -171,7 +171,7 @@ TEST(Inertia, BetweenTwoNumbersItLooksForAShiftThatTells) {
 }
 
 // A list that ends where the count does: whether one more lies below σ is for rounding to say, and the certificate must not.
-TEST(Inertia, NoCertificateProvesWhatIsNotSo) {
+TEST(Inertia, NoCertificateProvesAFalseClaim) {
     int proved = 0, refuted = 0, undecided = 0, miscounted = 0;
     const auto try_one = [&](const Pencil& pencil, const DenseMatrix& A, const Vector& M, double sigma, int left_out) {
         const DensePairs all = dense_pairs(A, M);

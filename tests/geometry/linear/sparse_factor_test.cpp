@@ -105,7 +105,7 @@ TEST(SparseFactor, AnUncompressedMatrixIsTheSameMatrix) {
     EXPECT_EQ(SparseFactor::cholesky(A).solve(B), factor.solve(B));
 }
 
-TEST(SparseFactor, CholeskyRefusesWhatIsNotPositiveDefinite) {
+TEST(SparseFactor, CholeskyRefusesIndefiniteMatrices) {
     EXPECT_THROW(SparseFactor::cholesky(shifted_laplacian(3)), SolverError);
     EXPECT_THROW(SparseFactor::cholesky(path_matrix(50, -1e-9)), SolverError);
     EXPECT_NO_THROW(SparseFactor::cholesky(path_matrix(50, 1e-9)));
@@ -116,7 +116,7 @@ TEST(SparseFactor, LdltRefusesSingularMatrices) {
     EXPECT_THROW(SparseFactor::ldlt(-laplace_beltrami(icosphere(1)).C), SolverError) << "C1 = 0";
 }
 
-TEST(SparseFactor, RefusesWhatCannotBeFactored) {
+TEST(SparseFactor, RefusesMatricesThatCannotBeFactored) {
     SparseMatrix A = path_matrix(5, 1);
     A.coeffRef(2, 2) = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(SparseFactor::ldlt(A), SolverError);

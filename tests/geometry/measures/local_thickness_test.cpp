@@ -41,7 +41,7 @@ TEST(LocalThickness, AFlatSheetHasNone) {
     EXPECT_TRUE(std::isnan(local_thickness(with_unreferenced_vertex(icosphere(1), {0, 0, 9}))[0]));
 }
 
-TEST(LocalThickness, SomeOfTheVerticesWhereAllWouldBeTooMany) {
+TEST(LocalThickness, MeasuresSomeVerticesOfLargeMeshes) {
     const TriangleMesh mesh = lopsided_ellipsoid(3);
     const double n = mesh.vertex_count();
     const Vector all = local_thickness(mesh), some = local_thickness(mesh, n * n / 7);

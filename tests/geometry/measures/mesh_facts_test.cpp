@@ -61,7 +61,7 @@ TEST(MeshFacts, SpacingIsThatOfTheFarthestCoordinate) {
     EXPECT_EQ(coordinate_spacing(triangle({0, 0, 3e-300}, {0, 1e-300, 0}, {0, 0, 0})), std::nextafter(3e-300, 1) - 3e-300);
 }
 
-// What is written with d decimals, in single precision or in full is found out from the numbers.
+// The numbers themselves show whether they were written with d decimals, in single precision or in full.
 TEST(MeshFacts, WrittenSpacingIsThatOfTheFile) {
     const TriangleMesh mesh = lopsided_ellipsoid(3);
     const auto rounded_to = [&](double spacing) { return Positions((mesh.X / spacing).array().round() * spacing); };

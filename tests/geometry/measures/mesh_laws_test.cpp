@@ -51,7 +51,7 @@ TEST(MeshLaws, OtherAreasHaveTheSameSum) {
 }
 
 // A face a million times longer than high counts as without area, and yet has some by ½|u × v|.
-TEST(MeshLaws, WhatHasNoMassIsNotCountedAsArea) {
+TEST(MeshLaws, TrianglesWithoutMassAreNotCountedAsArea) {
     TriangleMesh mesh;
     mesh.X.resize(4, 3);
     mesh.X << 0, 0, 0, 1e6, 0, 0, 0, 1e-6, 0, 0, 0, 1;
@@ -114,7 +114,7 @@ TEST(MeshLaws, OneTriangleMissing) {
     EXPECT_EQ(repeated_half_edges(mesh.F), 0);
 }
 
-TEST(MeshLaws, AMovedVertexIsNotThatOfTheOperator) {
+TEST(MeshLaws, AMovedVertexDoesNotFitTheOperator) {
     TriangleMesh mesh = lopsided_ellipsoid(3);
     const SparseMatrix C = stiffness(mesh);
     mesh.X(100, 2) += 1e-6;

@@ -51,7 +51,7 @@ TEST(OperatorScores, AgreeWithDenseMatrices) {
     }
 }
 
-TEST(OperatorScores, SeeWhatIsWrong) {
+TEST(OperatorScores, DetectBrokenOperators) {
     const TriangleMesh mesh = irregular_sphere(1);
     const MeshTopology topology = topology_of(mesh);
     const LaplaceBeltrami good = laplace_beltrami(mesh);

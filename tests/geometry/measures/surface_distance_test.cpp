@@ -108,7 +108,7 @@ TEST(SurfaceDistance, FindsWhatIsFarBetweenTheVertices) {
     EXPECT_EQ(d.a_to_b.of_vertices.maxCoeff(), 0);
     EXPECT_NEAR(d.a_to_b.max, 0.5, 5e-4);
     EXPECT_GE(d.hausdorff.bound, 0.5);
-    // Over the hole, a square of side 1, the distance is a pyramid of height ½, whose mean is ⅙; over all nine squares a ninth of that.
+    // Over the hole, a square of side 1, the distance is a pyramid of height ½ and mean ⅙; over all nine squares a ninth of that.
     EXPECT_NEAR(d.a_to_b.mean, 1.0 / 54, 1e-4);
 }
 

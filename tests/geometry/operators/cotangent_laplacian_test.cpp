@@ -324,7 +324,7 @@ TEST(EdgeNormalisedLaplacian, DividesEachEdgeByItsTwoAreas) {
     EXPECT_LT(smallest_off_diagonal(L), 0);
 }
 
-TEST(CotangentLaplacian, RefusesWhatDoesNotFit) {
+TEST(CotangentLaplacian, RefusesSizesThatDoNotFit) {
     const TriangleMesh mesh = fan(5);
     const CornerValues cotangents = corner_cotangents(mesh);
     EXPECT_THROW(cotangent_stiffness(mesh.F, 5, cotangents), MeshError);

@@ -72,7 +72,7 @@ TEST(IntrinsicDelaunay, FlipsMakeEveryGluedEdgeDelaunay) {
     }
 }
 
-// What a creature living on the surface can measure does not depend on the edges drawn over it.
+// Intrinsic measures of the surface do not depend on the edges drawn over it.
 TEST(IntrinsicDelaunay, TheSurfaceIsUnchanged) {
     for (const TriangleMesh& mesh : irregular_meshes()) {
         const IntrinsicTriangles before = intrinsic_triangles(mesh);
@@ -122,7 +122,7 @@ TEST(IntrinsicDelaunay, DirichletEnergyNeverRises) {
     }
 }
 
-TEST(IntrinsicDelaunay, SeesNeitherPlaceNorScaleNorOrderOfVertices) {
+TEST(IntrinsicDelaunay, IgnoresPlaceScaleAndOrderOfVertices) {
     for (const TriangleMesh& mesh : irregular_meshes()) {
         const SparseMatrix C = laplace_operator(mesh, OperatorKind::idt).C;
         const double size = C.norm();

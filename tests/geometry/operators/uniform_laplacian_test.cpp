@@ -32,7 +32,7 @@ TEST(UniformLaplacian, IsSymmetricOnlyWhereValencesAgree) {
     EXPECT_GT(DenseMatrix(open - SparseMatrix(open.transpose())).cwiseAbs().maxCoeff(), 0.01);
 }
 
-// On a regular hexagon of edge h the mean of |x_j|² is h², which is h²/4 times Δ(x² + y²) = 4; linear functions give 0.
+// In a regular hexagon of edge h the mean of |x_j|² is h², which is h²/4 times Δ(x² + y²) = 4; linear functions give 0.
 TEST(UniformLaplacian, HexagonGivesAQuarterOfTheSquaredEdgeTimesTheLaplacian) {
     const double h = 0.3;
     const TriangleMesh mesh = scaled(fan(6), h);

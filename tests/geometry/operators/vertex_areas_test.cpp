@@ -103,7 +103,7 @@ TEST(VertexAreas, TrianglesWithoutAreaAddNothing) {
     }
 }
 
-// One triangle whose three corners are one vertex, twice: the flat torus of a single square.
+// Two triangles with all corners at one vertex: the flat torus of a single square.
 TEST(VertexAreas, GluedCornersAllCount) {
     const FlatTorus torus = flat_torus(1, 1, std::sqrt(2.0));
     for (const AreaForm form : forms) EXPECT_NEAR(vertex_areas(torus.F, 1, torus.lengths, form)[0], 1, 1e-15);
@@ -115,7 +115,7 @@ TEST(VertexAreas, NamesGoBothWays) {
     EXPECT_THROW(area_form_named(""), UsageError);
 }
 
-TEST(VertexAreas, RefusesWhatDoesNotFit) {
+TEST(VertexAreas, RefusesSizesThatDoNotFit) {
     const TriangleMesh mesh = fan(5);
     CornerValues lengths = edge_lengths(mesh);
     EXPECT_THROW(vertex_areas(mesh.F, 5, lengths, AreaForm::mixed), MeshError);

@@ -13,7 +13,7 @@ namespace {
 
 using namespace testing;
 
-/// A grid with one vertex a little beside the edge that it cuts: a cap of that height, whose cotangents are the inverse of it.
+/// A grid with one vertex a little beside the edge that it cuts: a cap of that height, with cotangents that are the inverse of it.
 TriangleMesh grid_with_cap(double height) {
     TriangleMesh mesh = grid_mesh(8, 8, 1, 1);
     const int a = mesh.F(40, 0), b = mesh.F(40, 1), c = mesh.F(40, 2);

@@ -115,7 +115,7 @@ TEST(LaplacianSmoothing, TaubinGrowthIsTheLargestFactorOverTheSpectrum) {
 }
 
 // The volume of a sphere is that of low modes: the run swells as the warning says, and keeps its volume where there is none.
-TEST(LaplacianSmoothing, TaubinRunsThatSwellAreWarnedOf) {
+TEST(LaplacianSmoothing, TaubinRunsThatSwellGiveAWarning) {
     const TriangleMesh mesh = irregular_sphere(3);
     SmoothingOptions options = options_of(SmoothingScheme::taubin, 0.5 * critical_step(mesh), 3000);
     const auto volume_after = [&] {
@@ -200,7 +200,7 @@ TEST(LaplacianSmoothing, MovesAndScalesWithTheMesh) {
     }
 }
 
-TEST(LaplacianSmoothing, ComponentsDoNotSeeEachOther) {
+TEST(LaplacianSmoothing, ComponentsAreIndependent) {
     const TriangleMesh a = lopsided_ellipsoid(2), b = moved_by(irregular_plane(8), {4, 0, 0});
     for (const SmoothingScheme scheme : {SmoothingScheme::explicit_euler, SmoothingScheme::implicit_euler}) {
         const SmoothingOptions options = options_of(scheme, 0.5 * critical_step(side_by_side(a, b)), 20);
@@ -249,7 +249,7 @@ TEST(LaplacianSmoothing, BlowUpIsDiagnosed) {
     EXPECT_NEAR(smoothed.blow_up_iteration, std::log2(radius / start), 1.5);
 }
 
-TEST(LaplacianSmoothing, WhatIsNotFiniteIsNotReturned) {
+TEST(LaplacianSmoothing, NumbersThatAreNotFiniteAreNotReturned) {
     const TriangleMesh mesh = irregular_sphere(2);
     SmoothingOptions options = options_of(SmoothingScheme::explicit_euler, 1e308, 10);
     options.blow_up_at = 1e307;

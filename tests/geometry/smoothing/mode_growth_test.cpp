@@ -74,14 +74,14 @@ TEST(ModeGrowth, StepsAreThoseOfExplicitSmoothing) {
     EXPECT_NEAR(growth.energy_ratio, dirichlet_energy(laplacian.C, X) / dirichlet_energy(laplacian.C, start), 1e-12);
 }
 
-TEST(ModeGrowth, DoesNotSeePlaceOrScale) {
+TEST(ModeGrowth, IgnoresPlaceAndScale) {
     const TriangleMesh mesh = lopsided_ellipsoid(2);
     const double here = growth_at(mesh, laplace_beltrami(mesh), 1.01, 300).factor.back();
     const TriangleMesh away = moved_by(scaled(mesh, 1e-3), {1, -2, 3});
     EXPECT_NEAR(growth_at(away, laplace_beltrami(away), 1.01, 300).factor.back() / here, 1, 1e-6);
 }
 
-TEST(ModeGrowth, RefusesWhatHasNoMode) {
+TEST(ModeGrowth, RefusesPositionsWithoutTheMode) {
     const TriangleMesh mesh = irregular_sphere(1);
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     LargestEigenvalue top = largest_eigenvalue(laplacian);

@@ -21,7 +21,7 @@ using Evidence = Definiteness::Evidence;
 
 double dense_smallest(const LaplaceBeltrami& laplacian) { return dense_pairs(laplacian).eigenvalues[0]; }
 
-/// A ring whose vertices are joined to their neighbours with weight 1 and to those next to them with −b. Masses m.
+/// Returns a ring with weight 1 between neighbours, weight −b between second neighbours, and masses m.
 LaplaceBeltrami ring_operator(int n, double b, double m) {
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < n; ++i) {
@@ -48,7 +48,7 @@ double smallest_of_ring(int n, double b, double m) {
     return smallest;
 }
 
-/// How much a step multiplies the part of the lowest mode, measured over `steps` of them.
+/// Returns the factor by which a step multiplies the part of the lowest mode, measured over `steps` steps.
 double measured_growth(const LaplaceBeltrami& laplacian, const Definiteness& found, double lambda, int steps) {
     const Vector weights = laplacian.M.cwiseProduct(found.bottom.mode);
     Positions X = found.bottom.mode * Eigen::RowVector3d(1, 0, 0);
@@ -123,7 +123,7 @@ TEST(Definiteness, AThinTriangleMakesTheMeanOverOppositeVerticesIndefinite) {
     }
 }
 
-// Whatever the shapes and the masses: what is semidefinite is never called indefinite, and its bound holds.
+// A semidefinite operator is never called indefinite, and its bound holds, for any shapes and masses.
 TEST(Definiteness, SemidefiniteOperatorsAreNeverCalledIndefinite) {
     TriangleMesh needles = irregular_plane(12);
     for (int v = 0; v < needles.vertex_count(); ++v) needles.X(v, 1) *= 1e-6;
@@ -149,7 +149,7 @@ TEST(Definiteness, SemidefiniteOperatorsAreNeverCalledIndefinite) {
     }
 }
 
-TEST(Definiteness, EvidenceIsTheCheapestThatWillDo) {
+TEST(Definiteness, EvidenceIsTheCheapestThatSuffices) {
     const TriangleMesh mesh = irregular_plane(12);
     const auto evidence_of = [&](OperatorKind kind) {
         const Definiteness found = definiteness(laplace_operator(mesh, kind), assembly_of(kind));
@@ -164,7 +164,7 @@ TEST(Definiteness, EvidenceIsTheCheapestThatWillDo) {
     EXPECT_EQ(definiteness(laplace_operator(mesh, OperatorKind::cotan)).evidence, Evidence::factor);
 }
 
-// A promise about C does not make a matrix semidefinite whose rows do not sum to 0.
+// A promise about C does not make a matrix semidefinite if its rows do not sum to 0.
 TEST(Definiteness, RowsThatSumTooLowAreSeen) {
     LaplaceBeltrami laplacian = laplace_beltrami(irregular_sphere(2));
     const double scale = laplacian.C.diagonal().cwiseAbs().maxCoeff();
@@ -175,7 +175,7 @@ TEST(Definiteness, RowsThatSumTooLowAreSeen) {
     EXPECT_TRUE(definiteness(laplacian).semidefinite());
 }
 
-TEST(Definiteness, CannotBeToldWhereTheNegativePartIsRounding) {
+TEST(Definiteness, IsUndecidedWhereTheNegativePartIsRounding) {
     const double b = 0.25 + 1e-13;   // μ_min of the ring is −1e-15 or so
     const Definiteness found = definiteness(ring_operator(400, b, 1));
     EXPECT_FALSE(found.indefinite());
@@ -197,7 +197,7 @@ TEST(Definiteness, TheCamelWithTheMeanOverOppositeVertices) {
     EXPECT_EQ(run.blow_up_vertex, certificate.bottom.bottom.vertex);
 }
 
-// The speck's eigenvalues are 10¹² times those of the ring beside it: what is rounding there is none here.
+// The speck's eigenvalues are 10¹² times those of the ring beside it: its rounding is large there.
 TEST(Definiteness, ASpeckExcusesNothingBesideIt) {
     const LaplaceBeltrami ring = ring_operator(12, 0.5, 1), speck = ring_operator(12, 0, 1e-12);
     LaplaceBeltrami both{SparseMatrix(24, 24), Vector(24)};

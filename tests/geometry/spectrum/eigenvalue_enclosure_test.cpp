@@ -29,7 +29,7 @@ SparseMatrix hexagons(int size, double s) {
 
 }   // namespace
 
-// σm is rounded before Cholesky sees it, which can succeed at a σ below μ_max: the rounding must cover what is missing.
+// σm is rounded before Cholesky, which can therefore succeed at a σ below μ_max: the bound of rounding must cover the difference.
 TEST(EigenvalueEnclosure, ARoundedFactorProvesNoMoreThanItsRoundingLeaves) {
     constexpr double m = 1.1;
     constexpr int size = 16;

@@ -18,7 +18,7 @@ double sphere_error(const Spectrum& spectrum, int l) {
     return (spectrum.eigenvalues.segment(l * l, 2 * l + 1).array() / (l * (l + 1)) - 1).abs().maxCoeff();
 }
 
-/// How far the span of Phi reaches out of that of Psi, both M-orthonormal: the sine of the largest angle.
+/// Returns the sine of the largest angle between the spans of Phi and Psi, both M-orthonormal.
 double distance_of_spans(const DenseMatrix& Phi, const DenseMatrix& Psi, const Vector& M) {
     const DenseMatrix outside = Phi - Psi * (Psi.transpose() * (M.asDiagonal() * Phi));
     return std::sqrt((M.asDiagonal() * outside.cwiseAbs2()).colwise().sum().maxCoeff());
@@ -239,7 +239,7 @@ TEST(LaplaceSpectrum, ProgressRisesToOne) {
     EXPECT_EQ(seen.back(), 1);
 }
 
-TEST(LaplaceSpectrum, RefusesWhatHasNoSpectrum) {
+TEST(LaplaceSpectrum, RefusesOperatorsWithoutSpectrum) {
     const LaplaceBeltrami laplacian = laplace_beltrami(icosphere(1));
     EXPECT_THROW(smallest_eigenpairs(laplacian, 0), MeshError);
     EXPECT_THROW(smallest_eigenpairs({laplacian.C, Vector::Ones(3)}, 2), MeshError);

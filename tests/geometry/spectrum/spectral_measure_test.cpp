@@ -63,8 +63,8 @@ TEST(SpectralMeasure, IsExactForPolynomialsBelowTwiceItsSteps) {
     EXPECT_GT(std::abs(measure.integral(beyond) / by_modes(laplacian, mesh.X, beyond) - 1), 1e-6);
 }
 
-// The change with the last steps bounds what is missing: small where the steps suffice, large where they do not.
-TEST(SpectralMeasure, KnowsWhatItDoesNotKnow) {
+// The change in the last steps bounds the error: small if the steps suffice, large if they do not.
+TEST(SpectralMeasure, UncertaintyBoundsTheError) {
     const TriangleMesh mesh = irregular_sphere(3);
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     const double mu = largest_eigenvalue(laplacian).value;
@@ -81,7 +81,7 @@ TEST(SpectralMeasure, KnowsWhatItDoesNotKnow) {
     EXPECT_GE(unknown, 1);
 }
 
-TEST(SpectralMeasure, TellsTheEnergyAndTheMotionOfARun) {
+TEST(SpectralMeasure, PredictsTheEnergyAndTheMotionOfARun) {
     const TriangleMesh mesh = lopsided_ellipsoid(2);
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     const SpectralMeasure measure = spectral_measure(laplacian, mesh.X);
@@ -95,7 +95,7 @@ TEST(SpectralMeasure, TellsTheEnergyAndTheMotionOfARun) {
     EXPECT_NEAR(measure.rms([&](double mu) { return 1 - filter(mu); }) / moved, 1, 1e-10);
 }
 
-TEST(SpectralMeasure, SeesNoPositionAndScalesWithTheMesh) {
+TEST(SpectralMeasure, IgnoresPositionAndScalesWithTheMesh) {
     const TriangleMesh mesh = irregular_plane(10);
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     const SpectralMeasure here = spectral_measure(laplacian, mesh.X, 20);
@@ -119,7 +119,7 @@ TEST(SpectralMeasure, ARegularTetrahedronHasOneMode) {
     for (const double node : measure.nodes) EXPECT_NEAR(node / largest_eigenvalue(laplacian).value, 1, 1e-12);
 }
 
-TEST(SpectralMeasure, RefusesWhatDoesNotFit) {
+TEST(SpectralMeasure, RefusesSizesThatDoNotFit) {
     const TriangleMesh mesh = icosphere(1);
     EXPECT_THROW(spectral_measure(laplace_beltrami(mesh), mesh.X.topRows(3)), MeshError);
     EXPECT_THROW(spectral_measure(laplace_beltrami(mesh), mesh.X, 0), MeshError);

@@ -59,7 +59,7 @@ TEST(SpectrumCertificate, HoldsForDenseAndSparseSolves) {
     }
 }
 
-TEST(SpectrumCertificate, UsesNoClaimOfTheSolver) {
+TEST(SpectrumCertificate, IgnoresClaimsOfTheSolver) {
     Solved s = solved(lopsided_ellipsoid(3), 9);
     const SpectrumCertificate with = s.certificate();
     s.spectrum = without_claims(s.spectrum);
@@ -93,7 +93,7 @@ TEST(SpectrumCertificate, ALargeResidualIsNeverProvedWhateverTheNorm) {
     }
 }
 
-TEST(SpectrumCertificate, WhatRoundingHidesIsUndecided) {
+TEST(SpectrumCertificate, ValuesHiddenByRoundingAreUndecided) {
     Solved s = solved(lopsided_ellipsoid(2), 12);
     const SpectrumCertificate sound = s.certificate();
     ASSERT_EQ(sound.complete, Proof::proved);
@@ -146,7 +146,7 @@ TEST(SpectrumCertificate, ACutClusterIsProvedUpToTheCluster) {
     EXPECT_EQ(whole.counted_below, 9);
 }
 
-// Were σ just below the value given, it would lie above the eigenvalue, and what is counted there is not missing.
+// A σ just below the given value would lie above the eigenvalue: an eigenvalue counted there is not missing.
 TEST(SpectrumCertificate, AValueThatIsALittleOffMissesNothing) {
     Solved s = solved(icosphere(3), 6);
     s.spectrum.eigenvalues.tail(2) *= 1 + 1e-4;
@@ -233,7 +233,7 @@ TEST(SpectrumCertificate, ZerosAreCountedFromTheTriangles) {
     EXPECT_EQ(solved(with_unreferenced_vertex(icosphere(2), {9, 9, 9}), 5).certificate().expected_zeros, 1);
 }
 
-// Each zero is told in the unit of the component that it lives on: edge-normalised weights grow with the size of a component.
+// Zeros are judged in the unit of their component: edge-normalised weights grow with the size of a component.
 TEST(SpectrumCertificate, ZerosAreCountedOnComponentsOfAnySize) {
     const TriangleMesh ball = icosphere(1);
     const TriangleMesh three = side_by_side(side_by_side(ball, scaled(ball, 1e-12)), moved_by(scaled(ball, 1e9), Vector3::Constant(3e9)));

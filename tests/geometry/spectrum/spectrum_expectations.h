@@ -1,5 +1,5 @@
 /// @file
-/// What every spectrum must be, and ways to compute one, for the tests of its solvers.
+/// Conditions on every spectrum, and ways to compute one, for the tests of its solvers.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -10,6 +10,7 @@
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/solver_test_meshes.h"
+#include "geometry/spectrum/top_lanczos.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing;
@@ -180,7 +181,7 @@ TEST(Stability, SmoothingStrengthIsTheWidthOfTheHeatKernel) {
     EXPECT_DOUBLE_EQ(smoothing_strength(4, 2 * diagonal), smoothing_strength(1, diagonal)) << "a share of the box";
 }
 
-// Cosines are the modes of a ring: none may be missing, nor the constant.
+// Cosines are the modes of a ring: neither they nor the constant may be missing.
 TEST(Stability, AnIrregularDirectionHasALittleOfEveryMode) {
     constexpr int n = 60;
     const Vector direction = irregular_direction(n);

@@ -1,4 +1,4 @@
-#include "geometry/spectrum/engine/component_spectra.h"
+#include "geometry/spectrum/engine/spectrum_modes.h"
 
 #include <tbb/task_arena.h>
 
@@ -7,17 +7,17 @@
 #include <numeric>
 #include <optional>
 
+#include "base/at.h"
 #include "base/available_memory.h"
 #include "base/errors.h"
 #include "base/parallel_tasks.h"
 #include "geometry/linear/special_values.h"
 
 namespace meshfolio {
-
 namespace {
 
-/// Vertices at or below which a component is always solved densely: Lanczos has no room there.
-constexpr int no_room = 100;
+/// The number of vertices up to which a component is always solved densely: too few for Lanczos.
+constexpr int always_dense = 100;
 
 /// One component, in units where its own area is 1.
 struct Part {
@@ -36,10 +36,10 @@ struct Part {
 };
 
 std::vector<Part> parts_of(const SparseMatrix& A, const Vector& M, const Components& components) {
-    std::vector<Part> parts(static_cast<std::size_t>(components.count));
+    std::vector<Part> parts(at(components.count));
     std::vector<int> place(components.label.size());   // of a row within its component
     for (std::size_t i = 0; i < place.size(); ++i) {
-        Part& part = parts[static_cast<std::size_t>(components.label[i])];
+        Part& part = parts[at(components.label[i])];
         place[i] = part.size();
         part.rows.push_back(static_cast<int>(i));
     }
@@ -50,9 +50,9 @@ std::vector<Part> parts_of(const SparseMatrix& A, const Vector& M, const Compone
         part.A.resize(part.size(), part.size());
         for (int j = 0; j < part.size(); ++j) {
             part.A.startVec(j);
-            for (SparseMatrix::InnerIterator entry(A, part.rows[static_cast<std::size_t>(j)]); entry; ++entry) {
+            for (SparseMatrix::InnerIterator entry(A, part.rows[at(j)]); entry; ++entry) {
                 const auto row = static_cast<std::size_t>(entry.row());
-                const bool own = part.rows[static_cast<std::size_t>(place[row])] == entry.row();   // else an entry that is 0
+                const bool own = part.rows[at(place[row])] == entry.row();   // else an entry that is 0
                 if (own) part.A.insertBack(place[row], j) = entry.value();
             }
         }
@@ -61,16 +61,16 @@ std::vector<Part> parts_of(const SparseMatrix& A, const Vector& M, const Compone
     return parts;
 }
 
-/// What each component has below μ by Weyl's law, N(μ) ≈ area · μ / 4π, besides its constant.
+/// Returns the pairs of a component below μ by Weyl's law, N(μ) ≈ area · μ / 4π, and its constant.
 double weyl_share(const Part& part, double mu) { return std::min<double>(part.size(), 1 + part.area * mu / (4 * pi)); }
 
-/// Shares of the k smallest, and some more of each so that the end of the k smallest is seen from above.
+/// Sets the wanted pairs of each component: its share of the k smallest, and some more, so that their end is seen from above.
 void set_first_shares(std::vector<Part>& parts, int k) {
     const auto sum = [&](double mu) {
         return std::accumulate(parts.begin(), parts.end(), 0.0, [&](double s, const Part& part) { return s + weyl_share(part, mu); });
     };
     double low = 0, high = 4 * pi * k;
-    while (sum(high) < k) high *= 2;   // some have fewer than Weyl's law would give them
+    while (sum(high) < k) high *= 2;   // some have fewer vertices than Weyl's law gives pairs
     for (int i = 0; i < 60; ++i) (sum(0.5 * (low + high)) < k ? low : high) = 0.5 * (low + high);
     for (Part& part : parts) {
         const int share = static_cast<int>(std::ceil(weyl_share(part, high)));
@@ -78,13 +78,7 @@ void set_first_shares(std::vector<Part>& parts, int k) {
     }
 }
 
-/// More of a component whose last eigenvalue lies below `mu`.
-void ask_for_more(Part& part, double mu) {
-    const double growth = part.last_value() > 0 ? std::clamp(mu / part.last_value(), 1.0, 3.0) : 3;
-    part.wanted = static_cast<int>(std::min<double>(part.size(), 1.05 * growth * part.wanted + 4));
-}
-
-bool goes_dense(const Part& part, const SpectrumOptions& options) { return part.size() <= std::max(no_room, options.dense_below); }
+bool goes_dense(const Part& part, const SpectrumOptions& options) { return part.size() <= std::max(always_dense, options.dense_below); }
 
 void solve_densely(Part& part) {
     const int k = part.wanted;
@@ -97,56 +91,37 @@ void solve_densely(Part& part) {
     part.modes.dense = true;
 }
 
-/// The solver of one component with what it did before added up.
-void solve_by_slices(Part& part, const SpectrumOptions& options) {
-    const int repairs = part.modes.repairs;
-    part.modes = modes_of(part.A, part.M, part.wanted, options);
-    part.modes.repairs += repairs;
-}
-
-double bytes_held(const std::vector<Part>& parts) {
-    double bytes = 0;
-    for (const Part& part : parts) bytes += 8.0 * part.size() * part.modes.pairs.count();
-    return bytes;
-}
-
-/// What is left of the memory for solving when the k vectors of the whole mesh have their place; 0: not known.
-double memory_for_parts(Eigen::Index n, int k, const SpectrumOptions& options) {
-    const double limit = options.memory_limit > 0 ? options.memory_limit : available_memory().bytes;
-    if (limit <= 0) return 0;
-    const double left = limit - 8.0 * static_cast<double>(n) * k;
-    if (left > 0) return left;
-    throw SolverError(
-        "the vectors of " + std::to_string(k) + " eigenpairs of " + std::to_string(n) + " vertices alone need more memory than is there",
-        "ask for fewer eigenpairs");
-}
-
-/// Solves parts and reports progress, each part weighted by the entries of its vectors; never a smaller value than before.
+/// Solves parts and reports progress, never a smaller value than before; a part weighs as much as its vectors have entries.
 class PartSolver {
 public:
     PartSolver(std::vector<Part>& parts, const SpectrumOptions& options, double memory)
         : parts_(parts), options_(options), memory_(memory) {}
 
     void solve(const std::vector<Part*>& wanting) {
-        const double from = told_;
+        const double from = reported_;
         double work = 0, done = 0;
         for (const Part* part : wanting) work += work_of(*part);
-        const auto tell = [&](double share) {
-            told_ = std::max(told_, from + (0.95 - from) * share);
-            if (options_.progress) options_.progress(told_);
+        const auto report = [&](double share) {
+            reported_ = std::max(reported_, from + (0.95 - from) * share);
+            if (options_.progress) options_.progress(reported_);
         };
         std::vector<Part*> small;
         for (Part* part : wanting)
             if (goes_dense(*part, options_)) small.push_back(part);
-        solve_small(small);
+        tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
+        arena.execute([&] { for_each_task(small.size(), [&](std::size_t i) { solve_densely(*small[i]); }); });
         for (const Part* part : small) done += work_of(*part);
-        if (!small.empty()) tell(done / work);
+        if (!small.empty()) report(done / work);
         for (Part* part : wanting) {
             if (goes_dense(*part, options_)) continue;
             SpectrumOptions own = options_;
-            own.progress = [&](double share) { tell((done + share * work_of(*part)) / work); };
-            if (memory_ > 0) own.memory_limit = std::max(1.0, memory_ - bytes_held(parts_));
-            solve_by_slices(*part, own);
+            own.progress = [&](double share) { report((done + share * work_of(*part)) / work); };
+            double held = 0;   // bytes
+            for (const Part& other : parts_) held += 8.0 * other.size() * other.modes.pairs.count();
+            if (memory_ > 0) own.memory_limit = std::max(1.0, memory_ - held);
+            const int repairs = part->modes.repairs;
+            part->modes = modes_of(part->A, part->M, part->wanted, own);
+            part->modes.repairs += repairs;
             done += work_of(*part);
         }
     }
@@ -154,15 +129,10 @@ public:
 private:
     static double work_of(const Part& part) { return double(part.size()) * part.wanted; }
 
-    void solve_small(const std::vector<Part*>& small) const {
-        tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
-        arena.execute([&] { for_each_task(small.size(), [&](std::size_t i) { solve_densely(*small[i]); }); });
-    }
-
     std::vector<Part>& parts_;
     const SpectrumOptions& options_;
     double memory_;
-    double told_ = 0;
+    double reported_ = 0;
 };
 
 /// An eigenvalue of the merged spectrum: the j-th of its part.
@@ -172,7 +142,7 @@ struct Entry {
     int j;
 };
 
-/// Ascending, equal ones in the order of the components.
+/// Returns all eigenvalues, ascending; equal ones in the order of the components.
 std::vector<Entry> merged(const std::vector<Part>& parts) {
     std::vector<Entry> all;
     for (std::size_t p = 0; p < parts.size(); ++p)
@@ -181,13 +151,7 @@ std::vector<Entry> merged(const std::vector<Part>& parts) {
     return all;
 }
 
-Vector values_of(const std::vector<Entry>& entries) {
-    Vector mu(static_cast<Eigen::Index>(entries.size()));
-    std::transform(entries.begin(), entries.end(), mu.begin(), [](const Entry& entry) { return entry.mu; });
-    return mu;
-}
-
-/// The merged spectrum, known without exception up to the upper end of `gap`, the first behind its k-th entry.
+/// The merged spectrum, complete up to the upper end of `gap`, the first above its k-th entry.
 struct Merged {
     std::vector<Entry> entries;
     Gap gap;
@@ -199,19 +163,22 @@ Merged solve_and_merge(std::vector<Part>& parts, int k, PartSolver& solver) {
     for (;;) {
         solver.solve(wanting);
         std::vector<Entry> entries = merged(parts);
-        const Gap gap = gap_behind(values_of(entries), k);
+        Vector mu(std::ssize(entries));
+        std::transform(entries.begin(), entries.end(), mu.begin(), [](const Entry& entry) { return entry.mu; });
+        const Gap gap = gap_behind(mu, k);
         wanting.clear();
         for (Part& part : parts) {
             if (part.exhausted() || part.last_value() >= gap.high) continue;
-            ask_for_more(part, gap.high);
+            const double growth = part.last_value() > 0 ? std::clamp(gap.high / part.last_value(), 1.0, 3.0) : 3;
+            part.wanted = static_cast<int>(std::min<double>(part.size(), 1.05 * growth * part.wanted + 4));
             wanting.push_back(&part);
         }
         if (wanting.empty()) return {std::move(entries), gap};
     }
 }
 
-/// Eigenvalues of a part below a σ of the whole, counted where in the same gap of that part rounding matters least: on a speck, σ itself
-/// may not be told from 0. No value found lies between. Returns nothing where rounding may have changed the count.
+/// Counts the eigenvalues of a part below σ of the whole, at the point of the same gap of that part where rounding matters least: on a
+/// speck, σ itself may be too near 0. Returns nothing if rounding may have changed the count.
 std::optional<int> inertia_of(const Part& part, double sigma, const InertiaAt& inertia_at) {
     const Vector& mu = part.modes.pairs.mu;
     const int below = part.found_below(sigma);
@@ -239,28 +206,29 @@ InertiaCount count_inertia(const std::vector<Part>& parts, const Gap& gap, const
     return sum;
 }
 
-SymmetricPairs first_of(const std::vector<Entry>& entries, const std::vector<Part>& parts, Eigen::Index n, int k) {
-    SymmetricPairs first{Vector(k), DenseMatrix::Zero(n, k)};
-    for (int j = 0; j < k; ++j) {
-        const Entry& entry = entries[static_cast<std::size_t>(j)];
-        const Part& part = parts[entry.part];
-        first.mu[j] = entry.mu;
-        for (int i = 0; i < part.size(); ++i) first.Y(part.rows[static_cast<std::size_t>(i)], j) = part.modes.pairs.Y(i, entry.j);
-    }
-    return first;
-}
-
 }   // namespace
 
 Modes modes_of_components(const SparseMatrix& A, const Vector& M, const Components& components, int k, const SpectrumOptions& options) {
-    const double memory = memory_for_parts(A.rows(), k, options);
+    const Eigen::Index n = A.rows();
+    const double limit = options.memory_limit > 0 ? options.memory_limit : available_memory().bytes;
+    const double left = limit > 0 ? limit - 8.0 * static_cast<double>(n) * k : 0;   // beside the k vectors of the whole; 0: not known
+    if (limit > 0 && !(left > 0))
+        throw SolverError("the vectors of " + std::to_string(k) + " eigenpairs of " + std::to_string(n) +
+                              " vertices alone need more memory than is there",
+                          "ask for fewer eigenpairs");
     std::vector<Part> parts = parts_of(A, M, components);
     set_first_shares(parts, k);
-    PartSolver solver(parts, options, memory);
+    PartSolver solver(parts, options, left);
     const Merged spectrum = solve_and_merge(parts, k, solver);
 
     Modes modes;
-    modes.pairs = first_of(spectrum.entries, parts, A.rows(), k);
+    modes.pairs = {Vector(k), DenseMatrix::Zero(n, k)};
+    for (int j = 0; j < k; ++j) {
+        const Entry& entry = spectrum.entries[at(j)];
+        const Part& part = parts[entry.part];
+        modes.pairs.mu[j] = entry.mu;
+        for (int i = 0; i < part.size(); ++i) modes.pairs.Y(part.rows[at(i)], j) = part.modes.pairs.Y(i, entry.j);
+    }
     modes.inertia = count_inertia(parts, spectrum.gap, options);
     modes.gap_middle = spectrum.gap.middle();
     modes.dense = A.rows() <= options.dense_below;

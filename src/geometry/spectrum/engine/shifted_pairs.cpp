@@ -16,7 +16,7 @@
 
 namespace meshfolio {
 
-/// y ↦ P(B − σI)⁻¹P y, P the projection beside the constant and the pairs that are known, as Spectra asks for it.
+/// The operator y ↦ P(B − σI)⁻¹P y in the form of Spectra; P projects orthogonally to the constant and to the known pairs.
 class DeflatedInverse {
 public:
     using Scalar = double;
@@ -26,7 +26,7 @@ public:
 
     Eigen::Index rows() const { return problem_.size(); }
     Eigen::Index cols() const { return problem_.size(); }
-    void set_shift(double) {}   // the factor is there
+    void set_shift(double) {}   // the factor exists already
 
     void perform_op(const double* in, double* out) const {
         if (search_.report) search_.report(std::min(1.0, ++steps_ / (3.0 * search_.wanted + 20)));
@@ -54,8 +54,8 @@ private:
 
 }   // namespace meshfolio
 
-/// Spectra's products with the basis V of Lanczos. It takes Vᵀf out of f until nothing above ε‖f‖ is left, several times a step: a third of
-/// the time at 97,000 vertices, k = 150. What is below 10⁻¹² is called 0: vectors found are orthonormal to 10⁻¹¹ still.
+/// Spectra's products with the basis V of Lanczos. Spectra removes Vᵀf from f until no more than ε‖f‖ is left, several times a step: a
+/// third of the time at 97,000 vertices, k = 150. Here shares below 10⁻¹² count as 0; the vectors are still orthonormal to 10⁻¹¹.
 template <>
 class Spectra::ArnoldiOp<double, meshfolio::DeflatedInverse, Spectra::IdentityBOp> {
 public:
@@ -85,31 +85,20 @@ namespace meshfolio {
 
 namespace {
 
-SparseMatrix with_whole_diagonal(const SparseMatrix& B) {
-    SparseMatrix zero(B.rows(), B.cols());
-    zero = Vector::Zero(B.rows()).asDiagonal();
-    return B + zero;
-}
-
-/// Y := Y R⁻¹ with orthonormal columns, by Cholesky's factor RᵀR of YᵀY, twice: exact to rounding where they are not nearly dependent
-/// (Yamamoto et al. 2015).
-void orthonormalise(DenseMatrix& Y) {
+/// Returns the best pairs of the space that Y spans. Y R⁻¹ has orthonormal columns with Cholesky's factor RᵀR of YᵀY, applied twice: exact
+/// to rounding unless they are nearly dependent (Yamamoto et al. 2015).
+SymmetricPairs rayleigh_ritz(const SparseMatrix& B, DenseMatrix Y) {
+    if (Y.cols() == 0) return {Vector(0), Y};
     for (int pass = 0; pass < 2; ++pass) {
         const Eigen::LLT<DenseMatrix> gram(DenseMatrix(Y.transpose() * Y));
         if (gram.info() != Eigen::Success) throw SolverError("eigenvectors found are linearly dependent");
         gram.matrixU().solveInPlace<Eigen::OnTheRight>(Y);
     }
-}
-
-/// The best pairs of the space that Y spans.
-SymmetricPairs rayleigh_ritz(const SparseMatrix& B, DenseMatrix Y) {
-    if (Y.cols() == 0) return {Vector(0), Y};
-    orthonormalise(Y);
     const DenseEigenpairs ritz = dense_eigenpairs(Y.transpose() * (B * Y));
     return {ritz.values, Y * ritz.vectors};
 }
 
-/// One solve more for pairs with noise in them: vectors of large eigenvalues that rounding has added, times μ/‖B‖ then.
+/// Improves pairs with noise, vectors of large eigenvalues added by rounding, by one more solve, which multiplies it by μ/‖B‖.
 SymmetricPairs without_noise(const SpectrumProblem& problem, const DeflatedInverse& inverse, SymmetricPairs pairs, double tolerance) {
     constexpr int most_rounds = 3;
     for (int round = 0; round < most_rounds && pairs.count() > 0; ++round) {
@@ -125,8 +114,8 @@ SymmetricPairs without_noise(const SpectrumProblem& problem, const DeflatedInver
     return pairs;
 }
 
-/// What Lanczos calls converged may not be, after restarts among Ritz values close to each other: those are left out. Beside needles
-/// rounding leaves some ε‖B‖/μ of every residual.
+/// Returns the pairs with small residuals: after restarts among close Ritz values Lanczos may report others as converged. With needles,
+/// rounding leaves some ε‖B‖/μ in every residual.
 SymmetricPairs verified(const SpectrumProblem& problem, const SymmetricPairs& pairs, double tolerance) {
     const Vector residuals = residuals_of(problem.B, pairs);
     std::vector<Eigen::Index> good;
@@ -143,6 +132,7 @@ DenseMatrix random_columns(Eigen::Index rows, int columns, std::uint64_t seed) {
     return Y;
 }
 
+/// Sorts pairs by eigenvalue.
 SymmetricPairs ascending(const Vector& mu, const DenseMatrix& Y) {
     std::vector<Eigen::Index> order(static_cast<std::size_t>(mu.size()));
     std::iota(order.begin(), order.end(), Eigen::Index{0});
@@ -166,7 +156,7 @@ SymmetricPairs part_of(const SymmetricPairs& pairs, int first, int last) {
 }
 
 SpectrumProblem::SpectrumProblem(const SparseMatrix& A, const Vector& M)
-    : symmetric(with_whole_diagonal(symmetric_form(A, M))),
+    : symmetric(symmetric_form(A, M) + SparseMatrix(Vector::Zero(M.size()).asDiagonal())),
       order(symmetric),
       B(order.apply(symmetric)),
       zero(M(order.row).cwiseSqrt().normalized()) {

@@ -1,5 +1,5 @@
 /// @file
-/// Eigenpairs of B around one shift, by Spectra's shift-invert Lanczos on a factor of Eigen. Private to the layer.
+/// Eigenpairs of B near one shift, by Spectra's shift-invert Lanczos on a factor of Eigen. Private to the layer.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace meshfolio {
 
-/// y = M^½ φ: orthonormal columns, eigenvalues ascending.
+/// Pairs By = μy with y = M^½ φ, eigenvalues ascending, columns orthonormal.
 struct SymmetricPairs {
     Vector mu;
     DenseMatrix Y;
@@ -18,12 +18,12 @@ struct SymmetricPairs {
     int count_below(double sigma) const { return static_cast<int>((mu.array() < sigma).count()); }
 };
 
-/// Both together, ascending; of equal values those of `a` first.
+/// Returns all pairs of both, ascending; of equal values those of `a` first.
 SymmetricPairs merged(const SymmetricPairs& a, const SymmetricPairs& b);
-/// The pairs from place `first` up to `last`, without it.
+/// Returns the pairs at places first … last − 1.
 SymmetricPairs part_of(const SymmetricPairs& pairs, int first, int last);
 
-/// Bφ = μφ of a connected surface of area 1. Its constant is known: all below leaves it aside.
+/// By = μy of a connected surface of area 1. Its constant is known and left out of all searches.
 struct SpectrumProblem {
     /// @param A  −C, @param M  its masses, Σ M = 1
     SpectrumProblem(const SparseMatrix& A, const Vector& M);
@@ -31,7 +31,7 @@ struct SpectrumProblem {
     SparseMatrix symmetric;   // M^−½ A M^−½, every diagonal entry stored
     EliminationOrder order;
     SparseMatrix B;       // in the order of elimination
-    Vector zero;          // M^½ in that order, a unit vector: B zero = 0
+    Vector zero;          // the constant: M^½ in that order, a unit vector, B zero = 0
     double highest = 0;   // above every eigenvalue (Gershgorin)
 
     int size() const { return static_cast<int>(B.rows()); }
@@ -43,31 +43,31 @@ struct Shift {
     double sigma;
     OrderedFactor factor;
 
-    /// Eigenvalues below σ > 0, besides the constant's.
+    /// Returns the number of eigenvalues below σ > 0, without the constant's.
     int others_below() const { return std::max(0, factor.negative_pivots() - 1); }
-    /// Rounding of the count of its negative pivots (inertia.h).
+    /// Returns the rounding δ of that count (inertia.h).
     double delta() const;
 };
 
-/// Near `sigma`, moved by `reach` at most: LDLᵀ is not pivoted, and where σ makes some leading part nearly singular, pivots and rounding
-/// grow, or a pivot is lost. @throws SolverError if it is everywhere
+/// Factors near `sigma`, moved by at most `reach`: LDLᵀ is not pivoted, and if σ makes a leading part nearly singular, pivots and rounding
+/// grow, or a pivot is lost. @throws SolverError if that happens at all σ tried
 Shift shift_near(const SpectrumProblem& problem, double sigma, double reach);
-/// At `sigma` < 0 or, where needles make rounding larger, farther below. @throws SolverError if −C is not positive semidefinite
+/// Factors at `sigma` < 0 or, if needles make rounding larger, farther below. @throws SolverError if −C is not positive semidefinite
 Shift shift_below_zero(const SpectrumProblem& problem, double sigma);
 
 struct PairSearch {
     int wanted = 1;
-    double tolerance = 1e-9;                   // relative residual asked of each pair
-    std::function<void(double)> report = {};   // share of the work that is expected; may throw
+    double tolerance = 1e-9;                   // wanted relative residual of each pair
+    std::function<void(double)> report = {};   // takes the share of the expected work done; may throw to stop
 };
 
-/// Pairs nearest to σ that are orthogonal to the constant and to `known`: as many as wanted, or fewer where Spectra does not find more.
+/// Finds the pairs nearest to σ, orthogonal to the constant and to `known`: as many as wanted, or as many as Spectra finds.
 SymmetricPairs pairs_near(const SpectrumProblem& problem, const Shift& shift, const DenseMatrix& known, const PairSearch& search);
 
-/// The same by subspace iteration with a block of all that are wanted: for clusters that no Krylov space tells apart.
+/// Finds them by subspace iteration with a block of all wanted pairs, for clusters that no Krylov space separates.
 SymmetricPairs pairs_by_iteration(const SpectrumProblem& problem, const Shift& shift, const DenseMatrix& known, const PairSearch& search);
 
-/// ‖By − μy‖ / μ of each pair.
+/// Returns ‖By − μy‖ / μ of each pair.
 Vector residuals_of(const SparseMatrix& B, const SymmetricPairs& pairs);
 
 }   // namespace meshfolio

@@ -7,16 +7,10 @@
 #include "geometry/linear/special_values.h"
 
 namespace meshfolio {
-
 namespace {
 
-/// σ where the straight line through two counts reaches `others`.
-double sigma_between(const Count& a, const Count& b, double others) {
-    return a.sigma + (others - a.others) / std::max(1, b.others - a.others) * (b.sigma - a.sigma);
-}
-
-/// Counts, the last of at least `wanted` and not many more, from Weyl's law N(μ) ≈ μ / 4π at area 1, then by the secant, then by halves.
-/// Before it 0 and, where `wanted` cuts a large cluster, what lies below that.
+/// Returns counts, the last with at least `wanted` and not many more: from Weyl's law N(μ) ≈ μ / 4π at area 1, then by the secant, then by
+/// halves. Before it come 0 and, where `wanted` cuts a large cluster, the count below that.
 std::vector<Count> counts_about(const SpectrumProblem& problem, int wanted) {
     constexpr int most_counts = 60, secants = 4;
     const int enough = wanted + std::max(6, wanted / 24);
@@ -34,22 +28,12 @@ std::vector<Count> counts_about(const SpectrumProblem& problem, int wanted) {
             sigma = std::min(sigma * std::clamp(middle / std::max(1, count.others), 1.02, 4.0), 0.5 * (sigma + problem.highest));
             continue;
         }
-        sigma = i < secants ? sigma_between(below, above, middle) : below.sigma + 0.5 * width();
+        const double share = i < secants ? (middle - below.others) / std::max(1, above.others - below.others) : 0.5;
+        sigma = below.sigma + share * width();
         sigma = std::clamp(sigma, below.sigma + 0.02 * width(), above.sigma - 0.02 * width());
     }
     if (above.others > 2 * enough + 100 && below.others > 0) return {{}, below, above};
     return {{}, above};
-}
-
-/// Limits that leave a slice less than half of what it may have are left out.
-std::vector<Count> joined_slices(const std::vector<Count>& counts, int pairs_per_slice) {
-    std::vector<Count> kept{counts.front()};
-    for (std::size_t i = 1; i < counts.size(); ++i) {
-        const bool last = i + 1 == counts.size();
-        if (last || (counts[i].others - kept.back().others >= pairs_per_slice / 2 && counts[i].others < counts.back().others))
-            kept.push_back(counts[i]);
-    }
-    return kept;
 }
 
 }   // namespace
@@ -76,7 +60,13 @@ std::vector<Count> slice_limits(const SpectrumProblem& problem, int wanted, int 
         counts.insert(counts.end(), more.begin(), more.end());
         std::sort(counts.begin(), counts.end(), [](const Count& a, const Count& b) { return a.sigma < b.sigma; });
     }
-    return joined_slices(counts, pairs_per_slice);
+    std::vector<Count> limits{counts.front()};   // without those that leave a slice less than half full
+    for (std::size_t i = 1; i + 1 < counts.size(); ++i) {
+        const int others = counts[i].others;
+        if (others - limits.back().others >= pairs_per_slice / 2 && others < counts.back().others) limits.push_back(counts[i]);
+    }
+    limits.push_back(counts.back());
+    return limits;
 }
 
 }   // namespace meshfolio

@@ -1,5 +1,5 @@
 /// @file
-/// Where to slice a spectrum, by counts of inertia that begin with Weyl's law. Private to the layer.
+/// The limits of slices of a spectrum, by counts of inertia that begin with Weyl's law. Private to the layer.
 #pragma once
 
 #include <vector>
@@ -8,22 +8,22 @@
 
 namespace meshfolio {
 
-/// Relative distance of two eigenvalues from which they are not one cluster: rounding may turn the members of a cluster about.
+/// The relative distance above which two eigenvalues are no cluster; rounding may mix the vectors of a cluster.
 constexpr double clear_gap = 1e-5;
-/// And from which counts still tell them apart.
+/// The relative distance above which counts can separate them.
 constexpr double least_gap = 1e-9;
 
-/// How many eigenvalues besides 0 lie below σ; rounding may have moved σ by δ.
+/// The number of eigenvalues besides 0 below σ; rounding may have moved σ by δ.
 struct Count {
     double sigma = 0;
     int others = 0;
     double delta = 0;
 };
-/// At σ or, where a pivot is lost in rounding, no farther beside it than `reach`. @throws SolverError as `shift_near`
+/// Counts at σ or, if a pivot is lost in rounding, at most `reach` beside it. @throws SolverError as shift_near()
 Count count_near(const SpectrumProblem& problem, double sigma, double reach);
 
-/// Counts at growing σ: 0 first, then limits of slices of some `pairs_per_slice` each; the last has at least `wanted` below, and few more
-/// where the spectrum has a gap there. A cluster too large for a slice has limits as close to it as they can be counted.
+/// Returns counts at growing σ: 0 first, then limits of slices of about `pairs_per_slice` each; below the last are at least `wanted`, and
+/// few more if the spectrum has a gap there. A cluster too large for a slice has limits as close to it as counts permit.
 std::vector<Count> slice_limits(const SpectrumProblem& problem, int wanted, int pairs_per_slice);
 
 }   // namespace meshfolio

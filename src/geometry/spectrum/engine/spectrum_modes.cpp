@@ -10,10 +10,9 @@
 #include "geometry/spectrum/engine/spectrum_slices.h"
 
 namespace meshfolio {
-
 namespace {
 
-/// The constant before the others.
+/// Returns the constant and these pairs after it.
 SymmetricPairs with_constant(const Vector& M, const Vector& mu, const Eigen::Ref<const DenseMatrix>& Y) {
     SymmetricPairs all{Vector(mu.size() + 1), DenseMatrix(M.size(), mu.size() + 1)};
     all.mu << 0, mu;
@@ -27,24 +26,6 @@ Modes dense_modes(const SparseMatrix& A, const Vector& M, int k, const InertiaAt
     Modes modes{part_of(all, 0, k), {}, gap.middle(), true};
     if (const auto inertia = trusted_between(A, M, gap, inertia_at))
         modes.inertia = {inertia->sigma, inertia->below, all.count_below(inertia->sigma)};
-    return modes;
-}
-
-Modes sliced_modes(const SparseMatrix& A, const Vector& M, int k, const SpectrumOptions& options) {
-    const SpectrumProblem problem(A, M);
-    SliceOptions slice_options{.tolerance = options.polish ? std::min(options.tolerance, 1e-12) : options.tolerance,
-                               .pairs_per_slice = options.pairs_per_slice,
-                               .one_slice_up_to = options.one_slice_up_to,
-                               .threads = options.threads,
-                               .progress = options.progress};
-    slice_options.threads = slices_that_fit(problem, k, slice_options, options.memory_limit);
-    const SlicedPairs found = find_by_slices(problem, k - 1, slice_options);
-    Modes modes;
-    if (found.trusted) modes.inertia = {found.count.sigma, found.count.others + 1, found.found + 1};
-    modes.gap_middle = found.gap_middle;
-    modes.slices = found.slices;
-    modes.repairs = found.repairs;
-    modes.pairs = with_constant(M, found.pairs.mu, found.pairs.Y);
     return modes;
 }
 
@@ -96,7 +77,13 @@ Modes modes_of(const SparseMatrix& A, const Vector& M, int k, const SpectrumOpti
     if (A.rows() <= options.dense_below) return dense_modes(A, M, k, options.inertia_at);
     if (options.engine) return options.engine(A, M, k);
     try {
-        return sliced_modes(A, M, k, options);
+        const SpectrumProblem problem(A, M);
+        SpectrumOptions own = options;
+        if (options.polish) own.tolerance = std::min(options.tolerance, 1e-12);
+        own.threads = slices_that_fit(problem, k, options);
+        Modes modes = find_by_slices(problem, k - 1, own);
+        modes.pairs = with_constant(M, modes.pairs.mu, modes.pairs.Y);
+        return modes;
     } catch (const CrowdedSpectrum&) {
         if (A.rows() > dense_at_most) throw;
         return dense_modes(A, M, k, options.inertia_at);

@@ -16,28 +16,26 @@
 #include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "geometry/linear/special_values.h"
-#include "geometry/spectrum/engine/spectrum_modes.h"
 
 namespace meshfolio {
-
 namespace {
 
-/// Adds up the progress of all slices. Called from several threads; reports one value at a time, never a smaller one.
+/// Sums the progress of all slices, for calls from several threads; reports one value at a time, never a smaller one.
 class SharedProgress {
 public:
-    SharedProgress(const std::function<void(double)>& tell, std::size_t slices) : tell_(tell), shares_(slices, 0.0) {}
+    SharedProgress(const std::function<void(double)>& report, std::size_t slices) : report_(report), shares_(slices, 0.0) {}
 
     std::function<void(double)> of_slice(std::size_t i) {
         return [this, i](double share) {
-            if (!tell_) return;
+            if (!report_) return;
             const std::lock_guard lock(mutex_);
             shares_[i] = std::max(shares_[i], share);
-            tell_(0.95 * std::accumulate(shares_.begin(), shares_.end(), 0.0) / static_cast<double>(shares_.size()));
+            report_(0.95 * std::accumulate(shares_.begin(), shares_.end(), 0.0) / static_cast<double>(shares_.size()));
         };
     }
 
 private:
-    const std::function<void(double)>& tell_;
+    const std::function<void(double)>& report_;
     std::mutex mutex_;
     std::vector<double> shares_;
 };
@@ -45,9 +43,9 @@ private:
 /// Eigenvalues between two counts.
 struct Slice {
     Count low, high;
-    int wanted = high.others - low.others;   // all, or some of a cluster
+    int wanted = high.others - low.others;   // all of them, or some of a cluster
 
-    /// Those that rounding puts on the other side of a limit are its own, too.
+    // Eigenvalues that rounding moves across a limit belong to the slice, too.
     double begin() const { return low.sigma * (1 - clear_gap); }
     double end() const { return high.sigma * (1 + clear_gap); }
     int held(const SymmetricPairs& pairs) const { return pairs.count_below(end()) - pairs.count_below(begin()); }
@@ -57,8 +55,8 @@ struct Slice {
     double middle() const { return 0.5 * (low.sigma + high.sigma); }
 };
 
-/// −10⁻⁶ of an ordinary eigenvalue: small against those sought, large enough for pivots that are surely positive. The median of the
-/// diagonal, because needles raise its mean.
+/// Returns −10⁻⁶ of an ordinary eigenvalue: small beside those sought, large enough for positive pivots. The median of the diagonal,
+/// because needles raise its mean.
 double sigma_below_zero(const SparseMatrix& B) {
     Vector diagonal = B.diagonal();
     double* const middle = diagonal.data() + diagonal.size() / 2;
@@ -66,21 +64,21 @@ double sigma_below_zero(const SparseMatrix& B) {
     return *middle > 0 ? -1e-6 * *middle : -1e-6;
 }
 
-/// The first clear gap behind the k-th of pairs besides the constant.
+/// Returns the first clear gap above the k-th of these pairs, besides the constant.
 Gap gap_after(const SymmetricPairs& pairs, int k) {
     Vector mu(pairs.count() + 1);
     mu << 0, pairs.mu;
     return gap_behind(mu, k + 1);
 }
 
-/// The last clear gap before it.
+/// Returns the last clear gap below the k-th pair.
 Gap gap_before(const SymmetricPairs& pairs, int k) {
     Eigen::Index i = std::max(0, k - 1);
     while (i > 0 && pairs.mu[i] - pairs.mu[i - 1] <= clear_gap * pairs.mu[i]) --i;
     return {i > 0 ? pairs.mu[i - 1] : 0, pairs.mu[i]};
 }
 
-/// Takes from `right` what `left`, the slice below, has already, and what is left of its vectors.
+/// Returns the pairs of `right` without those that `left`, the slice below, has already, and orthogonal to its vectors.
 SymmetricPairs beside(const SymmetricPairs& left, SymmetricPairs right) {
     constexpr double rounding = 1e-14, shared = 1e-3, new_direction = 0.1;
     if (left.count() == 0 || right.count() == 0) return right;
@@ -91,7 +89,7 @@ SymmetricPairs beside(const SymmetricPairs& left, SymmetricPairs right) {
     for (Eigen::Index j = 0; j < right.count(); ++j) {
         auto y = right.Y.col(j);
         const bool in_both = overlap.col(j).cwiseAbs().maxCoeff() > shared;
-        if (in_both) {   // a cluster on the limit, in another basis
+        if (in_both) {   // of a cluster on the limit, in another basis
             y -= left.Y * (left.Y.transpose() * y).eval();
             for (const Eigen::Index i : kept) y -= right.Y.col(i) * right.Y.col(i).dot(y);
         }
@@ -104,17 +102,17 @@ SymmetricPairs beside(const SymmetricPairs& left, SymmetricPairs right) {
 
 class Slicer {
 public:
-    Slicer(const SpectrumProblem& problem, const SliceOptions& options) : problem_(problem), options_(options) {}
+    Slicer(const SpectrumProblem& problem, const SpectrumOptions& options) : problem_(problem), options_(options) {}
 
-    SlicedPairs find(int k) {
+    Modes find(int k) {
         if (!(k <= options_.one_slice_up_to && find_in_one_slice(k)))
             find_in_slices(slice_limits(problem_, k, options_.pairs_per_slice), k);
         return united(k);
     }
 
 private:
-    /// Among the k smallest by Weyl's law, N(μ) ≈ μ / 4π at area 1, where that holds: two steps of Lanczos a pair and not three. Else
-    /// below 0.
+    /// Returns a shift among the k smallest by Weyl's law, N(μ) ≈ μ / 4π at area 1, if it holds: two steps of Lanczos a pair instead of
+    /// three. Else a shift below 0.
     Shift shift_among_lowest(int k) const {
         const double sigma = 2 * pi * k;
         if (k > 4 && sigma < 0.5 * problem_.highest) {
@@ -124,7 +122,7 @@ private:
         return shift_below_zero(problem_, sigma_below_zero(problem_.B));
     }
 
-    /// False where Spectra does not find k.
+    /// Returns false if Spectra does not find k pairs.
     bool find_in_one_slice(int k) {
         SharedProgress progress(options_.progress, 1);
         const Shift shift = shift_among_lowest(k);
@@ -144,12 +142,12 @@ private:
 
     Count count_in(const Gap& gap) const { return count_near(problem_, gap.middle(), 0.2 * (gap.high - gap.low)); }
 
-    /// Many more than were found lie below: then k cuts a cluster, or the run has passed over one. Of a cluster any members will do.
+    /// True if many more lie below than were found: k cuts a cluster, of which any members will do, or the run missed one.
     static bool is_cluster(const Count& count, const SymmetricPairs& found, int k) {
         return count.others - found.count_below(count.sigma) > 40 + k;
     }
 
-    /// Side by side, which changes nothing.
+    /// Finds the slices in parallel; the result does not depend on that.
     void find_in_slices(const std::vector<Count>& limits, int k) {
         std::vector<Slice> slices;
         for (std::size_t i = 1; i < limits.size(); ++i) slices.push_back({limits[i - 1], limits[i]});
@@ -162,9 +160,9 @@ private:
         SharedProgress progress(options_.progress, blocks_.size());
         FirstFailure failure;
         const auto one = [&](std::size_t i) {
-            const auto report = [&, tell = progress.of_slice(i)](double share) {
+            const auto report = [&, add = progress.of_slice(i)](double share) {
                 failure.check();
-                tell(share);
+                add(share);
             };
             failure.guard([&] { blocks_[i] = found_in(slices[i], report, 0); });
         };
@@ -174,11 +172,11 @@ private:
         for (std::size_t i = 1; i < blocks_.size(); ++i) blocks_[i] = beside(blocks_[i - 1], std::move(blocks_[i]));
     }
 
-    /// Halves a slice of which Spectra tells too little, down to where its eigenvalues are.
+    /// Returns the pairs of a slice; halves it where Spectra finds too few.
     SymmetricPairs found_in(Slice slice, const std::function<void(double)>& report, int halvings) {
         constexpr int most_halvings = 6;
         if (slice.wanted == 0) return no_pairs();
-        // Distances from σ are what is accurate, so the smallest eigenvalues need a σ near zero.
+        // Distances from σ are accurate, so the smallest eigenvalues need a σ near zero.
         const Shift shift = slice.low.sigma > 0 ? shift_near(problem_, slice.middle(), 0.05 * slice.width())
                                                 : shift_below_zero(problem_, sigma_below_zero(problem_.B));
         SymmetricPairs found = found_in(slice, shift, no_pairs(), report);
@@ -192,7 +190,7 @@ private:
         return merged(lower, beside(lower, found_in({middle, slice.high}, report, halvings + 1)));
     }
 
-    /// Runs beside what is found until as many are as are counted, or no more is seen.
+    /// Repeats runs, orthogonal to the pairs found, until as many are found as are counted, or no more appear.
     SymmetricPairs found_in(const Slice& slice, const Shift& shift, SymmetricPairs found, const std::function<void(double)>& report) {
         constexpr int most_runs = 40;
         for (int run = found.count() > 0 ? 1 : 0; run < most_runs && slice.held(found) < slice.wanted; ++run) {
@@ -212,26 +210,26 @@ private:
 
     SymmetricPairs no_pairs() const { return {Vector(0), DenseMatrix(problem_.size(), 0)}; }
 
-    /// Whether the last count tells as many as were found, where rounding lets it tell.
-    /// @throws SolverError if it does not
-    void hold_against_count(SlicedPairs& result, const std::vector<double>& mu) const {
-        result.count = last_;
-        double nearest = result.count.sigma;
+    /// Returns the last count beside the number of the values mu found; −1, −1 if rounding may have changed it.
+    /// @throws CrowdedSpectrum if they differ
+    InertiaCount checked_count(const std::vector<double>& mu) const {
+        int found = 0;
+        double nearest = last_.sigma;
         for (const double value : mu) {
-            result.found += value < result.count.sigma ? 1 : 0;
-            nearest = std::min(nearest, std::abs(value - result.count.sigma));
+            found += value < last_.sigma ? 1 : 0;
+            nearest = std::min(nearest, std::abs(value - last_.sigma));
         }
-        result.trusted = result.count.delta < nearest;
-        if (!result.trusted || result.found == result.count.others) return;
+        if (!(last_.delta < nearest)) return {};
+        if (found == last_.others) return {last_.sigma, last_.others + 1, found + 1};
         throw CrowdedSpectrum(
-            "the smallest eigenpairs did not converge: inertia counts " + std::to_string(result.count.others + 1) +
-                " eigenvalues below a shift, " + std::to_string(result.found + 1) + " were found",
+            "the smallest eigenpairs did not converge: inertia counts " + std::to_string(last_.others + 1) +
+                " eigenvalues below a shift, " + std::to_string(found + 1) + " were found",
             "ask for fewer eigenpairs; eigenvalues too close to each other, as of many triangles around one edge, are the "
             "usual cause");
     }
 
-    /// The first k pairs of all slices.
-    SlicedPairs united(int k) {
+    /// Returns the first k pairs of all slices.
+    Modes united(int k) {
         struct Place {
             std::size_t block;
             Eigen::Index column;
@@ -244,8 +242,8 @@ private:
         std::vector<double> mu;
         for (const Place& place : all) mu.push_back(value(place));
 
-        SlicedPairs result;
-        hold_against_count(result, mu);
+        Modes result;
+        result.inertia = checked_count(mu);
         if (static_cast<int>(mu.size()) < k) throw CrowdedSpectrum("the smallest eigenpairs did not converge", "ask for fewer eigenpairs");
         const SymmetricPairs values{Eigen::Map<const Vector>(mu.data(), static_cast<Eigen::Index>(mu.size())), {}};
         const Gap gap = gap_after(values, k);
@@ -262,36 +260,34 @@ private:
     }
 
     const SpectrumProblem& problem_;
-    const SliceOptions& options_;
+    const SpectrumOptions& options_;
     std::vector<SymmetricPairs> blocks_;   // of the slices, ascending
     Count last_;                           // above all of them, or below a cluster that k cuts
     std::atomic<int> repairs_ = 0;
 };
 
-std::string gigabytes(double bytes) { return plain_text(bytes / 1e9, 3) + " GB"; }
-
-/// A factor and a basis of each slice, and all vectors, twice while they are sorted. [bytes]
+/// Memory for the factor and the basis of one slice, and for all vectors, twice while they are sorted. [bytes]
 struct SpectrumMemory {
     double of_slice, of_vectors;
 };
 
-SpectrumMemory memory_of(const SpectrumProblem& problem, int k, const SliceOptions& options) {
+SpectrumMemory memory_of(const SpectrumProblem& problem, int k, const SpectrumOptions& options) {
     const double n = problem.size(), pairs = k > options.one_slice_up_to ? 1.5 * options.pairs_per_slice : k;
     return {problem.order.memory + 8 * n * (5 * pairs + 40), 2 * 8 * n * k};
 }
 
 }   // namespace
 
-SlicedPairs find_by_slices(const SpectrumProblem& problem, int k, const SliceOptions& options) { return Slicer(problem, options).find(k); }
+Modes find_by_slices(const SpectrumProblem& problem, int k, const SpectrumOptions& options) { return Slicer(problem, options).find(k); }
 
-double memory_of_one_slice(const SpectrumProblem& problem, int k, const SliceOptions& options) {
+double memory_of_one_slice(const SpectrumProblem& problem, int k, const SpectrumOptions& options) {
     const SpectrumMemory needed = memory_of(problem, k, options);
     return needed.of_slice + needed.of_vectors;
 }
 
-int slices_that_fit(const SpectrumProblem& problem, int k, const SliceOptions& options, double limit) {
+int slices_that_fit(const SpectrumProblem& problem, int k, const SpectrumOptions& options) {
     const int processors = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
-    if (limit <= 0) limit = available_memory().bytes;
+    const double limit = options.memory_limit > 0 ? options.memory_limit : available_memory().bytes;
     if (limit <= 0) return processors;
     const SpectrumMemory needed = memory_of(problem, k, options);
     const double slices = (limit - needed.of_vectors) / needed.of_slice;
@@ -301,6 +297,7 @@ int slices_that_fit(const SpectrumProblem& problem, int k, const SliceOptions& o
         const int middle = (fitting + too_many) / 2;
         (memory_of_one_slice(problem, middle, options) <= limit ? fitting : too_many) = middle;
     }
+    const auto gigabytes = [](double bytes) { return plain_text(bytes / 1e9, 3) + " GB"; };
     throw SolverError(std::to_string(k) + " eigenpairs of " + std::to_string(problem.size()) + " vertices need " +
                           gigabytes(memory_of_one_slice(problem, k, options)) + " of memory, " + gigabytes(limit) + " are there",
                       fitting >= 1 ? std::to_string(fitting) + (fitting == 1 ? " eigenpair" : " eigenpairs") + " would fit"

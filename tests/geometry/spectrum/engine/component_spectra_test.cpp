@@ -1,5 +1,5 @@
 // The spectrum of a mesh of several components is the union of theirs.
-#include "geometry/spectrum/engine/component_spectra.h"
+#include "geometry/spectrum/engine/spectrum_modes.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -126,7 +126,7 @@ TEST(ComponentSpectra, OfASquareBesideASmallOneAreCertified) {
         for (const int k : {20, 120}) {
             const Spectrum spectrum = smallest_eigenpairs(laplacian, k);
             const SpectrumCertificate c = certify_spectrum(mesh, laplacian, spectrum);
-            // On a speck of 1e-14 of the area the constant is a mode of 0 ± ε A_ii/M_ii only, which is more than the gap.
+            // The constant of a speck with 1e-14 of the area has eigenvalue 0 ± ε A_ii/M_ii, more than the gap.
             const Proof expected = scale < 1e-6 ? Proof::undecided : Proof::proved;
             EXPECT_EQ(c.verdict(), expected) << scale << ", " << k << ": residual " << c.residual << ", limit " << c.residual_limit << ", "
                                              << c.counted_below << " counted, " << c.found_below << " found, zeros " << c.zero_eigenvalues;

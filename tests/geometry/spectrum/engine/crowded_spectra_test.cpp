@@ -30,7 +30,7 @@ TriangleMesh wheel(int n, int hubs) {
     return mesh;
 }
 
-/// Of the uniform operator: 1 − cos(2πj/n) · 2/(2 + hubs) of the rim, and what the hubs add.
+/// Returns the eigenvalues of the uniform operator: 1 − cos(2πj/n) · 2/(2 + hubs) of the rim, and those of the hubs.
 Vector wheel_spectrum(int n, int hubs) {
     std::vector<double> mu = hubs == 1 ? std::vector{0.0, 4.0 / 3} : std::vector{0.0, 1.0, 1.5};
     for (int j = 1; j < n; ++j) mu.push_back(1 - 2.0 / (2 + hubs) * std::cos(2 * pi * j / n));

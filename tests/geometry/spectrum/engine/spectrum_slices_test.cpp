@@ -97,21 +97,21 @@ TEST(SpectrumSlices, OfSymmetricOpenAndBrokenMeshesAreEigenpairs) {
 }
 
 // Multiplicity 4 and 8 and more: a start vector sees one member of each. Inertia counts the others, and they are found beside the first.
-TEST(SpectrumSlices, WhatOneRunCannotSeeIsCountedAndFound) {
+TEST(SpectrumSlices, PairsMissedByOneRunAreCountedAndFound) {
     constexpr int n = 26, k = 120;
     const LaplaceBeltrami laplacian = flat_torus_operator(n, n, std::sqrt(2.0));
     const double area = laplacian.M.sum();
     const SpectrumProblem problem(-laplacian.C, laplacian.M / area);
     const Vector exact = five_point_spectrum(n) * area;
     int repairs = 0;
-    for (const SliceOptions& options : {SliceOptions{.pairs_per_slice = 30, .one_slice_up_to = 0}, SliceOptions{.one_slice_up_to = 1000}}) {
-        const SlicedPairs found = find_by_slices(problem, k - 1, options);
+    for (const SpectrumOptions& options : {in_slices(30), SpectrumOptions{.one_slice_up_to = 1000}}) {
+        const Modes found = find_by_slices(problem, k - 1, options);
         repairs += found.repairs;
         ASSERT_EQ(found.pairs.count(), k - 1);
         for (int j = 1; j < k; ++j) EXPECT_NEAR(found.pairs.mu[j - 1] / exact[j], 1, 1e-10) << j;
         const DenseMatrix gram = found.pairs.Y.transpose() * found.pairs.Y;
         EXPECT_LT((gram - DenseMatrix::Identity(k - 1, k - 1)).cwiseAbs().maxCoeff(), 1e-11);
-        EXPECT_EQ(found.count.others, found.found);
+        EXPECT_EQ(found.inertia.counted, found.inertia.found);
     }
     EXPECT_GT(repairs, 0) << "rounding alone has shown all of them: choose a harder case";
 }
@@ -177,7 +177,7 @@ TEST(SpectrumSlices, PolishedPairsHaveResidualsOfRounding) {
     }
 }
 
-TEST(SpectrumSlices, StopWhenTheCallerSaysSo) {
+TEST(SpectrumSlices, StopWhenTheCallbackThrows) {
     const LaplaceBeltrami laplacian = laplace_beltrami(lopsided_ellipsoid(4));
     for (SpectrumOptions options : {in_slices(20), SpectrumOptions{.dense_below = 0}}) {
         for (const int last : {1, 2, 5, 7}) {
@@ -219,16 +219,15 @@ TEST(SpectrumSlices, MemoryIsRefusedBeforeStartingWithWhatWouldFit) {
     EXPECT_THROW(smallest_eigenpairs(laplacian, 1, options), SolverError);
 }
 
-TEST(SpectrumSlices, WhatIsSaidToFitIsTheMostThatDoes) {
+TEST(SpectrumSlices, TheNumberSaidToFitIsTheLargestThatFits) {
     const LaplaceBeltrami laplacian = laplace_beltrami(icosphere(4));
     const SpectrumProblem problem(-laplacian.C, laplacian.M);
-    const SliceOptions options;
     for (const int k : {2, 60, 61, 75, 500}) {   // up to 60 in one slice
         for (const double share : {0.6, 0.8, 0.9, 0.999}) {
-            const double limit = share * memory_of_one_slice(problem, k, options);
+            const SpectrumOptions options{.memory_limit = share * memory_of_one_slice(problem, k, {})};
             int fitting = 0;
             try {
-                slices_that_fit(problem, k, options, limit);
+                slices_that_fit(problem, k, options);
                 FAIL() << k << " pairs do not fit into less than they need";
             } catch (const SolverError& error) {
                 const std::string message = error.what();
@@ -236,9 +235,9 @@ TEST(SpectrumSlices, WhatIsSaidToFitIsTheMostThatDoes) {
             }
             EXPECT_LT(fitting, k);
             if (fitting > 0) {
-                EXPECT_EQ(slices_that_fit(problem, fitting, options, limit), 1) << k << " at " << share;
+                EXPECT_EQ(slices_that_fit(problem, fitting, options), 1) << k << " at " << share;
             }
-            EXPECT_THROW(slices_that_fit(problem, fitting + 1, options, limit), SolverError) << k << " at " << share;
+            EXPECT_THROW(slices_that_fit(problem, fitting + 1, options), SolverError) << k << " at " << share;
         }
     }
 }

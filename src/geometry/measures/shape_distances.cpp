@@ -1,17 +1,19 @@
-// The inner loop of shape_distances() for the vectors of this processor, chosen at run time (Highway). A triangle is a lane, measured once
-// for its three corners; operations are those of squared_distance_to_triangle(): the same bytes on every processor. In
-// vectors because one by one they were the most expensive function of the default report (2.9 s of 45).
+// shape_distances() with the vector instructions of this processor, chosen at run time (Highway). A triangle is a lane, measured once for
+// its three corners; operations are those of squared_distance_to_triangle(): the same bytes on every processor. Without vectors this was
+// the most expensive function of the default report (2.9 s of 45).
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "geometry/measures/shape_kernels.cpp"
+#define HWY_TARGET_INCLUDE "geometry/measures/shape_distances.cpp"
 #include <hwy/foreach_target.h>
 
-#include "geometry/measures/shape_kernels.h"
+#include "geometry/measures/mesh_error.h"
 
 #include <hwy/highway.h>
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <string>
 
+#include "base/errors.h"
 #include "geometry/measures/closest_point.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -38,13 +40,13 @@ HWY_INLINE Three Chosen(Mask mask, const Three& a, const Three& b) {
     return {hn::IfThenElse(mask, a.x, b.x), hn::IfThenElse(mask, a.y, b.y), hn::IfThenElse(mask, a.z, b.z)};
 }
 
-/// Triangles, a lane each, and what all points are held against.
+/// Triangles, a lane each.
 struct Triangles {
     Three a, b, c, ab, ac, bc, normal;
     Numbers squared_twice_area, longest;
 };
 
-/// Squared distances, and NaN where a triangle is too narrow for them.
+/// Returns squared distances; NaN if a triangle is too narrow for them.
 HWY_INLINE Numbers SquaredDistances(const Triangles& t, const Three& p) {
     const Lanes d;
     const Numbers zero = hn::Zero(d), one = hn::Set(d, 1.0);
@@ -84,6 +86,7 @@ HWY_INLINE Numbers SquaredDistances(const Triangles& t, const Three& p) {
     return hn::IfThenElse(wide, squared, hn::Set(d, std::numeric_limits<double>::quiet_NaN()));
 }
 
+/// Lowers nearest[v] to the squared distance of row v of X from each triangle of the clean mesh around v.
 void LowerToShape(const TriangleMesh& clean, const Positions& X, Vector& nearest) {
     const Lanes d;
     const hn::RebindToSigned<Lanes> whole;
@@ -128,8 +131,12 @@ namespace meshfolio {
 
 HWY_EXPORT(LowerToShape);
 
-void lower_to_shape(const TriangleMesh& clean, const Positions& X, Vector& nearest) {
+Vector shape_distances(const TriangleMesh& clean, const Positions& X) {
+    if (clean.X.rows() != X.rows())
+        throw MeshError("shape_distances: " + std::to_string(clean.X.rows()) + " vertices against " + std::to_string(X.rows()));
+    Vector nearest = (X - clean.X).rowwise().squaredNorm();
     HWY_DYNAMIC_DISPATCH(LowerToShape)(clean, X, nearest);
+    return nearest.cwiseSqrt();
 }
 
 }   // namespace meshfolio
