@@ -19,10 +19,10 @@
 #include <system_error>
 #include <thread>
 
+#include "base/child_process.h"
 #include "base/errors.h"
 #include "base/linux_only.h"
 #include "output/publish/publish.h"
-#include "report/pdf/child_process.h"
 
 namespace meshfolio::cli {
 
@@ -59,7 +59,7 @@ void tell(std::string_view message) {
     int signal = 0;
     while (sigwait(&signals, &signal) != 0) {
     }
-    report::end_children();
+    end_children();
     const bool has_published = output::abandon_publications();
     if (::isatty(STDERR_FILENO)) tell("\n");   // leaves the line of progress
     tell(has_published ? "meshfolio: interrupted; what was finished before is in its place\n"
@@ -82,7 +82,7 @@ void hand_on(int signal) { pthread_kill(ending_thread, signal); }
     } catch (...) {
         tell("meshfolio: internal error: an exception was not caught\n");
     }
-    report::end_children();
+    end_children();
     output::abandon_publications();
     ::_exit(static_cast<int>(ExitCode::failed));
 }

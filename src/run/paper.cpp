@@ -7,14 +7,13 @@
 #include <set>
 #include <utility>
 
+#include "base/child_process.h"
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/sha256.h"
 #include "output/publish/temporaries.h"
 #include "report/page/volumes.h"
-#include "report/pdf/child_process.h"
 #include "report/pdf/pdf_finish.h"
-#include "report/pdf/print_page.h"
 #include "report/pdf/print_pdf.h"
 #include "run/arguments.h"
 #include "run/console.h"
@@ -96,7 +95,7 @@ Paper::Paper(const ReportSettings& settings, const report::Templates& templates,
     : templates_(templates), store_(store), required_(settings.pdf == "require"), engine_(wanted_engine(settings)) {}
 
 Paper::~Paper() {
-    if (std::ranges::any_of(printing_, [](const auto& volume) { return volume.second.valid(); })) report::abandon_children();
+    if (std::ranges::any_of(printing_, [](const auto& volume) { return volume.second.valid(); })) abandon_children();
 }
 
 std::string Paper::pdf_of(report::Volume volume, const report::Document& document, const report::DrawnFigures& figures,

@@ -9,7 +9,7 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
-#include "report/pdf/child_process.h"
+#include "base/child_process.h"
 
 namespace meshfolio::report {
 

@@ -2,18 +2,19 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 
-#include "base/base64.h"
+#include "base/child_process.h"
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "report/escape.h"
-#include "report/pdf/child_process.h"
+#include "report/page/page_design.h"
+#include "report/page/template_render.h"
+#include "report/page/view_model.h"
 #include "report/pdf/pdf_finish.h"
-#include "report/pdf/print_page.h"
 
 namespace meshfolio::report {
 
@@ -21,26 +22,52 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t table_rows = 16;   // tables half as long again and longer show their first and last rows
 constexpr int most_passes = 4;
-constexpr std::string_view mark = "@page:";
 
 using PageNumbers = std::map<std::string, int>;   // by the id of the heading
 
-/// Engines say nothing of a picture that is not there, and make links to other files into paths of this machine.
+/// Returns the text of HTML: without tags, with entities resolved, and with one space for spaces and line ends.
+std::string text_of(const std::string& html) {
+    static const std::pair<std::string_view, char> entities[] = {
+        {"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&#39;", '\''}};
+    std::string text;
+    for (std::size_t i = 0; i < html.size(); ++i) {
+        char c = html[i];
+        if (c == '<') {
+            i = std::min(html.find('>', i), html.size());
+            continue;
+        }
+        for (const auto& [entity, character] : entities) {
+            if (html.compare(i, entity.size(), entity) != 0) continue;
+            c = character;
+            i += entity.size() - 1;
+            break;
+        }
+        const bool space = c == ' ' || c == '\n' || c == '\t';
+        if (!space) text += c;
+        if (space && !text.empty() && text.back() != ' ') text += ' ';
+    }
+    if (text.ends_with(' ')) text.pop_back();
+    return text;
+}
+
+/// Throws if the page refers to other files: engines pass over missing pictures silently and print links as paths of this machine.
 void require_self_contained(const std::string& html) {
     for (const std::string_view attribute : {" src=\"", " href=\""}) {
         for (std::size_t at = html.find(attribute); at != std::string::npos; at = html.find(attribute, at + 1)) {
             const std::size_t begin = at + attribute.size();
             const std::string target = html.substr(begin, html.find('"', begin) - begin);
-            const bool elsewhere = target.starts_with("#") || target.starts_with("data:") || target.starts_with("https://");
-            if (!elsewhere) throw EngineError("the page to be printed refers to '" + printable(target) + "', which is not in it");
+            const bool inside = target.starts_with("#") || target.starts_with("data:") || target.starts_with("https://");
+            if (!inside) throw EngineError("the page to be printed refers to '" + printable(target) + "', which is not in it");
         }
     }
 }
 
-/// The numbers in place of the marks; "00" for one that is not known, which a browser's script replaces (templates/print_pages.js).
-/// @return the numbers in their order, parted by blanks
+/// Replaces the marks "@page:ID@" by numbers; unknown ones by "00", which the script of a browser replaces (templates/print_pages.js).
+/// @return the numbers in their order, separated by spaces
 std::string fill_in(std::string& html, const PageNumbers& numbers) {
+    constexpr std::string_view mark = "@page:";
     std::string all;
     for (std::size_t at = html.find(mark); at != std::string::npos; at = html.find(mark, at + 1)) {
         const std::size_t begin = at + mark.size(), end = html.find('@', begin);
@@ -53,153 +80,95 @@ std::string fill_in(std::string& html, const PageNumbers& numbers) {
     return all;
 }
 
-PageNumbers page_numbers(const std::vector<PageHeading>& headings, const PdfContents& contents) {
-    if (headings.size() != contents.outline.size())
-        throw EngineError("the PDF has " + std::to_string(contents.outline.size()) + " entries in its outline, the page " +
-                          std::to_string(headings.size()) + " headings");
-    PageNumbers numbers;
-    for (std::size_t i = 0; i < headings.size(); ++i) {
-        if (!headings[i].id.empty()) numbers[headings[i].id] = contents.outline[i].page;
-    }
-    return numbers;
+/// Returns the arguments with which the engine prints page.html to page.pdf, both in the scratch folder.
+std::vector<std::string> arguments_of(const PdfEngine& engine, const fs::path& scratch) {
+    if (engine.kind == PdfEngine::Kind::weasyprint) return {"page.html", "page.pdf"};
+    return {"--headless",
+            "--disable-gpu",
+            "--disable-dev-shm-usage",
+            "--user-data-dir=" + (scratch / "profile").string(),
+            "--no-first-run",
+            "--no-default-browser-check",
+            "--disable-background-networking",
+            "--disable-component-update",
+            "--disable-sync",
+            "--disable-default-apps",
+            "--disable-extensions",
+            "--disable-quic",
+            "--hide-scrollbars",
+            "--force-color-profile=srgb",
+            "--font-render-hinting=none",
+            "--virtual-time-budget=60000",   // [ms] that pass at once when the page has nothing to do: its scripts end before it is printed
+            "--no-pdf-header-footer",
+            "--generate-pdf-document-outline",
+            "--print-to-pdf=" + (scratch / "page.pdf").string(),
+            "file://" + url_path((scratch / "page.html").string()) + "#print"};   // templates/print_pages.js
 }
 
-std::vector<std::string> chromium_arguments(const fs::path& scratch, bool sandbox) {
-    std::vector<std::string> arguments{"--headless",
-                                       "--disable-gpu",
-                                       "--disable-dev-shm-usage",
-                                       "--user-data-dir=" + (scratch / "profile").string(),
-                                       "--no-first-run",
-                                       "--no-default-browser-check",
-                                       "--disable-background-networking",
-                                       "--disable-component-update",
-                                       "--disable-sync",
-                                       "--disable-default-apps",
-                                       "--disable-extensions",
-                                       "--disable-quic",
-                                       "--hide-scrollbars",
-                                       "--force-color-profile=srgb",
-                                       "--font-render-hinting=none",
-                                       "--remote-debugging-pipe"};
-    if (!sandbox) arguments.emplace_back("--no-sandbox");
-    return arguments;
-}
-
-/// Has Chromium print a page by the protocol of its developer tools: a PDF that --print-to-pdf writes goes through a script of the
-/// browser first, which takes it half a second for the appendix.
-class PrintingByProtocol {
-public:
-    explicit PrintingByProtocol(const fs::path& page)
-        : url_("file://" + url_path(page.string()) + "#print") {}   // templates/print_pages.js
-
-    const std::string& pdf() const { return pdf_; }
-    const std::string& refusal() const { return refusal_; }
-
-    /// What to say next. nullopt: nothing, this was the end
-    std::optional<std::string> answer(std::string_view message) {
-        if (message.find("\"Inspector.targetCrashed\"") < 100) return refused("lost the page");
-        if (!message.starts_with(message.empty() ? "" : "{\"id\":" + std::to_string(step_) + ","))
-            return "";   // of no command that matters
-        if (message.find("\"error\":{") < 100 || message.find("\"errorText\"") < 200) return refused(std::string(message.substr(0, 300)));
-        switch (++step_) {
-            case 1:
-                return command("Target.createTarget", {{"url", "about:blank"}});
-            case 2:
-                return command("Target.attachToTarget", {{"targetId", value(message, "targetId")}, {"flatten", true}});
-            case 3:
-                session_ = value(message, "sessionId");
-                return command("Inspector.enable");
-            case 4:
-                return command("Page.navigate", {{"url", url_}});
-            case 5:
-                return command("Runtime.evaluate", {{"expression", loaded}, {"awaitPromise", true}});
-            case 6:
-                return command("Page.printToPDF", {{"printBackground", true},
-                                                   {"preferCSSPageSize", true},
-                                                   {"generateTaggedPDF", true},
-                                                   {"generateDocumentOutline", true}});
-        }
-        pdf_ = from_base64(value(message, "data"));
-        return {};
-    }
-
-private:
-    static constexpr const char* loaded =
-        "new Promise(done => document.readyState === 'complete' ? done() : addEventListener('load', () => setTimeout(done)))"
-        ".then(() => globalThis.pagesMade)";
-    std::string url_, session_, pdf_, refusal_;
-    int step_ = 0;   // number of the command that waits for its reply
-
-    std::optional<std::string> refused(std::string why) {
-        refusal_ = std::move(why);
-        return {};
-    }
-    std::string command(const char* method, nlohmann::json parameters = nlohmann::json::object()) const {
-        nlohmann::json command{{"id", step_}, {"method", method}, {"params", std::move(parameters)}};
-        if (!session_.empty()) command["sessionId"] = session_;
-        return command.dump();
-    }
-    /// A text without quotes, which all are that are asked for.
-    static std::string_view value(std::string_view message, const std::string& key) {
-        const std::string before = "\"" + key + "\":\"";
-        const std::size_t at = message.find(before);
-        if (at == std::string_view::npos) return {};
-        const std::size_t begin = at + before.size();
-        return message.substr(begin, message.find('"', begin) - begin);
-    }
-};
-
-/// The engine writes below the scratch folder and nowhere else.
-ChildTask task_of(const PdfEngine& engine, const fs::path& scratch) {
+/// Prints a page with an engine that writes below the scratch folder alone. A PDF is a success, whatever the exit code says.
+std::string printed(const PdfEngine& engine, const std::string& html, const fs::path& scratch) {
     const std::string home = scratch.string();
-    return {engine.program,
-            {},
-            {{"HOME", home},
-             {"TMPDIR", home},
-             {"XDG_CONFIG_HOME", home + "/config"},
-             {"XDG_CACHE_HOME", home + "/cache"},
-             {"XDG_DATA_HOME", home + "/data"},
-             {"XDG_RUNTIME_DIR", home},
-             {"TZ", "UTC"},
-             {"LC_ALL", "C.UTF-8"},
-             {"LANGUAGE", "en"}},
-            scratch};
-}
-
-[[noreturn]] void say_why(const PdfEngine& engine, const std::string& why) {
-    throw EngineError(engine.version + " printed no PDF: it " + why);
-}
-
-std::string printed_by_chromium(const PdfEngine& engine, const fs::path& scratch, bool sandbox) {
-    PrintingByProtocol printing(scratch / "page.html");
-    ChildTask task = task_of(engine, scratch);
-    task.arguments = chromium_arguments(scratch, sandbox);
-    task.answer = [&](std::string_view message) { return printing.answer(message); };
-    const ChildEnd end = run_child(task);
-    if (!printing.pdf().empty()) return printing.pdf();
-    if (sandbox && end.output.find("sandbox") != std::string::npos) return printed_by_chromium(engine, scratch, false);
-    say_why(engine, printing.refusal().empty() ? words_of(end) : "said " + printable(printing.refusal()));
-}
-
-/// Success is a PDF, whatever the exit code says.
-std::string printed_by_weasyprint(const PdfEngine& engine, const fs::path& scratch) {
     const fs::path pdf = scratch / "page.pdf";
     std::error_code ignored;
-    fs::remove(pdf, ignored);
-    ChildTask task = task_of(engine, scratch);
-    task.arguments = {"page.html", "page.pdf"};
-    const ChildEnd end = run_child(task);
-    if (end.kind == ChildEnd::Kind::timed_out || !fs::exists(pdf, ignored)) say_why(engine, words_of(end));
+    fs::remove(pdf, ignored);   // of an earlier pass
+    write_file(scratch / "page.html", html);
+    ChildTask task{engine.program,
+                   arguments_of(engine, scratch),
+                   {{"HOME", home},
+                    {"TMPDIR", home},
+                    {"XDG_CONFIG_HOME", home + "/config"},
+                    {"XDG_CACHE_HOME", home + "/cache"},
+                    {"XDG_DATA_HOME", home + "/data"},
+                    {"XDG_RUNTIME_DIR", home},
+                    {"TZ", "UTC"},
+                    {"LC_ALL", "C.UTF-8"},
+                    {"LANGUAGE", "en"}},
+                   scratch};
+    const bool is_browser = engine.kind == PdfEngine::Kind::chromium;
+    const auto without_sandbox = [&] { task.arguments.insert(task.arguments.begin(), "--no-sandbox"); };
+    if (is_browser && ::geteuid() == 0) without_sandbox();
+    ChildEnd end = run_child(task);
+    if (is_browser && end.kind != ChildEnd::Kind::timed_out && !fs::exists(pdf, ignored) && end.output.find("sandbox") != end.output.npos) {
+        without_sandbox();
+        end = run_child(task);
+    }
+    if (end.kind == ChildEnd::Kind::timed_out || !fs::exists(pdf, ignored))
+        throw EngineError(engine.version + " printed no PDF: it " + words_of(end));
     return read_file(pdf);
 }
 
-std::string printed(const PdfEngine& engine, const std::string& html, const fs::path& scratch) {
-    write_file(scratch / "page.html", html);
-    if (engine.kind == PdfEngine::Kind::weasyprint) return printed_by_weasyprint(engine, scratch);
-    return printed_by_chromium(engine, scratch, ::geteuid() != 0);
+}   // namespace
+
+std::string print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options) {
+    const ViewOptions view{.volume = options.volume,
+                           .timings = false,
+                           .page_numbers = options.page_numbers,
+                           .plain_formulas = !options.mathml,
+                           .columns = options.volume == Volume::report,
+                           .single_views = false,
+                           .passed_checks = false,   // results.json, attached to the report, has them all
+                           .table_rows = table_rows,
+                           .fewest_left_out = table_rows / 2};   // a smaller gap would save nothing
+    nlohmann::json model = view_model(document, figures, templates, view);
+    add_design(model, templates, "print");
+    return render(templates, "print.html", model, xml_escape);
 }
 
-}   // namespace
+std::vector<PageHeading> headings_of(const std::string& html) {
+    std::vector<PageHeading> headings;
+    for (std::size_t at = html.find("<h"); at != std::string::npos; at = html.find("<h", at + 1)) {
+        const char level = at + 2 < html.size() ? html[at + 2] : ' ';
+        if (level < '1' || level > '6') continue;
+        const std::size_t begin = html.find('>', at), end = html.find(std::string("</h") + level, at);
+        if (begin == std::string::npos || end == std::string::npos || end < begin) break;
+        const std::string tag = html.substr(at, begin - at);
+        const std::size_t id = tag.find(" id=\"");
+        const std::string name = id == std::string::npos ? "" : tag.substr(id + 5, tag.find('"', id + 5) - id - 5);
+        headings.push_back({name, text_of(html.substr(begin + 1, end - begin - 1)), level - '0'});
+        at = end;
+    }
+    return headings;
+}
 
 std::string print_pdf(const PrintJob& job, const PdfEngine& engine, const fs::path& scratch) {
     require_self_contained(job.html);
@@ -207,16 +176,18 @@ std::string print_pdf(const PrintJob& job, const PdfEngine& engine, const fs::pa
     PageNumbers numbers;
     std::string pdf;
     for (int pass = 0; pass < most_passes; ++pass) {
-        std::string html = job.html;
-        const std::string told = fill_in(html, numbers);
+        std::string html = job.html, unfilled = job.html;
+        const std::string filled_in = fill_in(html, numbers);
         pdf = printed(engine, html, scratch);
         const PdfContents contents = contents_of_pdf(pdf);
         if (contents.pages < 1) throw EngineError(engine.version + " printed no page");
-        const PageNumbers now = page_numbers(headings, contents);
-        std::string unfilled = job.html;
-        const std::string right = fill_in(unfilled, now);
-        if (told == right || contents.title == right) break;   // the script has left in the title what it filled in
-        numbers = now;
+        if (headings.size() != contents.outline.size())
+            throw EngineError("the PDF has " + std::to_string(contents.outline.size()) + " entries in its outline, the page " +
+                              std::to_string(headings.size()) + " headings");
+        for (std::size_t i = 0; i < headings.size(); ++i)
+            if (!headings[i].id.empty()) numbers[headings[i].id] = contents.outline[i].page;
+        const std::string right = fill_in(unfilled, numbers);
+        if (filled_in == right || contents.title == right) break;   // the script leaves the numbers it has filled in as the title
     }
     PdfDetails details{job.title, job.author, job.creator, job.date, {}, job.attachment_name, job.attachment};
     for (const PageHeading& heading : headings) details.outline.push_back(heading.title);

@@ -116,7 +116,7 @@ private:
     }
     bool estimate_one(Task& task) {
         const BatchMesh& mesh = meshes_[task.mesh];
-        const report::ChildEnd end = run_this_program(report_words(flags_, mesh, {"--plan", "--json", "--threads=1"}));
+        const ChildEnd end = run_this_program(report_words(flags_, mesh, {"--plan", "--json", "--threads=1"}));
         const auto vertices = planned_vertices(end.output);
         if (!has_ended_well(end) || !vertices) {
             index_.set(task.mesh, failed_row(mesh, failure_of(end)));
@@ -128,7 +128,7 @@ private:
         task.memory = plan.memory();
         return true;
     }
-    static bool has_ended_well(const report::ChildEnd& end) { return end.kind == report::ChildEnd::Kind::exited && end.code == 0; }
+    static bool has_ended_well(const ChildEnd& end) { return end.kind == ChildEnd::Kind::exited && end.code == 0; }
 
     void make_reports() {
         ProgressDisplay display(stderr_is_terminal());   // meshes that are done tell how long the others take
@@ -151,15 +151,15 @@ private:
         });
     }
     BatchRow row_made(const BatchMesh& mesh) {
-        const report::ChildEnd end = run_this_program(report_words(flags_, mesh, {"--threads=" + std::to_string(threads_)}));
+        const ChildEnd end = run_this_program(report_words(flags_, mesh, {"--threads=" + std::to_string(threads_)}));
         has_output_error_ =
-            has_output_error_ || (end.kind == report::ChildEnd::Kind::exited && end.code == static_cast<int>(ExitCode::output));
+            has_output_error_ || (end.kind == ChildEnd::Kind::exited && end.code == static_cast<int>(ExitCode::output));
         // The last that a report prints is its page.
         const std::string beside = output::failed_beside(mesh.name).string();
         for (const std::string& line : split(end.output, '\n'))
             if (line.starts_with("meshfolio: ") && line.find(": kept ") != std::string::npos) complain(line.substr(11));
         const std::string printed = end.output.substr(0, end.output.find_last_not_of('\n') + 1);
-        if (end.kind != report::ChildEnd::Kind::exited || end.code > 1 || !printed.ends_with("/index.html"))
+        if (end.kind != ChildEnd::Kind::exited || end.code > 1 || !printed.ends_with("/index.html"))
             return failed_row(mesh, failure_of(end));
         try {
             return row_of_report(mesh, settings_.out, printed.ends_with("/" + beside + "/index.html") ? beside : mesh.name);

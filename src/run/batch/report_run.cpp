@@ -29,15 +29,15 @@ std::vector<std::string> report_words(const BatchFlags& flags, const BatchMesh& 
     return words;
 }
 
-report::ChildEnd run_this_program(const std::vector<std::string>& words) {
-    report::ChildTask task;
+ChildEnd run_this_program(const std::vector<std::string>& words) {
+    ChildTask task;
     task.program = this_program();
     task.arguments = words;
     task.environment["MESHFOLIO_PARENT"] = std::to_string(::getpid());
     task.folder = std::filesystem::current_path();
     task.limit = std::chrono::hours(24 * 20);   // as good as none
     task.tidies_up = true;
-    return report::run_child(task);
+    return run_child(task);
 }
 
 std::optional<double> planned_vertices(const std::string& output) {
@@ -53,10 +53,10 @@ std::optional<double> planned_vertices(const std::string& output) {
     return 0;   // none of what is asked for needs a mesh
 }
 
-std::string failure_of(const report::ChildEnd& end) {
+std::string failure_of(const ChildEnd& end) {
     constexpr std::string_view program = "meshfolio: ";
     const std::string line = report::last_line(end);
-    if (end.kind != report::ChildEnd::Kind::exited || !line.starts_with(program)) return "the report " + words_of(end);
+    if (end.kind != ChildEnd::Kind::exited || !line.starts_with(program)) return "the report " + words_of(end);
     return line.substr(program.size());
 }
 

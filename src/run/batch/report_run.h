@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "report/pdf/child_process.h"
+#include "base/child_process.h"
 #include "run/batch/batch.h"
 #include "run/batch/mesh_list.h"
 
@@ -16,12 +16,12 @@ namespace meshfolio::run {
 std::vector<std::string> report_words(const BatchFlags& flags, const BatchMesh& mesh, const std::vector<std::string>& more);
 
 /// Runs this program with these arguments in the current folder. The child ends when this process ends.
-report::ChildEnd run_this_program(const std::vector<std::string>& words);
+ChildEnd run_this_program(const std::vector<std::string>& words);
 
 /// Returns the number of vertices in the output of `report --plan --json`; nothing if it names no mesh.
 std::optional<double> planned_vertices(const std::string& output);
 
 /// Returns the reason why a child failed, in one line.
-std::string failure_of(const report::ChildEnd& end);
+std::string failure_of(const ChildEnd& end);
 
 }   // namespace meshfolio::run

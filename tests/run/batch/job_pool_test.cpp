@@ -74,9 +74,9 @@ TEST(ReportRuns, APlanIsFoundBehindWarnings) {
 }
 
 TEST(ReportRuns, AFailureIsOneLine) {
-    report::ChildEnd end{report::ChildEnd::Kind::exited, 3, "first\nmeshfolio: a.obj:3: no triangle\n"};
+    ChildEnd end{ChildEnd::Kind::exited, 3, "first\nmeshfolio: a.obj:3: no triangle\n"};
     EXPECT_EQ(failure_of(end), "a.obj:3: no triangle");
-    end = {report::ChildEnd::Kind::killed, 9, "meshfolio: q4\n"};
+    end = {ChildEnd::Kind::killed, 9, "meshfolio: q4\n"};
     EXPECT_NE(failure_of(end).find("killed by signal 9"), std::string::npos);
 }
 

@@ -1,13 +1,13 @@
-#include "report/pdf/child_process.h"
+#include "base/child_process.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <fstream>
+#include <iterator>
 #include <thread>
 
-#include "report/test_tools.h"
-
-namespace meshfolio::report {
+namespace meshfolio {
 namespace {
 
 ChildEnd shell(const std::string& script, std::chrono::milliseconds limit = std::chrono::seconds(60)) {
@@ -37,13 +37,13 @@ TEST(ChildProcess, ReportsAMissingProgram) {
 
 TEST(ChildProcess, KillsTheWholeGroupAtTheLimit) {
     const auto began = std::chrono::steady_clock::now();
-    // The grandchild holds the streams open and would sleep on.
+    // The grandchild holds the streams open.
     const ChildEnd end = shell("sleep 300 & echo $!; wait", std::chrono::milliseconds(700));
     EXPECT_EQ(end.kind, ChildEnd::Kind::timed_out);
     EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
     const pid_t grandchild = std::stoi(end.output);
     for (int i = 0; i < 200 && ::kill(grandchild, 0) == 0; ++i) {
-        // Collected by whoever is its parent now; a zombie has lost its command line.
+        // Its new parent collects it; a zombie has no command line.
         std::ifstream file("/proc/" + std::to_string(grandchild) + "/cmdline");
         if (std::string((std::istreambuf_iterator<char>(file)), {}).empty()) return;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -51,14 +51,14 @@ TEST(ChildProcess, KillsTheWholeGroupAtTheLimit) {
     EXPECT_NE(::kill(grandchild, 0), 0);
 }
 
-TEST(ChildProcess, DoesNotWaitForWhatAProgramLeftBehind) {
+TEST(ChildProcess, DoesNotWaitForProcessesThatTheProgramLeavesBehind) {
     const auto began = std::chrono::steady_clock::now();
     EXPECT_EQ(shell("sleep 300 & exit 0").kind, ChildEnd::Kind::exited);
     EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
 }
 
-TEST(ChildProcess, AbandonedOnesAreKilledAndNoMoreAreStarted) {
-    GTEST_FLAG_SET(death_test_style, "threadsafe");   // in a process of its own: no other test could start a child
+TEST(ChildProcess, AbandoningKillsThoseThatRunAndStartsNoMore) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");   // a process of its own, as no test after it could start a child
     const auto abandoned = [] {
         ChildEnd end;
         std::thread waiting([&] { end = shell("sleep 300"); });
@@ -71,57 +71,11 @@ TEST(ChildProcess, AbandonedOnesAreKilledAndNoMoreAreStarted) {
     EXPECT_EXIT(std::exit(abandoned() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
-TEST(ChildProcess, KeepsTheLastOfMuchOutput) {
+TEST(ChildProcess, KeepsTheEndOfLongOutput) {
     const ChildEnd end = shell("yes abcdefg | head -c 3000000; echo last");
     EXPECT_EQ(end.kind, ChildEnd::Kind::exited);
     EXPECT_LE(end.output.size(), 1u << 16);
     EXPECT_TRUE(end.output.ends_with("last\n"));
-}
-
-TEST(ChildProcess, IsTalkedWithAndDismissed) {
-    const auto began = std::chrono::steady_clock::now();
-    ChildTask task{"/bin/sh", {"-c", "printf 'ready\\0' >&4; printf \"$(head -c 5 <&3) again\\0and more\\0\" >&4; sleep 300"}, {}};
-    std::vector<std::string> heard;
-    task.answer = [&](std::string_view message) -> std::optional<std::string> {
-        heard.emplace_back(message);
-        if (message == "ready") return "hello";
-        if (message == "hello again") return {};
-        return "";
-    };
-    EXPECT_EQ(run_child(task).kind, ChildEnd::Kind::dismissed);
-    EXPECT_EQ(heard, (std::vector<std::string>{"", "ready", "hello again"}));
-    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
-}
-
-TEST(ChildProcess, HearsMoreThanAPipeHolds) {
-    ChildTask task{"/bin/sh", {"-c", "sleep 0.3; head -c 1000000 <&3 | wc -c >&4; printf '\\0' >&4; sleep 300"}, {}};
-    std::string heard;
-    task.answer = [&](std::string_view message) -> std::optional<std::string> {
-        if (message.empty()) return std::string(1000000, 'x');
-        heard = message;
-        return {};
-    };
-    EXPECT_EQ(run_child(task).kind, ChildEnd::Kind::dismissed);
-    EXPECT_EQ(heard, "1000000\n");
-}
-
-TEST(ChildProcess, IsHeldByNoDescendantThatLeftItsGroupAndWritesOn) {
-    const auto began = std::chrono::steady_clock::now();
-    ChildTask task{"/bin/sh", {"-c", "setsid yes & sleep 0.3; printf 'ready\\0' >&4; sleep 300"}, {}};
-    task.answer = [&](std::string_view message) -> std::optional<std::string> {
-        if (message.empty()) return "";
-        return {};
-    };
-    EXPECT_EQ(run_child(task).kind, ChildEnd::Kind::dismissed);
-    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
-}
-
-TEST(ChildProcess, MayEndInTheMiddleOfATalk) {
-    ChildTask task{"/bin/sh", {"-c", "printf 'unfinished' >&4; exit 3"}, {}};
-    task.answer = [](std::string_view) { return std::string(100000, 'x'); };
-    const ChildEnd end = run_child(task);
-    EXPECT_EQ(end.kind, ChildEnd::Kind::exited);
-    EXPECT_EQ(end.code, 3);
 }
 
 TEST(ChildProcess, BlocksNoSignalOfTheChild) {
@@ -136,4 +90,4 @@ TEST(ChildProcess, BlocksNoSignalOfTheChild) {
 }
 
 }   // namespace
-}   // namespace meshfolio::report
+}   // namespace meshfolio

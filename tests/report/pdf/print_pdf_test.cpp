@@ -1,4 +1,4 @@
-#include "report/pdf/print_page.h"
+#include "report/pdf/print_pdf.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,6 @@
 
 #include "base/errors.h"
 #include "report/page/volumes.h"
-#include "report/pdf/print_pdf.h"
 #include "report/sample_document.h"
 #include "report/test_tools.h"
 

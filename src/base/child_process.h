@@ -1,0 +1,43 @@
+/// @file
+/// Runs another program to its end, within a limit of time, in a process group of its own.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace meshfolio {
+
+struct ChildTask {
+    std::filesystem::path program;
+    std::vector<std::string> arguments;               // without the program itself
+    std::map<std::string, std::string> environment;   // replaces variables of this process, or adds to them
+    std::filesystem::path folder = "/";               // working directory
+    std::chrono::milliseconds limit = std::chrono::seconds(120);
+    bool tidies_up = false;   // end_children() sends SIGTERM and waits before it kills
+};
+
+struct ChildEnd {
+    enum class Kind { exited, killed, timed_out, not_started } kind = Kind::not_started;
+    int code = 0;         // exit code, signal, or errno if it could not be started
+    std::string output;   // the last 64 kB written to both streams
+};
+
+/// Runs the program without input and waits for its end. Processes of its group that still run then are killed.
+ChildEnd run_child(const ChildTask& task);
+
+/// Returns the last line of the output, without control characters and at most 300 bytes long.
+std::string last_line(const ChildEnd& end);
+
+/// Returns "ended with exit code 3", "was killed by signal 9" or the like, followed by the last line of the output.
+std::string words_of(const ChildEnd& end);
+
+/// Kills all running children and lets none start any more. For a failure elsewhere in the program: run_child() returns.
+void abandon_children() noexcept;
+
+/// Kills all running children within a second and lets none start any more. For an early end of the process, such as a signal.
+void end_children() noexcept;
+
+}   // namespace meshfolio
