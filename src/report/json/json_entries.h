@@ -98,7 +98,7 @@ struct SectionEntry {
 };
 
 /// Raised whenever a reader of the earlier one would misread what is written; keys that are added do not raise it. Others are refused.
-inline constexpr int schema_version = 4;
+inline constexpr int schema_version = 1;
 
 struct MeshDigest {
     std::string file, sha256;

@@ -220,9 +220,9 @@ TEST(ReadJson, RefusesWhatIsMissing) {
 }
 
 TEST(ReadJson, RefusesOtherVersions) {
-    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 5; }), "schema_version is '5', not 4"));
-    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 3; }), "schema_version is '3', not 4"));
-    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = "4"; }), "schema_version"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 2; }), "schema_version is '2', not 1"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = 0; }), "schema_version is '0', not 1"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["schema_version"] = "1"; }), "schema_version"));
     EXPECT_TRUE(says(refusal([](Json& d) { d.erase("schema_version"); }), "is no results.json"));
     EXPECT_TRUE(says(refusal([](Json& d) { d = Json::array(); }), "is no results.json"));
 }

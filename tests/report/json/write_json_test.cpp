@@ -47,7 +47,7 @@ TEST(WriteJson, SchemaRefusesWhatIsBroken) {
         return document;
     };
     EXPECT_FALSE(is_valid(broken([](json& d) { d.erase("schema_version"); })));
-    EXPECT_FALSE(is_valid(broken([](json& d) { d["schema_version"] = 1; })));
+    EXPECT_FALSE(is_valid(broken([](json& d) { d["schema_version"] = 2; })));
     EXPECT_TRUE(is_valid(broken([](json& d) { d["surplus"] = 1; }))) << "it may be added";
     EXPECT_FALSE(is_valid(broken([](json& d) { d["provenance"].erase("inputs"); })));
     EXPECT_FALSE(is_valid(broken([](json& d) { d["questions"][0]["status"] = "fine"; })));
