@@ -5,8 +5,8 @@
 #include <mustache.hpp>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
@@ -22,7 +22,7 @@ using Component = mustache::component<std::string>;
 
 constexpr std::size_t longest_name = 200;   // of a tag in a message
 
-/// The tree of a template; `error` says "… at <position>" when there is none.
+/// Returns the tree of a template. On a syntax error `error` becomes "… at <position>".
 Component parsed(const std::string& text, std::string& error) {
     mustache::context<std::string> nothing;
     mustache::context_internal<std::string> context(nothing);
@@ -31,7 +31,7 @@ Component parsed(const std::string& text, std::string& error) {
     return root;
 }
 
-/// Limits nesting before parsing: the parser copies the text of every section and recurses.
+/// Refuses deep nesting before the parser runs, which copies the text of every section and recurses.
 std::optional<SyntaxProblem> nesting_problem(const std::string& text) {
     int depth = 0;
     for (std::size_t at = text.find("{{"), end = 0; at != std::string::npos; at = text.find("{{", end)) {
@@ -52,16 +52,6 @@ std::optional<SyntaxProblem> nesting_problem(const std::string& text) {
     return {};
 }
 
-/// An included template does not bring its last line end along: it may stand within a line.
-std::string as_partial(std::string text) {
-    if (text.ends_with('\n')) text.pop_back();
-    return text;
-}
-
-// ---- a template evaluated against a model ---------------------------------------------------------------------------------
-
-using Escape = std::function<std::string(const std::string&)>;
-
 /// Collects the output line by line and drops lines that hold nothing but section tags.
 class Lines {
 public:
@@ -81,27 +71,30 @@ private:
     bool has_section_tag_ = false;
 };
 
-/// Goes through a template as Mustache says. The library parses; it would copy the whole model into values of its own and parse included
-/// templates each time they are met, which took most of the time of a report whose answers are all known.
-class TagWalk {
+/// Evaluates templates against a view model. The library only parses: its own renderer would copy the whole model and parse included
+/// templates each time, which took most of the time of a report from cached answers.
+class Renderer {
 public:
-    TagWalk(const Templates& templates, const json& model, Escape escape = {})
-        : templates_(templates), escape_(std::move(escape)), stack_{&model} {}
+    Renderer(const Templates& templates, const json& model, const std::function<std::string(const std::string&)>& escape)
+        : templates_(templates), escape_(escape), stack_{&model} {}
 
-    void walk_file(const std::string& name) {
+    void render_file(const std::string& name) {
         if (++depth_ > template_limits::deepest_includes) {
             throw UsageError("templates include one another more than " + std::to_string(template_limits::deepest_includes) + " deep",
                              "one that includes itself never ends", {name, 0});
         }
         const std::string_view includer = std::exchange(file_, name);
         auto it = trees_.find(name);
-        if (it == trees_.end() && depth_ > 1) require_known(name, std::string(includer));
         if (it == trees_.end()) {
-            std::string error;
-            it = trees_.emplace(name, parsed(depth_ > 1 ? as_partial(templates_[name]) : templates_[name], error)).first;
-            register_tags(name, it->second);
+            const std::vector<std::string> known = templates_.names();
+            if (std::ranges::find(known, name) == known.end())
+                throw UsageError("{{>" + name + "}} includes what is no template", "did you mean '" + nearest_word(name, known) + "'?",
+                                 {std::string(includer), 0});
+            std::string text = templates_[name], error;
+            if (depth_ > 1 && text.ends_with('\n')) text.pop_back();   // it may be included within a line
+            it = trees_.emplace(name, parsed(text, error)).first;
         }
-        walk(it->second);
+        render_children(it->second);
         --depth_;
         file_ = includer;
     }
@@ -111,60 +104,8 @@ public:
         return lines_.take();
     }
 
-    TagUse result() const {
-        TagUse use;
-        for (const auto& [component, tag] : tags_) {
-            if (tag.state == State::known) continue;
-            const Tag named{tag.file, 0, component->position, component->tag.name};
-            (tag.state == State::unknown ? use.unknown : use.unreached).push_back(named);
-        }
-        for (std::vector<Tag>* tags : {&use.unknown, &use.unreached}) {
-            std::sort(tags->begin(), tags->end());   // the map has no order
-            find_lines(*tags);
-        }
-        return use;
-    }
-
 private:
-    void require_known(const std::string& name, const std::string& includer) const {
-        const std::vector<std::string> known = templates_.names();
-        if (std::find(known.begin(), known.end(), name) != known.end()) return;
-        throw UsageError("{{>" + name + "}} includes what is no template", "did you mean '" + nearest_word(name, known) + "'?",
-                         {includer, 0});
-    }
-
-    enum class State { unreached, known, unknown };
-    struct Registered {
-        std::string file;
-        State state = State::unreached;
-    };
-
-    /// Sets the lines of tags sorted by position, scanning each text once.
-    void find_lines(std::vector<Tag>& tags) const {
-        const Tag* before = nullptr;
-        for (Tag& tag : tags) {
-            const bool goes_on = before != nullptr && before->file == tag.file;
-            const std::string_view text = std::string_view(templates_[tag.file]).substr(0, tag.position);
-            const std::string_view between = text.substr(goes_on ? std::min(before->position, text.size()) : 0);
-            tag.line = (goes_on ? before->line : 1) + std::count(between.begin(), between.end(), '\n');
-            before = &tag;
-        }
-    }
-
-    static bool is_looked_up(const Component& c) {
-        using Type = mustache::tag_type;
-        const Type type = c.tag.type;
-        return type == Type::variable || type == Type::unescaped_variable || c.tag.is_section_begin();
-    }
-
-    void register_tags(const std::string& file, const Component& component) {
-        for (const Component& child : component.children) {
-            if (is_looked_up(child)) tags_[&child] = {file};
-            register_tags(file, child);
-        }
-    }
-
-    /// As Mustache looks a name up: from the innermost context outwards.
+    /// Looks a name up as Mustache does, from the innermost context outwards; null if the model lacks it.
     const json* find(const std::string& name) const {
         if (name == ".") return stack_.back();
         for (auto context = stack_.rbegin(); context != stack_.rend(); ++context) {
@@ -180,7 +121,7 @@ private:
         return nullptr;
     }
 
-    /// Limits steps and output: nested lists could run practically forever.
+    /// Limits steps and output, as nested lists could run practically forever.
     void take_step() {
         const bool too_long = ++steps_ > template_limits::most_steps;
         if (!too_long && lines_.size() <= template_limits::largest_print) return;
@@ -189,65 +130,63 @@ private:
                          "does it repeat a list within itself?", {std::string(file_), 0});
     }
 
-    void walk(const Component& component) {
+    [[noreturn]] void refuse(const Component& tag) const {
+        const std::string file(file_);
+        throw UsageError("nothing is called {{" + tag.tag.name.substr(0, longest_name) + "}} here",
+                         "compare it with the template that comes with meshfolio", {file, line_of_byte(templates_[file], tag.position)});
+    }
+
+    void render_children(const Component& component) {
+        using Type = mustache::tag_type;
         for (const Component& child : component.children) {
             take_step();
+            const Type type = child.tag.type;
             if (child.is_newline()) {
                 lines_.end(child.text);
             } else if (child.is_text()) {
                 lines_.add(child.text);
             }
-            if (child.tag.type == mustache::tag_type::partial) walk_file(child.tag.name);
-            if (!is_looked_up(child)) continue;
+            if (type == Type::partial) render_file(child.tag.name);
+            const bool is_section = child.tag.is_section_begin();
+            if (!is_section && type != Type::variable && type != Type::unescaped_variable) continue;
             const json* value = find(child.tag.name);
-            State& state = tags_[&child].state;
-            if (state != State::unknown) state = value ? State::known : State::unknown;
-            if (value == nullptr) continue;
-            if (child.tag.is_section_begin()) {
-                walk_section(child, *value);
-            } else {
-                print(*value, child.tag.type == mustache::tag_type::variable);
+            if (value == nullptr) refuse(child);
+            if (is_section) {
+                render_section(child, *value);
+            } else if (value->is_string()) {   // lists, objects and booleans print nothing
+                const auto& text = value->get_ref<const std::string&>();
+                lines_.add(type == Type::variable ? escape_(text) : text);
+            } else if (value->is_number()) {
+                lines_.add(value->dump());
             }
         }
     }
 
-    /// Texts as they are or escaped, numbers; lists, objects and booleans have nothing to print.
-    void print(const json& value, bool escaped) {
-        if (value.is_string()) {
-            const auto& text = value.get_ref<const std::string&>();
-            lines_.add(escaped && escape_ ? escape_(text) : text);
-        } else if (value.is_number()) {
-            lines_.add(value.dump());
-        }
-    }
-
-    void walk_section(const Component& section, const json& value) {
+    void render_section(const Component& section, const json& value) {
         const bool empty = value == false || (value.is_array() && value.empty());
         const bool inverted = section.tag.type == mustache::tag_type::section_begin_inverted;
         if (empty != inverted) return;
+        const auto render_with = [&](const json& item) {
+            take_step();   // the section itself may have no children
+            lines_.section_tag();
+            stack_.push_back(&item);
+            render_children(section);
+            stack_.pop_back();
+            lines_.section_tag();
+        };
         if (!value.is_array() || inverted) {
-            walk_in(section, value);
+            render_with(value);
         } else {
-            for (const json& item : value) walk_in(section, item);
+            std::ranges::for_each(value, render_with);
         }
     }
 
-    void walk_in(const Component& section, const json& value) {
-        take_step();   // of each item: a section may be empty
-        lines_.section_tag();
-        stack_.push_back(&value);
-        walk(section);
-        stack_.pop_back();
-        lines_.section_tag();
-    }
-
     const Templates& templates_;
-    Escape escape_;
+    const std::function<std::string(const std::string&)>& escape_;
     Lines lines_;
     std::vector<const json*> stack_;
     std::map<std::string, Component> trees_;
-    std::unordered_map<const Component*, Registered> tags_;
-    std::string_view file_;   // that is being evaluated
+    std::string_view file_;   // being evaluated
     int depth_ = 0;
     long long steps_ = 0;
 };
@@ -263,23 +202,11 @@ std::optional<SyntaxProblem> syntax_problem(const std::string& text) {
     return SyntaxProblem{error.substr(0, at), line_of_byte(text, std::stoul(error.substr(at + 4)))};
 }
 
-TagUse use_of_tags(const Templates& templates, const std::string& name, const json& model) {
-    TagWalk walk(templates, model);
-    walk.walk_file(name);
-    return walk.result();
-}
-
 std::string render(const Templates& templates, const std::string& name, const json& model,
                    const std::function<std::string(const std::string&)>& escape) {
-    TagWalk walk(templates, model, escape);
-    walk.walk_file(name);
-    const TagUse use = walk.result();
-    if (!use.unknown.empty()) {
-        const Tag& tag = use.unknown.front();
-        throw UsageError("nothing is called {{" + tag.name.substr(0, longest_name) + "}} here",
-                         "compare it with the template that comes with meshfolio", {tag.file, tag.line});
-    }
-    return walk.printed();
+    Renderer renderer(templates, model, escape);
+    renderer.render_file(name);
+    return renderer.printed();
 }
 
 }   // namespace meshfolio::report
