@@ -1,5 +1,5 @@
 /// @file
-/// Which keys plots, maps, diagrams and figures have in results.json, described as in json_fields.h.
+/// The keys of plots, maps, diagrams and figures in results.json, described as in json_fields.h.
 #pragma once
 
 #include <string>
@@ -19,36 +19,33 @@ void describe(Fields& fields, Part& range) {
 
 // ---- plots and maps -----------------------------------------------------------------------------------------------------
 
-template <class Fields>
-void describe(Fields& fields, part_of<Series> auto& series) {
+void describe(auto& fields, part_of<Series> auto& series) {
     fields("name", series.name);
     fields.optional("style", series.style, Series::Style::line);
-    fields.optional("color", series.color, -1, {"which of six; absent: that of its place", 0});
-    fields.optional("pattern", series.pattern, -1, {"which of seven dashes and shapes of points; absent: that of its place", 0});
-    fields.optional("panel", series.panel, {}, "those of one panel share a small plot; absent: one plot for all");
+    fields.optional("color", series.color, -1, {"number of the colour, of six; absent: by the place of the series", 0});
+    fields.optional("pattern", series.pattern, -1,
+                    {"number of the dashes and the point shape, of seven; absent: by the place of the series", 0});
+    fields.optional("panel", series.panel, {}, "series of one panel share a small plot; absent: one plot for all");
     fields("x", series.x);
     fields("y", series.y);
     fields.optional("y_low", series.y_low, {});
     fields.optional("y_high", series.y_high, {});
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Marker> auto& marker) {
+void describe(auto& fields, part_of<Marker> auto& marker) {
     fields("x", marker.x);
     fields("y", marker.y);
     fields("label", marker.label);
     fields.optional("panel", marker.panel, {});
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Plot::VerticalLine> auto& line) {
+void describe(auto& fields, part_of<Plot::VerticalLine> auto& line) {
     fields("x", line.x);
     fields("label", line.label);
 }
 
-/// What begins a plot as well as a map.
-template <class Fields>
-void describe_drawing(Fields& fields, auto& drawing) {
+/// Describes the keys that plots and maps have in common.
+void describe_drawing(auto& fields, auto& drawing) {
     fields("id", drawing.id);
     fields("caption", drawing.caption);
     fields("alt", drawing.alt);
@@ -57,8 +54,7 @@ void describe_drawing(Fields& fields, auto& drawing) {
     fields("y_label", drawing.y_label);
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Plot> auto& plot) {
+void describe(auto& fields, part_of<Plot> auto& plot) {
     describe_drawing(fields, plot);
     fields("log_x", plot.log_x);
     fields("log_y", plot.log_y);
@@ -67,8 +63,7 @@ void describe(Fields& fields, part_of<Plot> auto& plot) {
     fields("vertical_lines", plot.vertical_lines);
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Map> auto& map) {
+void describe(auto& fields, part_of<Map> auto& map) {
     const Map fallback;
     describe_drawing(fields, map);
     fields("value_label", map.value_label);
@@ -77,13 +72,13 @@ void describe(Fields& fields, part_of<Map> auto& map) {
     fields("log_values", map.log_values);
     fields.optional("colours", map.colours, fallback.colours);
     fields.optional("middle", map.middle, fallback.middle, "where a diverging map is palest");
-    fields.optional("range", map.range, "of the colours; absent: all that is finite");
-    fields("undefined", map.undefined, "what cells without a value are");
+    fields.optional("range", map.range, "of the colours; absent: all finite values");
+    fields("undefined", map.undefined, "meaning of cells without a value");
     fields("x", map.x);
     fields("y", map.y);
     fields.each("panels", map.panels, [&](auto& panel_fields, auto& panel) {
         panel_fields("title", panel.title);
-        panel_fields.rows("values", panel.values, map.x.size(), map.y.size(), "one row a y, one number an x");
+        panel_fields.rows("values", panel.values, map.x.size(), map.y.size(), "a row for each y, a number for each x");
         panel_fields("lines", panel.lines);
         panel_fields("markers", panel.markers);
     });
@@ -91,8 +86,7 @@ void describe(Fields& fields, part_of<Map> auto& map) {
 
 // ---- diagrams -----------------------------------------------------------------------------------------------------------
 
-template <class Fields>
-void describe(Fields& fields, part_of<Diagram::Path> auto& path) {
+void describe(auto& fields, part_of<Diagram::Path> auto& path) {
     fields.optional("style", path.style, Diagram::Style::line);
     fields.optional("closed", path.closed, false);
     fields.optional("arrow", path.arrow, false, "a head at its last point");
@@ -100,8 +94,7 @@ void describe(Fields& fields, part_of<Diagram::Path> auto& path) {
     fields("y", path.y);
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Diagram::Label> auto& label) {
+void describe(auto& fields, part_of<Diagram::Label> auto& label) {
     fields("x", label.x);
     fields("y", label.y);
     fields("words", label.words);
@@ -110,15 +103,13 @@ void describe(Fields& fields, part_of<Diagram::Label> auto& label) {
     fields.optional("accent", label.accent, false);
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Diagram::Panel> auto& panel) {
+void describe(auto& fields, part_of<Diagram::Panel> auto& panel) {
     fields("title", panel.title);
     fields("paths", panel.paths);
     fields("labels", panel.labels);
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Diagram> auto& diagram) {
+void describe(auto& fields, part_of<Diagram> auto& diagram) {
     fields("id", diagram.id);
     fields("caption", diagram.caption);
     fields("alt", diagram.alt);
@@ -127,8 +118,7 @@ void describe(Fields& fields, part_of<Diagram> auto& diagram) {
 
 // ---- figures ------------------------------------------------------------------------------------------------------------
 
-template <class Fields>
-void describe(Fields& fields, part_of<DrawnPicture> auto& picture) {
+void describe(auto& fields, part_of<DrawnPicture> auto& picture) {
     fields.optional("view", picture.view, {}, "the direction it is seen from; absent: three quarters");
     fields("left", picture.left, {"in the sheet [pixels]", 0});
     fields("top", picture.top, {"", 0});
@@ -137,15 +127,13 @@ void describe(Fields& fields, part_of<DrawnPicture> auto& picture) {
     fields.optional("file", picture.file, {}, file_note());
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<DrawnPanel> auto& panel) {
+void describe(auto& fields, part_of<DrawnPanel> auto& panel) {
     fields("label", panel.label);
     fields("pictures", panel.pictures, "none: an empty cell of a matrix, and the label says why");
     fields.optional("legend", panel.legend, "of its own colours; absent: that of the figure");
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Legend> auto& legend) {
+void describe(auto& fields, part_of<Legend> auto& legend) {
     fields("quantity", legend.quantity);
     fields("unit", legend.unit);
     fields("low", legend.low);
@@ -153,31 +141,29 @@ void describe(Fields& fields, part_of<Legend> auto& legend) {
     fields("colours", legend.colours, "evenly from low to high");
     fields.optional("clipped_below", legend.clipped_below, 0, "share of the values");
     fields.optional("clipped_above", legend.clipped_above, 0, "share of the values");
-    fields.optional("undefined", legend.undefined, {}, "colour of what has no value; absent: everything has one");
+    fields.optional("undefined", legend.undefined, {}, "colour of places without a value; absent: there are none");
     fields.optional("histogram", legend.histogram, {}, "share of the values in equal bins");
     fields.optional("log", legend.log, false, "equal ratios are equally far apart");
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<DrawnModel> auto& model) {
+void describe(auto& fields, part_of<DrawnModel> auto& model) {
     fields.optional("label", model.label, {});
     fields("file", model.file, file_note());
     fields.optional("quantity", model.quantity, {}, "of the values at the vertices, with its unit");
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<FigureEntry> auto& entry) {
+void describe(auto& fields, part_of<FigureEntry> auto& entry) {
     fields("id", entry.figure.id);
     fields("caption", entry.figure.caption);
     fields("alt", entry.figure.alt);
     fields.file_or_null("sheet", entry.drawn.sheet, entry.is_drawn, "null: could not be drawn");
     const DrawnFigure fallback;
     fields.optional("in_a_line", entry.drawn.in_a_line, fallback.in_a_line, "panels beside each other");
-    fields.optional("states", entry.drawn.states, fallback.states, "so many panels after another show one mesh");
+    fields.optional("states", entry.drawn.states, fallback.states, "number of consecutive panels that show one mesh");
     fields.optional("columns", entry.drawn.columns, {}, "heads of a matrix, whose panels are given row by row");
     fields.optional("rows", entry.drawn.rows, {});
     fields.optional("panels", entry.drawn.panels, {}, "meshes, and where their pictures are in the sheet");
-    fields.optional("legend", entry.drawn.legend, "what the colours mean");
+    fields.optional("legend", entry.drawn.legend, "meaning of the colours");
     fields.optional("models", entry.drawn.models, {}, "meshes that readers of the page can turn");
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// The parts of a report as results.json keeps them, where that is not as the document has them; and its words for choices.
+/// The parts of a report as results.json stores them, where they differ from the document, and the names of its enumerators.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace meshfolio::report {
 template <class Part, class Struct>
 concept part_of = std::same_as<std::remove_const_t<Part>, Struct>;
 
-/// What a value means, where its key does not say so, and the limits of an integer.
+/// The meaning of a value, if its key does not say it, and the limits of an integer.
 struct Note {
     Note(const char* words = "", int smallest = std::numeric_limits<int>::min(), int largest = std::numeric_limits<int>::max())
         : meaning(words), least(smallest), most(largest) {}
@@ -33,20 +33,20 @@ inline Note file_note() {
     return note;
 }
 
-/// A figure with what is known of its pictures.
+/// A figure and, once drawn, the data of its pictures.
 struct FigureEntry {
     Figure figure;
     bool is_drawn = false;
     DrawnFigure drawn;
 };
 
-/// One entry of an EntryList, with the kind it shares with the others.
+/// One entry of an EntryList, with the kind of the list.
 struct NumberedEntry {
     std::string kind;
     Entry entry;
 };
 
-/// A block as it stands in `blocks`: short ones whole, the others by their ids.
+/// A block as `blocks` stores it: short ones whole, the others by their ids.
 struct BlockEntry {
     enum class Kind { heading, paragraph, list, formula, table, plot, map, diagram, figure, entries } kind = Kind::heading;
     std::string title;         // heading
@@ -56,7 +56,7 @@ struct BlockEntry {
     std::vector<std::string> ids;
 };
 
-/// A column with the id it goes by in its report.
+/// A column and its id, unique in the report.
 struct ColumnEntry {
     std::string id;
     Column column;
@@ -68,22 +68,22 @@ inline std::vector<ColumnEntry> column_entries(const Table& table) {
     return entries;
 }
 
-/// A check with the id it goes by in its report.
+/// A check and its id, unique in the report.
 struct CheckEntry {
     std::string id;
     Check check;
 };
 
-/// What a parameter says to programs; the words that are printed stand in `parameters`, under its name.
+/// A parameter for programs; `parameters` has the printed text under its name.
 struct ParameterEntry {
     std::string id, name, unit;
     decltype(Parameter::value) value;
     bool operator==(const ParameterEntry&) const = default;
 };
 
-/// A section as results.json keeps it: blocks of a kind together, and their order.
+/// A section as results.json stores it: blocks of a kind together, and their order.
 struct SectionEntry {
-    Section section;   // without its blocks, checks, parameters and timings
+    Section section;   // without blocks, checks, parameters and timings
     std::map<std::string, std::string> parameters;
     std::vector<ParameterEntry> parameter_values;
     std::vector<Table> tables;
@@ -97,14 +97,14 @@ struct SectionEntry {
     std::optional<std::vector<Timing>> timings;   // none: written without them
 };
 
-/// Raised whenever a reader of the earlier one would misread what is written; keys that are added do not raise it. Others are refused.
+/// Raised when readers of the earlier version would misread a file; added keys do not raise it. read_json() refuses other versions.
 inline constexpr int schema_version = 1;
 
 struct MeshDigest {
     std::string file, sha256;
     bool operator==(const MeshDigest&) const = default;
 };
-/// Every input mesh once, by name and content.
+/// Returns every input mesh once, sorted by file and digest.
 std::vector<MeshDigest> input_meshes(const std::vector<Section>& sections);
 
 struct ProvenanceEntry {
@@ -120,7 +120,7 @@ struct ReportEntry {
     std::optional<std::vector<Timing>> timings;
 };
 
-// ---- words for choices --------------------------------------------------------------------------------------------------
+// ---- names of enumerators -----------------------------------------------------------------------------------------------
 
 inline constexpr std::array<const char*, 3> names_of(Column::Best) { return {"none", "smallest", "largest"}; }
 inline constexpr std::array<const char*, 4> names_of(Column::Rounding) { return {"nearest", "down", "up", "tenths"}; }

@@ -1,10 +1,10 @@
 /// @file
-/// Which keys the parts of a report have in results.json: each is described once, for the writer, the reader and the schema. `Fields` is a
-/// FieldWriter, FieldReader or FieldSchema (json_writer.h, json_reader.h, json_schema.cpp); a note at the end is for the schema:
+/// The keys of results.json. Each is described once, for the writer, the reader and the schema: `fields` is a FieldWriter, FieldReader or
+/// FieldSchema (json_writer.h, json_reader.h, json_schema.cpp), and a note in the last place is for the schema.
 ///   fields(key, value)                      always there
-///   fields.optional(key, value, fallback)   left out where it is the fallback
-///   fields.only_if(condition, key, value)   there where the condition holds
-///   fields.derived(key, f)                  follows from the other values: written for programs, checked when read
+///   fields.optional(key, value, fallback)   absent if the value is the fallback
+///   fields.only_if(condition, key, value)   there if the condition holds
+///   fields.derived(key, f)                  follows from other values: written for programs, checked by the reader
 #pragma once
 
 #include <optional>
@@ -21,9 +21,8 @@ namespace meshfolio::report {
 
 inline constexpr int most_digits = 17;   // a double has no more
 
-template <class Fields>
-void describe(Fields& fields, part_of<Column> auto& column) {
-    auto& [name, unit, digits, best, rounding, heat, filter, reference] = column;   // all: a forgotten one does not compile
+void describe(auto& fields, part_of<Column> auto& column) {
+    auto& [name, unit, digits, best, rounding, heat, filter, reference] = column;   // all fields: leaving one out does not compile
     const Column fallback;
     fields("name", name);
     fields("unit", unit);
@@ -35,14 +34,12 @@ void describe(Fields& fields, part_of<Column> auto& column) {
     fields.optional("reference", reference, fallback.reference, "its texts are ids");
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<ColumnEntry> auto& entry) {
-    fields.optional("id", entry.id, {});   // earlier files have none
+void describe(auto& fields, part_of<ColumnEntry> auto& entry) {
+    fields("id", entry.id);
     describe(fields, entry.column);
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Table> auto& table) {
+void describe(auto& fields, part_of<Table> auto& table) {
     fields("id", table.id);
     fields("caption", table.caption);
     fields.derived("file", [&] { return table_file(table.id); });
@@ -50,32 +47,30 @@ void describe(Fields& fields, part_of<Table> auto& table) {
     fields.optional("file_only", table.file_only, false, "for programs: no page shows it");
     std::vector<ColumnEntry> columns = column_entries(table);
     fields("columns", columns);
-    if constexpr (!std::is_const_v<std::remove_reference_t<decltype(table)>>) {   // it is read
+    if constexpr (!std::is_const_v<std::remove_reference_t<decltype(table)>>) {   // the reader
         table.columns.clear();
         for (ColumnEntry& entry : columns) table.columns.push_back(std::move(entry.column));
     }
     fields("rows", table.rows);
 }
 
-// ---- what a section is made of ------------------------------------------------------------------------------------------
+// ---- parts of sections --------------------------------------------------------------------------------------------------
 
-template <class Fields>
-void describe(Fields& fields, part_of<NumberedEntry> auto& numbered) {
+void describe(auto& fields, part_of<NumberedEntry> auto& numbered) {
     const auto plain_paragraphs = [&] {
         std::vector<std::string> words;
         for (const Text& paragraph : numbered.entry.paragraphs) words.push_back(plain(paragraph));
         return words;
     };
     fields("id", numbered.entry.id);
-    fields("kind", numbered.kind, "what it is called by: \"Claim\"");
+    fields("kind", numbered.kind, "its name in references: \"Claim\"");
     fields("title_runs", numbered.entry.title);
     fields("paragraph_runs", numbered.entry.paragraphs);
     fields.derived("title", [&] { return plain(numbered.entry.title); });
     fields.derived("paragraphs", plain_paragraphs);
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<BlockEntry> auto& block) {
+void describe(auto& fields, part_of<BlockEntry> auto& block) {
     fields("kind", block.kind);
     switch (block.kind) {
         case BlockEntry::Kind::heading:
@@ -95,8 +90,7 @@ void describe(Fields& fields, part_of<BlockEntry> auto& block) {
     }
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Check> auto& check) {
+void describe(auto& fields, part_of<Check> auto& check) {
     fields("name", check.name);
     fields("kind", check.kind);
     fields("expected", check.expected);
@@ -108,24 +102,21 @@ void describe(Fields& fields, part_of<Check> auto& check) {
     fields.optional("note", check.note, {});
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<CheckEntry> auto& entry) {
-    fields.optional("id", entry.id, {});   // earlier files have none
+void describe(auto& fields, part_of<CheckEntry> auto& entry) {
+    fields("id", entry.id);
     describe(fields, entry.check);
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<ParameterEntry> auto& entry) {
+void describe(auto& fields, part_of<ParameterEntry> auto& entry) {
     fields("id", entry.id);
     fields("name", entry.name, "in `parameters`");
-    fields("value", entry.value, "words where it is no number and no list of numbers");
+    fields("value", entry.value, "a number, a list of numbers, or words");
     fields("unit", entry.unit);
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Input> auto& input) {
+void describe(auto& fields, part_of<Input> auto& input) {
     fields("role", input.role);
-    fields("asked", input.asked, "the assignment's path; empty: no one asked for this mesh");
+    fields("asked", input.asked, "path in the assignment; empty: not asked for");
     fields("file", input.file);
     fields("stand_in", input.stand_in, "a bundled mesh in place of the one asked for");
     fields("sha256", input.sha256);
@@ -133,24 +124,21 @@ void describe(Fields& fields, part_of<Input> auto& input) {
     fields("triangles", input.triangles, {"", 0});
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<CodeReference> auto& code) {
+void describe(auto& fields, part_of<CodeReference> auto& code) {
     fields("function", code.function);
     fields("file", code.file);
     fields("purpose", code.purpose);
     fields.optional("line", code.line, 0, {"of its definition in src.txt; absent where src.txt has none", 1});
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<Timing> auto& timing) {
+void describe(auto& fields, part_of<Timing> auto& timing) {
     fields("what", timing.what);
     fields("seconds", timing.seconds);
 }
 
-inline constexpr const char* timings_note = "absent when the report was made without timings; the only part that differs from run to run";
+inline constexpr const char* timings_note = "absent from a report without timings; the only part that differs from run to run";
 
-template <class Fields>
-void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
+void describe(auto& fields, part_of<SectionEntry> auto& entry) {
     auto& section = entry.section;
     fields("id", section.id);
     fields("title", section.title);
@@ -160,12 +148,12 @@ void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
     fields.optional("answer", section.answer, {}, "in one sentence");
     fields.only_if(section.status == Status::failed, "failure", section.failure, "why, for status failed");
     fields("inputs", section.inputs);
-    fields("parameters", entry.parameters, "what is printed of each");
-    fields.optional("parameter_values", entry.parameter_values, {}, "the same, in their order, for programs");   // earlier files have none
+    fields("parameters", entry.parameters, "the printed text of each");
+    fields("parameter_values", entry.parameter_values, "the same, in their order, for programs");
     fields("code", section.code);
-    fields("blocks", entry.blocks, "what is read, in order: each list below from its beginning");
+    fields("blocks", entry.blocks, "the order of reading: each list below is used from its beginning");
     fields.optional("appendix_from", section.appendix_from, -1,
-                    {"how many of them stand in the report; the appendix has the others; absent: none", 0});
+                    {"number of blocks in the report; the appendix has the others; absent: all are in the report", 0});
     fields("tables", entry.tables);
     fields("plots", entry.plots);
     fields("maps", entry.maps, "values over a plane, in panels on common axes");
@@ -175,20 +163,18 @@ void describe(Fields& fields, part_of<SectionEntry> auto& entry) {
     fields(
         "checks", entry.checks,
         "near: |measured - expected| <= tolerance; at_most: measured <= expected + tolerance; at_least: measured >= expected - tolerance; "
-        "undecided: the number says nothing about what is checked, for the reason in the note, and is no failure");
+        "undecided: the number decides nothing, for the reason in the note; no failure");
     fields("warnings", section.warnings);
     fields("output_meshes", section.output_meshes, file_note());
     fields.optional("timings", entry.timings, timings_note);
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<MeshDigest> auto& mesh) {
+void describe(auto& fields, part_of<MeshDigest> auto& mesh) {
     fields("file", mesh.file);
     fields("sha256", mesh.sha256);
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<ProvenanceEntry> auto& entry) {
+void describe(auto& fields, part_of<ProvenanceEntry> auto& entry) {
     auto& provenance = entry.provenance;
     fields.derived("program", [] { return "meshfolio"; });
     fields("version", provenance.version);
@@ -201,8 +187,7 @@ void describe(Fields& fields, part_of<ProvenanceEntry> auto& entry) {
     fields("inputs", entry.inputs);
 }
 
-template <class Fields>
-void describe(Fields& fields, part_of<ReportEntry> auto& report) {
+void describe(auto& fields, part_of<ReportEntry> auto& report) {
     fields("schema_version", report.version, {"", schema_version, schema_version});
     fields("title", report.title);
     fields("author", report.author);

@@ -11,7 +11,7 @@ namespace {
 
 using Unordered = nlohmann::json;
 
-/// Walks through the text and counts how far the parser has read: at a value, its last character or one beyond.
+/// Walks through the text and tracks how far the parser has read: at a value, to its last character or one further.
 class CountingIterator {
 public:
     using iterator_category = std::input_iterator_tag;
@@ -44,10 +44,10 @@ long line_of_json(std::string_view text, const std::string& path) {
         std::size_t index = 0;
     };
     std::vector<Level> levels;
-    std::string of_member;   // path of the value that the last key names
+    std::string member;   // path of the value of the last key
     const auto next_path = [&] {
         if (levels.empty()) return std::string();
-        if (!levels.back().is_list) return of_member;
+        if (!levels.back().is_list) return member;
         return levels.back().path + "[" + std::to_string(levels.back().index++) + "]";
     };
     const char *furthest = text.data(), *found = nullptr;
@@ -56,7 +56,7 @@ long line_of_json(std::string_view text, const std::string& path) {
             levels.pop_back();
         } else if (event == Event::key) {
             const std::string& before = levels.back().path;
-            of_member = before + (before.empty() ? "" : ".") + value.get<std::string>();
+            member = before + (before.empty() ? "" : ".") + value.get<std::string>();
         } else {
             const std::string here = next_path();
             if (found == nullptr && here == path) found = furthest;

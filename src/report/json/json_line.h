@@ -1,5 +1,5 @@
 /// @file
-/// On which line of a JSON text something stands.
+/// Lines of a JSON text.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,14 @@
 
 namespace meshfolio::report {
 
-/// The line of the value at `path` ("questions[0].title"), counted from 1; 0 if it is not found.
+/// Returns the line, counted from 1, of the value at `path` ("questions[0].title"); 0 if there is no such value.
 long line_of_json(std::string_view text, const std::string& path);
 
-/// The first bracket or brace nested deeper than `levels`, if any. Check this first wherever JSON values are processed recursively.
+/// Returns the position of the first bracket or brace nested deeper than `levels`, if any. To be checked before JSON from outside is
+/// parsed.
 std::optional<std::size_t> deeper_than(int levels, std::string_view text);
 
-/// The line of a byte, counted from 1.
+/// Returns the line of the byte at position `byte`, counted from 1.
 long line_of_byte(std::string_view text, std::size_t byte);
 
 }   // namespace meshfolio::report

@@ -6,24 +6,6 @@
 
 namespace meshfolio::report {
 
-namespace {
-
-constexpr std::size_t longest_id = 200;
-
-bool is_id_character(char c) { return is_alphanumeric(c) || c == '_' || c == '-' || c == '.' || c == '+'; }
-
-[[noreturn]] void refuse_type(const Json& json, const JsonPlace& place, const std::string& wanted) {
-    throw JsonProblem(place, "is " + type_in_words(json) + ", not " + wanted);
-}
-
-template <class Value>
-void take(const Json& json, Value& value, const JsonPlace& place, bool is_right, const char* wanted) {
-    if (!is_right) refuse_type(json, place, wanted);
-    value = json.get<Value>();
-}
-
-}   // namespace
-
 std::string JsonPlace::path() const {
     if (parent == nullptr) return "";
     const std::string before = parent->path();
@@ -31,7 +13,11 @@ std::string JsonPlace::path() const {
     return before + (before.empty() ? "" : ".") + std::string(key);
 }
 
-std::string type_in_words(const Json& value) {
+FieldReader::FieldReader(const Json& object, const JsonPlace& place) : object_(object), place_(place) {
+    if (!object.is_object()) refuse_type(object, place, "an object");
+}
+
+std::string FieldReader::type_in_words(const Json& value) {
     if (value.is_null()) return "null";
     if (value.is_boolean()) return "a truth value";
     if (value.is_number()) return value.is_number_float() ? "a number" : "the integer " + value.dump();
@@ -39,7 +25,11 @@ std::string type_in_words(const Json& value) {
     return value.is_array() ? "a list" : "an object";
 }
 
-void require_inner_path(const std::string& path, const JsonPlace& place) {
+void FieldReader::refuse_type(const Json& json, const JsonPlace& place, const std::string& wanted) {
+    throw JsonProblem(place, "is " + type_in_words(json) + ", not " + wanted);
+}
+
+void FieldReader::require_inner_path(const std::string& path, const JsonPlace& place) {
     bool inside = !path.empty() && path.front() != '/' && path.find('\0') == std::string::npos;
     for (std::size_t begin = 0; inside && begin <= path.size();) {
         const std::size_t end = std::min(path.find('/', begin), path.size());
@@ -50,19 +40,17 @@ void require_inner_path(const std::string& path, const JsonPlace& place) {
     if (!inside) throw JsonProblem(place, "is no path of a file inside the report", "write it relative to the folder of results.json");
 }
 
-void require_between(int value, const Note& limits, const JsonPlace& place) {
+void FieldReader::require_between(int value, const Note& limits, const JsonPlace& place) {
     if (value >= limits.least && value <= limits.most) return;
     throw JsonProblem(place, "is " + std::to_string(value),
                       "it may be " + std::to_string(limits.least) + " to " + std::to_string(limits.most));
 }
 
-void require_good_id(const std::string& id, const JsonPlace& place) {
-    if (id.empty() || id.size() > longest_id || id.front() == '.' || !std::all_of(id.begin(), id.end(), is_id_character))
+void FieldReader::require_good_id(const std::string& id, const JsonPlace& place) {
+    constexpr std::size_t longest_id = 200;
+    const auto is_allowed = [](char c) { return is_alphanumeric(c) || c == '_' || c == '-' || c == '.' || c == '+'; };
+    if (id.empty() || id.size() > longest_id || id.front() == '.' || !std::ranges::all_of(id, is_allowed))
         throw JsonProblem(place, "is no id", "use letters, digits and '_', at most " + std::to_string(longest_id));
-}
-
-FieldReader::FieldReader(const Json& object, const JsonPlace& place) : object_(object), place_(place) {
-    if (!object.is_object()) refuse_type(object, place, "an object");
 }
 
 const Json& FieldReader::required(const char* key) {
@@ -99,7 +87,7 @@ std::optional<int> FieldReader::Odd::next() {
 }
 
 void FieldReader::Odd::require_used(const JsonPlace& at) const {
-    if (used != signs.size()) throw JsonProblem(at, "has not the numbers that are said not to be finite", "take a whole results.json");
+    if (used != signs.size()) throw JsonProblem(at, "lacks numbers that are listed as not finite", "take a whole results.json");
 }
 
 // ---- values -------------------------------------------------------------------------------------------------------------
@@ -107,7 +95,7 @@ void FieldReader::Odd::require_used(const JsonPlace& at) const {
 void FieldReader::read(const Json& json, double& value, const JsonPlace& place, Odd& odd) {
     constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
     const std::optional<int> sign = odd.next();
-    if (sign && !json.is_null()) refuse_type(json, place, "null, as it is said not to be finite");
+    if (sign && !json.is_null()) refuse_type(json, place, "null, as it is listed as not finite");
     if (json.is_null()) {
         value = sign.value_or(0) == 0 ? nan : *sign * infinity;
     } else if (json.is_number()) {
@@ -138,24 +126,12 @@ void FieldReader::read(const Json& json, decltype(Parameter::value)& value, cons
         read(json, value.emplace<double>(), place, odd);
 }
 
-void FieldReader::read(const Json& json, bool& value, const JsonPlace& place, Odd&) {
-    take(json, value, place, json.is_boolean(), "true or false");
-}
-
 void FieldReader::read(const Json& json, int& value, const JsonPlace& place, Odd&) {
     if (!json.is_number_integer()) refuse_type(json, place, "an integer");
     const bool fits = json.is_number_unsigned() ? json.get<std::uint64_t>() <= std::uint64_t{std::numeric_limits<int>::max()}
                                                 : json.get<std::int64_t>() >= std::numeric_limits<int>::min();
     if (!fits) throw JsonProblem(place, "is an integer out of range");
     value = json.get<int>();
-}
-
-void FieldReader::read(const Json& json, std::uint64_t& value, const JsonPlace& place, Odd&) {
-    take(json, value, place, json.is_number_unsigned(), "an integer from 0");
-}
-
-void FieldReader::read(const Json& json, std::string& value, const JsonPlace& place, Odd&) {
-    take(json, value, place, json.is_string(), "a text");
 }
 
 void FieldReader::read(const Json& json, std::map<std::string, std::string>& value, const JsonPlace& place, Odd&) {
@@ -171,7 +147,7 @@ void FieldReader::read(const Json& json, Run& value, const JsonPlace& place, Odd
     }
     if (!json.is_object() || json.size() != 1 || !json.begin()->is_string()) refuse_type(json, place, "a text or one of a kind");
     value.kind = static_cast<Run::Kind>(choice(Json(json.begin().key()), place, names_of(Run::Kind())));
-    if (value.kind == Run::Kind::plain) throw JsonProblem(place, "is an object, though plain", "write the text alone");
+    if (value.kind == Run::Kind::plain) throw JsonProblem(place, "is an object, though its text is plain", "write the text alone");
     value.content = json.begin()->get<std::string>();
 }
 
@@ -188,7 +164,7 @@ void FieldReader::rows(const char* key, std::vector<double>& values, std::size_t
     odd.require_used(place);
 }
 
-// ---- what belongs together ----------------------------------------------------------------------------------------------
+// ---- consistency --------------------------------------------------------------------------------------------------------
 
 void FieldReader::require_sound(const ColumnEntry& entry, const JsonPlace& place) {
     const auto& heat = entry.column.heat;

@@ -1,6 +1,6 @@
 /// @file
-/// JSON to values, by the descriptions of json_fields.h. Strict: every key is there, every value of its type and in its
-/// limits; keys that are not known are passed over, as a later version may have added them.
+/// JSON to values, by the descriptions of json_fields.h. Every key must be there, every value of its type and within its limits. Unknown
+/// keys are ignored, as a later version may have added them.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace meshfolio::report {
 
-/// The path of a value in the JSON, formatted only on demand.
+/// The place of a value in the JSON, formatted on demand.
 struct JsonPlace {
     const JsonPlace* parent = nullptr;
     std::string_view key = {};   // empty: an element of a list
@@ -27,25 +27,16 @@ struct JsonPlace {
     std::string path() const;   // "questions[0].tables[2].id"; empty: the whole
 };
 
-/// What is wrong with a value, thrown by the reader; read_json() turns it into an InputError with its line.
+/// The reader's exception for a wrong value; read_json() turns it into an InputError with the line.
 struct JsonProblem : std::runtime_error {
     JsonProblem(const JsonPlace& place, const std::string& problem, std::string todo = "")
         : std::runtime_error(problem), path(place.path()), remedy(std::move(todo)) {}
     std::string path, remedy;
 };
 
-/// "a text", "a list", …
-std::string type_in_words(const Json& value);
-/// @throws JsonProblem unless it is a path inside the report's folder
-void require_inner_path(const std::string& path, const JsonPlace& place);
-/// @throws JsonProblem unless it is within the limits of the note
-void require_between(int value, const Note& limits, const JsonPlace& place);
-/// @throws JsonProblem unless it may be a part of a file's name
-void require_good_id(const std::string& id, const JsonPlace& place);
-
 class FieldReader {
 public:
-    /// @throws JsonProblem unless it is an object
+    /// @throws JsonProblem unless `object` is a JSON object
     FieldReader(const Json& object, const JsonPlace& place);
 
     template <class Value>
@@ -105,25 +96,42 @@ private:
     const Json& object_;
     JsonPlace place_;
 
-    /// The list of the numbers of a value that are not finite.
+    /// The listed numbers of a value that are not finite, by their places in reading order.
     struct Odd {
-        std::map<std::size_t, int> signs = {};
+        std::map<std::size_t, int> signs = {};   // 1: ∞, −1: −∞, 0: NaN
         std::size_t place = 0, used = 0;
-        std::optional<int> next();   // of the number that is read now
+        std::optional<int> next();   // the sign at the next place, if listed
         void require_used(const JsonPlace& at) const;
     };
 
     const Json& required(const char* key);
     Odd odd_of(const char* key);
     static const Json& list_in(const Json& value, const JsonPlace& place);
+    static std::string type_in_words(const Json& value);   // "a text", "a list", …
+    [[noreturn]] static void refuse_type(const Json& json, const JsonPlace& place, const std::string& wanted);
+    static void require_inner_path(const std::string& path, const JsonPlace& place);   // a path inside the report's folder
+    static void require_between(int value, const Note& limits, const JsonPlace& place);
+    static void require_good_id(const std::string& id, const JsonPlace& place);   // fit for the name of a file
 
+    /// Takes a value that the JSON library converts, if it is of the right type.
+    template <class Value>
+    static void take(const Json& json, Value& value, const JsonPlace& place, bool is_right, const char* wanted) {
+        if (!is_right) refuse_type(json, place, wanted);
+        value = json.get<Value>();
+    }
+    static void read(const Json& json, bool& value, const JsonPlace& place, Odd&) {
+        take(json, value, place, json.is_boolean(), "true or false");
+    }
+    static void read(const Json& json, std::uint64_t& value, const JsonPlace& place, Odd&) {
+        take(json, value, place, json.is_number_unsigned(), "an integer from 0");
+    }
+    static void read(const Json& json, std::string& value, const JsonPlace& place, Odd&) {
+        take(json, value, place, json.is_string(), "a text");
+    }
     static void read(const Json& json, double& value, const JsonPlace& place, Odd& odd);
     static void read(const Json& json, Cell& value, const JsonPlace& place, Odd& odd);
     static void read(const Json& json, decltype(Parameter::value)& value, const JsonPlace& place, Odd& odd);
-    static void read(const Json& json, bool& value, const JsonPlace& place, Odd& odd);
     static void read(const Json& json, int& value, const JsonPlace& place, Odd& odd);
-    static void read(const Json& json, std::uint64_t& value, const JsonPlace& place, Odd& odd);
-    static void read(const Json& json, std::string& value, const JsonPlace& place, Odd& odd);
     static void read(const Json& json, std::map<std::string, std::string>& value, const JsonPlace& place, Odd& odd);
     static void read(const Json& json, Run& value, const JsonPlace& place, Odd& odd);
 
@@ -156,7 +164,7 @@ private:
                           "it may be " + known);
     }
 
-    // What a description cannot say: sizes that belong together.
+    // Conditions that a description cannot state, such as lists of equal length.
     static void require_sound(const ColumnEntry& entry, const JsonPlace& place);
     static void require_sound(const Table& table, const JsonPlace& place);
     static void require_sound(const Series& series, const JsonPlace& place);
@@ -164,14 +172,5 @@ private:
     template <class Value>
     static void require_sound(const Value&, const JsonPlace&) {}
 };
-
-/// @throws JsonProblem
-template <class Value>
-Value read_value(const Json& json, const JsonPlace& place) {
-    Value value;
-    FieldReader fields(json, place);
-    describe(fields, value);
-    return value;
-}
 
 }   // namespace meshfolio::report

@@ -9,13 +9,13 @@ namespace meshfolio::report {
 
 namespace {
 
-/// Where a type has been described already: later places refer to it.
+/// The place where a type is described; later places refer to it.
 using KnownTypes = std::map<std::type_index, std::string>;
 
-/// The lists beside values that name their numbers that are not finite.
+/// The type of the lists of numbers that are not finite.
 struct NotFinite {};
 
-/// What keys alone do not say.
+/// Returns rules that the keys alone do not express.
 Json rules_of(const CheckEntry&) {
     return Json::parse(R"({"oneOf": [
         {"properties": {"status": {"const": "passed"}, "passed": {"const": true}}},
@@ -150,7 +150,7 @@ private:
         return schema_of_part(part, pointer, known_);
     }
     Json schema_of_new(const NotFinite&, const std::string&) {
-        return Json::parse(R"({"description": "which numbers of the value of that name are not finite: [place in reading order, )"
+        return Json::parse(R"({"description": "the numbers of the value of that name that are not finite: [place in reading order, )"
                            R"(1: infinite, -1: minus infinite, 0: a cell that is NaN]; other NaN are null alone", "type": "array",)"
                            R"("items": {"type": "array", "items": {"type": "integer"}, "minItems": 2, "maxItems": 2}})");
     }
@@ -164,7 +164,7 @@ private:
              {{{"type", "string"}},
               {{"type", "object"}, {"minProperties", 1}, {"maxProperties", 1}, {"additionalProperties", false}, {"properties", kinds}}}}};
     }
-    /// Each kind has keys of its own.
+    /// Describes each kind of block with its own keys.
     Json schema_of_new(const BlockEntry&, const std::string& pointer) {
         Json kinds = Json::array();
         for (const char* name : names_of(BlockEntry::Kind())) {
@@ -178,21 +178,19 @@ private:
     }
 };
 
-std::string made() {
-    KnownTypes known;
-    Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                   {"$id", "urn:meshfolio:results:" + std::to_string(schema_version)},
-                   {"title", "results.json of meshfolio"},
-                   {"description", "keys may be added: readers pass over those they do not know"}};
-    schema.update(FieldSchema::schema_of_part(ReportEntry(), "", known));
-    return schema.dump(1) + "\n";
-}
-
 }   // namespace
 
 const std::string& results_schema() {
-    static const std::string schema = made();
-    return schema;
+    static const std::string text = [] {
+        KnownTypes known;
+        Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                       {"$id", "urn:meshfolio:results:" + std::to_string(schema_version)},
+                       {"title", "results.json of meshfolio"},
+                       {"description", "later versions may add keys: readers ignore unknown ones"}};
+        schema.update(FieldSchema::schema_of_part(ReportEntry(), "", known));
+        return schema.dump(1) + "\n";
+    }();
+    return text;
 }
 
 }   // namespace meshfolio::report

@@ -1,5 +1,5 @@
 /// @file
-/// Values to JSON, by the descriptions of json_fields.h. Keys stand in the order they are described.
+/// Values to JSON, by the descriptions of json_fields.h and in their order.
 #pragma once
 
 #include <cmath>
@@ -16,11 +16,11 @@ namespace meshfolio::report {
 
 using Json = nlohmann::ordered_json;
 
-/// Which numbers of a value are not finite, as JSON cannot say it: [place in reading order, 1 for ∞, −1 for −∞, 0 for NaN]. A NaN
-/// outside of a cell is not listed: null says it already.
+/// The ending of the key that lists the numbers of a value that are not finite, which JSON has not: [place in reading order, 1 for ∞, −1
+/// for −∞, 0 for NaN]. All become null; a NaN outside a cell is not listed.
 inline constexpr const char* not_finite = "_not_finite";
 
-/// A derived value as JSON; null if there is none.
+/// Returns a derived value as JSON; null if it is empty.
 template <class Value>
 Json derived_json(const Value& value) {
     return value;
@@ -57,7 +57,7 @@ public:
         object_[key] = there ? Json(path) : Json();
     }
 
-    /// A list of objects, each described by `describe_one(fields, item)`.
+    /// Writes a list of objects, each described by `describe_one(fields, item)`.
     template <class Item, class Describe>
     void each(const char* key, const std::vector<Item>& items, Describe describe_one) {
         Json list = Json::array();
@@ -70,7 +70,7 @@ public:
         object_[key] = std::move(list);
     }
 
-    /// Values of a grid, a row of `width` at a time.
+    /// Writes the values of a grid as a list of `height` rows.
     void rows(const char* key, const std::vector<double>& values, std::size_t width, std::size_t height, const Note& = {}) {
         Odd odd;
         Json rows = Json::array();
@@ -85,7 +85,7 @@ public:
 private:
     Json& object_;
 
-    /// The numbers of one value that are not finite.
+    /// Lists the numbers of one value that are not finite.
     struct Odd {
         std::size_t place = 0;
         Json list = Json::array();

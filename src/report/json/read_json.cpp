@@ -13,7 +13,7 @@ namespace meshfolio::report {
 
 namespace {
 
-constexpr int deepest_json = 64;   // ours is at most a third as deep
+constexpr int deepest_json = 64;   // three times the depth of our own
 
 const std::string& id_of(const FigureEntry& part) { return part.figure.id; }
 const std::string& id_of(const NumberedEntry& part) { return part.entry.id; }
@@ -30,31 +30,25 @@ void for_each_list(auto& section, const Visit& visit) {
     visit("entries", section.entries);
 }
 
-/// Refuses an id that something else has already.
-class Ids {
-public:
-    void add(const std::string& id, const JsonPlace& place) {
-        if (!ids_.insert(id).second) throw JsonProblem(place, "uses the id " + in_quotes(id) + " a second time", "give each its own");
+/// Adds the ids of a section and its parts to `ids`.
+/// @throws JsonProblem for an id that is taken
+void add_ids(const SectionEntry& section, const JsonPlace& place, std::set<std::string>& ids) {
+    const auto add = [&](const std::string& id, const JsonPlace& where) {
+        if (!ids.insert(id).second) throw JsonProblem(where, "uses the id " + in_quotes(id) + " a second time", "give each its own");
+    };
+    add(section.section.id, place);
+    for_each_list(section, [&](const char* key, const auto& list) {
+        const JsonPlace all{&place, key};
+        for (std::size_t i = 0; i < list.size(); ++i) add(id_of(list[i]), {&all, {}, i});
+    });
+    const JsonPlace blocks{&place, "blocks"};
+    for (std::size_t i = 0; i < section.blocks.size(); ++i) {
+        const BlockEntry& block = section.blocks[i];
+        if (block.kind == BlockEntry::Kind::formula && !block.id.empty()) add(block.id, {&blocks, {}, i});
     }
+}
 
-    void add(const SectionEntry& section, const JsonPlace& place) {
-        add(section.section.id, place);
-        for_each_list(section, [&](const char* key, const auto& list) {
-            const JsonPlace all{&place, key};
-            for (std::size_t i = 0; i < list.size(); ++i) add(id_of(list[i]), {&all, {}, i});
-        });
-        const JsonPlace blocks{&place, "blocks"};
-        for (std::size_t i = 0; i < section.blocks.size(); ++i) {
-            const BlockEntry& block = section.blocks[i];
-            if (block.kind == BlockEntry::Kind::formula && !block.id.empty()) add(block.id, {&blocks, {}, i});
-        }
-    }
-
-private:
-    std::set<std::string> ids_;
-};
-
-/// Puts the blocks of a section in their order; each list is used up from its beginning.
+/// Puts the blocks of a section in their order. Each list is used from its beginning, and completely.
 class Joiner {
 public:
     Joiner(SectionEntry& entry, DrawnFigures& drawn, const JsonPlace& place) : entry_(entry), drawn_(drawn), place_(place) {}
@@ -74,7 +68,7 @@ private:
     SectionEntry& entry_;
     DrawnFigures& drawn_;
     const JsonPlace& place_;
-    std::map<const void*, std::size_t> used_;   // how many of each list
+    std::map<const void*, std::size_t> used_;   // number of parts taken from each list
 
     Block block_of(BlockEntry& block, const JsonPlace& place) {
         using Kind = BlockEntry::Kind;
@@ -112,59 +106,32 @@ private:
     }
 };
 
-/// Those of earlier files, which have no values, are words.
-Parameters parameters_of(const SectionEntry& entry, const JsonPlace& place) {
-    Parameters parameters;
-    for (const auto& [name, words] : entry.parameters) parameters[name] = words;
-    const JsonPlace list{&place, "parameter_values"};
-    for (std::size_t i = 0; i < entry.parameter_values.size(); ++i) {
-        const ParameterEntry& one = entry.parameter_values[i];
-        const auto parameter = parameters.find(one.name);
-        if (parameter == parameters.end())
-            throw JsonProblem({&list, {}, i}, "names " + in_quotes(one.name) + ", which is no parameter", "take a whole results.json");
-        parameter->second.value = one.value;
-        parameter->second.unit = one.unit;
-    }
-    return parameters;
-}
-
-/// What is known of the pictures goes into `drawn`.
-/// @throws JsonProblem where the order names a block that is not there, or leaves one out
+/// Returns the section of an entry and enters the data of its pictures into `drawn`.
+/// @throws JsonProblem if the parameters or the order of blocks refer to missing parts, or the order leaves a part out
 Section section_of(SectionEntry entry, DrawnFigures& drawn, const JsonPlace& place) {
     Section section = std::move(entry.section);
-    section.parameters = parameters_of(entry, place);
-    section.timings = entry.timings.value_or(std::vector<Timing>());
+    for (const auto& [name, words] : entry.parameters) section.parameters[name] = words;
+    const JsonPlace list{&place, "parameter_values"};
+    for (std::size_t i = 0; i < entry.parameter_values.size(); ++i) {
+        ParameterEntry& one = entry.parameter_values[i];
+        const auto parameter = section.parameters.find(one.name);
+        if (parameter == section.parameters.end())
+            throw JsonProblem({&list, {}, i}, "names " + in_quotes(one.name) + ", which is no parameter", "take a whole results.json");
+        parameter->second.value = std::move(one.value);
+        parameter->second.unit = std::move(one.unit);
+    }
+    section.timings = std::move(entry.timings).value_or(std::vector<Timing>());
     section.blocks = Joiner(entry, drawn, place).blocks();
     for (CheckEntry& check : entry.checks) section.checks.push_back(std::move(check.check));
     return section;
 }
 
-void add_sections(std::vector<SectionEntry>& entries, bool questions, const char* key, Ids& ids, ReadReport& read) {
-    const JsonPlace root, list{&root, key};
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const JsonPlace place{&list, {}, i};
-        ids.add(entries[i], place);
-        if (is_question(entries[i].section.id) != questions) throw JsonProblem(place, "belongs to the other list", "move it there");
-        if (entries[i].timings.has_value() != read.timings)
-            throw JsonProblem(place, "has timings and others have none, or the other way round");
-        read.document.sections.push_back(section_of(std::move(entries[i]), read.figures, place));
-    }
-}
+ReadReport report_of(const Json& json) {
+    const JsonPlace root, provenance{&root, "provenance"};
+    ReportEntry entry;
+    FieldReader fields(json, root);
+    describe(fields, entry);
 
-void require_this_version(const Json& results) {
-    const JsonPlace root;
-    if (!results.is_object() || !results.contains("schema_version"))
-        throw JsonProblem(root, "is no results.json", "name the results.json of a report");
-    const Json& version = results.at("schema_version");
-    if (version != schema_version)
-        throw JsonProblem(
-            {&root, "schema_version"},
-            "is " + in_quotes(version.dump(-1, ' ', true, Json::error_handler_t::replace)) + ", not " + std::to_string(schema_version),
-            "make the report anew, or take the meshfolio that made it");
-}
-
-ReadReport report_of(ReportEntry entry) {
-    const JsonPlace root;
     ReadReport read;
     read.timings = entry.timings.has_value();
     Document& document = read.document;
@@ -172,14 +139,23 @@ ReadReport report_of(ReportEntry entry) {
     document.author = std::move(entry.author);
     document.course = std::move(entry.course);
     document.provenance = std::move(entry.provenance.provenance);
-    document.timings = entry.timings.value_or(std::vector<Timing>());
-    Ids ids;
-    add_sections(entry.questions, true, "questions", ids, read);
-    add_sections(entry.supporting, false, "supporting", ids, read);
-    if (input_meshes(document.sections) != entry.provenance.inputs) {
-        const JsonPlace provenance{&root, "provenance"};
+    document.timings = std::move(entry.timings).value_or(std::vector<Timing>());
+    std::set<std::string> ids;
+    const auto add_sections = [&](std::vector<SectionEntry>& entries, bool questions, const char* key) {
+        const JsonPlace list{&root, key};
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            const JsonPlace place{&list, {}, i};
+            add_ids(entries[i], place, ids);
+            if (is_question(entries[i].section.id) != questions) throw JsonProblem(place, "belongs to the other list", "move it there");
+            if (entries[i].timings.has_value() != read.timings)
+                throw JsonProblem(place, "has timings and others have none, or the other way round");
+            document.sections.push_back(section_of(std::move(entries[i]), read.figures, place));
+        }
+    };
+    add_sections(entry.questions, true, "questions");
+    add_sections(entry.supporting, false, "supporting");
+    if (input_meshes(document.sections) != entry.provenance.inputs)
         throw JsonProblem({&provenance, "inputs"}, "does not list the inputs of the questions", "leave it as it was");
-    }
     return read;
 }
 
@@ -192,8 +168,15 @@ ReadReport read_json(std::string_view text, const std::string& file) {
     }
     try {
         const Json json = Json::parse(text);
-        require_this_version(json);
-        return report_of(read_value<ReportEntry>(json, {}));
+        const JsonPlace root;
+        if (!json.is_object() || !json.contains("schema_version"))
+            throw JsonProblem(root, "is no results.json", "name the results.json of a report");
+        if (const Json& version = json.at("schema_version"); version != schema_version)
+            throw JsonProblem(
+                {&root, "schema_version"},
+                "is " + in_quotes(version.dump(-1, ' ', true, Json::error_handler_t::replace)) + ", not " + std::to_string(schema_version),
+                "make the report anew, or take the meshfolio that made it");
+        return report_of(json);
     } catch (const JsonProblem& problem) {
         const std::string where = problem.path.empty() ? "" : problem.path + " ";
         throw InputError({file, line_of_json(text, problem.path)}, where + problem.what(), problem.remedy);

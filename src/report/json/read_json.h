@@ -1,5 +1,5 @@
 /// @file
-/// results.json to the Document it was written from.
+/// Reads results.json.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@ namespace meshfolio::report {
 
 struct ReadReport {
     Document document;
-    DrawnFigures figures;   // names of their files; pictures and models are read from those
-    bool timings = true;    // it was written with them
+    DrawnFigures figures;   // with the names of their files; pictures and models are not read
+    bool timings = true;    // false: written without them
 };
 
-/// The inverse of write_json(). It is strict: it refuses other versions, missing keys, wrong types, values
-/// out of range, duplicate ids and dangling references. It ignores unknown keys.
-/// @param file  what messages call it
-/// @throws InputError naming the line and the place ("questions[0].tables[2].rows[1]")
+/// Returns the report that write_json() wrote as `text`. Ignores unknown keys.
+/// @param file  its name in messages
+/// @throws InputError with line and place ("questions[0].tables[2].rows[1]") for another version, missing keys, wrong types, values out of
+///         range, duplicate ids and dangling references
 ReadReport read_json(std::string_view text, const std::string& file);
 
 }   // namespace meshfolio::report

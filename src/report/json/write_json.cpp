@@ -15,7 +15,7 @@ FigureEntry entry_of(const Figure& figure, const DrawnFigures& drawn) {
     const auto it = drawn.find(figure.id);
     FigureEntry entry{figure, it != drawn.end(), {}};
     if (!entry.is_drawn) return entry;
-    // Names alone: pictures and models are files of their own.
+    // Pictures and models are files of their own.
     entry.drawn = it->second;
     for (DrawnPanel& panel : entry.drawn.panels)
         for (DrawnPicture& picture : panel.pictures) picture.jpeg.clear();
@@ -23,7 +23,7 @@ FigureEntry entry_of(const Figure& figure, const DrawnFigures& drawn) {
     return entry;
 }
 
-/// Takes the blocks of a section apart.
+/// Sorts the blocks of a section by kind and records their order.
 class Sorter {
 public:
     Sorter(SectionEntry& entry, const DrawnFigures& drawn) : entry_(entry), drawn_(drawn) {}

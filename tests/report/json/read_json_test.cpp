@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// NaN is not equal to itself: in its place a number that nothing else has.
+/// Replaces NaN, which is not equal to itself, by a number that nothing else has.
 void replace_nan(double& x) {
     if (std::isnan(x)) x = -12345.678e200;
 }
@@ -61,7 +61,7 @@ Document without_nan(Document document) {
     return document;
 }
 
-/// The sample with what it leaves at its defaults set to something else.
+/// The sample document with other values than the defaults.
 Document rich_document() {
     Document document = sample_document();
     Section& section = document.sections[0];
@@ -110,7 +110,7 @@ DrawnFigures names_only(DrawnFigures figures) {
 
 ReadReport read(const std::string& text) { return read_json(text, "results.json"); }
 
-/// The message a changed sample is refused with; "" if it is not.
+/// Returns the message with which a changed sample is refused; empty if it is read.
 std::string refusal(const std::function<void(Json&)>& change) {
     Json json = Json::parse(write_json(rich_document(), rich_figures()));
     change(json);
@@ -126,7 +126,7 @@ bool says(const std::string& message, const std::string& words) { return message
 
 // ---- laws ---------------------------------------------------------------------------------------------------------------
 
-TEST(ReadJson, WhatIsWrittenIsReadBack) {
+TEST(ReadJson, ReadsBackTheDocumentThatWasWritten) {
     for (const Document& document : {sample_document(), rich_document(), Document{}}) {
         const ReadReport back = read(write_json(document, rich_figures()));
         EXPECT_EQ(without_nan(back.document), without_nan(document));
@@ -135,7 +135,7 @@ TEST(ReadJson, WhatIsWrittenIsReadBack) {
     EXPECT_EQ(read(write_json(rich_document(), rich_figures())).figures, names_only(rich_figures()));
 }
 
-TEST(ReadJson, WhatIsReadIsWrittenBackByteForByte) {
+TEST(ReadJson, WritesTheSameBytesAgain) {
     for (const Document& document : {sample_document(), rich_document(), hostile_document(), Document{}}) {
         for (const bool timings : {true, false}) {
             const std::string text = write_json(document, rich_figures(), {.timings = timings});
@@ -146,7 +146,7 @@ TEST(ReadJson, WhatIsReadIsWrittenBackByteForByte) {
     }
 }
 
-TEST(ReadJson, ThePageIsTheSameFromWhatWasRead) {
+TEST(ReadJson, PagesOfTheReadReportAreTheSame) {
     const DrawnFigures figures = names_only(rich_figures());
     const ReadReport back = read(write_json(rich_document(), figures));
     EXPECT_EQ(write_html(back.document, back.figures, Templates()), write_html(rich_document(), figures, Templates()));
@@ -164,7 +164,7 @@ TEST(ReadJson, EmptyCellsNanAndInfinitiesStayApart) {
 
 // ---- what is refused ----------------------------------------------------------------------------------------------------
 
-TEST(ReadJson, ProblemsAreNamedWithPlaceAndLine) {
+TEST(ReadJson, NamesPlaceAndLineOfAProblem) {
     const std::string message = refusal([](Json& d) { d["questions"][0]["tables"][0]["rows"][1][2] = true; });
     EXPECT_TRUE(says(message, "questions[0].tables[0].rows[1][2] is a truth value, not a number")) << message;
     const std::string text = write_json(sample_document(), {});
@@ -180,7 +180,7 @@ TEST(ReadJson, ProblemsAreNamedWithPlaceAndLine) {
     }
 }
 
-TEST(ReadJson, PassesOverWhatALaterVersionMayAdd) {
+TEST(ReadJson, IgnoresUnknownKeys) {
     Json json = Json::parse(write_json(sample_document(), sample_figures()));
     json["surplus"] = 1;
     json["provenance"]["surplus"] = {{"a", 1}};
@@ -190,14 +190,7 @@ TEST(ReadJson, PassesOverWhatALaterVersionMayAdd) {
     EXPECT_EQ(write_json(read.document, read.figures), write_json(sample_document(), sample_figures()));
 }
 
-TEST(ReadJson, ReadsFilesWhoseColumnsHaveNoIds) {
-    Json json = Json::parse(write_json(sample_document(), sample_figures()));
-    for (Json& column : json["questions"][0]["tables"][0]["columns"]) column.erase("id");
-    const ReadReport read = read_json(json.dump(), "results.json");
-    EXPECT_EQ(write_json(read.document, read.figures), write_json(sample_document(), sample_figures()));
-}
-
-/// Changes some bytes at random: either it is still a report, which can be written again, or it is refused.
+/// Changes bytes at random and expects a report that can be written again, or a refusal.
 void expect_read_or_refused(const std::string& whole, int changes) {
     std::mt19937 random(7);
     for (int round = 0; round < 400; ++round) {
@@ -211,9 +204,10 @@ void expect_read_or_refused(const std::string& whole, int changes) {
     }
 }
 
-TEST(ReadJson, RefusesWhatIsMissing) {
+TEST(ReadJson, RefusesMissingAndUnknownValues) {
     EXPECT_TRUE(says(refusal([](Json& d) { d.erase("author"); }), "has no 'author'"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["columns"][0].erase("digits"); }), "columns[0] has no 'digits'"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["columns"][0].erase("id"); }), "columns[0] has no 'id'"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][1].erase("failure"); }), "questions[1] has no 'failure'"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["checks"][0]["kind"] = "nearly"; }), "it may be near, at_most, at_least"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"][1]["text"][1] = {{"bold", "x"}}; }), "'bold'"));
@@ -227,7 +221,7 @@ TEST(ReadJson, RefusesOtherVersions) {
     EXPECT_TRUE(says(refusal([](Json& d) { d = Json::array(); }), "is no results.json"));
 }
 
-TEST(ReadJson, RefusesIdsUsedTwiceAndDanglingReferences) {
+TEST(ReadJson, RefusesDuplicateIdsAndDanglingReferences) {
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][1]["id"] = "q1"; }), "uses the id 'q1' a second time"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"].push_back({{"kind", "table"}, {"id", "q1_none"}}); }), "'q1_none'"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"].erase(6); }), "not the next"));
@@ -235,7 +229,7 @@ TEST(ReadJson, RefusesIdsUsedTwiceAndDanglingReferences) {
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["id"] = "../../etc/passwd"; }), "is no id"));
 }
 
-TEST(ReadJson, RefusesWhatDoesNotFitTogether) {
+TEST(ReadJson, RefusesInconsistentValues) {
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["rows"][3].push_back(1); }), "has 6 cells"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["columns"][0]["digits"] = 100000; }), "it may be 1 to 17"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["plots"][0]["series"][0]["x"].push_back(1); }), "different lengths"));
@@ -245,12 +239,12 @@ TEST(ReadJson, RefusesWhatDoesNotFitTogether) {
     EXPECT_TRUE(
         says(refusal([](Json& d) { d["questions"][0]["diagrams"][0]["panels"][0]["paths"][0]["x"].push_back(1); }), "different lengths"));
     EXPECT_TRUE(
-        says(refusal([](Json& d) { d["questions"][0]["maps"][0]["panels"][0]["values_not_finite"][0][0] = 4; }), "not to be finite"));
+        says(refusal([](Json& d) { d["questions"][0]["maps"][0]["panels"][0]["values_not_finite"][0][0] = 4; }), "listed as not finite"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["rows_not_finite"] = 4; }), "broken list of what is not finite"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["parameter_values"][0]["name"] = "x"; }), "'x', which is no parameter"));
 }
 
-TEST(ReadJson, RefusesPathsOutOfTheReport) {
+TEST(ReadJson, RefusesPathsThatLeaveTheReport) {
     for (const char* path : {"/etc/passwd", "../secret.png", "images/../../secret.png", "", "images//a.png"}) {
         EXPECT_TRUE(says(refusal([&](Json& d) { d["questions"][0]["figures"][0]["sheet"] = path; }), "inside the report")) << path;
         EXPECT_TRUE(says(refusal([&](Json& d) { d["questions"][0]["figures"][0]["panels"][0]["pictures"][1]["file"] = path; }),
@@ -260,7 +254,7 @@ TEST(ReadJson, RefusesPathsOutOfTheReport) {
     }
 }
 
-TEST(ReadJson, HostileBytesAreRefusedAndDoNoHarm) {
+TEST(ReadJson, RefusesHostileBytes) {
     const auto refuses = [](const std::string& text) { EXPECT_THROW(read(text), InputError); };
     for (const char* text : {"", "{", "null", "[]", "{}", "\xff\xfe", "{\"schema_version\": 1e999}"}) refuses(text);
     refuses(std::string(1 << 20, '['));
@@ -271,15 +265,15 @@ TEST(ReadJson, HostileBytesAreRefusedAndDoNoHarm) {
     for (std::size_t size = 0; size + 2 < whole.size(); size += 997) refuses(whole.substr(0, size));
 }
 
-// The seeds of the fuzzer must be readable: if the version is refused, the fuzzer never reaches the rest of the reader.
-TEST(ReadJson, SeedsOfFuzzingAreRead) {
+// If a seed is refused, the fuzzer never reaches the rest of the reader.
+TEST(ReadJson, ReadsTheSeedsOfTheFuzzer) {
     for (const char* name : {"no_questions", "sample"}) {
         const std::string file = std::string(MESHFOLIO_SOURCE_DIR "/tests/fuzz/seeds/results/") + name + ".json";
         EXPECT_NO_THROW((void)read_json(read_file(file), file));
     }
 }
 
-TEST(ReadJson, DamageIsRefusedOrHarmless) { expect_read_or_refused(write_json(rich_document(), rich_figures()), 3); }
+TEST(ReadJson, RefusesDamageOrReadsAWholeReport) { expect_read_or_refused(write_json(rich_document(), rich_figures()), 3); }
 
 }   // namespace
 }   // namespace meshfolio::report
