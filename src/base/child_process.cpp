@@ -46,12 +46,12 @@ Registry& registry() {
 }
 
 /// A file descriptor, closed by the destructor.
-class Descriptor {
+class FileDescriptor {
 public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
+    explicit FileDescriptor(int number) : number_(number) {}
+    ~FileDescriptor() { close(); }
+    FileDescriptor(const FileDescriptor&) = delete;
+    FileDescriptor& operator=(const FileDescriptor&) = delete;
     int number() const { return number_; }
     void close() {
         if (number_ >= 0) ::close(number_);
@@ -141,7 +141,7 @@ bool has_ended(pid_t process) {
 /// Reads the output until the process itself has ended.
 /// @return false if the limit came first
 bool wait_until(Clock::time_point limit, pid_t process, int output, std::string& text) {
-    const Descriptor end(descriptor_of(process));
+    const FileDescriptor end(descriptor_of(process));
     const int most = end.number() >= 0 ? std::numeric_limits<int>::max() : 20;   // [ms] between two looks
     bool open = true;
     for (;;) {
@@ -184,8 +184,8 @@ ChildEnd run_child(const ChildTask& task) {
         end.code = errno;
         return end;
     }
-    const Descriptor reading(pipe[0]);
-    Descriptor writing(pipe[1]);
+    const FileDescriptor reading(pipe[0]);
+    FileDescriptor writing(pipe[1]);
     ::fcntl(writing.number(), F_SETFL, 0);   // the child blocks where the pipe is full
     pid_t process = 0;
     end.code = start(task, writing.number(), process);

@@ -1,6 +1,6 @@
 /// @file
-/// Many meshes with a report each: one row a mesh, and the index of them as page, JSON, CSV and JUnit XML. Pure functions; what runs the
-/// reports is run/batch.
+/// The index of a batch, which has a report for each of many meshes: one row per mesh, as page, JSON, CSV and JUnit XML. run/batch runs the
+/// reports.
 #pragma once
 
 #include <map>
@@ -15,48 +15,53 @@
 
 namespace meshfolio::report {
 
-/// The worst check: a failed one if there is any, else the one nearest to its limit.
+/// The worst check of a report: a failed one if there is any, else the one nearest to its limit.
 struct WorstCheck {
-    std::string id, words;   // words: its name and what was measured
+    std::string id, words;   // words: its name and the measured number
     bool failed = false;
-    double used = 0;         // share of the allowance: above 1 fails; ∞ if nothing is allowed
-    double beyond = 0;       // how much more that is than usual
-    bool is_usual = false;   // by no more than a percent
+    double used = 0;         // see used_share()
+    double beyond = 0;       // `used` minus the usual share
+    bool is_usual = false;   // passed, and beyond the usual share by less than 0.01
 };
 
-/// The share of a check's allowance that the measured number uses. A limit that is a whole number other than 0 comes from a theorem or a
-/// count and is no allowance: the share is 0 up to it, and counts against the tolerance beyond it.
+/// Returns the share of its allowance that a check uses: 0.5 for an error of half the tolerance, above 1 if it fails, ∞ if nothing is
+/// allowed. A limit that is a whole number other than 0 comes from a theorem or a count: up to it the share is 0, beyond it the excess over
+/// the tolerance.
 double used_share(const Check& check);
-/// @param usual  see usual_shares(): where none failed, the one farthest beyond its usual share is taken @param mesh  name of the row
+
+/// Returns a failed check if there is any, else the one that exceeds its usual share most; empty without decided checks.
+/// @param usual  usual_shares() of the batch; ids that are not in it count as 0
+/// @param mesh   name of the row
 std::optional<WorstCheck> worst_check(const std::vector<Section>& sections, const std::map<std::string, double>& usual = {},
                                       const std::string& mesh = "");
 
 struct BatchRow {
     enum class State { waiting, good, bad, failed };   // bad: its report has a failure; failed: there is no report
     std::string name;                                  // of its folder and its suite
-    std::string file;                                  // of the mesh, as it was named
+    std::string file;                                  // of the mesh, as the user named it
     State state = State::waiting;
-    std::string error = {};    // why it failed, in one line
-    std::string report = {};   // its page: "bunny/index.html"; empty: none
+    std::string error = {};    // reason of a failure, one line
+    std::string report = {};   // page of the report: "bunny/index.html"; empty: none
     struct Picture {
         std::string jpeg, alt;
         int width = 0, height = 0;
     };
     std::optional<Picture> picture = {};
     std::string sha256 = {};
-    /// From sections of the report; empty if it has no such section.
+    /// From sections of the report; empty without such a section.
     Cell vertices = {}, edges = {}, triangles = {}, components = {}, boundary_loops = {}, euler_characteristic = {}, genus = {};
-    Cell manifold = {}, orientation = {};                                      // words
-    Cell lambda_critical = {};                                                 // [length²]
-    std::optional<std::vector<std::pair<std::string, double>>> defects = {};   // kind and count; none: not looked for
+    Cell manifold = {}, orientation = {};   // words
+    Cell lambda_critical = {};              // [length²]
+    using Defects = std::vector<std::pair<std::string, double>>;
+    std::optional<Defects> defects = {};   // kind and count; empty: not looked for
     Score score = {};
     std::optional<WorstCheck> worst = {};
     Cell seconds = {};                    // absent without timings
     std::vector<Section> sections = {};   // checks alone
 };
 
-/// A cell of a row: its key in batch.json, its column in batch.csv, and the column of a report's tables that it comes from; empty: from the
-/// section's input.
+/// A cell of a row: its key in batch.json, its column in batch.csv, and the id of the column of the report that it comes from (empty: from
+/// the inputs of a section).
 struct BatchFact {
     Cell BatchRow::*cell;
     const char *key, *name, *source;
@@ -72,27 +77,30 @@ inline constexpr BatchFact batch_facts[] = {
     {&BatchRow::manifold, "manifold", "manifold", "certificates_connectivity-manifold"},
     {&BatchRow::orientation, "orientation", "orientation", "certificates_connectivity-orientation"}};
 
-/// The row of a mesh, from its report. @param timings  include the time it took
+/// Returns the row of a mesh from its report. @param timings  with the time of the run
 BatchRow batch_row(std::string name, std::string file, const Document& document, bool timings);
 
 struct Batch {
-    std::vector<BatchRow> rows;   // as they are shown
+    std::vector<BatchRow> rows;   // in the order of the page
     bool timings = true;
 };
 
 std::size_t count_of(const Batch& batch, BatchRow::State state);
+/// Returns the counts of the checks of all rows.
 Score score_of(const Batch& batch);
-/// By the id of the check without the name of the mesh, the median over the meshes of the share that each uses.
+/// Returns for each check, by its id without the name of the mesh, the median of used_share() over the meshes.
 std::map<std::string, double> usual_shares(const Batch& batch);
 
-Table batch_table(const Batch& batch);   // for write_csv()
+/// Returns the rows as a table for write_csv(): batch.csv.
+Table batch_table(const Batch& batch);
+/// Returns batch.json. @param version  of the program
 std::string write_batch_json(const Batch& batch, const std::string& version);
-/// One suite per mesh, one case per check.
+/// Returns JUnit XML: a suite for each mesh, a case for each check.
 std::string write_batch_junit(const Batch& batch);
-/// @throws UsageError for a template with an unknown tag
+/// Returns index.html of the batch. @throws UsageError for a template with an unknown tag
 std::string write_batch_page(const Batch& batch, const std::string& version, const Templates& templates);
 
-/// What batch.html prints, for the list of tags.
+/// Returns the values of batch.html, for the list of tags.
 nlohmann::json batch_view(const Batch& batch);
 
 }   // namespace meshfolio::report

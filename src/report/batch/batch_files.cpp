@@ -16,13 +16,6 @@ const char* name_of(BatchRow::State state) {
     return names[static_cast<std::size_t>(state)];
 }
 
-/// "boundary edges 4, needles 3"
-std::string defect_words(const BatchRow& row) {
-    std::string words;
-    for (const auto& [kind, count] : *row.defects) words += (words.empty() ? "" : ", ") + kind + " " + plain_text(count, 10);
-    return words;
-}
-
 OrderedJson json_of_cell(const Cell& cell) {
     constexpr double exact_below = 9007199254740992.0;   // 2⁵³
     if (const auto* number = std::get_if<double>(&cell)) {
@@ -49,9 +42,10 @@ OrderedJson json_of_row(const BatchRow& row) {
     }
     json["checks"] = {{"passed", row.score.passed}, {"failed", row.score.failed}, {"undecided", row.score.undecided}};
     if (row.worst) {
-        const WorstCheck& worst = *row.worst;
-        json["worst_check"] = {
-            {"id", worst.id}, {"words", worst.words}, {"failed", worst.failed}, {"share_of_limit", json_of_cell(Cell(worst.used))}};
+        json["worst_check"] = {{"id", row.worst->id},
+                               {"words", row.worst->words},
+                               {"failed", row.worst->failed},
+                               {"share_of_limit", json_of_cell(Cell(row.worst->used))}};
     }
     if (row.seconds != Cell()) json["seconds"] = json_of_cell(row.seconds);
     return json;
@@ -73,7 +67,10 @@ Table batch_table(const Batch& batch) {
     for (const BatchRow& row : batch.rows) {
         std::vector<Cell>& cells = table.rows.emplace_back(std::vector<Cell>{row.name, row.file, name_of(row.state)});
         for (const BatchFact& fact : batch_facts) cells.push_back(row.*fact.cell);
-        cells.push_back(row.defects ? Cell(defect_words(row)) : Cell());
+        std::string defects;   // "boundary edges 4, needles 3"
+        for (const auto& [kind, count] : row.defects.value_or(BatchRow::Defects()))
+            defects += (defects.empty() ? "" : ", ") + kind + " " + plain_text(count, 10);
+        cells.push_back(row.defects ? Cell(defects) : Cell());
         cells.push_back(row.lambda_critical);
         for (const std::size_t count : {row.score.passed, row.score.failed, row.score.undecided})
             cells.push_back(row.report.empty() ? Cell() : Cell(double(count)));
@@ -86,7 +83,7 @@ Table batch_table(const Batch& batch) {
 }
 
 std::string write_batch_json(const Batch& batch, const std::string& version) {
-    constexpr int batch_version = 1;   // raised whenever a reader of the earlier one would misread what is written
+    constexpr int batch_version = 1;   // raised when readers of the earlier version would misread a file
     OrderedJson meshes = OrderedJson::array();
     for (const BatchRow& row : batch.rows) meshes.push_back(json_of_row(row));
     OrderedJson units{{"lambda_crit", "length²"}};

@@ -1,4 +1,4 @@
-// index.html of many meshes: one file that needs nothing else, and no script to be read.
+// index.html of a batch: one file, which can be read without its script.
 #include <cmath>
 
 #include "base/base64.h"
@@ -21,9 +21,7 @@ std::optional<double> number_in(const Cell& cell) {
     return number != nullptr ? std::optional(*number) : std::nullopt;
 }
 
-std::optional<double> number_if(bool is_there, double number) { return is_there ? std::optional(number) : std::nullopt; }
-
-/// A number as text and as sort key; "–" if there is none.
+/// Returns a number as text and as sort key; "–" for none.
 json number_view(std::optional<double> number) {
     const bool whole = number && std::trunc(*number) == *number && std::abs(*number) < 1e9;
     const std::string value = number ? exact_text(*number) : "";
@@ -55,7 +53,7 @@ json worst_view(const std::optional<WorstCheck>& there) {
                     {"share", "of what it allows", has_share ? readable_percent(worst.used, 3) : "∞"}});
 }
 
-/// "closed", "genus 0", "2 components", and what is wrong.
+/// Returns words about the topology of a mesh and its defects: "closed", "genus 0", "2 components", "needles: 3".
 json chips_view(const BatchRow& row) {
     json chips = json::array();
     const auto add = [&](const std::string& text, bool is_bad = false) {
@@ -72,15 +70,15 @@ json chips_view(const BatchRow& row) {
     add_count(number_in(row.boundary_loops), "boundary loop", 0, "closed");
     add_count(number_in(row.components), "component", 1, "");
     if (const auto genus = number_in(row.genus)) add("genus\u00a0" + readable_integer(*genus));
-    for (const auto& [kind, count] : row.defects.value_or(std::vector<std::pair<std::string, double>>()))
-        add(kind + ": " + readable_integer(count), true);
+    for (const auto& [kind, count] : row.defects.value_or(BatchRow::Defects())) add(kind + ": " + readable_integer(count), true);
     return chips;
 }
 
 json row_view(const BatchRow& row, const std::map<std::string, double>& usual) {
     using State = BatchRow::State;
     double defects = 0;
-    for (const auto& [kind, count] : row.defects.value_or(std::vector<std::pair<std::string, double>>())) defects += count;
+    for (const auto& [kind, count] : row.defects.value_or(BatchRow::Defects())) defects += count;
+    const auto number_if = [](bool is_there, double number) { return is_there ? std::optional(number) : std::nullopt; };
     json view = view_of(
         {{"name", "of the mesh and its folder", safe_text(row.name)},
          {"file", "as it was named", safe_text(row.file)},
@@ -107,12 +105,6 @@ json row_view(const BatchRow& row, const std::map<std::string, double>& usual) {
     return view;
 }
 
-double seconds_of(const Batch& batch) {
-    double sum = 0;
-    for (const BatchRow& row : batch.rows) sum += number_in(row.seconds).value_or(0);
-    return sum;
-}
-
 }   // namespace
 
 json batch_view(const Batch& batch) {
@@ -121,7 +113,8 @@ json batch_view(const Batch& batch) {
     const auto count = [&](State state) { return number(count_of(batch, state)); };
     const Score score = score_of(batch);
     const std::map<std::string, double> usual = usual_shares(batch);
-    const double seconds = seconds_of(batch);
+    double seconds = 0;
+    for (const BatchRow& row : batch.rows) seconds += number_in(row.seconds).value_or(0);
     json view = view_of({{"mesh_count", "how many", number(batch.rows.size())},
                          {"report_count", "meshes with a report", number(count_of(batch, State::good) + count_of(batch, State::bad))},
                          {"good_count", "meshes without a failure", count(State::good)},

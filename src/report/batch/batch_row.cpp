@@ -9,8 +9,6 @@ namespace meshfolio::report {
 
 namespace {
 
-bool is_whole(double x) { return std::trunc(x) == x; }
-
 double share_of(double part, double whole) {
     if (part <= 0) return 0;
     return whole > 0 ? part / whole : std::numeric_limits<double>::infinity();
@@ -26,7 +24,7 @@ const Table* table_of(const Document& document, const std::string& id) {
     return nullptr;
 }
 
-/// The cell of the first row in the column with this id, which begins with the id of its table; empty if there is no such column.
+/// Returns the cell of the first row in the column with this id, which begins with the id of its table; empty without such a column.
 Cell first_cell(const Document& document, const std::string& column) {
     const Table* table = table_of(document, column.substr(0, column.find('-')));
     if (table == nullptr || table->rows.empty()) return {};
@@ -35,34 +33,27 @@ Cell first_cell(const Document& document, const std::string& column) {
     return id != ids.end() ? table->rows.front().at(static_cast<std::size_t>(id - ids.begin())) : Cell();
 }
 
-/// Kinds and counts, in the table's order.
-std::vector<std::pair<std::string, double>> defects_in(const Table& table) {
-    std::vector<std::pair<std::string, double>> defects;
-    for (const std::vector<Cell>& row : table.rows) {
-        if (row.size() < 2) continue;
-        const auto* kind = std::get_if<std::string>(&row[0]);
-        const auto* count = std::get_if<double>(&row[1]);
-        if (kind != nullptr && count != nullptr) defects.emplace_back(*kind, *count);
-    }
-    return defects;
-}
-
 void take_counts(BatchRow& row, const Document& document) {
-    for (const Section& section : document.sections) {
-        if (section.inputs.empty()) continue;
-        const Input& input = section.inputs.front();
+    const auto first = std::ranges::find_if(document.sections, [](const Section& section) { return !section.inputs.empty(); });
+    if (first != document.sections.end()) {
+        const Input& input = first->inputs.front();
         row.sha256 = input.sha256;
         row.vertices = double(input.vertices);
         row.triangles = double(input.triangles);
-        break;
     }
     for (const BatchFact& fact : batch_facts)
         if (*fact.source != '\0') row.*fact.cell = first_cell(document, fact.source);
     row.lambda_critical = first_cell(document, "q5_limits-lambda-crit");
     const auto preflight = std::ranges::find(document.sections, "certificates", &Section::id);
     if (preflight == document.sections.end() || preflight->status != Status::ok) return;
-    const Table* defects = table_of(document, "certificates_defects");   // no table if no defect was found
-    row.defects = defects != nullptr ? defects_in(*defects) : std::vector<std::pair<std::string, double>>();
+    row.defects.emplace();
+    const Table* defects = table_of(document, "certificates_defects");
+    if (defects == nullptr) return;   // none were found
+    for (const std::vector<Cell>& cells : defects->rows) {
+        const auto* kind = cells.size() < 2 ? nullptr : std::get_if<std::string>(&cells[0]);
+        const auto* count = cells.size() < 2 ? nullptr : std::get_if<double>(&cells[1]);
+        if (kind != nullptr && count != nullptr) row.defects->emplace_back(*kind, *count);
+    }
 }
 
 template <class Visit>
@@ -73,7 +64,7 @@ void for_each_check(const std::vector<Section>& sections, const Visit& visit) {
     }
 }
 
-/// "q5-bound-on-cube8" of the mesh cube8 is "q5-bound-on-": the check that other meshes have as well.
+/// Returns the id of a check without the name of the mesh, as other meshes have it, too: "q5-bound-on-" for "q5-bound-on-cube8" of cube8.
 std::string common_id(std::string id, std::string mesh) {
     std::ranges::replace(mesh, '_', '-');
     const std::size_t at = mesh.empty() ? std::string::npos : ("-" + id + "-").find("-" + mesh + "-");   // a whole word
@@ -88,7 +79,7 @@ double used_share(const Check& check) {
     if (!std::isfinite(check.measured) || !std::isfinite(limit)) return check.passed() ? 0 : none;
     if (check.kind == Check::Kind::near) return share_of(std::abs(check.measured - check.expected), check.tolerance);
     const double beyond = check.kind == Check::Kind::at_most ? check.measured - check.expected : check.expected - check.measured;
-    if (is_whole(check.expected) && check.expected != 0)
+    if (std::trunc(check.expected) == check.expected && check.expected != 0)
         return check.tolerance > 0 || beyond <= 0 ? share_of(beyond, check.tolerance) : 1 + beyond;
     if (limit <= 0) return check.passed() ? 0 : none;   // no scale to measure by
     return check.kind == Check::Kind::at_most ? share_of(check.measured, limit) : share_of(limit, check.measured);
@@ -97,7 +88,7 @@ double used_share(const Check& check) {
 std::optional<WorstCheck> worst_check(const std::vector<Section>& sections, const std::map<std::string, double>& usual,
                                       const std::string& mesh) {
     std::optional<WorstCheck> worst;
-    // Failed ones first, then what is beyond the usual by at least a percent, then the share itself.
+    // Failed checks first, then those beyond the usual share, then by the share itself.
     const auto rank = [](const WorstCheck& check) { return std::tuple(check.failed, check.is_usual ? 0 : check.beyond, check.used); };
     for_each_check(sections, [&](const std::string& id, const Check& check) {
         if (check.status == Check::Status::undecided) return;
@@ -139,9 +130,9 @@ std::map<std::string, double> usual_shares(const Batch& batch) {
             if (std::isfinite(used_share(check))) shares[common_id(id, row.name)].push_back(used_share(check));
         });
     std::map<std::string, double> usual;
-    for (auto& [id, of_meshes] : shares) {
-        const auto middle = of_meshes.begin() + (std::ssize(of_meshes) - 1) / 2;
-        std::ranges::nth_element(of_meshes, middle);
+    for (auto& [id, values] : shares) {
+        const auto middle = values.begin() + (std::ssize(values) - 1) / 2;
+        std::ranges::nth_element(values, middle);
         usual[id] = *middle;
     }
     return usual;
