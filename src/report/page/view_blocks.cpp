@@ -19,8 +19,10 @@ using nlohmann::json;
 constexpr const char* runs_meaning = "a text, piece by piece";
 constexpr const char* number_meaning = "of a heading \"4.2\", of an equation \"(4.1)\"";
 
-json math_view(const std::string& math) {
-    return list_of(math_parts(safe_text(math)), [](const MathPart& part) {
+json run_view(const Run& run, const Reference& target) {
+    const bool is_reference = run.kind == Run::Kind::reference, is_math = run.kind == Run::Kind::math;
+    const bool is_link = is_reference && !target.anchor.empty() && (!target.elsewhere || !target.page.empty());
+    json parts = list_of(is_math ? math_parts(safe_text(run.content)) : std::vector<MathPart>(), [](const MathPart& part) {
         return view_of({{"text", "its letters", part.text},
                         {"is_upright", "operators, digits, names", part.kind == MathPart::Kind::upright},
                         {"is_variable", "italic in print", part.kind == MathPart::Kind::variable},
@@ -28,29 +30,23 @@ json math_view(const std::string& math) {
                         {"is_subscript", "lowered", part.kind == MathPart::Kind::subscript},
                         {"is_superscript", "raised", part.kind == MathPart::Kind::superscript}});
     });
+    return view_of({{"text", "words of the piece", safe_text(is_reference ? target.label : run.content)},
+                    {"href", "where a link leads, in this page or that of the other volume", target.page + "#" + url_path(target.anchor)},
+                    {"mathml", "mathematics for browsers", is_math ? inline_mathml(safe_text(run.content)) : ""},
+                    {"lead", "punctuation before mathematics, which mathml includes", ""},
+                    {"tail", "punctuation behind mathematics, which mathml includes", ""},
+                    {"parts", "pieces of mathematics; empty in other pieces", std::move(parts)},
+                    {"is_plain", "words as they are", run.kind == Run::Kind::plain || (is_reference && !is_link)},
+                    {"is_strong", "bold", run.kind == Run::Kind::strong},
+                    {"is_emphasis", "italic", run.kind == Run::Kind::emphasis},
+                    {"is_code", "a name from the program", run.kind == Run::Kind::code},
+                    {"is_math", "mathematics: print mathml, or the parts", is_math},
+                    {"is_link", "a link to `href`", is_link},
+                    {"is_elsewhere", "what it names is in the other volume, and no page can be linked to (print.html only)",
+                     is_reference && !is_link && target.elsewhere}});
 }
 
-json run_view(const Run& run, const Reference& target) {
-    const bool is_reference = run.kind == Run::Kind::reference;
-    const bool is_link = is_reference && !target.anchor.empty() && (!target.elsewhere || !target.page.empty());
-    return view_of(
-        {{"text", "words of the piece", safe_text(is_reference ? target.label : run.content)},
-         {"href", "where a link leads, in this page or that of the other volume", target.page + "#" + url_path(target.anchor)},
-         {"mathml", "mathematics for browsers", run.kind == Run::Kind::math ? inline_mathml(safe_text(run.content)) : ""},
-         {"lead", "what touches mathematics before it, and is in its mathml", ""},
-         {"tail", "likewise behind it", ""},
-         {"parts", "pieces of mathematics; empty in other pieces", run.kind == Run::Kind::math ? math_view(run.content) : json::array()},
-         {"is_plain", "words as they are", run.kind == Run::Kind::plain || (is_reference && !is_link)},
-         {"is_strong", "bold", run.kind == Run::Kind::strong},
-         {"is_emphasis", "italic", run.kind == Run::Kind::emphasis},
-         {"is_code", "a name from the program", run.kind == Run::Kind::code},
-         {"is_math", "mathematics: print mathml, or the parts", run.kind == Run::Kind::math},
-         {"is_link", "a link to `href`", is_link},
-         {"is_elsewhere", "what it names is in the other volume, and no page can be linked to (print.html only)",
-          is_reference && !is_link && target.elsewhere}});
-}
-
-/// Takes the punctuation beside each formula into its view: browsers break lines between <math> and what touches it.
+/// Moves the punctuation beside each formula into its view, as browsers break lines between <math> and its neighbours.
 json kept_at_formulas(json runs) {
     const auto take = [](json& run, bool last, const std::string& marks) {
         std::string text = run["text"];
@@ -90,7 +86,7 @@ json formula_view(const Formula& formula, const ViewContext& context) {
                     {"plain", "in words", forms->second.plain}});
 }
 
-/// The labels of a plot.
+/// Returns the labels of markers and vertical lines.
 json markers_view(const Plot& plot) {
     json markers = json::array();
     const auto add = [&](const std::string& label) {
@@ -102,7 +98,7 @@ json markers_view(const Plot& plot) {
     return markers;
 }
 
-/// A plot, a map or a diagram; the last has no data beside its picture.
+/// Returns a plot, a map or a diagram. A diagram has no file of data.
 template <class Drawing>
 json drawing_view(const Drawing& drawing, json markers, const ViewContext& context) {
     json view = captioned_view(drawing.id, drawing.caption, context);
@@ -123,7 +119,7 @@ json drawing_view(const Drawing& drawing, json markers, const ViewContext& conte
     return view;
 }
 
-/// Links to the single pictures, those of one panel together.
+/// Returns the links to single pictures, one group for each panel.
 json view_groups(const DrawnFigure& drawn) {
     json groups = json::array();
     for (const DrawnPanel& panel : drawn.panels) {
@@ -142,14 +138,8 @@ json view_groups(const DrawnFigure& drawn) {
     return groups;
 }
 
-/// "3D model, after (GLB, 23 KB)".
-std::string name_of(const DrawnModel& model) {
-    const std::string label = model.label.empty() ? "" : ", " + model.label;
-    return safe_text("3D model" + label + " (GLB, " + std::to_string((model.glb.size() + 999) / 1000) + " KB)");
-}
-
-/// A model for the page, whose viewer works out normals and colours itself: zeros in their place, which are packed into nothing. What is no
-/// GLB of ours stays as it is.
+/// Returns a GLB model with zeros in place of normals and colours, which the viewer computes itself and which then compress to nothing.
+/// Other bytes are returned unchanged.
 std::string without_looks(const std::string& glb) {
     constexpr std::size_t json_at = 20, chunk_head = 8;
     std::string light = glb;
@@ -172,11 +162,12 @@ std::string without_looks(const std::string& glb) {
 }
 
 json model_view(const DrawnModel& model, const ViewContext& context) {
+    const std::string label = model.label.empty() ? "" : ", " + model.label;
+    const std::string size = std::to_string((model.glb.size() + 999) / 1000);
     return view_of({{"label", "of its panel; empty where it is the only one", safe_text(model.label)},
-                    {"name", "in words, with its size", name_of(model)},
+                    {"name", "in words, with its size", safe_text("3D model" + label + " (GLB, " + size + " KB)")},
                     {"href", "link to the file", url_path(model.file)},
                     {"quantity", "of the values, with the unit", safe_text(model.quantity)},
-                    {"has_quantity", "it has values", !model.quantity.empty()},
                     {"data", "the file, zlib and base64, where the page can turn it",
                      context.options.models ? packed(without_looks(model.glb)) : ""}});
 }
@@ -196,14 +187,6 @@ json figure_view(const Figure& figure, const ViewContext& context) {
     enter_list(view, "models", "meshes of the figure as files",
                list_of(drawn.models, [&](const DrawnModel& model) { return model_view(model, context); }));
     return view;
-}
-
-json entry_view(const Entry& entry, const ViewContext& context) {
-    const auto paragraph = [&](const Text& text) { return text_view(text, context.numbering); };
-    return view_of({{"id", "anchor", safe_text(entry.id)},
-                    {"label", "\"Claim A.3\"", context.numbering.resolve(entry.id).label},
-                    {"title", "in short", paragraph(entry.title)},
-                    {"paragraphs", "in full", list_of(entry.paragraphs, paragraph)}});
 }
 
 }   // namespace
@@ -266,7 +249,12 @@ json block_view(const Block& block, const std::string& section_number, int& head
     } else if (const auto* figure = std::get_if<Figure>(&block)) {
         view = figure_view(*figure, context);
     } else if (const auto* entries = std::get_if<EntryList>(&block)) {
-        const auto one = [&](const Entry& entry) { return entry_view(entry, context); };
+        const auto one = [&](const Entry& entry) {
+            return view_of({{"id", "anchor", safe_text(entry.id)},
+                            {"label", "\"Claim A.3\"", context.numbering.resolve(entry.id).label},
+                            {"title", "in short", text(entry.title)},
+                            {"paragraphs", "in full", list_of(entry.paragraphs, text)}});
+        };
         view = view_of({{"entries", "of a list of numbered texts", list_of(entries->entries, one)}});
     }
     const bool is_plot =

@@ -1,5 +1,5 @@
 /// @file
-/// The blocks of a section as the templates see them (view_model.h).
+/// Builds the view model of the blocks of a section (view_model.h).
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace meshfolio::report {
 
-/// The data that all views of blocks need.
+/// The data that the views of all blocks share.
 struct ViewContext {
     const DrawnFigures& figures;
     const Numbering& numbering;
@@ -19,31 +19,32 @@ struct ViewContext {
     const ViewOptions& options;
 };
 
-/// A text: its `runs`, references resolved.
+/// Returns a text as its `runs`, with references resolved.
 nlohmann::json text_view(const Text& text, const Numbering& numbering);
-/// A caption, a name or a heading as text, with its symbols marked.
+/// Returns a caption, a name or a heading as `runs`, with its mathematics found.
 nlohmann::json prose_view(const std::string& words);
-/// The same with formulas as letters and scripts, where what reads a page knows no MathML.
+/// The same with formulas as letters and scripts, for outlines and heads of tables, which have no MathML.
 nlohmann::json letters_view(const std::string& words);
 
-/// Label and caption of a table, plot, map or figure.
+/// Returns id, label and caption of a table, plot, map or figure.
 nlohmann::json captioned_view(const std::string& id, const std::string& caption, const ViewContext& context);
 
-/// Enters what a page needs to show the pictures of a figure: how they are laid out, on screens and on paper alike.
+/// Adds the layout of the pictures of a figure, for screens and for paper.
 void enter_pictures(nlohmann::json& view, const Figure& figure, const DrawnFigure& drawn, const ViewContext& context);
 
-/// The picture of the first page.
+/// Returns the picture of the first page.
 nlohmann::json cover_view(const Figure& cover, const ViewContext& context);
 
-/// The large pictures of the first panels of a figure, for the first page.
+/// Returns the large pictures of the first panels of a figure, for the first page.
 nlohmann::json strip_view(const Figure& figure, const DrawnFigure& drawn, const ViewContext& context);
 
-/// Enters a `separator` into each item of a list.
+/// Adds a `separator` to each entry of a list.
 void enter_separators(nlohmann::json& list);
 
+/// Returns the cells of a table as people read them; long tables have a gap.
 nlohmann::json table_view(const Table& table, const ViewContext& context);
 
-/// A heading gets the next of the section's subsection numbers, counted in `headings`.
+/// Returns a block of any kind. @param headings  number of headings so far; a heading adds one and takes it as its number
 nlohmann::json block_view(const Block& block, const std::string& section_number, int& headings, const ViewContext& context);
 
 }   // namespace meshfolio::report

@@ -14,21 +14,19 @@ namespace {
 
 using nlohmann::json;
 
-// Against the width of a figure: on paper 59, 44, 99 and 90 mm; at least 27 mm for one of the six views of a mesh.
+// Heights relative to the width of a figure: on paper 59, 44, 99 and 90 mm; one of the six views of a mesh has at least 27 mm.
 constexpr double highest_lead = 0.34, highest_line = 0.25, highest_figure = 0.57, highest_matrix = 0.52, least_view = 0.155;
-constexpr double lowest_row = 0.15, highest_page = 1.25;   // of a matrix: rows are not squeezed below it while they fit on a page
+constexpr double lowest_row = 0.15, highest_page = 1.25;   // of a matrix: rows stay as high as this while they fit on a page
 constexpr std::size_t most_across = 5;                     // of figure.css
 constexpr int tenths_of_heads = 2;                         // of the width, beside the rows of a matrix: 24 mm on paper
 
-bool has_views(const DrawnPanel& panel) { return panel.pictures.size() > 1 || panel.is_flat(); }
-
-/// Which of a figure's pictures.
+/// The pictures of a figure, by panel p and picture i.
 struct PictureOf {
     const Figure& figure;
     const DrawnFigure& drawn;
     const ViewContext& context;
 
-    /// Alternative text: that of the figure for the first picture, else panel and direction.
+    /// Returns the alternative text: that of the figure for the first picture, else panel and direction.
     std::string alt(std::size_t p, std::size_t i) const {
         const DrawnPicture& picture = drawn.panels[p].pictures[i];
         if (p == 0 && i == 0) return safe_text(figure.alt);
@@ -42,7 +40,7 @@ struct PictureOf {
         return url_path(picture.file.empty() ? drawn.sheet : picture.file);
     }
 
-    /// The small bar of a panel with colours of its own.
+    /// Returns the small colour bar of a panel with colours of its own as SVG; empty for others.
     std::string bar(std::size_t p) const {
         const std::optional<Legend>& legend = drawn.panels[p].legend;
         return legend ? svg_of(*legend, figure.id + "-" + std::to_string(p), true) : "";
@@ -60,7 +58,7 @@ struct PictureOf {
     }
 };
 
-/// A panel as a cell of a line or of a matrix: its three-quarter picture and its label. @param across  cells that it spans
+/// Returns a panel as a cell of a line or a matrix: its three-quarter picture and its label. @param across  columns that it spans
 json cell_view(const PictureOf& of, std::size_t p, std::size_t across) {
     const DrawnPanel& panel = of.drawn.panels[p];
     return view_of({{"has_picture", "it shows a mesh; an empty cell's label says why there is none", !panel.pictures.empty()},
@@ -71,21 +69,7 @@ json cell_view(const PictureOf& of, std::size_t p, std::size_t across) {
                     {"across", "columns of a matrix that it takes", std::to_string(across)}});
 }
 
-/// The number of consecutive cells before `last` that are empty for the same reason.
-std::size_t empty_alike(const std::vector<DrawnPanel>& panels, std::size_t p, std::size_t last) {
-    std::size_t next = p + 1;
-    if (panels[p].pictures.empty())
-        while (next < std::min(last, p + most_across) && panels[next].pictures.empty() && panels[next].label == panels[p].label) ++next;
-    return next - p;
-}
-
-/// Tenths of the text width for pictures of this size, so that their height stays below `highest` times that width.
-int tenths(double width, double height, double highest) {
-    if (!(height > 0) || !(width > 0)) return 10;
-    return std::clamp(static_cast<int>(std::floor(10 * highest * width / height)), 2, 10);
-}
-
-/// A panel's large picture and, beside it, its six views: in two lines if it is alone, else in one. So wide that the views can be seen.
+/// Returns the large picture of a panel and its six views: in two lines if it is the only panel, else in one.
 json block_view(const PictureOf& of, std::size_t p) {
     const DrawnPanel& panel = of.drawn.panels[p];
     const bool alone = of.drawn.panels.size() == 1, flat = panel.is_flat();
@@ -111,9 +95,7 @@ json block_view(const PictureOf& of, std::size_t p) {
          {"view_lines", "its views, line by line", std::move(lines)}});
 }
 
-json head_view(const std::string& words) { return view_of({{"head", "of a column of a matrix", prose_view(words)}}); }
-
-/// Its panels line by line, the heads of matrices before them.
+/// Returns the panels line by line, those of a matrix behind their heads. Cells that are empty for the same reason are joined.
 json lines_view(const PictureOf& of) {
     json lines = json::array();
     const auto columns = static_cast<std::size_t>(std::max(1, of.drawn.in_a_line));
@@ -121,7 +103,11 @@ json lines_view(const PictureOf& of) {
         json cells = json::array();
         const std::size_t last = std::min(first + columns, of.drawn.panels.size());
         for (std::size_t p = first, across = 1; p < last; p += across) {
-            across = empty_alike(of.drawn.panels, p, last);
+            across = 1;
+            const auto is_alike = [&, &panels = of.drawn.panels](std::size_t next) {
+                return panels[p].pictures.empty() && panels[next].pictures.empty() && panels[next].label == panels[p].label;
+            };
+            while (across < most_across && p + across < last && is_alike(p + across)) ++across;
             cells.push_back(cell_view(of, p, across));
         }
         const std::size_t row = first / columns;
@@ -136,7 +122,7 @@ void enter_legend(json& view, const DrawnFigure& drawn, const std::string& place
                  {"has_legend", "there are colours", drawn.legend.has_value()}});
 }
 
-/// Of the width that lines of panels take.
+/// Returns the tenths of the text width that lines of panels take: as many as their height allows.
 int tenths_of_lines(const DrawnFigure& drawn) {
     int width = 1, height = 0;
     for (const DrawnPanel& panel : drawn.panels) {
@@ -151,15 +137,19 @@ int tenths_of_lines(const DrawnFigure& drawn) {
     const double highest = alone ? highest_lead : std::min(highest_line, drawn.rows.empty() ? highest_figure / lines : row);
     const bool bars = std::ranges::any_of(drawn.panels, [](const DrawnPanel& panel) { return panel.legend.has_value(); });
     const double room = bars ? 1.7 : 1;   // small bars are wider than their pictures
-    return std::min(10, tenths(room * columns * width, height, highest) + (drawn.rows.empty() ? 0 : tenths_of_heads));
+    const double share = height > 0 ? std::floor(10 * highest * (room * columns * width) / height) : 10;
+    return std::min(10, static_cast<int>(std::clamp(share, 2.0, 10.0)) + (drawn.rows.empty() ? 0 : tenths_of_heads));
 }
 
 }   // namespace
 
 void enter_pictures(json& view, const Figure& figure, const DrawnFigure& drawn, const ViewContext& context) {
     const PictureOf of{figure, drawn, context};
+    const auto has_views = [](const DrawnPanel& panel) { return panel.pictures.size() > 1 || panel.is_flat(); };
     const bool is_drawn = context.figures.contains(figure.id), has_blocks = std::ranges::any_of(drawn.panels, has_views);
-    json blocks = json::array(), heads = list_of(drawn.columns, head_view);
+    json blocks = json::array(), heads = list_of(drawn.columns, [](const std::string&words) {
+                                     return view_of({{"head", "of a column of a matrix", prose_view(words)}});
+                                 });
     for (std::size_t p = 0; has_blocks && p < drawn.panels.size(); ++p)
         if (!drawn.panels[p].pictures.empty()) blocks.push_back(block_view(of, p));
     enter(view, {{"alt", "the pictures in words", safe_text(figure.alt)},

@@ -28,18 +28,15 @@ json names_and_values(const std::map<std::string, std::string>& pairs, const cha
 
 // ---- checks -------------------------------------------------------------------------------------------------------------
 
-/// Counts stay whole numbers; 2.000 says that four digits agree, 2 that it is exactly two.
-std::string measured_text(const Check& check) {
-    const bool whole = std::trunc(check.measured) == check.measured && std::abs(check.measured) < 1e9;
-    return whole ? readable_integer(check.measured) : readable(check.measured, 4);
-}
-
 json check_view(const Check& check) {
+    // Counts stay whole numbers: 2.000 means that four digits agree, 2 that the number is exactly two.
+    const bool whole = std::trunc(check.measured) == check.measured && std::abs(check.measured) < 1e9;
+    const std::string measured = whole ? readable_integer(check.measured) : readable(check.measured, 4);
     const bool near = check.kind == Check::Kind::near;
     const std::string relation = near || std::isnan(check.expected) ? "" : check.kind == Check::Kind::at_most ? "≤\u202f" : "≥\u202f";
     return view_of({{"name", "what is checked", prose_view(check.name.empty() ? "–" : check.name)},
                     {"expected", "the value it should have, with its relation", relation + brief(check.expected, 4)},
-                    {"measured", "the value it has", measured_text(check)},
+                    {"measured", "the value it has", measured},
                     {"tolerance", "how far off it may be", (near && check.tolerance > 0 ? "±\u202f" : "") + brief(check.tolerance, 2)},
                     {"passed", "it passed", check.passed()},
                     {"failed", "it failed", check.failed()},
@@ -48,7 +45,7 @@ json check_view(const Check& check) {
                     {"has_note", "there is a note", !check.note.empty()}});
 }
 
-/// Counts of checks, as the opening table and the headings print them.
+/// Returns counts of checks for the opening table and the headings.
 json score_view(const Score& score) {
     return view_of({{"passed_count", "checks that passed", std::to_string(score.passed)},
                     {"failed_count", "checks that failed", std::to_string(score.failed)},
@@ -62,7 +59,6 @@ json score_view(const Score& score) {
 
 // ---- sections -----------------------------------------------------------------------------------------------------------
 
-/// An input whose file has this name, this content and may be a stand-in.
 json mesh_view(const std::string& file, const std::string& sha256, bool is_stand_in) {
     return view_of({{"file", "name of the file", safe_text(file)},
                     {"sha256", "of the file", safe_text(sha256)},
@@ -87,21 +83,17 @@ json code_view(const CodeReference& code) {
                     {"has_line", "src.txt has the function", code.line > 0}});
 }
 
-std::string link_to(const std::string& id, const Numbering& numbering) {
-    const Reference target = numbering.resolve(id);
-    return target.page + "#" + url_path(target.anchor);
-}
-
-/// What the opening table, the contents list and the section itself have in common.
+/// Returns the values that the opening table, the contents list and the section itself have in common.
 json section_head(const Section& section, const std::string& number, const ViewContext& context) {
     json checks = json::array();
     for (const Check& check : section.checks) {
         const bool is_listed = context.options.passed_checks || !check.passed();
         if (is_listed && checks.size() < context.options.most_checks) checks.push_back(check_view(check));
     }
+    const Reference target = context.numbering.resolve(section.id);
     json head = score_view(score_of(section.checks));
     enter(head, {{"id", "anchor of the section: \"q4\"", safe_text(section.id)},
-                 {"href", "link to the section, in this page or that of the other volume", link_to(section.id, context.numbering)},
+                 {"href", "link to the section, in this page or that of the other volume", target.page + "#" + url_path(target.anchor)},
                  {"number", "\"4\"; letters for what the answers rest on", number},
                  {"title", "its title", safe_text(section.title)},
                  {"is_question", "it answers a question of the assignment", is_question(section.id)},
@@ -111,7 +103,6 @@ json section_head(const Section& section, const std::string& number, const ViewC
                  {"answer", "in one sentence", text_view(section.answer, context.numbering)},
                  {"has_answer", "there is one", !section.answer.empty()},
                  {"extent", "how far it was achieved", prose_view(section.extent)},
-                 {"has_extent", "that is said", !section.extent.empty()},
                  {"failure", "why it failed, one line", safe_text(section.failure)},
                  {"has_listed_checks", "its list of checks is not empty", !checks.empty()},
                  {"checks", "what was checked", std::move(checks)}});
@@ -119,25 +110,8 @@ json section_head(const Section& section, const std::string& number, const ViewC
     return head;
 }
 
-/// The numbered headings within a section, for the contents list.
-json headings_view(const json& blocks) {
-    json list = json::array();
-    for (const json& block : blocks) {
-        if (!block["is_heading"].get<bool>()) continue;
-        list.push_back(view_of({{"number", "\"4.2\"", block["number"]},
-                                {"title", "its words", block["title"]},
-                                {"anchor", "of the heading", block["anchor"]}}));
-    }
-    return list;
-}
-
 bool has_lab(const Section& section, const ViewContext& context) {
     return context.options.lab_questions.find(section.id + " ") != std::string::npos;
-}
-
-bool is_file_only(const Block& block) {
-    const auto* table = std::get_if<Table>(&block);
-    return table && table->file_only;
 }
 
 json section_view(const Section& section, const std::string& number, const ViewContext& context) {
@@ -148,10 +122,16 @@ json section_view(const Section& section, const std::string& number, const ViewC
     const bool is_further = context.options.volume == Volume::appendix && is_question(section.id);
     const std::span<const Block> shown = blocks_in(section, context.options.volume);
     const auto is_heading = [](const Block& block) { return std::holds_alternative<Heading>(block); };
-    int headings = static_cast<int>(std::count_if(section.blocks.data(), shown.data(), is_heading));   // those of the report come first
-    json blocks = json::array();
-    for (const Block& block : shown)
-        if (!is_file_only(block)) blocks.push_back(block_view(block, number, headings, context));
+    int heading = static_cast<int>(std::count_if(section.blocks.data(), shown.data(), is_heading));   // headings of the report come first
+    json blocks = json::array(), headings = json::array();
+    for (const Block& block : shown) {
+        if (const auto* table = std::get_if<Table>(&block); table && table->file_only) continue;
+        const json& view = blocks.emplace_back(block_view(block, number, heading, context));
+        if (is_heading(block))
+            headings.push_back(view_of({{"number", "\"4.2\"", view["number"]},
+                                        {"title", "its words", view["title"]},
+                                        {"anchor", "of the heading", view["anchor"]}}));
+    }
     json view = section_head(section, number, context);
     if (is_further) view["id"] = further_id(section);
     enter(view, {{"asked", "the question in one sentence", prose_view(section.asked)},
@@ -162,14 +142,14 @@ json section_view(const Section& section, const std::string& number, const ViewC
     enter_list(view, "parameters", "its settings", names_and_values(texts_of(section.parameters), "of the setting", "what it is"));
     enter_list(view, "warnings", "what was unusual", list_of(section.warnings, warning));
     enter_list(view, "outputs", "meshes it wrote", list_of(section.output_meshes, output));
-    enter_list(view, "headings", "numbered headings within the section", headings_view(blocks));
+    enter_list(view, "headings", "numbered headings within the section", std::move(headings));
     enter(view, {{"blocks", "what is read, in order; one of the is_… is true for each", std::move(blocks)}});
     return view;
 }
 
 // ---- the document -------------------------------------------------------------------------------------------------------
 
-/// The first figure of the first question that has a laboratory.
+/// Returns the first panels of the first drawn figure of the first question with a laboratory; false if there is none.
 json series_view(const Document& document, const ViewContext& context) {
     for (const Section& section : document.sections) {
         if (!has_lab(section, context)) continue;
@@ -199,7 +179,7 @@ json provenance_view(const Document& document) {
     return view;
 }
 
-/// The meshes the questions were answered on, each once.
+/// Returns the input meshes of the questions, each once.
 json meshes_used(const Document& document) {
     std::set<std::pair<std::string, std::string>> shown;   // file and content
     std::size_t stand_ins = 0;
@@ -220,7 +200,7 @@ json meshes_used(const Document& document) {
     return view;
 }
 
-/// How many of the questions asked for are answered: "7 of 7".
+/// Returns counts of the questions that were asked for and answered.
 json answered_view(const Document& document) {
     std::size_t asked = 0, answered = 0;
     for (const Section& section : document.sections) {
@@ -262,7 +242,7 @@ json timings_view(const Document& document, const Numbering& numbering) {
 
 json view_model(const Document& document, const DrawnFigures& figures, const Templates& templates, const ViewOptions& options) {
     std::vector<CitedWork> works = bibliography_of(templates);
-    // Those that the report cites have the first numbers.
+    // The works that the report cites have the first numbers.
     const auto in_report = works_cited_in(document, Volume::report, works), cited = works_cited_in(document, options.volume, works);
     std::stable_partition(works.begin(), works.end(), [&](const CitedWork& work) { return in_report.contains(work.id); });
     const auto formulas = formulas_of(templates);

@@ -1,4 +1,4 @@
-// Tables as the templates see them: digits, alignment, best values, rows left out.
+// The view model of tables: digits, alignment, best values, rows left out.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -30,7 +30,7 @@ bool is_numeric(const Table& table, std::size_t column) {
     return any;
 }
 
-/// The value to be marked in a column, where there is a choice.
+/// Returns the value to be marked in a column; empty if none is asked for or all values are equal.
 std::optional<double> best_of(const Table& table, std::size_t column) {
     if (table.columns[column].best == Column::Best::none) return {};
     std::vector<double> values;
@@ -44,7 +44,7 @@ std::optional<double> best_of(const Table& table, std::size_t column) {
     return table.columns[column].best == Column::Best::smallest ? *smallest : *largest;
 }
 
-/// 0 (no shade) to 6, in steps of equal ratio.
+/// Returns the shade of a value: 0 (none) to 6, in steps of equal ratio.
 int heat_of(double x, const Column::Heat& heat) {
     constexpr int steps = 6;
     const double place = std::log(std::abs(x) / heat.low) / std::log(heat.high / heat.low);
@@ -53,7 +53,7 @@ int heat_of(double x, const Column::Heat& heat) {
 
 enum class Notation { whole, plain, scientific };
 
-/// Counts are shown whole. When one number of a column needs a power of ten, the others far from 1 are written with one too.
+/// Returns `whole` for counts, and `scientific` if a number of the column needs a power of ten: then all numbers far from 1 have one.
 Notation notation_of(const Table& table, std::size_t column) {
     bool whole = true, power = false;
     for (const auto& row : table.rows) {
@@ -65,38 +65,22 @@ Notation notation_of(const Table& table, std::size_t column) {
     return whole ? Notation::whole : power ? Notation::scientific : Notation::plain;
 }
 
-double rounded(double x, const Column& column) {
+/// Returns a number of the column as it is printed; "–" for an undefined one.
+std::string number_text(double x, const Column& column, Notation notation) {
     using Rounding = Column::Rounding;
-    if (column.rounding == Rounding::down) return rounded_down(x, column.digits);
-    if (column.rounding == Rounding::up) return rounded_up(x, column.digits);
-    return column.rounding == Rounding::tenths ? std::round(10 * x) / 10 : x;
-}
-
-std::string number_text(double x, Notation notation, int digits) {
+    int digits = column.digits;
+    if (column.rounding == Rounding::down) x = rounded_down(x, digits);
+    if (column.rounding == Rounding::up) x = rounded_up(x, digits);
+    if (column.rounding == Rounding::tenths && std::isfinite(x)) {
+        x = std::round(10 * x) / 10;
+        digits = std::abs(x) < 1 ? 1 : 2 + static_cast<int>(std::floor(std::log10(std::abs(x))));   // for one decimal
+    }
     const bool near_one = std::abs(x) >= 0.01 && std::abs(x) < 1e5;
     if (notation == Notation::scientific && !near_one) return scientific_text(x, digits);
     return notation == Notation::whole ? readable_integer(x) : readable(x, digits);
 }
 
-/// Significant digits of x: with tenths as many as one decimal takes.
-int digits_of(double x, const Column& column) {
-    if (column.rounding != Column::Rounding::tenths || !std::isfinite(x)) return column.digits;
-    return std::abs(x) < 1 ? 1 : 2 + static_cast<int>(std::floor(std::log10(std::abs(x))));
-}
-
-/// The column's numbers as they are printed, "–" for what is undefined; texts are left empty.
-std::vector<std::string> number_texts(const Table& table, std::size_t column) {
-    const Notation notation = notation_of(table, column);
-    std::vector<std::string> texts;
-    for (const auto& row : table.rows) {
-        const double* value = number_in(row, column);
-        const double x = value ? rounded(*value, table.columns[column]) : std::nan("");
-        texts.push_back(number_text(x, notation, digits_of(x, table.columns[column])));
-    }
-    return texts;
-}
-
-/// Figure spaces that put the decimal points of a right-aligned column under each other; none where powers of ten are mixed in.
+/// Returns figure spaces that align the decimal points of a right-aligned column; none if a text has a power of ten.
 std::vector<std::string> paddings_of(const std::vector<std::string>& texts) {
     std::vector<std::size_t> decimals;   // characters from the point to the end
     for (const std::string& text : texts) {
@@ -120,18 +104,17 @@ struct ColumnView {
 };
 
 ColumnView column_view(const Table& table, std::size_t column) {
-    ColumnView view{is_numeric(table, column), table.columns[column].reference, best_of(table, column), number_texts(table, column), {}};
+    ColumnView view{is_numeric(table, column), table.columns[column].reference, best_of(table, column), {}, {}};
+    const Notation notation = notation_of(table, column);
+    for (const auto& row : table.rows) {
+        const double* value = number_in(row, column);
+        view.texts.push_back(number_text(value ? *value : std::nan(""), table.columns[column], notation));
+    }
     view.paddings = view.numeric ? paddings_of(view.texts) : std::vector<std::string>(view.texts.size());
     return view;
 }
 
-/// A reference in a cell is its name alone: where to find what is left out, the caption says.
-json reference_view(const std::string& id, const Numbering& numbering) {
-    json view = text_view({ref(id)}, numbering);
-    view["runs"][0]["is_elsewhere"] = false;
-    return view;
-}
-
+/// True if a cell refers to the other volume without a link.
 bool refers_elsewhere(const Table& table, const Numbering& numbering) {
     for (const auto& row : table.rows) {
         for (std::size_t c = 0; c < std::min(row.size(), table.columns.size()); ++c) {
@@ -150,7 +133,8 @@ json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& 
         const auto* words = c < table.rows[r].size() ? std::get_if<std::string>(&table.rows[r][c]) : nullptr;
         const bool refers = words != nullptr && columns[c].reference;
         const auto view = c == 0 ? letters_view : prose_view;
-        json cell = refers ? reference_view(*words, numbering) : view(words ? *words : "");
+        json cell = refers ? text_view({ref(*words)}, numbering) : view(words ? *words : "");
+        if (refers) cell["runs"][0]["is_elsewhere"] = false;   // the caption says it
         const auto& heat = table.columns[c].heat;
         enter(cell, {{"is_words", "it holds words: runs", words != nullptr},
                      {"number", "as people read it", columns[c].texts[r]},
@@ -167,16 +151,16 @@ json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& 
     return view_of({{"cells", "of a row", std::move(cells)}, {"is_gap", "rows are left out here", false}});
 }
 
-/// A row that says how many are not shown.
+/// Returns the row that gives the number of rows left out.
 json gap_view(std::size_t left_out, std::size_t columns) {
-    std::string fill;
-    for (std::size_t c = 1; c < columns; ++c) fill += " |";
+    std::string bars;
+    for (std::size_t c = 1; c < columns; ++c) bars += " |";
     return view_of({{"cells", "of a row", json::array()},
                     {"is_gap", "rows are left out here", true},
                     {"left_out", "how many: \"1 row\", \"410 rows\"",
                      readable_integer(static_cast<double>(left_out)) + (left_out == 1 ? " row" : " rows")},
                     {"columns", "how many columns the table has", std::to_string(columns)},
-                    {"fill", "bars of the cells that a row of Markdown lacks when it only tells what is left out", std::move(fill)}});
+                    {"fill", "bars that complete this row in Markdown", std::move(bars)}});
 }
 
 }   // namespace
@@ -207,7 +191,6 @@ json table_view(const Table& table, const ViewContext& context) {
     enter(view, {{"csv", "link to the data", url_path("tables/" + table.id + ".csv")},
                  {"columns", "heads of a table", std::move(heads)},
                  {"rows", "of a table", std::move(rows)},
-                 {"is_cut", "rows are left out", !whole},
                  {"is_sortable", "readers may sort it", whole && worth_sorting},
                  {"has_many_columns", "the table has so many columns that its print is small", table.columns.size() > most_columns},
                  {"has_best", "a value of it is marked as best", has_best},

@@ -4,41 +4,6 @@
 
 namespace meshfolio::report {
 
-namespace {
-
-/// What can be referred to in a block.
-std::vector<std::string> ids_in(const Block& block) {
-    if (const auto* list = std::get_if<EntryList>(&block)) {
-        std::vector<std::string> ids;
-        for (const Entry& entry : list->entries) ids.push_back(entry.id);
-        return ids;
-    }
-    return std::visit(
-        [](const auto& one) -> std::vector<std::string> {
-            if constexpr (requires { one.id; })
-                return {one.id};
-            else
-                return {};
-        },
-        block);
-}
-
-/// All running text of a block.
-std::vector<Text> texts_of(const Block& block) {
-    if (const auto* paragraph = std::get_if<Paragraph>(&block)) return {paragraph->text};
-    if (const auto* bullets = std::get_if<BulletList>(&block)) return bullets->items;
-    std::vector<Text> texts;
-    if (const auto* list = std::get_if<EntryList>(&block)) {
-        for (const Entry& entry : list->entries) {
-            texts.push_back(entry.title);
-            texts.insert(texts.end(), entry.paragraphs.begin(), entry.paragraphs.end());
-        }
-    }
-    return texts;
-}
-
-}   // namespace
-
 std::span<const Block> blocks_in(const Section& section, Volume volume) {
     const std::span<const Block> all(section.blocks);
     if (!is_question(section.id)) return volume == Volume::appendix ? all : all.first(0);
@@ -77,25 +42,37 @@ const Figure* cover_figure(const Document& document, const DrawnFigures& figures
 }
 
 void mark_elsewhere(const Document& document, Volume volume, const std::string& page, Numbering& numbering) {
-    const Volume other = volume == Volume::report ? Volume::appendix : Volume::report;
+    const Volume other = other_of(volume);
     for (const Section& section : document.sections) {
         if (is_question(section.id) == (other == Volume::report)) numbering.place_elsewhere(section.id, page);
-        for (const Block& block : blocks_in(section, other))
-            for (const std::string& id : ids_in(block)) numbering.place_elsewhere(id, page);
+        for (const Block& block : blocks_in(section, other)) {
+            const auto place = [&](const auto& one) {
+                if constexpr (requires { one.id; }) numbering.place_elsewhere(one.id, page);
+            };
+            std::visit(place, block);
+            if (const auto* list = std::get_if<EntryList>(&block)) std::ranges::for_each(list->entries, place);
+        }
     }
 }
 
 std::set<std::string> works_cited_in(const Document& document, Volume volume, const std::vector<CitedWork>& works) {
-    std::set<std::string> known, cited;
-    for (const CitedWork& work : works) known.insert(work.id);
+    std::set<std::string> cited;
     const auto look_through = [&](const Text& text) {
         for (const Run& run : text)
-            if (run.kind == Run::Kind::reference && known.contains(run.content)) cited.insert(run.content);
+            if (run.kind == Run::Kind::reference && std::ranges::find(works, run.content, &CitedWork::id) != works.end())
+                cited.insert(run.content);
     };
     for (const Section& section : document.sections) {
         if (has_section(section, volume)) look_through(section.answer);
-        for (const Block& block : blocks_in(section, volume))
-            for (const Text& text : texts_of(block)) look_through(text);
+        for (const Block& block : blocks_in(section, volume)) {
+            if (const auto* paragraph = std::get_if<Paragraph>(&block)) look_through(paragraph->text);
+            if (const auto* bullets = std::get_if<BulletList>(&block)) std::ranges::for_each(bullets->items, look_through);
+            const auto* list = std::get_if<EntryList>(&block);
+            for (const Entry& entry : list != nullptr ? list->entries : std::vector<Entry>()) {
+                look_through(entry.title);
+                std::ranges::for_each(entry.paragraphs, look_through);
+            }
+        }
     }
     return cited;
 }

@@ -1,5 +1,5 @@
 /// @file
-/// Which parts of a document each of its two volumes contains.
+/// Divides a document into its two volumes.
 #pragma once
 
 #include <set>
@@ -14,25 +14,26 @@
 
 namespace meshfolio::report {
 
-/// The consecutive blocks of a section that belong to the volume.
+/// Returns the consecutive blocks of a section that belong to the volume; the span may be empty.
 std::span<const Block> blocks_in(const Section& section, Volume volume);
 
-/// Does the volume show this section? The report has the questions, the appendix the others and the further blocks of questions.
+/// True if the volume shows the section: the report has the questions, the appendix all others and questions with blocks for it.
 bool has_section(const Section& section, Volume volume);
 
-/// The id of a question's section in the appendix: "q4-further".
+/// Returns the id of a question's section in the appendix: "q4-further".
 std::string further_id(const Section& section);
 
-/// Ids of the figures shown.
+/// Returns the ids of the figures in the volume.
 std::set<std::string> figures_in(const Document& document, Volume volume);
 
-/// Returns the figure that lends the first page its first picture: the first one of the report that shows values from three quarters; null:
+/// Returns the figure for the cover: the first drawn one of the report with values and a picture from three quarters; null if there is
 /// none.
 const Figure* cover_figure(const Document& document, const DrawnFigures& figures);
 
-/// Marks in the numbering what the other volume contains. @param page  file of that volume; empty: no link leads there
+/// Marks in the numbering all ids of the other volume. @param page  file of that volume; empty: no link leads there
 void mark_elsewhere(const Document& document, Volume volume, const std::string& page, Numbering& numbering);
 
+/// Returns the ids of the works that texts of the volume cite.
 std::set<std::string> works_cited_in(const Document& document, Volume volume, const std::vector<CitedWork>& works);
 
 }   // namespace meshfolio::report
