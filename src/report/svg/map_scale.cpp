@@ -11,14 +11,14 @@ namespace {
 
 using Rgb = std::array<double, 3>;
 
-/// The maps "pale" and "diverging" of the renderer, which this layer does not see.
+/// The maps "pale" and "diverging" of render/color/colormap.cpp, which this layer may not include.
 constexpr std::array<unsigned, 9> sequential{0xf1eee4, 0xcfd5b3, 0x9cc6a5, 0x6db7a9, 0x42a2ac, 0x1e88ab, 0x066ba1, 0x1c4d88, 0x253261};
 constexpr std::array<unsigned, 13> diverging{0x004c9e, 0x0b6ac3, 0x4a87d6, 0x79a4e2, 0xa5c0e9, 0xcedaee, 0xeeeeee,
                                              0xeed3c7, 0xe6af9c, 0xdb8a76, 0xca6656, 0xb4413d, 0x93232b};
 
 Rgb rgb_of(unsigned hex) { return {double(hex >> 16 & 255), double(hex >> 8 & 255), double(hex & 255)}; }
 
-/// Between the colours of a list, at t in [0, 1].
+/// Returns the colour at t in [0, 1], interpolated between the colours of a list.
 template <std::size_t n>
 Rgb between(const std::array<unsigned, n>& colours, double t) {
     const double place = t * double(n - 1);
@@ -58,7 +58,7 @@ MapScale::MapScale(const Map& map) : logarithmic_(map.log_values), diverging_(ma
     }
     const bool valid = std::isfinite(low_) && std::isfinite(high_) && (!logarithmic_ || low_ > 0) && low_ <= high_;
     if (!valid) low_ = high_ = 1;
-    if (!(high_ - low_ > 1e-12 * std::max(std::abs(low_), std::abs(high_)))) {   // one value alone is in the middle
+    if (!(high_ - low_ > 1e-12 * std::max(std::abs(low_), std::abs(high_)))) {   // a single value is in the middle
         const double margin = low_ != 0 ? 0.5 * std::abs(low_) : 1;
         high_ = low_ + margin;
         low_ -= margin;
@@ -79,7 +79,7 @@ int MapScale::band(double value) const {
 
 std::string MapScale::color(int band) const {
     double t = double(band) / (bands - 1);
-    if (diverging_) {   // leaves out the grey in the middle, so that the two sides differ
+    if (diverging_) {   // without the grey in the middle, so that the two sides differ
         constexpr int half = bands / 2;
         constexpr double side = 5.0 / 12;   // of the colours
         t = band < half ? side * band / (half - 1) : 1 - side * (bands - 1 - band) / (half - 1);

@@ -1,5 +1,5 @@
 /// @file
-/// Maps values to colours: a few bands of equal width, whose edges look like contour lines.
+/// Maps values to colours, in bands of equal width that look like contour lines.
 #pragma once
 
 #include <string>
@@ -12,16 +12,16 @@ class MapScale {
 public:
     static constexpr int bands = 16;
 
-    /// Takes the range of the map, else that of its finite values, symmetric about the middle for a diverging map.
+    /// Takes the range of the map, or else of its finite values, which a diverging map extends to be symmetric about its middle.
     explicit MapScale(const Map& map);
 
     double low() const { return low_; }
     double high() const { return high_; }
-    /// Band 0 to bands − 1 of a finite value; values beyond the ends get the first or the last band.
+    /// Returns the band of a finite value, 0 to bands − 1; values beyond the ends are in the first or the last.
     int band(double value) const;
-    /// "#1f9e89"
+    /// Returns the colour of a band: "#1f9e89".
     std::string color(int band) const;
-    /// Do finite values exceed the ends?
+    /// True if finite values lie beyond the low or the high end.
     bool clips_below() const { return clips_below_; }
     bool clips_above() const { return clips_above_; }
 
@@ -31,8 +31,8 @@ private:
     bool clips_below_ = false, clips_above_ = false;
 };
 
-/// The edges between cells of these centres, one more than there are: half-way between neighbours (of their logarithms on a logarithmic
-/// axis). Empty if the centres do not ascend or the axis cannot show them.
+/// Returns the n + 1 edges of n cells with these centres, half-way between neighbours (of their logarithms on a logarithmic axis). Empty if
+/// the centres do not ascend or the axis cannot show them.
 std::vector<double> cell_edges(const std::vector<double>& centres, bool logarithmic);
 
 }   // namespace meshfolio::report

@@ -11,19 +11,12 @@ namespace {
 
 constexpr double wanted_ticks = 6;
 
-/// 1, 2 or 5 times a power of ten, the smallest that is at least x.
+/// Returns the smallest of 1, 2 or 5 times a power of ten that is at least x.
 double round_step(double x) {
     const double power = std::pow(10, std::floor(std::log10(x)));
     for (const double factor : {1.0, 2.0, 5.0})
         if (factor * power >= x * (1 - 1e-9)) return factor * power;
     return 10 * power;
-}
-
-/// As many digits as distinguish neighbouring ticks.
-std::string tick_label(double value, double step) {
-    if (value == 0) return "0";
-    const int digits = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9) - std::floor(std::log10(step) + 1e-9)) + 1;
-    return readable(value, std::clamp(digits, 1, 15));
 }
 
 std::vector<Tick> linear_ticks(double low, double high) {
@@ -33,18 +26,15 @@ std::vector<Tick> linear_ticks(double low, double high) {
     for (int i = 0; i <= 2 * wanted_ticks; ++i) {   // fewer, unless the range is too narrow for its numbers to differ
         const double value = (first + i) * step;
         if (!(value <= high + 1e-9 * step)) break;
-        ticks.push_back({value, tick_label(value, step)});
+        // As many digits as distinguish neighbouring ticks.
+        const double decade = value == 0 ? 0 : std::floor(std::log10(std::abs(value)) + 1e-9);
+        const int digits = static_cast<int>(decade - std::floor(std::log10(step) + 1e-9)) + 1;
+        ticks.push_back({value, value == 0 ? "0" : readable(value, std::clamp(digits, 1, 15))});
     }
     return ticks;
 }
 
-/// 0.01 to 1000 in plain, powers of ten beyond.
-std::string decade_label(int exponent) {
-    if (exponent >= -2 && exponent <= 3) return readable(std::pow(10, exponent), 1);
-    return power_of_ten(exponent);
-}
-
-/// Decades, every second or third of them when there are many; 1-2-5 when there are few.
+/// Returns ticks at decades, labelled at every second or third if there are many, and at 1, 2, 5 if there are few.
 std::vector<Tick> logarithmic_ticks(double low, double high) {
     const int first = static_cast<int>(std::floor(std::log10(low) + 1e-9)), last = static_cast<int>(std::ceil(std::log10(high) - 1e-9));
     const double decades = std::log10(high) - std::log10(low);
@@ -57,7 +47,8 @@ std::vector<Tick> logarithmic_ticks(double low, double high) {
             if (value < low * (1 - 1e-9) || value > high * (1 + 1e-9)) continue;
             const bool between = decades <= 2.2 && (factor == 2 || factor == 5);
             std::string label;
-            if (factor == 1 && exponent % stride == 0) label = decade_label(exponent);
+            const bool is_plain = exponent >= -2 && exponent <= 3;
+            if (factor == 1 && exponent % stride == 0) label = is_plain ? readable(std::pow(10, exponent), 1) : power_of_ten(exponent);
             if (between) label = readable(value, 1);
             if (!label.empty() || (stride == 1 && decades <= 6)) ticks.push_back({value, label});
         }
@@ -82,7 +73,7 @@ Axis::Axis(const std::vector<double>& values, bool logarithmic, bool with_zero) 
         low_ = std::max(low / margin, 1e-307);
         high_ = std::min(high * margin, 1e307);
     } else {
-        // A constant is shown in the middle; differences that are only rounding are not stretched over the axis.
+        // A constant stands in the middle, and so do values that differ by rounding alone.
         const double magnitude = std::max(std::abs(low), std::abs(high));
         const double spread = high - low;
         const bool constant = spread <= 1e-12 * magnitude;

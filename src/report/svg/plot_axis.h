@@ -1,5 +1,5 @@
 /// @file
-/// One axis of a plot: its range, its round ticks, and where a value falls.
+/// One axis of a plot: its range, its round ticks, and the positions of values.
 #pragma once
 
 #include <string>
@@ -14,15 +14,15 @@ struct Tick {
 
 class Axis {
 public:
-    /// Covers the finite `values` (on a logarithmic axis the positive ones) with a margin; a single value and no value give a range too.
-    /// @param with_zero  a zero among the values of a logarithmic axis has a tick of its own at the low end, apart from the others
+    /// Covers the finite `values` (on a logarithmic axis the positive ones) with a margin. One value or none give a range, too.
+    /// @param with_zero  a zero among the values of a logarithmic axis gets a tick of its own at the low end, apart from the others
     Axis(const std::vector<double>& values, bool logarithmic, bool with_zero = false);
-    /// From `low` to `high` without a margin; the default range if the axis cannot show both, or unless low < high.
+    /// Returns the axis from `low` to `high` without a margin; the default range unless low < high and the axis can show both.
     static Axis exactly(double low, double high, bool logarithmic);
 
-    /// Whether the axis can show this value at all.
+    /// True if the axis can show this value at all: finite, and positive on a logarithmic axis.
     bool shows(double value) const;
-    /// 0 at the low end, 1 at the high end. Only for values the axis shows.
+    /// Returns 0 for the low end and 1 for the high end. Only for values that the axis shows.
     double position(double value) const;
 
     double low() const { return low_; }

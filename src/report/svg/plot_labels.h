@@ -1,41 +1,23 @@
 /// @file
-/// Places labels of a plot so that they cover neither each other nor the data. Units are pixels, y down.
+/// Places labels of a plot so that they cover neither each other nor the data, and names at the ends of its curves.
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "report/text.h"
+#include "report/svg/svg_elements.h"
 
 namespace meshfolio::report {
-
-constexpr double font_size = 12.5, script_size = 11;   // 7.5 and 6.6 points where a drawing is 136 mm wide
-inline constexpr const char* font_family = "'Report Sans', 'Report Math', system-ui, sans-serif";   // as in fonts.css; files stand alone
-
-struct Point {
-    double x = 0, y = 0;
-};
-
-struct Box {
-    double left = 0, top = 0, right = 0, bottom = 0;
-};
-
-/// Width in pixels of a text in the regular sans of the pages.
-double text_width(const std::string& text);
-/// Of a text whose indices and exponents are smaller.
-double text_width(const Text& text);
-/// Broken at spaces so that no line is wider than `width`, a single word excepted.
-std::vector<std::string> wrapped(const std::string& text, double width);
 
 class LabelPlacer {
 public:
     /// Labels stay inside `frame`; `data` are points of the curves, which labels avoid where they can.
     LabelPlacer(const Box& frame, std::vector<Point> data) : frame_(frame), data_(std::move(data)) {}
 
-    /// Nothing will be placed over this box.
+    /// Keeps labels away from this box.
     void block(const Box& box) { taken_.push_back(box); }
-    /// The best of the candidate boxes, moved into the frame where they stick out: earlier ones are preferred where the cost is equal. It
-    /// is taken from then on.
+    /// Returns the best candidate, moved into the frame if it sticks out, and blocks it. Earlier candidates win at equal cost.
     Box place(const std::vector<Box>& candidates);
 
 private:
@@ -45,7 +27,25 @@ private:
     std::vector<Box> taken_;
 };
 
-/// Boxes of a label's size around a point, nearest first.
+/// Returns boxes of a label's size around a point, nearest first.
 std::vector<Box> around(Point point, double width, double height);
+
+/// Places boxes of these heights without overlap between `low` and `high`, their middles as near to `wanted` as possible. Boxes that do not
+/// fit are stacked from `low`.
+/// @return the middles
+std::vector<double> spread_apart(const std::vector<double>& wanted, const std::vector<double>& heights, double low, double high);
+
+/// The name at the end of a curve.
+struct EndName {
+    Point end;   // of the curve
+    std::vector<std::string> lines;
+    std::string sample;   // of the curve, drawn around (0, 0)
+    std::string color;
+    double height() const;
+};
+constexpr double end_sample_width = 20, end_gap = 7;   // of the sample, and before and behind it
+
+/// Returns the names as SVG, below each other at x, with thin lines to those that were moved.
+std::string drawn_names(const std::vector<EndName>& names, double x, double low, double high);
 
 }   // namespace meshfolio::report

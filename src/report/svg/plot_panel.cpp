@@ -17,7 +17,7 @@ std::string stroke_of(const Look& look) {
     return "fill=\"none\" stroke=\"" + look.color + "\" stroke-width=\"2\" stroke-linejoin=\"round\"" + dash;
 }
 
-/// A thin line from a marker to its label when that is not right beside it.
+/// Returns a thin line from a marker to its label; empty if they are next to each other.
 std::string leader(Point p, const Box& box) {
     const Point end{std::clamp(p.x, box.left, box.right), std::clamp(p.y, box.top, box.bottom)};
     const double distance = std::hypot(end.x - p.x, end.y - p.y);
@@ -53,10 +53,15 @@ PlotPanel::PlotPanel(const Plot& plot, std::string name, const Axis& x, const Ax
 
 std::string PlotPanel::svg(bool with_y_numbers, bool with_line_labels) const {
     std::string svg = grid(with_y_numbers);
-    if (is_empty())
+    const auto has_no_point = [&](const PlotCurve& curve) { return runs_of(*curve.series).empty(); };
+    if (std::ranges::all_of(curves_, has_no_point) && markers().empty() && plot_.vertical_lines.empty())
         return svg + text_element({0.5 * (frame_.left + frame_.right), 0.5 * (frame_.top + frame_.bottom)}, "middle", "no data");
     for (const PlotCurve& curve : curves_) svg += band(curve);
-    svg += vertical_lines();
+    for (const auto& line : plot_.vertical_lines) {
+        if (!x_.shows(line.x)) continue;
+        svg += line_element({at_x(line.x), frame_.top}, {at_x(line.x), frame_.bottom},
+                            "stroke=\"var(--plot-line, #6b7280)\" stroke-width=\"1.4\" stroke-dasharray=\"3 3\"");
+    }
     for (const bool lines : {false, true})   // over the points
         for (const PlotCurve& curve : curves_) svg += curve.look.has_line == lines ? drawn(curve) : "";
     return svg + labels(with_line_labels);
@@ -82,11 +87,6 @@ std::vector<Marker> PlotPanel::markers() const {
     return markers;
 }
 
-bool PlotPanel::is_empty() const {
-    const auto none = [&](const PlotCurve& curve) { return runs_of(*curve.series).empty(); };
-    return std::all_of(curves_.begin(), curves_.end(), none) && markers().empty() && plot_.vertical_lines.empty();
-}
-
 bool PlotPanel::has_end(const PlotCurve& curve) const {
     const Series& series = *curve.series;
     return (curve.look.has_line || std::is_sorted(series.x.begin(), series.x.end())) && !runs_of(series).empty();
@@ -94,7 +94,7 @@ bool PlotPanel::has_end(const PlotCurve& curve) const {
 
 std::optional<Point> PlotPanel::end_of(const PlotCurve& curve) const {
     if (curve.series->name.empty() || !has_end(curve)) return {};
-    // A curve may run to the left: its name stands where it is farthest to the right.
+    // A curve may run to the left: its name stands at the end farther to the right.
     std::optional<Point> end;
     for (const Stretch& run : runs_of(*curve.series)) {
         for (const Point& p : {run.front(), run.back()})
@@ -118,7 +118,8 @@ std::string PlotPanel::end_names(double width) const {
         const std::optional<Point> end = end_of(curve);
         if (!end) continue;
         const std::string name = safe_text(curve.series->name);
-        if (!ends_early(*end)) {
+        const bool ends_early = end->x < frame_.right - 0.3 * (frame_.right - frame_.left);
+        if (!ends_early) {
             beside.push_back({*end, wrapped(name, width), curve_sample(curve.look, {0, 0}, end_sample_width), curve.look.color});
             continue;
         }
@@ -141,18 +142,14 @@ std::string PlotPanel::grid(bool with_numbers) const {
         svg += line_element({frame_.left, y}, {frame_.right, y}, faint);
         if (with_numbers) svg += text_element({frame_.left - tick_length - 3, y + 0.35 * font_size}, "end", tick.label);
     }
-    svg += ticks_below(x_, frame_);
-    return svg + line_element({frame_.left, frame_.bottom}, {frame_.right, frame_.bottom}, firm) +
-           line_element({frame_.left, frame_.top}, {frame_.left, frame_.bottom}, firm) + axis_break();
-}
-
-/// Two strokes across the axis, between its zero and where it is logarithmic.
-std::string PlotPanel::axis_break() const {
-    if (!x_.zero_apart()) return "";
+    svg += ticks_below(x_, frame_) + line_element({frame_.left, frame_.bottom}, {frame_.right, frame_.bottom}, firm) +
+           line_element({frame_.left, frame_.top}, {frame_.left, frame_.bottom}, firm);
+    if (!x_.zero_apart()) return svg;
+    // Two strokes across the axis, between its zero and its logarithmic part.
     const double x = frame_.left + 0.5 * Axis::zero_share * (frame_.right - frame_.left) + 2;
-    const auto gap = "<path d=\"M" + px(x - 3) + " " + px(frame_.bottom) + "H" + px(x + 3) +
-                     "\" stroke=\"var(--plot-ground, #ffffff)\" stroke-width=\"3\"/>\n";
-    return gap + line_element({x - 5, frame_.bottom + 4}, {x - 1, frame_.bottom - 4}, firm) +
+    return svg + "<path d=\"M" + px(x - 3) + " " + px(frame_.bottom) + "H" + px(x + 3) +
+           "\" stroke=\"var(--plot-ground, #ffffff)\" stroke-width=\"3\"/>\n" +
+           line_element({x - 5, frame_.bottom + 4}, {x - 1, frame_.bottom - 4}, firm) +
            line_element({x + 1, frame_.bottom + 4}, {x + 5, frame_.bottom - 4}, firm);
 }
 
@@ -183,28 +180,18 @@ std::string PlotPanel::band(const PlotCurve& curve) const {
 std::string PlotPanel::drawn(const PlotCurve& curve) const {
     const Look& look = curve.look;
     std::string path, points;
-    const double least = look.has_line ? 16 : 0;   // pixels between points, so that they do not hide their line
+    const double least = look.has_line ? 16 : 0;   // [pixels] between points, so that they do not hide their line
     const double size = !look.has_line && curve.series->x.size() > 60 ? 0.6 : 1;   // of a cloud of points
     Point last{-1e9, 0};
     for (const Stretch& run : runs_of(*curve.series)) {
         for (std::size_t k = 0; look.has_line && run.size() > 1 && k < run.size(); ++k)
             path += (k == 0 ? "M" : "L") + px(run[k].x) + " " + px(run[k].y);
-        // A value between two gaps would leave no trace in a line.
+        // A value between two gaps leaves no trace in a line.
         const bool all = look.has_points || run.size() == 1;
         for (const Point& p : run)
             if (all && std::hypot(p.x - last.x, p.y - last.y) >= least) points += point_shape(last = p, look.pattern, look.color, size);
     }
     return (path.empty() ? "" : "<path d=\"" + path + "\" " + stroke_of(look) + "/>\n") + points;
-}
-
-std::string PlotPanel::vertical_lines() const {
-    std::string svg;
-    for (const auto& line : plot_.vertical_lines) {
-        if (!x_.shows(line.x)) continue;
-        svg += line_element({at_x(line.x), frame_.top}, {at_x(line.x), frame_.bottom},
-                            "stroke=\"var(--plot-line, #6b7280)\" stroke-width=\"1.4\" stroke-dasharray=\"3 3\"");
-    }
-    return svg;
 }
 
 std::vector<Point> PlotPanel::data_points() const {

@@ -1,4 +1,4 @@
-// Diagrams as inline SVG, in the manner of the plots: accents differ by width and shade, not by colour alone.
+// Diagrams as inline SVG, like the plots. Accents differ by width and shade, not by colour alone.
 #include <algorithm>
 #include <cmath>
 
@@ -12,9 +12,9 @@ namespace {
 constexpr double largest_coordinate = 1e100, panel_gap = 20, highest_panel = 230, label_distance = 7, dot_radius = 3.6, line_margin = 3;
 constexpr const char* accent_color = "var(--plot-1, #0b5fa5)";
 
-bool is_shown(double x, double y) { return std::abs(x) < largest_coordinate && std::abs(y) < largest_coordinate; }   // NaN is not
+bool is_shown(double x, double y) { return std::abs(x) < largest_coordinate && std::abs(y) < largest_coordinate; }   // false for NaN
 
-/// Grows with every box that it takes in.
+/// The bounds of all boxes added.
 struct Bounds {
     Box box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
     void add(const Box& b) {
@@ -24,7 +24,7 @@ struct Bounds {
     double height() const { return std::max(box.bottom - box.top, 0.0); }
 };
 
-/// −1, 0 or 1: where a label stands from its point, x to the right and y downwards.
+/// Returns the direction of a label from its point: −1, 0 or 1 in x to the right and y downwards.
 Point direction_of(Diagram::Side side) {
     constexpr Point in_order[] = {{0, 0}, {0, -1}, {0, 1}, {-1, 0}, {1, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
     return in_order[static_cast<std::size_t>(side)];
@@ -34,7 +34,7 @@ class DiagramPanel {
 public:
     explicit DiagramPanel(const Diagram::Panel& panel) : panel_(panel) {}
 
-    /// The largest scale at which lines and labels fit into a box of this size; then their own size.
+    /// Chooses the largest scale at which lines and labels fit into a box of this size.
     void fit(double width, double height) {
         widest_ = width;
         double low = 1e-120, high = 1e120;
@@ -49,27 +49,31 @@ public:
 
     double height() const { return bounds_.height(); }
 
-    /// In the middle of `frame`.
+    /// Draws the panel in the middle of `frame`.
     std::string svg(const Box& frame) {
-        if (bounds_.width() <= 0) return text_element(middle_of(frame), "middle", "no data");
+        const Point middle{0.5 * (frame.left + frame.right), 0.5 * (frame.top + frame.bottom)};
+        if (bounds_.width() <= 0) return text_element(middle, "middle", "no data");
         shift_ = {0.5 * (frame.left + frame.right - bounds_.box.left - bounds_.box.right),
                   0.5 * (frame.top + frame.bottom - bounds_.box.top - bounds_.box.bottom)};
         std::string svg;
         for (const Diagram::Path& path : panel_.paths) svg += drawn(path);
-        for (const Diagram::Label& label : panel_.labels) svg += dot(label);
+        for (const Diagram::Label& label : panel_.labels) {
+            if (!label.dot || !is_shown(label.x, label.y)) continue;
+            const Point p = at(label.x, label.y);
+            svg += "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"" + px(dot_radius) + "\" fill=\"" + fill_of(label) +
+                   "\" stroke=\"var(--plot-ground, #ffffff)\" stroke-width=\"1.2\"/>\n";
+        }
         for (const Diagram::Label& label : panel_.labels) svg += words(label);
         return svg;
     }
 
 private:
-    static Point middle_of(const Box& box) { return {0.5 * (box.left + box.right), 0.5 * (box.top + box.bottom)}; }
-
     Point at(double x, double y) const { return {shift_.x + scale_ * x, shift_.y - scale_ * y}; }
 
     Box box_of(const Diagram::Label& label) const {
         const Point p = at(label.x, label.y), towards = direction_of(label.side);
         const double width = std::min(text_width(label.words), widest_), distance = label_distance + (label.dot ? dot_radius - 1 : 0);
-        const double near = towards.x != 0 && towards.y != 0 ? 0.6 * distance : distance;   // at a corner of its box
+        const double near = towards.x != 0 && towards.y != 0 ? 0.6 * distance : distance;   // to a corner of its box
         const double left = p.x + towards.x * near - 0.5 * (1 - towards.x) * width;
         const double top = p.y + towards.y * near - 0.5 * (1 - towards.y) * line_height;
         return {left, top, left + width, top + line_height};
@@ -125,7 +129,7 @@ private:
         return "<path d=\"" + d + attributes_of(path.style) + "/>\n" + (path.arrow ? head(before, last, path.style) : "");
     }
 
-    /// Of an arrow from `before` that ends in `tip`.
+    /// Draws the head of an arrow from `before` to `tip`.
     static std::string head(Point before, Point tip, Diagram::Style style) {
         const double length = std::hypot(tip.x - before.x, tip.y - before.y);
         if (length < 1e-3) return "";
@@ -138,13 +142,6 @@ private:
     }
 
     static std::string fill_of(const Diagram::Label& label) { return label.accent ? accent_color : "currentColor"; }
-
-    std::string dot(const Diagram::Label& label) const {
-        if (!label.dot || !is_shown(label.x, label.y)) return "";
-        const Point p = at(label.x, label.y);
-        return "<circle cx=\"" + px(p.x) + "\" cy=\"" + px(p.y) + "\" r=\"" + px(dot_radius) + "\" fill=\"" + fill_of(label) +
-               "\" stroke=\"var(--plot-ground, #ffffff)\" stroke-width=\"1.2\"/>\n";
-    }
 
     std::string words(const Diagram::Label& label) const {
         if (label.words.empty() || !is_shown(label.x, label.y)) return "";

@@ -3,45 +3,88 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "base/number_text.h"
+#include "base/utf8.h"
 #include "report/escape.h"
 #include "report/page/math_markup.h"
 #include "report/writers.h"
+#include "sans-regular.h"
 
 namespace meshfolio::report {
 
 namespace {
 
-/// What `shift` pixels below the base line is set in: SVG moves from where the text before stood.
-std::string span(const MathPart& part, double& shift) {
-    using Kind = MathPart::Kind;
-    const double wanted = part.kind == Kind::subscript ? 3.5 : part.kind == Kind::superscript ? -4.5 : 0;
-    std::string attributes;
-    if (wanted != shift) attributes += " dy=\"" + px(wanted - shift) + "\"";
-    if (wanted != 0) attributes += " font-size=\"" + px(script_size) + "\"";
-    if (part.kind == Kind::vector) attributes += " font-weight=\"bold\"";
-    if (part.kind == Kind::variable) attributes += " font-style=\"italic\"";
-    shift = wanted;
-    const std::string text = xml_escape(safe_text(part.text));
-    return attributes.empty() ? text : "<tspan" + attributes + ">" + text + "</tspan>";
-}
-
-/// Escaped text, its mathematics set as such: λ_crit.
+/// Returns text as escaped <tspan> elements, its mathematics set as such: λ_crit.
 std::string spans(const Text& words) {
+    using Kind = MathPart::Kind;
     std::string marked;
-    double shift = 0;
+    double shift = 0;   // of the text before, in pixels below the base line: SVG moves from there
+    const auto add = [&](const MathPart& part) {
+        const double wanted = part.kind == Kind::subscript ? 3.5 : part.kind == Kind::superscript ? -4.5 : 0;
+        std::string attributes;
+        if (wanted != shift) attributes += " dy=\"" + px(wanted - shift) + "\"";
+        if (wanted != 0) attributes += " font-size=\"" + px(script_size) + "\"";
+        if (part.kind == Kind::vector) attributes += " font-weight=\"bold\"";
+        if (part.kind == Kind::variable) attributes += " font-style=\"italic\"";
+        shift = wanted;
+        const std::string text = xml_escape(safe_text(part.text));
+        marked += attributes.empty() ? text : "<tspan" + attributes + ">" + text + "</tspan>";
+    };
     for (const Run& run : words) {
-        if (run.kind != Run::Kind::math) {
-            marked += span({MathPart::Kind::upright, run.content}, shift);
-            continue;
-        }
-        for (const MathPart& part : math_parts(run.content)) marked += span(part, shift);
+        if (run.kind == Run::Kind::math)
+            std::ranges::for_each(math_parts(run.content), add);
+        else
+            add({Kind::upright, run.content});
     }
     return marked;
 }
 
 }   // namespace
+
+double text_width(const std::string& text) {
+    double width = 0;
+    for (std::size_t i = 0; i < text.size();) {
+        const CodePoint c = code_point_at(text, i);
+        const auto* known = std::ranges::lower_bound(sans_regular_widths, c.value, {}, [](auto& entry) { return entry.character; });
+        const bool is_known = known != std::end(sans_regular_widths) && known->character == c.value;
+        width += is_known ? known->width : 650;   // in another font: as a large digit
+        i += std::max<std::size_t>(c.length, 1);
+    }
+    return 1e-3 * font_size * width;
+}
+
+double text_width(const Text& text) {
+    double width = 0;
+    for (const Run& run : text) {
+        if (run.kind != Run::Kind::math) {
+            width += text_width(run.content);
+            continue;
+        }
+        for (const MathPart& part : math_parts(run.content)) {
+            const bool small = part.kind == MathPart::Kind::subscript || part.kind == MathPart::Kind::superscript;
+            width += text_width(part.text) * (small ? script_size / font_size : 1);
+        }
+    }
+    return width;
+}
+
+std::vector<std::string> wrapped(const std::string& text, double width) {
+    std::vector<std::string> lines(1);
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find(' ', begin), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (!lines.back().empty() && text_width(longer) > width) {
+            lines.push_back(word);
+        } else {
+            lines.back() = longer;
+        }
+        begin = end + 1;
+    }
+    return lines;
+}
 
 std::string px(double x) { return plain_text(std::round(10 * x) / 10, 6); }
 

@@ -1,5 +1,5 @@
 /// @file
-/// The SVG elements plots and maps are made of.
+/// The SVG elements of plots, maps, diagrams and legends. Units are pixels, y down.
 #pragma once
 
 #include <functional>
@@ -8,48 +8,69 @@
 
 #include "report/document.h"
 #include "report/svg/plot_axis.h"
-#include "report/svg/plot_labels.h"
+#include "report/text.h"
 
 namespace meshfolio::report {
 
+constexpr double font_size = 12.5, script_size = 11;   // 7.5 and 6.6 points where a drawing is 136 mm wide
+inline constexpr const char* font_family = "'Report Sans', 'Report Math', system-ui, sans-serif";   // as in fonts.css; files stand alone
 inline constexpr const char* firm = "stroke=\"currentColor\" stroke-width=\"1\"";
 inline constexpr double drawing_width = 640, line_height = 17;   // of plots and maps, pixels
 
-/// A coordinate to a tenth of a pixel.
+struct Point {
+    double x = 0, y = 0;
+};
+
+struct Box {
+    double left = 0, top = 0, right = 0, bottom = 0;
+};
+
+/// Returns the width of a text in the regular sans of the pages.
+double text_width(const std::string& text);
+/// Returns the width of a text with smaller indices and exponents.
+double text_width(const Text& text);
+/// Breaks a text at spaces into lines no wider than `width`, except for longer words.
+std::vector<std::string> wrapped(const std::string& text, double width);
+
+/// Returns a coordinate, rounded to a tenth of a pixel: "12.3".
 std::string px(double x);
 
-/// Text of any kind, made safe; of mathematics, such as λ_crit, letters are italic and indices lowered. `anchor`: start, middle or end.
+/// Returns a <text> element. Any text is made safe; in mathematics, such as λ_crit, letters are italic and indices lowered.
+/// @param anchor  start, middle or end
+/// @param more    further attributes, each behind a space
 std::string text_element(Point at, const std::string& anchor, const std::string& text, const std::string& more = "");
 std::string text_element(Point at, const std::string& anchor, const Text& text, const std::string& more = "");
 
 inline constexpr double title_width = drawing_width - 8;
-/// A title from `at` on, in lines of at most that width; `at` moves below them.
+/// Returns a bold title that begins at `at`, in lines no wider than `width`, and moves `at` below them.
 std::string title_element(Point& at, const std::string& anchor, const std::string& words, double width = title_width);
+/// Returns the number of lines of title_element().
 double title_lines(const std::string& words, double width = title_width);
 
 std::string line_element(Point a, Point b, const std::string& attributes);
 std::string rectangle_element(const Box& box, const std::string& attributes);
 
-/// How a series is drawn. No two of a plot's first 42 look the same, in whatever styles: they repeat the colours after six and the
-/// patterns, each a kind of dashes and a shape of points, after seven.
+/// How a series is drawn. The first 42 series of a plot look different in any style: colours repeat after six; patterns, which are dashes
+/// and a shape of points, after seven.
 struct Look {
-    std::string color;    // a variable of the page, with a default that reads on white
+    std::string color;    // a CSS variable of the page, with a default for white ground
     std::string dashes;   // empty: a continuous line
     int pattern;          // shape of its points
     bool has_line, has_points;
 };
 
+/// Returns the look of a series. @param place  its number in the plot, unless it has its own colour or pattern
 Look look_of(const Series& series, std::size_t place);
 
-/// Disc, square, triangle, diamond, cross, plus or triangle on its tip, for pattern 0 to 6.
+/// Returns a disc, square, triangle, diamond, cross, plus or inverted triangle for pattern 0 to 6.
 std::string point_shape(Point p, int pattern, const std::string& color, double size = 1);
 
-/// Names in rows above a drawing, each once and behind a sample.
+/// Names in rows above a drawing, each once, behind a sample of its curve.
 class NameRows {
 public:
     static constexpr double sample_width = 28;
     explicit NameRows(double width = drawing_width) : width_(width) {}
-    /// @param sample  draws it, SVG from a point on
+    /// Adds a name unless it is empty or known. @param sample  returns the SVG of the sample, given its left end
     void add(const std::string& name, const std::function<std::string(Point)>& sample);
     const std::string& svg() const { return svg_; }
     double bottom() const { return bottom_; }   // 0 without names
@@ -60,14 +81,15 @@ private:
     double width_, x_ = 4, y_ = 14, bottom_ = 0;
 };
 
-/// Ticks and labels under a frame; labels that would touch the one before are left out.
+/// Returns ticks and labels below a frame. Labels that would touch the one before are left out.
 std::string ticks_below(const Axis& axis, const Box& frame);
-/// Ticks and labels beside a frame, at its left or its right.
+/// Returns ticks and labels beside a frame.
 std::string ticks_beside(const Axis& axis, const Box& frame, bool at_right = false);
 constexpr double tick_length = 5;
+/// Returns the width of the widest label of an axis.
 double widest_label(const Axis& axis);
 
-/// The opening of a picture: its size, what it is and what is to be seen, for those who do not see it.
+/// Returns the opening of an SVG picture: its size, its subject as <title> and its alternative text as <desc>.
 std::string svg_head(const std::string& id, const std::string& subject, const std::string& alt, double width, double height);
 
 }   // namespace meshfolio::report

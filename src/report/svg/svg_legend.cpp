@@ -21,7 +21,7 @@ std::string legend_title(const Legend& legend) { return legend.quantity + (legen
 
 std::string share_of(double share) { return share < 0.001 ? "< 0.1 %" : readable_percent(share, share < 0.01 ? 1 : 2); }
 
-/// Heights are square roots of the shares: a rare value stays visible beside a frequent one.
+/// Draws the histogram of the values. Heights are square roots of the shares, so that rare values stay visible.
 std::string legend_histogram(const std::vector<double>& shares, double bottom) {
     double highest = 0;
     for (const double share : shares) highest = std::max(highest, std::isfinite(share) ? share : 0);
@@ -36,12 +36,12 @@ std::string legend_histogram(const std::vector<double>& shares, double bottom) {
     return "<path d=\"" + path + "V" + px(bottom) + "Z\" fill-opacity=\"0.25\"/>\n";
 }
 
-/// The colours as a gradient between two tips, for values beyond the ends. @param place  unique in a page, as ids must be
+/// Draws the colours as a gradient, with tips for values beyond its ends. @param place  unique in a page, for the id of the gradient
 std::string legend_colours(const Legend& legend, const std::string& place, const Box& box) {
     const std::string name = "colours-" + xml_escape(safe_text(place));
     const double middle = 0.5 * (box.top + box.bottom);
     std::string svg = "<linearGradient id=\"" + name + "\">";
-    const std::size_t step = std::max<std::size_t>(1, legend.colours.size() / 16);   // between 16 stops the eye sees no difference
+    const std::size_t step = std::max<std::size_t>(1, legend.colours.size() / 16);   // 16 stops look like a smooth gradient
     for (std::size_t i = step / 2; i < legend.colours.size(); i += step) {
         const double offset = (static_cast<double>(i) + 0.5) / static_cast<double>(legend.colours.size());
         svg += "<stop offset=\"" + plain_text(offset, 4) + "\" stop-color=\"" + xml_escape(safe_text(legend.colours[i])) + "\"/>";
@@ -58,10 +58,10 @@ std::string legend_colours(const Legend& legend, const std::string& place, const
     return svg;
 }
 
-/// Round numbers that stand apart and within the drawing.
+/// Draws round numbers that keep apart and stay within the drawing.
 std::string legend_ticks(const Legend& legend, double top) {
     const Axis axis = Axis::exactly(legend.low, legend.high, legend.log);
-    std::vector<Tick> ticks;   // a logarithmic axis has others without a number
+    std::vector<Tick> ticks;   // with a number: a logarithmic axis has others
     std::ranges::copy_if(axis.ticks(), std::back_inserter(ticks), [](const Tick& tick) { return !tick.label.empty(); });
     const double room = (last_colour - first_colour) / static_cast<double>(std::max<std::size_t>(1, ticks.size()));
     const auto every = static_cast<std::size_t>(std::max(1.0, std::ceil((widest_label(axis) + 10) / room)));
@@ -91,7 +91,7 @@ std::string legend_notes(const Legend& legend, double baseline) {
     return svg;
 }
 
-/// The frame of both kinds of legend around `body`.
+/// Returns the SVG of a legend of either kind around `body`.
 std::string legend_svg(const Legend& legend, const char* kind, double width, double height, const std::string& body) {
     const std::string size = px(width), rows = px(height);
     return std::string("<svg class=\"") + kind + "\" xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" height=\"" + rows +
@@ -100,7 +100,7 @@ std::string legend_svg(const Legend& legend, const char* kind, double width, dou
            "\" fill=\"currentColor\" font-family=\"" + font_family + "\" font-size=\"" + px(font_size) + "\">\n" + body + "</svg>";
 }
 
-/// Of one panel, in a line: its ends with their unit, and the share beyond.
+/// Draws the legend of one panel in a line: the colours between their ends with the unit, and the share beyond.
 std::string small_bar(const Legend& legend, const std::string& place) {
     const std::string low = readable(legend.low, 3);
     const double beyond = legend.clipped_below + legend.clipped_above;

@@ -1,5 +1,5 @@
-// Maps as inline SVG, in the manner of the plots. The cells keep their colours on any page: what is drawn over them is black on a white
-// casing, which reads on every colour, in the dark and in grey.
+// Maps as inline SVG, like the plots. The cells keep their colours on any page; lines over them are black with a white casing, which is
+// readable on every colour, in the dark and in grey.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double panel_height = 200, gap = 22, bar_width = 13;
 
-/// One axis of the cells, without a margin around them.
+/// Returns an axis of the cells, without a margin.
 Axis axis_of(const std::vector<double>& edges, bool logarithmic) {
     return edges.empty() ? Axis({}, logarithmic) : Axis::exactly(edges.front(), edges.back(), logarithmic);
 }
@@ -32,14 +32,14 @@ public:
           values_(Axis::exactly(scale_.low(), scale_.high(), map.log_values)) {
         place_legend();
         Point above{4, legend_.bottom() + line_height - 3};
-        // Over the colour bar, and the other over its axis; one below the other where they would meet.
+        // The titles of the colour bar and of the y axis share a line if there is room.
         const std::string colour = "colour: " + map.value_label;
         Point over_bar{drawing_width - 4, above.y};
         const bool one_line = text_width(colour) + text_width(map.y_label) + 40 < drawing_width;
         titles_ = one_line ? title_element(over_bar, "end", colour) : title_element(above, "start", colour);
         titles_ += title_element(above, "start", map.y_label);
         const bool titled = std::ranges::any_of(map.panels, [](const Map::Panel& panel) { return !panel.title.empty(); });
-        top_ = above.y + 4 + (titled ? 7 : 0);   // separates titles of panels from those of the axes
+        top_ = above.y + 4 + (titled ? 7 : 0);   // between titles of panels and of axes
         bottom_ = top_ + panel_height;
         const double bar = bar_width + std::ceil(widest_label(values_)) + tick_length + 10;
         first_left_ = std::ceil(widest_label(y_)) + tick_length + 10;
@@ -51,8 +51,11 @@ public:
     std::string svg() const {
         std::string body = hatching() + legend_.svg() + titles_;
         for (std::size_t p = 0; p < map_.panels.size(); ++p) body += panel(p);
-        return svg_head(map_.id, map_.value_label + " over " + map_.x_label + " and " + map_.y_label, map_.alt, drawing_width, height()) +
-               body + (map_.panels.empty() ? "" : ticks_beside(y_, frame_of(0))) + x_titles() + color_bar() + "</svg>\n";
+        Point below{0.5 * (first_left_ + last_right_), bottom_ + 24 + line_height - 4};
+        const std::string x_title = title_element(below, "middle", map_.x_label);
+        const double height = bottom_ + 24 + line_height * title_lines(map_.x_label) + 4;
+        return svg_head(map_.id, map_.value_label + " over " + map_.x_label + " and " + map_.y_label, map_.alt, drawing_width, height) +
+               body + (map_.panels.empty() ? "" : ticks_beside(y_, frame_of(0))) + x_title + color_bar() + "</svg>\n";
     }
 
 private:
@@ -72,7 +75,7 @@ private:
         return {low.x, high.y, high.x, low.y};
     }
 
-    /// Band of a cell; −1 where it is undefined.
+    /// Returns the band of a cell; −1 if it is undefined.
     int band_of(const Map::Panel& panel, std::size_t column, std::size_t row) const {
         const std::size_t i = row * map_.x.size() + column;
         const double value = i < panel.values.size() ? panel.values[i] : std::nan("");
@@ -80,8 +83,8 @@ private:
     }
     bool any_undefined() const {
         const auto undefined = [](double x) { return !std::isfinite(x); };
-        return std::any_of(map_.panels.begin(), map_.panels.end(), [&](const Map::Panel& p) {
-            return p.values.size() < map_.x.size() * map_.y.size() || std::any_of(p.values.begin(), p.values.end(), undefined);
+        return std::ranges::any_of(map_.panels, [&](const Map::Panel& p) {
+            return p.values.size() < map_.x.size() * map_.y.size() || std::ranges::any_of(p.values, undefined);
         });
     }
 
@@ -94,7 +97,7 @@ private:
     }
     std::string hatched() const { return "fill=\"url(#" + hatch_name() + ")\""; }
 
-    /// Cells of one band side by side are one rectangle, those of a band one path: a fine grid stays small.
+    /// Draws the cells. Neighbours of one band are one rectangle, and each band is one path, so that fine grids stay small.
     std::string cells(const Map::Panel& panel, const Box& frame) const {
         std::vector<std::string> paths(MapScale::bands + 1);
         const std::size_t columns = map_.x.size(), rows = map_.y.size();
@@ -116,7 +119,7 @@ private:
         return svg + "</g>\n";
     }
 
-    /// Where a diverging map passes its middle: edges of cells with one of the sides on each side of them.
+    /// Draws the edges of cells between which a diverging map passes its middle.
     std::string middle_line(const Map::Panel& panel, const Box& frame) const {
         if (map_.colours != Map::Colours::diverging) return "";
         const int half = MapScale::bands / 2;
@@ -162,6 +165,7 @@ private:
         return (path.empty() || !look.has_line ? "" : cased(path, look.dashes)) + points;
     }
 
+    /// Draws the labels of markers in discs.
     std::string letters(const Map::Panel& panel, const Box& frame) const {
         std::string svg;
         for (const Marker& marker : panel.markers) {
@@ -191,7 +195,7 @@ private:
                (panel.title.empty() ? "" : text_element({middle.x, top_ - 7}, "middle", panel.title, " font-weight=\"600\""));
     }
 
-    /// Names of the lines and of the hatching, above the panels.
+    /// Places the names of the lines and of the hatching above the panels.
     void place_legend() {
         for (const Map::Panel& panel : map_.panels) {
             for (std::size_t i = 0; i < panel.lines.size(); ++i) {
@@ -209,14 +213,7 @@ private:
         });
     }
 
-    std::string x_titles() const {
-        Point below{0.5 * (first_left_ + last_right_), bottom_ + 24 + line_height - 4};
-        return title_element(below, "middle", map_.x_label);
-    }
-
-    double height() const { return bottom_ + 24 + line_height * title_lines(map_.x_label) + 4; }
-
-    /// The colour bar, with a tip at each end that values exceed.
+    /// Draws the colour bar, with a tip at each end that values exceed.
     std::string color_bar() const {
         const Box bar{last_right_ + gap, top_, last_right_ + gap + bar_width, bottom_};
         const double middle = 0.5 * (bar.left + bar.right), band_height = panel_height / MapScale::bands;

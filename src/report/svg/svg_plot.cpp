@@ -1,5 +1,5 @@
-// Plots as inline SVG: one frame, or small ones on common axes. Names stand at the ends of the curves, in their colours; dashes and shapes
-// of points tell the series apart without colour.
+// Plots as inline SVG: one frame, or small ones on common axes. Names stand at the ends of the curves, in their colours; dashes and point
+// shapes distinguish the series without colour.
 #include <algorithm>
 #include <cmath>
 
@@ -25,12 +25,17 @@ public:
     }
 
     std::string svg() {
-        std::string body = legend_.svg() + axis_titles();
+        Point above{4, legend_.bottom() + line_height - 3}, below{0.5 * (left_ + right_), bottom_ + numbers_height + line_height - 4};
+        std::string body = legend_.svg() + title_element(above, "start", plot_.y_label, width_ - 8);
+        body += title_element(below, "middle", plot_.x_label, width_ - 8);
         for (std::size_t p = 0; p < panels_.size(); ++p) {
             body += titles_[p] + panels_[p].svg(p % columns_ == 0, p == 0);
-            if (is_named(p)) body += panels_[p].end_names(name_width_);
+            // If every panel has the same curves, the last one of each row has their names, else each panel.
+            const bool is_named = !curves_recur_ || p % columns_ == columns_ - 1 || p + 1 == panels_.size();
+            if (is_named) body += panels_[p].end_names(name_width_);
         }
-        return svg_head(plot_.id, plot_.y_label + " against " + plot_.x_label, plot_.alt, width_, height()) + body + "</svg>\n";
+        const double height = bottom_ + numbers_height + line_height * title_lines(plot_.x_label, width_ - 8) + 4;
+        return svg_head(plot_.id, plot_.y_label + " against " + plot_.x_label, plot_.alt, width_, height) + body + "</svg>\n";
     }
 
 private:
@@ -50,18 +55,13 @@ private:
         return values;
     }
 
-    /// Where every panel has the same curves, those of the last in a row are named, else those of each.
-    bool is_named(std::size_t p) const { return !curves_recur_ || p % columns_ == columns_ - 1 || p + 1 == panels_.size(); }
-
     void choose_columns() {
         const PlotPanel& last = panels_.back();
         const auto is_in_last = [&](const PlotCurve& curve) {
             const auto it = std::find(last.curves().begin(), last.curves().end(), curve.series->name);
             return it != last.curves().end() && last.has_end(*it);
         };
-        curves_recur_ = std::all_of(panels_.begin(), panels_.end(), [&](const PlotPanel& panel) {
-            return std::all_of(panel.curves().begin(), panel.curves().end(), is_in_last);
-        });
+        curves_recur_ = std::ranges::all_of(panels_, [&](const auto& panel) { return std::ranges::all_of(panel.curves(), is_in_last); });
         const std::size_t count = panels_.size();
         columns_ = count == 1 ? 1 : count == 2 || count == 4 || !curves_recur_ ? 2 : 3;
         const double longest = width_ < drawing_width ? 95 : count == 1 ? 165 : curves_recur_ ? 125 : 110;   // a line of a name
@@ -74,9 +74,7 @@ private:
         }
     }
 
-    double names_width() const { return name_width_ > 0 ? name_width_ + end_sample_width + 2 * end_gap : right_margin; }
-
-    /// Names of the series without an end at which they could stand, above the plot.
+    /// Places the names of series without an end above the plot.
     void place_legend() {
         for (const PlotPanel& panel : panels_) {
             for (const PlotCurve& curve : panel.curves()) {
@@ -88,7 +86,8 @@ private:
 
     void place_panels() {
         const auto columns = static_cast<double>(columns_);
-        const double numbers = std::ceil(widest_label(y_)) + tick_length + 10, names = names_width();
+        const double numbers = std::ceil(widest_label(y_)) + tick_length + 10;
+        const double names = name_width_ > 0 ? name_width_ + end_sample_width + 2 * end_gap : right_margin;
         const double name_columns = curves_recur_ ? 1 : columns;
         const double width = (width_ - numbers - name_columns * names - (columns - 1) * between_panels) / columns;
         const double step = width + between_panels + (curves_recur_ ? 0 : names);
@@ -111,14 +110,6 @@ private:
         right_ = numbers + (columns - 1) * step + width;
         bottom_ = top + titles + height;
     }
-
-    std::string axis_titles() const {
-        Point above{4, legend_.bottom() + line_height - 3};
-        Point below{0.5 * (left_ + right_), bottom_ + numbers_height + line_height - 4};
-        return title_element(above, "start", plot_.y_label, width_ - 8) + title_element(below, "middle", plot_.x_label, width_ - 8);
-    }
-
-    double height() const { return bottom_ + numbers_height + line_height * title_lines(plot_.x_label, width_ - 8) + 4; }
 
     const Plot& plot_;
     double width_;

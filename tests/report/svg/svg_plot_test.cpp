@@ -4,7 +4,6 @@
 
 #include "report/sample_document.h"
 #include "report/svg/plot_axis.h"
-#include "report/svg/plot_ends.h"
 #include "report/svg/plot_labels.h"
 #include "report/svg/svg_elements.h"
 #include "report/test_tools.h"
