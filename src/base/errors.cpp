@@ -32,7 +32,7 @@ std::string printable(const std::string& text) {
     std::string shown;
     for (std::size_t i = 0; i < text.size();) {
         const CodePoint c = code_point_at(text, i);
-        const auto length = static_cast<std::size_t>(c.length > 0 ? c.length : 1);
+        const std::size_t length = std::max<std::size_t>(c.length, 1);
         const bool is_safe = c.length > 0 && !is_unsafe(c.value);
         for (const std::size_t end = i + length; i < end; ++i) {
             const auto byte = static_cast<unsigned char>(text[i]);

@@ -95,6 +95,15 @@ std::string readable(double x, int digits) {
 
 std::string readable_count(long long n) { return with_typographic_minus(grouped(std::to_string(n))); }
 
+std::string readable_integer(double x) { return std::isfinite(x) ? readable_count(std::llround(x)) : readable(x); }
+
+std::string brief_text(double x, int most) {
+    const std::string wanted = plain_text(x, most);   // without trailing zeros
+    for (int digits = 1; digits < most; ++digits)
+        if (plain_text(x, digits) == wanted) return readable(x, digits);
+    return readable(x, most);
+}
+
 std::string scientific_text(double x, int digits) {
     if (!std::isfinite(x) || x == 0) return readable(x, digits);
     const Scientific s = scientific(x, digits);

@@ -18,7 +18,14 @@ std::string readable(double x, int digits = 3);
 /// Returns a whole number with all its digits, for people: 5120, 40 962. Thin spaces group five digits and more.
 std::string readable_count(long long n);
 
-/// Returns `x` with `digits` significant digits and always with a power of ten: 3.59 × 10⁻⁵, 1.2 × 10³.
+/// Returns a whole number below 1e9 with all its digits, for people: 40 962. "–" for NaN.
+std::string readable_integer(double x);
+
+/// Returns readable(x, d) with the least number of digits d ≤ most that says the same as `most` digits: "2", not "2.000"; "0.01".
+/// For limits and tolerances, which are exact.
+std::string brief_text(double x, int most);
+
+/// 3.59 × 10⁻⁵ whatever the size; for a column in which some numbers need the power.
 std::string scientific_text(double x, int digits);
 
 /// Returns "10⁻⁴" for −4.

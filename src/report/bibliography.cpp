@@ -9,7 +9,7 @@ namespace meshfolio::report {
 
 namespace {
 
-/// What `read` makes of a JSON template. A wrong shape is a usage error: only a replaced file can have it.
+/// Returns read(json) for a JSON template. Another structure is a usage error, as only a replaced file can have it.
 template <class Read>
 auto read_json(const Templates& templates, const std::string& name, Read read) {
     try {

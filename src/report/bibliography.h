@@ -1,5 +1,5 @@
 /// @file
-/// Displayed formulas and cited works: lists that are templates, so that users can replace them.
+/// Displayed formulas and cited works, from templates that users can replace.
 #pragma once
 
 #include <map>
@@ -14,17 +14,17 @@ struct FormulaForms {
     std::string tex, mathml, plain;
 };
 
-/// templates/formulas.json by name.
-/// @throws UsageError if a replaced file is not of that shape
+/// Returns the formulas of templates/formulas.json by name.
+/// @throws UsageError if a replaced file has another structure
 std::map<std::string, FormulaForms> formulas_of(const Templates& templates);
 
 struct CitedWork {
-    std::string id;   // "desbrun_1999", to be cited with ref("desbrun_1999")
+    std::string id;   // "desbrun_1999", cited by ref("desbrun_1999")
     std::string authors, year, title, where;
 };
 
-/// templates/references.json in the order of their numbers.
-/// @throws UsageError if a replaced file is not of that shape
+/// Returns the works of templates/references.json in their order.
+/// @throws UsageError if a replaced file has another structure
 std::vector<CitedWork> bibliography_of(const Templates& templates);
 
 }   // namespace meshfolio::report

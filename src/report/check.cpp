@@ -9,7 +9,7 @@ namespace meshfolio::report {
 
 namespace {
 
-// A NaN is never within a tolerance: every comparison below is written so that it fails.
+// Every comparison below fails for NaN.
 Check::Status status_of(bool within) { return within ? Check::Status::passed : Check::Status::failed; }
 
 std::string number_or_dash(double x, int digits = 6) { return std::isnan(x) ? "–" : plain_text(x, digits); }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// The directions from `vertex` to `a` and to `b`, less than half a turn apart.
+/// Returns the directions from `vertex` to `a` and to `b` [radians], at most half a turn apart.
 std::pair<double, double> angles_between(DiagramPoint vertex, DiagramPoint a, DiagramPoint b) {
     const double from = std::atan2(a[1] - vertex[1], a[0] - vertex[0]), to = std::atan2(b[1] - vertex[1], b[0] - vertex[0]);
     return {from, from + std::remainder(to - from, turn)};
@@ -30,7 +30,7 @@ Diagram::Path path_through(const std::vector<DiagramPoint>& points, Diagram::Sty
 }
 
 Diagram::Path arc(DiagramPoint centre, double radius, double from, double to, Diagram::Style style) {
-    const int steps = 1 + static_cast<int>(std::abs(to - from) / turn * 72);   // a chord every five degrees
+    const int steps = 1 + static_cast<int>(std::abs(to - from) / turn * 72);   // of 5 degrees at most
     std::vector<DiagramPoint> points;
     for (int i = 0; i <= steps; ++i) {
         const double angle = from + (to - from) * i / steps;

@@ -1,5 +1,5 @@
 /// @file
-/// The geometry behind a formula as lines, areas and labels, and the shapes it is made of.
+/// Diagrams of the geometry behind a formula: lines, areas and labels.
 #pragma once
 
 #include <array>
@@ -10,13 +10,13 @@
 
 namespace meshfolio::report {
 
-/// One panel or several beside each other, each in coordinates of its own: y points upwards, and both axes have one scale.
+/// One or several panels beside each other, each with its own coordinates: y points upwards, and both axes have one scale.
 struct Diagram {
     std::string id = {};   // images/<id>.svg
     std::string caption = {};
-    std::string alt = {};   // what is to be seen, in words
+    std::string alt = {};   // the picture in words
 
-    enum class Style { line, thin, dashed, area, accent, accent_area };   // accents: what the formula is about
+    enum class Style { line, thin, dashed, area, accent, accent_area };   // accents: the subject of the formula
     /// A line or an area through points.
     struct Path {
         std::vector<double> x = {}, y = {};   // equally long; NaN leaves a gap
@@ -27,7 +27,7 @@ struct Diagram {
     };
 
     enum class Side { centre, above, below, left, right, above_left, above_right, below_left, below_right };
-    /// Words or mathematics beside a point: text(math("α_ij")), words.say("gap"), text("gap ", math("2π − Σθ")).
+    /// Words or mathematics beside a point.
     struct Label {
         double x = 0, y = 0;
         Text words = {};   // empty: the point alone
@@ -49,13 +49,13 @@ struct Diagram {
 
 using DiagramPoint = std::array<double, 2>;
 
-/// The line, or with `closed` the polygon, through these points.
+/// Returns the line through these points; with `closed` the polygon.
 Diagram::Path path_through(const std::vector<DiagramPoint>& points, Diagram::Style style, bool closed = false);
-/// The arc of the angle at `vertex` between the directions to `a` and to `b`, the short way round.
+/// Returns the arc at `vertex` from the direction to `a` to the direction to `b`, the short way round.
 Diagram::Path angle_arc(DiagramPoint vertex, DiagramPoint a, DiagramPoint b, double radius, Diagram::Style style);
-/// The arc from angle `from` to angle `to` [radians], counter-clockwise where `to` is larger.
+/// Returns the arc from angle `from` to angle `to` [radians], counter-clockwise if `to` is larger.
 Diagram::Path arc(DiagramPoint centre, double radius, double from, double to, Diagram::Style style);
-/// Where a label of that angle stands: `radius` from the vertex, on the line that halves it.
+/// Returns the place of a label for that angle: on its bisector, `radius` from the vertex.
 DiagramPoint inside_angle(DiagramPoint vertex, DiagramPoint a, DiagramPoint b, double radius);
 
 }   // namespace meshfolio::report

@@ -9,7 +9,7 @@ namespace meshfolio::report {
 
 namespace {
 
-/// Greek letters as words of their own.
+/// Returns a name with its Greek letters as separate words: "λ" becomes " lambda ".
 std::string spelled(const std::string& name) {
     constexpr std::pair<std::string_view, std::string_view> letters[] = {
         {"α", "alpha"}, {"β", "beta"}, {"γ", "gamma"}, {"δ", "delta"}, {"ε", "epsilon"}, {"θ", "theta"}, {"κ", "kappa"}, {"λ", "lambda"},
@@ -27,9 +27,9 @@ std::string spelled(const std::string& name) {
     return words;
 }
 
-/// "whole-name-of-the-part", from letters and digits of the names; "…-2" where two are named alike.
-/// @param name     of a part
-/// @param unnamed  for a name without any
+/// Returns ids such as "whole-name-of-the-part", from letters and digits of the names; "…-2" for a second part of that name.
+/// @param name     returns the name of a part
+/// @param unnamed  stands for a name without letters and digits
 template <class Parts, class NameOf>
 std::vector<std::string> ids_from(const std::string& whole, const Parts& parts, NameOf name, const std::string& unnamed) {
     constexpr std::size_t longest = 100;

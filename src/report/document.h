@@ -1,6 +1,6 @@
 /// @file
-/// The report as plain data. Questions fill Sections; the writers turn a Document into HTML, Markdown, JSON and CSV and
-/// compute nothing. Ids are unique in the document and made of [a-z0-9_]; by convention they begin with the question, "q1_…".
+/// The report as plain data. Questions fill sections; the writers turn a document into HTML, Markdown, JSON and CSV and compute nothing.
+/// Ids are unique in the document and made of [a-z0-9_]; by convention they begin with the question: "q1_…".
 #pragma once
 
 #include <concepts>
@@ -19,7 +19,7 @@
 
 namespace meshfolio::report {
 
-// ---- blocks a section is made of --------------------------------------------------------------------------------------
+// ---- blocks of a section ---------------------------------------------------------------------------------------------
 
 struct Heading {
     std::string title;   // "Method", "Results", "Discussion"
@@ -36,10 +36,10 @@ struct BulletList {
     bool operator==(const BulletList&) const = default;
 };
 
-/// A displayed equation by its name in templates/formulas.json, which keeps it as TeX, MathML and plain text.
+/// A displayed equation by its name in templates/formulas.json, which has it as TeX and plain text.
 struct Formula {
     std::string name;   // "cotangent_laplacian"
-    std::string id;     // to be referred to; empty: not numbered
+    std::string id;     // for references; empty: not numbered
     bool operator==(const Formula&) const = default;
 };
 
@@ -50,19 +50,17 @@ struct Column {
     std::string name = {};                                           // "L2 error of H"
     std::string unit = {};                                           // "1/length"; empty: none
     int digits = 3;                                                  // significant digits for people; files get all
-    enum class Best { none, smallest, largest } best = Best::none;   // which value is marked
-    /// How people's digits are rounded: bounds outwards, orders of convergence to tenths whatever `digits`. Files get all digits anyway.
+    enum class Best { none, smallest, largest } best = Best::none;   // value to be marked
+    /// Rounding for people: bounds outwards, orders of convergence to tenths whatever `digits`. Files get all digits.
     enum class Rounding { nearest, down, up, tenths } rounding = Rounding::nearest;
-    /// A heat map: cells are shaded on a logarithmic scale, not at all up to `low`, fully from `high` on.
+    /// Shades cells on a logarithmic scale: not at all up to `low`, fully from `high` on.
     struct Heat {
         double low, high;
         bool operator==(const Heat&) const = default;
     };
     std::optional<Heat> heat = {};
-    /// Readers may filter the rows by a value of this column.
-    bool filter = false;
-    /// Texts are ids: people see "Figure 1.3" with a link; files keep the id.
-    bool reference = false;
+    bool filter = false;      // readers may filter the rows by a value of this column
+    bool reference = false;   // texts are ids: people see "Figure 1.3" with a link, files keep the id
     bool operator==(const Column&) const = default;
 };
 
@@ -72,7 +70,7 @@ struct Table {
     std::vector<Column> columns = {};
     std::vector<std::vector<Cell>> rows = {};   // each as long as `columns`
     bool sortable = false;                      // readers of the page may sort it by any column
-    bool file_only = false;                     // in tables/ and results.json; neither numbered nor printed
+    bool file_only = false;                     // only in tables/ and results.json: neither numbered nor printed
     bool operator==(const Table&) const = default;
 };
 
@@ -81,10 +79,10 @@ struct Series {
     std::vector<double> x = {}, y = {};            // equally long; NaN leaves a gap
     std::vector<double> y_low = {}, y_high = {};   // error band; empty: none
     enum class Style { line, points, line_and_points, dashed } style = Style::line;
-    /// Number of the colour, and of the dashes and point shape; −1: by the place of the series in its plot. Set them to make a series look
-    /// as in another plot, or to distinguish series by two properties.
+    /// Number of the colour, and of the dashes and point shape; −1: by the place of the series in its plot. For equal looks in several
+    /// plots, or to distinguish series by two properties.
     int color = -1, pattern = -1;
-    /// Series of one panel share a small plot of that name, beside the others on common axes: for more than five series. Empty: one plot.
+    /// Series of one panel share a small plot of that name; all panels have common axes. For more than five series. Empty: one plot.
     std::string panel = {};
     bool operator==(const Series&) const = default;
 };
@@ -92,14 +90,14 @@ struct Series {
 struct Marker {
     double x = 0, y = 0;
     std::string label;        // "minimum, iteration 17"
-    std::string panel = {};   // of the series it is on
+    std::string panel = {};   // of its series
     bool operator==(const Marker&) const = default;
 };
 
 struct Plot {
     std::string id = {};   // tables/<id>.csv holds its data
     std::string caption = {};
-    std::string alt = {};                     // what is to be seen, in words and numbers
+    std::string alt = {};                     // the picture in words and numbers
     std::string x_label = {}, y_label = {};   // with units: "iteration", "rms error [length]"
     bool log_x = false, log_y = false;
     std::vector<Series> series = {};
@@ -109,7 +107,7 @@ struct Plot {
         std::string label;
         bool operator==(const VerticalLine&) const = default;
     };
-    std::vector<VerticalLine> vertical_lines = {};   // λ_crit, say
+    std::vector<VerticalLine> vertical_lines = {};   // such as λ_crit
     bool operator==(const Plot&) const = default;
 };
 
@@ -117,30 +115,30 @@ struct Plot {
 struct Map {
     std::string id = {};   // tables/<id>.csv holds its data
     std::string caption = {};
-    std::string alt = {};                                       // what is to be seen, in words and numbers
+    std::string alt = {};                                       // the picture in words and numbers
     std::string x_label = {}, y_label = {}, value_label = {};   // with units
     std::vector<double> x = {}, y = {};                         // centres of the cells, ascending
     bool log_x = false, log_y = false, log_values = false;
     enum class Colours { sequential, diverging } colours = Colours::sequential;
-    double middle = 0;   // where a diverging map is palest; a thin line keeps the two sides apart in grey
+    double middle = 0;   // palest value of a diverging map; a thin line separates the two sides
     struct Range {
         double low, high;
         bool operator==(const Range&) const = default;
     };
-    std::optional<Range> range = {};   // of the colours; values beyond get the end colours; empty: all finite values
-    std::string undefined = {};        // what the hatched cells are: "blew up"
+    std::optional<Range> range = {};   // of the colours, whose ends hold for values beyond; empty: all finite values
+    std::string undefined = {};        // meaning of the hatched cells: "blew up"
     struct Panel {
         std::string title;
-        std::vector<double> values;         // the row of y[0], that of y[1], …; NaN: undefined
+        std::vector<double> values;         // row by row, from y[0]; NaN: undefined
         std::vector<Series> lines = {};     // drawn over the cells: a limit, a prediction
-        std::vector<Marker> markers = {};   // places named by one letter or two
+        std::vector<Marker> markers = {};   // labels have one letter or two
         bool operator==(const Panel&) const = default;
     };
     std::vector<Panel> panels = {};
     bool operator==(const Map&) const = default;
 };
 
-/// A drawn figure; the pictures themselves are made from the request of the same id (src/output/draw/figure_request.h).
+/// A figure of meshes. Its pictures are drawn from the request of the same id (src/output/draw/figure_request.h).
 struct Figure {
     std::string id;   // images/<id>_sheet.png and images/<panel>_<view>.png
     std::string caption;
@@ -148,7 +146,7 @@ struct Figure {
     bool operator==(const Figure&) const = default;
 };
 
-/// One of several texts of a kind that are numbered and referred to: "Claim A.3".
+/// A numbered text that others refer to: "Claim A.3".
 struct Entry {
     std::string id;
     Text title;
@@ -164,13 +162,13 @@ struct EntryList {
 
 using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Diagram, Figure, EntryList>;
 
-// ---- what a section proves and says -----------------------------------------------------------------------------------
+// ---- sections and the document --------------------------------------------------------------------------------------
 
 struct Input {
     std::string role;        // "armadillo"
-    std::string asked;       // path of the assignment, "decompose/armadillo.obj"; empty for meshes no one asked for
-    std::string file;        // name of what was used, without its folder
-    bool stand_in = false;   // one of the bundled meshes in place of the one asked for
+    std::string asked;       // path in the assignment, "decompose/armadillo.obj"; empty: not in it
+    std::string file;        // name of the file, without its folder
+    bool stand_in = false;   // a bundled mesh in place of the one asked for
     std::string sha256;
     int vertices = 0, triangles = 0;
     bool operator==(const Input&) const = default;
@@ -180,7 +178,7 @@ struct CodeReference {
     std::string function;   // "uniform_laplacian"
     std::string file;       // "src/geometry/operators/uniform_laplacian.cpp"
     std::string purpose;    // "Δ with uniform weights"
-    int line = 0;           // of the function in src.txt; 0: not cited (yet)
+    int line = 0;           // of the function in src.txt; 0: not cited
     bool operator==(const CodeReference&) const = default;
 };
 
@@ -190,7 +188,7 @@ struct Timing {
     bool operator==(const Timing&) const = default;
 };
 
-/// A setting of a section: the words that are printed, and for programs a number or several in `unit`, or the words where it is none.
+/// A setting of a section: the printed words, and for programs a number, a list of numbers, or the words.
 struct Parameter {
     std::string text;   // "2 %, 5 % and 10 % of the box diagonal"
     std::variant<std::string, double, std::vector<double>> value;
@@ -206,7 +204,7 @@ struct Parameter {
     bool operator==(const Parameter&) const = default;
 };
 using Parameters = std::map<std::string, Parameter>;
-/// What is printed of them.
+/// Returns the printed words of each parameter.
 std::map<std::string, std::string> texts_of(const Parameters& parameters);
 
 enum class Status { ok, failed, skipped };
@@ -217,13 +215,13 @@ struct Section {
     std::string asked;   // the question in one sentence
     Status status = Status::ok;
     std::string failure;   // one line, when failed
-    std::string extent;    // how far achieved, for the opening table: "H and K on 4 meshes, …"
+    std::string extent;    // for the opening table: "H and K on 4 meshes, …"
     std::vector<Input> inputs;
     Parameters parameters;
     std::vector<CodeReference> code;
     Text answer;   // in one sentence, for the opening table and as the first line of the section
     std::vector<Block> blocks;
-    /// Of a question: the blocks from here on, its long tables and further figures, are in the appendix. −1: none are.
+    /// Number of a question's blocks in the report; the others, its long tables and further figures, are in the appendix. −1: none are.
     int appendix_from = -1;
     std::vector<Check> checks;
     std::vector<std::string> warnings;
@@ -232,13 +230,13 @@ struct Section {
     bool operator==(const Section&) const = default;
 };
 
-/// Ids of its columns, unique in the document: "q5_limits-lambda-crit", from the table and the name.
+/// Returns ids of the columns, unique in the document, from the table and the name: "q5_limits-lambda-crit".
 std::vector<std::string> column_ids(const Table& table);
 
-/// Ids of its checks, unique in the document: "q5-energy-falls-on-cube", from the section and the name; "…-2" where two are named alike.
+/// Returns ids of the checks, unique in the document, from the section and the name: "q5-energy-falls-on-cube", "…-2" for a second one.
 std::vector<std::string> check_ids(const Section& section);
 
-/// Ids of its parameters, in their order: "q7-parameter-lambda".
+/// Returns ids of the parameters in their order: "q7-parameter-lambda".
 std::vector<std::string> parameter_ids(const Section& section);
 
 struct Provenance {

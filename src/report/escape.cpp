@@ -1,19 +1,12 @@
 #include "report/escape.h"
 
-#include <cstdint>
-#include <nlohmann/json.hpp>
-
 #include "base/errors.h"
 
 namespace meshfolio::report {
 
 namespace {
 
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
-}
-
-/// At the beginning of a block these characters would make a heading, a list, a rule or an underlined title of it.
+/// True for a character that would turn the line into a heading, a list, a rule or an underlined title.
 bool begins_block(const std::string& text, std::size_t i) {
     const char c = text[i];
     if (i == 0 && (c == '#' || c == '-' || c == '+' || c == '=')) {
@@ -25,17 +18,6 @@ bool begins_block(const std::string& text, std::size_t i) {
     return after_number && before_space && (c == '.' || c == ')');
 }
 
-bool is_within_word(const std::string& text, std::size_t i) {
-    return i > 0 && i + 1 < text.size() && is_alphanumeric(text[i - 1]) && is_alphanumeric(text[i + 1]);
-}
-
-/// GitHub makes links of https://…, www.… and name@host where they stand alone in a text.
-bool makes_link(const std::string& text, std::size_t i) {
-    if (text[i] == ':') return text.compare(i, 3, "://") == 0;
-    if (text[i] == '.') return i >= 3 && (text.compare(i - 3, 3, "www") == 0 || text.compare(i - 3, 3, "WWW") == 0);
-    return text[i] == '@';
-}
-
 }   // namespace
 
 std::string safe_text(const std::string& text) {
@@ -43,14 +25,9 @@ std::string safe_text(const std::string& text) {
     for (char& c : line)
         if (c == '\n' || c == '\r' || c == '\t') c = ' ';
     line = printable(line);
-    replace_all(line, "\xEF\xBF\xBE", "\uFFFD");   // U+FFFE and U+FFFF are UTF-8, but no characters of XML
-    replace_all(line, "\xEF\xBF\xBF", "\uFFFD");
+    for (const std::string_view code : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})   // U+FFFE and U+FFFF are no characters of XML
+        for (std::size_t at = line.find(code); at != std::string::npos; at = line.find(code, at)) line.replace(at, code.size(), "\uFFFD");
     return line;
-}
-
-std::string valid_utf8(const std::string& text) {
-    using nlohmann::json;
-    return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
 }
 
 std::string xml_escape(const std::string& text) {
@@ -69,16 +46,20 @@ std::string xml_escape(const std::string& text) {
 
 std::string markdown_escape(const std::string& text) {
     constexpr std::string_view special = "\\`*[]|~$";
+    const std::string_view all = text;
     std::string escaped;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         if (c == '&' || c == '<' || c == '>') {
             escaped += xml_escape({c});
-        } else {
-            const bool emphasis = c == '_' && !is_within_word(text, i);
-            if (emphasis || special.find(c) != std::string_view::npos || begins_block(text, i) || makes_link(text, i)) escaped += '\\';
-            escaped += c;
+            continue;
         }
+        const bool within_word = i > 0 && i + 1 < text.size() && is_alphanumeric(text[i - 1]) && is_alphanumeric(text[i + 1]);
+        const bool emphasis = c == '_' && !within_word;
+        const std::string_view before = all.substr(0, i);   // GitHub makes links of https://…, www.… and name@host
+        const bool link = c == '@' || all.substr(i, 3) == "://" || (c == '.' && (before.ends_with("www") || before.ends_with("WWW")));
+        if (emphasis || link || special.find(c) != std::string_view::npos || begins_block(text, i)) escaped += '\\';
+        escaped += c;
     }
     return escaped;
 }

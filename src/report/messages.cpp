@@ -1,4 +1,4 @@
-// Messages of templates/words: read from their file, and told with their facts.
+// Reads the messages of templates/words and formats them with facts.
 #include <algorithm>
 #include <cctype>
 #include <set>
@@ -23,7 +23,7 @@ const Fact& fact_named(std::string_view name, const Facts& facts, std::string_vi
     return *fact;
 }
 
-/// The text for the placeholder "name" or "name|one|many".
+/// Returns the text for the placeholder "name" or "name|one|many".
 Text filled(std::string_view placeholder, const Facts& facts, std::string_view message) {
     const std::size_t bar = placeholder.find('|');
     const Fact& fact = fact_named(placeholder.substr(0, bar), facts, message);
@@ -40,16 +40,7 @@ Text filled(std::string_view placeholder, const Facts& facts, std::string_view m
     throw std::logic_error("'" + std::string(placeholder) + "' is a list: it needs a section");
 }
 
-/// Returns the facts of each time that a section about `fact` is told: none where it does not hold.
-FactList tellings(const Fact& fact) {
-    const auto if_so = [](bool holds) { return FactList(holds ? 1 : 0); };
-    if (const auto* count = std::get_if<long long>(&fact.value)) return if_so(*count > 0);
-    if (const auto* words = std::get_if<std::string>(&fact.value)) return if_so(!words->empty());
-    if (const auto* running = std::get_if<Text>(&fact.value)) return if_so(!running->empty());
-    return std::get<FactList>(fact.value);
-}
-
-/// Goes through one paragraph and makes runs of it.
+/// Formats one paragraph as runs.
 class Reader {
 public:
     Reader(std::string_view paragraph, const Facts& facts, bool markup, bool whole = true)
@@ -61,13 +52,13 @@ public:
                 add(left_.substr(0, 1));
                 left_.remove_prefix(1);
             } else if (take("{{#")) {
-                tell_section(true);
+                add_section(false);
             } else if (take("{{^")) {
-                tell_section(false);
+                add_section(true);
             } else if (take("{{")) {
                 for (Run& run : filled(until("}}"), facts_, all_)) add(std::move(run));
             } else if (after_number() && take(" %")) {
-                add("\u202f%");   // no line may break here, as in readable_percent
+                add("\u202f%");   // no line break here, as in readable_percent
             } else if (!markup_ || !took_markup()) {
                 add(left_.substr(0, 1));
                 left_.remove_prefix(1);
@@ -81,15 +72,21 @@ private:
     std::string_view all_, left_;
     const Facts& facts_;
     bool markup_;
-    bool whole_;   // a paragraph, and no part of one: no blank stands at its ends
+    bool whole_;   // a paragraph, whose blanks at the ends are removed; false: a section of one
     Text text_;
 
-    /// Tells what stands up to the end of the section, once for each time that its fact holds (or once where it does not).
-    void tell_section(bool wanted) {
+    /// Formats the section that begins here, if its fact holds; an inverted one if it does not. A list repeats it for each entry.
+    void add_section(bool inverted) {
         const std::string_view name = until("}}"), inside = until("{{/" + std::string(name) + "}}");
-        FactList told = tellings(fact_named(name, facts_, all_));
-        if (!wanted) told.resize(told.empty() ? 1 : 0);
-        for (Facts& facts : told) {
+        const auto& value = fact_named(name, facts_, all_).value;
+        FactList repeats;
+        if (const auto* list = std::get_if<FactList>(&value)) repeats = *list;
+        const auto* count = std::get_if<long long>(&value);
+        const auto* words = std::get_if<std::string>(&value);
+        const auto* running = std::get_if<Text>(&value);
+        if ((count && *count > 0) || (words && !words->empty()) || (running && !running->empty())) repeats.resize(1);
+        if (inverted) repeats.resize(repeats.empty() ? 1 : 0);
+        for (Facts& facts : repeats) {
             facts.insert(facts.end(), facts_.begin(), facts_.end());
             for (Run& run : Reader(inside, facts, markup_, false).text()) add(std::move(run));
         }
@@ -148,22 +145,6 @@ private:
     }
 };
 
-/// What stands between {{ and }} or |, in its order: "mesh", "#spot", "/spot".
-std::vector<std::string> placeholders_in(const Message& message) {
-    std::vector<std::string> names;
-    for (const std::string& paragraph : message.paragraphs)
-        for (std::size_t at = paragraph.find("{{"); at != std::string::npos; at = paragraph.find("{{", at + 2))
-            names.push_back(paragraph.substr(at + 2, paragraph.find_first_of("|}", at) - at - 2));
-    return names;
-}
-
-/// "$$ name id $$" and "$$ name $$".
-Formula formula_in(std::string_view paragraph) {
-    const std::string inside = trimmed(paragraph.substr(2, paragraph.size() - 4));
-    const std::size_t space = inside.find(' ');
-    return {inside.substr(0, space), space == std::string::npos ? "" : trimmed(std::string_view(inside).substr(space))};
-}
-
 }   // namespace
 
 std::vector<Message> messages_of(std::string_view text, const std::string& file) {
@@ -201,14 +182,11 @@ std::string running_line(std::string_view paragraph, const Facts& facts) { retur
 
 std::vector<std::string> facts_in(const Message& message) {
     std::set<std::string> names;
-    for (const std::string& name : placeholders_in(message)) names.insert(name.substr(name.find_first_not_of("#^/")));
-    return {names.begin(), names.end()};
-}
-
-std::vector<std::string> sections_in(const Message& message) {
-    std::set<std::string> names;
-    for (const std::string& name : placeholders_in(message))
-        if (name.starts_with('#') || name.starts_with('^')) names.insert(name.substr(1));
+    for (const std::string& paragraph : message.paragraphs)
+        for (std::size_t at = paragraph.find("{{"); at != std::string::npos; at = paragraph.find("{{", at + 2)) {
+            const std::size_t begin = paragraph.find_first_not_of("{#^/", at);
+            names.insert(paragraph.substr(begin, paragraph.find_first_of("|}", begin) - begin));
+        }
     return {names.begin(), names.end()};
 }
 
@@ -218,7 +196,9 @@ std::vector<Block> blocks_of(const Message& message, const Facts& facts) {
         if (paragraph.starts_with("### ")) {
             blocks.push_back(Heading{running_line(paragraph.substr(4), facts)});
         } else if (paragraph.starts_with("$$")) {
-            blocks.push_back(formula_in(paragraph));
+            const std::string inside = trimmed(paragraph.substr(2, paragraph.size() - 4));
+            const std::size_t space = inside.find(' ');
+            blocks.push_back(Formula{inside.substr(0, space), space == std::string::npos ? "" : trimmed(inside.substr(space))});
         } else if (paragraph.starts_with("- ")) {
             Text item = running_text(paragraph.substr(2), facts);
             if (blocks.empty() || !std::holds_alternative<BulletList>(blocks.back())) blocks.push_back(BulletList{});

@@ -8,7 +8,7 @@ namespace meshfolio::report {
 
 namespace {
 
-/// "q4" of "q4" and of "q4_eq_parseval"; empty for what no question owns.
+/// Returns "q4" for "q4" and for "q4_eq_parseval"; empty for ids that do not begin with a question.
 std::string_view question_of(std::string_view id) {
     if (id.size() < 2 || id[0] != 'q') return "";
     const std::size_t end = id.find_first_not_of("0123456789", 1);
@@ -67,20 +67,13 @@ void Numbering::place_elsewhere(const std::string& id, const std::string& page) 
     it->second.page = page;
 }
 
-/// The section whose blocks are called "<section>_…"; questions also where the document lacks them.
-std::string Numbering::owner_of(const std::string& id) const {
-    const std::string prefix = id.substr(0, id.find('_'));
-    return status_.contains(prefix) ? prefix : std::string(question_of(id));
-}
-
 Reference Numbering::resolve(const std::string& id) const {
-    const std::size_t colon = id.find(':');
-    const std::string key = colon == std::string::npos ? id : id.substr(colon + 1);
-    if (const auto it = references_.find(key); it != references_.end()) return it->second;
-    const std::string owner = owner_of(key);
+    if (const auto it = references_.find(id); it != references_.end()) return it->second;
+    const std::string prefix = id.substr(0, id.find('_'));   // the section of a block "<section>_…"; questions even if they are missing
+    const std::string owner = status_.contains(prefix) ? prefix : std::string(question_of(id));
     const auto status = status_.find(owner);
     const bool answered = status != status_.end() && status->second == Status::ok;
-    if (owner.empty() || answered) throw std::logic_error("report: nothing has the id " + key + " that a text refers to");
+    if (owner.empty() || answered) throw std::logic_error("report: nothing has the id " + id + " that a text refers to");
     if (status != status_.end()) return references_.at(owner);
     return {owner.substr(1), "Question " + owner.substr(1), ""};
 }

@@ -1,5 +1,5 @@
 /// @file
-/// Running text as data: what a question says, without markup. The writers escape it for their format.
+/// Running text as data, without markup. The writers escape it for their format.
 #pragma once
 
 #include <string>
@@ -11,8 +11,7 @@ namespace meshfolio::report {
 struct Run {
     enum class Kind { plain, strong, emphasis, code, math, reference };
     Kind kind = Kind::plain;
-    std::string
-        content;   // math: Unicode such as "λ_crit = 2/μ_max"; reference: the id of a figure, table, plot, formula, question or cited work
+    std::string content;   // mathematics in Unicode: "λ_crit = 2/μ_max"; of a reference the id of its target
     bool operator==(const Run&) const = default;
 };
 
@@ -25,7 +24,7 @@ inline Run math(std::string s) { return {Run::Kind::math, std::move(s)}; }
 inline Run ref(std::string id) { return {Run::Kind::reference, std::move(id)}; }
 
 namespace detail {
-/// Plain text joins plain text before it.
+/// Appends a run, joined to the one before if both are plain.
 inline void append(Text& text, Run run) {
     if (run.kind == Run::Kind::plain && !text.empty() && text.back().kind == Run::Kind::plain)
         text.back().content += run.content;
@@ -39,21 +38,21 @@ inline void append(Text& text, const Text& more) {
 }
 }   // namespace detail
 
-/// text("The error is ", readable(e), " (", ref("q1_errors"), ").")
-template <class... Parts>
-Text text(Parts&&... parts) {
-    Text joined;
-    (detail::append(joined, std::forward<Parts>(parts)), ...);
-    return joined;
-}
-
-/// Adds to a text what text() would join.
+/// Appends words, runs and texts to a text.
 template <class... Parts>
 void extend(Text& text, Parts&&... parts) {
     (detail::append(text, std::forward<Parts>(parts)), ...);
 }
 
-/// Without markup: for alt texts, checks and tests.
+/// Joins words, runs and texts: text("The error is ", readable(e), " (", ref("q1_errors"), ").").
+template <class... Parts>
+Text text(Parts&&... parts) {
+    Text joined;
+    extend(joined, std::forward<Parts>(parts)...);
+    return joined;
+}
+
+/// Returns the words of a text without markup; of references the ids.
 std::string plain(const Text& text);
 
 }   // namespace meshfolio::report

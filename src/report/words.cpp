@@ -20,34 +20,29 @@ using MessagesByKey = std::map<std::string, Message, std::less<>>;
 /// By file, then by key.
 using Catalogue = std::map<std::string, MessagesByKey, std::less<>>;
 
-MessagesByKey by_key(const std::string& text, const std::string& file) {
-    MessagesByKey messages;
-    for (Message& message : messages_of(text, file)) {
-        const std::string key = message.key;
-        const long line = message.line;
-        if (!messages.emplace(key, std::move(message)).second)
-            throw UsageError("the message " + key + " stands twice", "keep one", {file, line});
-    }
-    return messages;
-}
-
 Catalogue catalogue_of(const Templates& templates) {
     Catalogue catalogue;
     for (const std::string& name : templates.names()) {
         if (!name.starts_with(folder)) continue;
-        catalogue[name.substr(folder.size(), name.size() - folder.size() - ending.size())] = by_key(templates[name], name);
+        MessagesByKey& messages = catalogue[name.substr(folder.size(), name.size() - folder.size() - ending.size())];
+        for (const Message& message : messages_of(templates[name], name)) {
+            if (!messages.emplace(message.key, message).second)
+                throw UsageError("the message " + message.key + " stands twice", "keep one", {name, message.line});
+        }
     }
     return catalogue;
 }
 
+/// The messages in use.
 Catalogue& catalogue() {
     static Catalogue messages = catalogue_of(Templates());
     return messages;
 }
 
+/// The digest of replaced messages.
 std::string& identity() {
-    static std::string of_replaced;
-    return of_replaced;
+    static std::string digest;
+    return digest;
 }
 
 const Message& message_of(std::string_view file, std::string_view key) {
@@ -63,20 +58,7 @@ std::string only_paragraph(const Message& message) {
     return message.paragraphs.empty() ? "" : message.paragraphs.front();
 }
 
-/// Checks that a replaced message can be formatted, instead of failing when it is first used.
-void require_readable(const Message& message, const std::string& file) {
-    Facts facts;
-    const std::vector<std::string> names = facts_in(message);
-    for (const std::string& name : names) facts.emplace_back(name, 1);
-    try {
-        for (const std::string& paragraph : message.paragraphs)
-            if (!paragraph.starts_with("$$")) running_text(paragraph, facts);
-    } catch (const std::logic_error& problem) {
-        throw UsageError(problem.what(), "close every mark, or put a backslash before it", {file, message.line});
-    }
-}
-
-/// The names behind which the message chooses between singular and plural.
+/// Returns the names of the counts whose singular and plural the message has.
 std::set<std::string> counts_in(const Message& message) {
     static const std::regex plural("\\{\\{(\\w+)\\|");
     std::set<std::string> names;
@@ -85,15 +67,25 @@ std::set<std::string> counts_in(const Message& message) {
     return names;
 }
 
-/// Allows in a replaced message only the facts and plurals that the bundled message has.
-void require_known_facts(const Message& message, const Message& own, const Location& place) {
+/// Refuses a replaced message with other facts or plurals than the bundled one, or with markup that cannot be formatted.
+void require_usable(const Message& message, const Message& own, const Location& place) {
     const auto require_among = [&](const auto& known, const auto& named, const std::string& problem) {
         for (const std::string& fact : named)
             if (std::ranges::find(known, fact) == known.end())
                 throw UsageError("the message " + message.key + problem + fact, "name one of those that its own text has", place);
     };
-    require_among(facts_in(own), facts_in(message), " is not told the fact ");
+    require_among(facts_in(own), facts_in(message), " has no fact ");
     require_among(counts_in(own), counts_in(message), " has no singular and plural of ");
+
+    Facts facts;
+    const std::vector<std::string> names = facts_in(message);
+    for (const std::string& name : names) facts.emplace_back(name, 1);
+    try {
+        for (const std::string& paragraph : message.paragraphs)
+            if (!paragraph.starts_with("$$")) running_text(paragraph, facts);
+    } catch (const std::logic_error& problem) {
+        throw UsageError(problem.what(), "close every mark, or put a backslash before it", place);
+    }
 }
 
 }   // namespace
@@ -114,19 +106,18 @@ std::vector<Block> Words::blocks(std::string_view key, const Facts& facts) const
 void use_words_of(const Templates& templates) {
     const Templates bundled;
     const Catalogue own = catalogue_of(bundled);
-    Catalogue told = own;
+    Catalogue used = own;
     for (const auto& [file, messages] : catalogue_of(templates)) {
         for (const auto& [key, message] : messages) {
             const auto known = own.at(file).find(key);
             const std::string name = std::string(folder) + file + std::string(ending);
             if (known == own.at(file).end()) throw UsageError("there is no message " + key, "take it out", {name, message.line});
             if (message.paragraphs == known->second.paragraphs) continue;
-            require_known_facts(message, known->second, {name, message.line});
-            require_readable(message, name);
-            told[file][key] = message;
+            require_usable(message, known->second, {name, message.line});
+            used[file][key] = message;
         }
     }
-    catalogue() = std::move(told);
+    catalogue() = std::move(used);
     identity().clear();
     for (const std::string& name : templates.names())
         if (name.starts_with(folder) && templates[name] != bundled[name]) identity() += name + sha256(templates[name]);
@@ -136,9 +127,8 @@ std::string words_identity() { return identity(); }
 
 std::string words_documentation() {
     std::string text =
-        "Words of the report, words/FILE.md: \"## key\" begins a message. {{fact}} is what the program found, {{count|one|many}} the word "
-        "that\n"
-        "goes with a count; $mathematics$, **strong**, *emphasised*, `code`, [[reference]]. What a message may tell:\n\n";
+        "Words of the report, words/FILE.md: \"## key\" begins a message. {{fact}} is a value of the program, {{count|one|many}} a word\n"
+        "that depends on a count; $mathematics$, **strong**, *emphasised*, `code`, [[reference]]. The facts of each message:\n\n";
     for (const auto& [file, messages] : catalogue()) {
         for (const auto& [key, message] : messages) {
             text += file + ": " + key;

@@ -11,8 +11,8 @@ namespace meshfolio::report {
 
 namespace {
 
-/// Does a spreadsheet run a cell that begins so? Blanks and quotes before the sign are skipped, as some programs skip them; a number is no
-/// formula. (OWASP, CSV injection; the last four are the wide forms of the first.)
+/// True if spreadsheets may run the cell as a formula (OWASP, CSV injection). Some skip blanks and quotes before the sign; the last four
+/// signs are the wide forms of the first. A number is no formula.
 bool is_formula(std::string_view cell) {
     cell.remove_prefix(std::min(cell.find_first_not_of(" \"'"), cell.size()));
     if (parse_number(cell)) return false;
@@ -20,8 +20,7 @@ bool is_formula(std::string_view cell) {
     return std::ranges::any_of(signs, [&](std::string_view sign) { return cell.starts_with(sign); });
 }
 
-/// A text that no spreadsheet runs: "'" stands before what would be a formula, in the cell and behind every character at which a program
-/// set to another separator would begin a cell.
+/// Returns a text as a field, with "'" before formulas: at its beginning, and behind characters that separate cells in other settings.
 std::string field(const std::string& raw) {
     constexpr std::string_view separators = ",;|";
     const std::string text = safe_text(raw);
@@ -45,7 +44,7 @@ std::string field(const Cell& cell) {
     return "";
 }
 
-/// Entry i, or "undefined" where a band has none.
+/// Returns entry i; empty beyond the end.
 std::string value_at(const std::vector<double>& values, std::size_t i) { return i < values.size() ? exact_text(values[i]) : ""; }
 
 }   // namespace

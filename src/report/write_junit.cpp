@@ -1,4 +1,4 @@
-// The checks as JUnit XML, for CI: what the schemas of Jenkins and of Windy Road both take.
+// The checks as JUnit XML for CI, valid by the schemas of Jenkins and of Windy Road.
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -17,7 +17,7 @@ std::string attribute(const std::string& name, const std::string& value) {
     return " " + name + "=\"" + xml_escape(safe_text(value)) + "\"";
 }
 
-/// @param outcome  an element; empty: passed
+/// Returns a <testcase>. @param outcome  an element; empty: passed
 std::string test_case(const std::string& section, const std::string& name, const std::string& outcome) {
     const std::string head = "    <testcase" + attribute("classname", "meshfolio." + section) + attribute("name", name) + " time=\"0\"";
     return head + (outcome.empty() ? "/>\n" : ">" + outcome + "</testcase>\n");
@@ -30,16 +30,16 @@ std::string outcome_of(const Check& check) {
     return check.failed() ? "<failure type=\"check\"" + message + "/>" : "<skipped" + message + "/>";
 }
 
-/// Seconds as an XML decimal, to the millisecond.
+/// Returns seconds as an XML decimal, to the millisecond.
 std::string decimal(double seconds) {
     const std::string milliseconds = std::to_string(1000 + std::llround(1000 * seconds) % 1000).substr(1);
     return std::to_string(std::llround(1000 * seconds) / 1000) + "." + milliseconds;
 }
 
-/// Sections that are counted together.
+/// A <testsuite> of one or several sections.
 class Suite {
 public:
-    /// @param group  what names its cases come from: "q1"
+    /// @param group  prefix of its cases: "q1"
     Suite(std::string name, std::string group) : name_(std::move(name)), group_(std::move(group)) {}
 
     void add(const Section& section) {

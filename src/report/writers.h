@@ -1,5 +1,5 @@
 /// @file
-/// A Document to files. Every writer is a pure function from data to bytes.
+/// Writers turn a document into the bytes of files. They are pure functions.
 #pragma once
 
 #include <filesystem>
@@ -13,102 +13,103 @@
 
 namespace meshfolio::report {
 
-/// The script bundled from templates/viewer; empty when the program was built without it.
+/// Returns the script bundled from templates/viewer; empty if the program was built without it.
 std::string_view viewer_program();
 
-/// Templates by file name ("report.html"): those compiled in, each replaced by the file of that name in a folder when it is there.
+/// Templates by file name ("report.html"): the bundled ones, each replaced by the file of that name in a folder, if there is one.
 class Templates {
 public:
-    /// @throws UsageError if `folder` is given and not a folder, or a template in it has a syntax error (named with its line) or is a link
-    ///         to what lies outside of it
+    /// @throws UsageError if `folder` is given and no folder, or a template in it has a syntax error or is a link that leads out of it
     explicit Templates(const std::filesystem::path& folder = {});
     const std::string& operator[](const std::string& name) const;   // @throws UsageError for an unknown name
     std::vector<std::string> names() const;
-    /// Takes the template `name` from a file.
-    /// @throws UsageError for an unknown name, an unreadable file, or a syntax error (named with its line)
+    /// Replaces the template `name` by a file.
+    /// @throws UsageError for an unknown name, an unreadable file, or a syntax error
     void replace(const std::string& name, const std::filesystem::path& file);
-    /// Takes the template `name` from text. @param file  what messages call it
-    /// @throws UsageError for an unknown name or a syntax error (named with its line)
+    /// Replaces the template `name` by a text. @param file  its name in messages
+    /// @throws UsageError for an unknown name or a syntax error
     void set(const std::string& name, std::string text, const std::string& file);
 
 private:
     std::map<std::string, std::string> text_;
 };
 
-/// What every tag of the templates stands for, by its path in the view model, "sections.blocks.caption". Lists and conditions are named
-/// like the values in them.
+/// Returns the meaning of each tag of the templates by its path in the view model, "sections.blocks.caption".
 std::map<std::string, std::string> tag_list();
-/// The same list as text, one line a tag.
+/// Returns the same list as text for people, with the messages of templates/words.
 std::string tag_documentation();
 
-/// The two volumes that a report is published in.
+/// The two volumes of a report.
 enum class Volume {
     report,    // the questions
-    appendix   // what they rest on: the other sections, what questions leave to it, all checks, where everything comes from
+    appendix   // the other sections, further blocks of questions, all checks, provenance
 };
 
-/// The file of a volume in each format.
+/// Return the file name of a volume in each format.
 inline std::string page_file(Volume volume) { return volume == Volume::report ? "index.html" : "appendix.html"; }
 inline std::string markdown_file(Volume volume) { return volume == Volume::report ? "report.md" : "appendix.md"; }
 inline std::string pdf_file(Volume volume) { return volume == Volume::report ? "report.pdf" : "appendix.pdf"; }
 inline Volume other_of(Volume volume) { return volume == Volume::report ? Volume::appendix : Volume::report; }
 
-/// A mesh of the live laboratory, inside the page as data.
+/// The data of a mesh for the live laboratory of a page.
 struct Lab {
-    std::string questions;   // that open it: "q5 q7"
+    std::string questions;   // ids of questions that open it: "q5 q7"
     std::string data;        // zlib, then base64
 };
-/// @param bytes  as templates/viewer/lab_math.js reads them
+/// Packs the data of a laboratory. @param bytes  as templates/viewer/lab_math.js reads them
 Lab lab_of(std::string questions, std::string_view bytes);
-/// The laboratories inside a page that we wrote; anything malformed is skipped.
+/// Returns the laboratories in a page of ours, without malformed ones.
 std::vector<Lab> labs_in(std::string_view page);
 
 struct WriteOptions {
     Volume volume = Volume::report;
-    bool timings = true;             // false: nothing that differs from run to run
-    bool plot_files = false;         // the caller also writes svg_on_white(svg_of(plot)) to images/<id>.svg; Markdown then shows the plots
-    bool paper = false;              // the report is printed as well, and the page links to it
-    std::string design = "report";   // of the page: design.html with design.css, of the templates
-    std::string_view viewer = viewer_program();   // turns the models of the page; empty: they are only linked to
-    std::vector<Lab> labs = {};                   // of the report's page; none without the viewer
+    bool timings = true;                          // false: omits times, which differ from run to run
+    bool plot_files = false;                      // plots are also images/<id>.svg, which the caller writes and Markdown shows
+    bool paper = false;                           // the page links to the PDF
+    std::string design = "report";                // of the page: the templates <design>.html and <design>.css
+    std::string_view viewer = viewer_program();   // turns the models of the page; empty: the page only links to them
+    std::vector<Lab> labs = {};                   // for the page of the report; unused without the viewer
 };
 
 /// The bundled designs of index.html.
 inline constexpr const char* page_designs[] = {"report", "print"};
 
+/// Returns the page of one volume: index.html or appendix.html.
 std::string write_html(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options = {});
-/// The laboratory of one mesh as a page of its own.
+/// Returns the page of a laboratory alone.
 std::string write_lab_page(const std::string& title, const Lab& lab, const Templates& templates,
                            std::string_view viewer = viewer_program());
+/// Returns the Markdown of one volume; long tables are shortened to keep the size that GitHub renders.
 std::string write_markdown(const Document& document, const DrawnFigures& figures, const Templates& templates,
                            const WriteOptions& options = {});
-/// The answers on one page of Markdown, for the summary of a CI job.
+/// Returns the answers on one page of Markdown, for the summary of a CI job.
 std::string write_summary(const Document& document, const Templates& templates);
-/// JUnit XML: a suite a section, a case a check (its id), what is undecided as skipped. No clock is read: its times are those of the
-/// document.
+/// Returns JUnit XML: a suite for each section, a case for each check, undecided ones as skipped. @param timings  with times of the
+/// document
 std::string write_junit(const Document& document, bool timings);
+/// Returns results.json, which read_json() reads.
 std::string write_json(const Document& document, const DrawnFigures& figures, const WriteOptions& options = {});
 
-/// The JSON schema (draft 7) of results.json, made from the descriptions that write and read it (json/json_fields.h).
+/// Returns the JSON schema (draft 7) of results.json, from the descriptions that write and read it (json/json_fields.h).
 const std::string& results_schema();
 
-/// RFC 4180, LF line ends, header `name [unit]`, numbers exact, undefined cells empty. Texts are on one line and no formulas.
+/// Return CSV: RFC 4180 with LF line ends, header `name [unit]`, exact numbers, empty undefined cells, texts on one line and no formulas.
 std::string write_csv(const Table& table);
 std::string write_csv(const Plot& plot);
-/// One row a cell; the lines over a panel follow its cells, by their names and without a value.
+/// One row for each cell, then one for each point of the lines over the panel, without a value.
 std::string write_csv(const Map& map);
 
-/// Inline SVG that takes its colours from the page (currentColor and CSS variables), readable in grey.
+/// Return inline SVG, readable in grey, with colours of the page (currentColor and CSS variables).
 std::string svg_of(const Plot& plot);
 std::string svg_of(const Map& map);
 std::string svg_of(const Diagram& diagram);
-/// The plot for one column of a paper; empty for one of several panels, which needs the page.
+/// Returns the plot for one column of a paper; empty for plots of several panels, which need the width of the page.
 std::string column_svg_of(const Plot& plot);
-/// What the colours of a figure mean, in a fixed size, so that its words are as large on a phone as on paper: the quantity with its unit,
-/// the histogram of the values over their colours, numbers, and what lies beyond the colours. @param place  unique in a page, for ids
+/// Returns the legend of a figure's colours as SVG of a fixed size: quantity and unit, histogram, colours, numbers, shares beyond the ends.
+/// @param place  unique in a page, for ids @param small  in one line: colours and their ends
 std::string svg_of(const Legend& legend, const std::string& place, bool small = false);
 
-/// The same as a file of its own, which Markdown cannot hold inline: on white, as there is no page to take a colour from.
+/// Returns inline SVG as a file of its own, on a white ground.
 std::string svg_on_white(std::string svg);
 
 }   // namespace meshfolio::report

@@ -65,6 +65,15 @@ TEST(NumberText, PlainTextHasNoTypography) {
     EXPECT_EQ(plain_text(100000), "100000");
 }
 
+TEST(NumberText, BriefTextHasNoMoreDigitsThanItNeeds) {
+    EXPECT_EQ(brief_text(2, 4), "2");
+    EXPECT_EQ(brief_text(0.01, 4), "0.01");
+    EXPECT_EQ(brief_text(0.12345, 4), "0.1235");
+    EXPECT_EQ(brief_text(1e-6, 4), "1\u202f×\u202f10⁻⁶");
+    EXPECT_EQ(brief_text(120, 4), "120");
+    EXPECT_EQ(brief_text(std::nan(""), 4), "–");
+}
+
 TEST(NumberText, ParseNumberTakesDecimalNumbersOnly) {
     for (const char* good : {"1", "+1", "-.5", "0.", "1E3", "1e-400", "-0.0"}) EXPECT_TRUE(parse_number(good)) << good;
     for (const char* bad : {"", "+", "-", "--1", "+-1", "nan", "inf", "-inf", "0x1", "1,5", "1.2.3", "1e400", "1 ", " 1", "abc", "1e"}) {

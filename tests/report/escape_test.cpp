@@ -29,12 +29,6 @@ TEST(Escape, SafeTextIsOneLineOfValidUtf8WithoutControls) {
 
 TEST(Escape, SafeTextLeavesGoodTextAlone) { EXPECT_EQ(safe_text("λ_crit = 2/μ_max\u202f%"), "λ_crit = 2/μ_max\u202f%"); }
 
-TEST(Escape, ValidUtf8KeepsLineEndsAndReplacesTheRest) {
-    EXPECT_EQ(valid_utf8("a\nb\té"), "a\nb\té");
-    EXPECT_TRUE(is_utf8(valid_utf8(hostile)));
-    EXPECT_EQ(valid_utf8("a\xff"), "a\uFFFD");
-}
-
 TEST(Escape, XmlSpecialsBecomeEntitiesOfXml) {
     EXPECT_EQ(xml_escape("<a b=\"c\" d='e'>&"), "&lt;a b=&quot;c&quot; d=&#39;e&#39;&gt;&amp;");
 }

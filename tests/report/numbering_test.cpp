@@ -45,8 +45,6 @@ TEST(Numbering, CitedWorksAreNumberedInTheirOrder) {
     EXPECT_EQ(sample_numbering().resolve(works.back().id).label, "[" + std::to_string(works.size()) + "]");
 }
 
-TEST(Numbering, APrefixSaysOnlyOfWhatKindItIs) { EXPECT_EQ(sample_numbering().resolve("t:q1_errors").label, "Table 1.1"); }
-
 // q2 failed and q9 was not asked for: a reference to them must not take the report down.
 TEST(Numbering, PartsOfUnansweredQuestionsAreCalledByTheQuestion) {
     EXPECT_EQ(sample_numbering().resolve("q2_plot").label, "Question 2");
@@ -63,7 +61,7 @@ TEST(Numbering, PartsOfAFailedSupportingSectionAreCalledByTheSection) {
     document.sections[0].status = Status::skipped;
     const Numbering numbering(document, {});
     EXPECT_EQ(numbering.resolve("truth_overview").label, "Section A");
-    EXPECT_EQ(numbering.resolve("t:truth_overview").anchor, "truth");
+    EXPECT_EQ(numbering.resolve("truth_overview").anchor, "truth");
     EXPECT_NE(complaint([&] { (void)numbering.resolve("certificates_table"); }).find("certificates_table"), std::string::npos);
 }
 

@@ -1,5 +1,6 @@
 #include "questions/reproductions/parts.h"
-#include "report/brief_number.h"
+
+#include "base/number_text.h"
 
 namespace meshfolio::reproductions {
 
@@ -72,7 +73,7 @@ std::string variant_text(const Experiment& experiment, OperatorKind kind, AreaFo
     return variant;
 }
 
-std::string chosen_text(double x) { return report::brief(x, 3); }
+std::string chosen_text(double x) { return brief_text(x, 3); }
 
 std::string range_text(const std::vector<double>& values) {
     const auto [low, high] = std::ranges::minmax(values);

@@ -4,7 +4,6 @@
 #include "base/base64.h"
 #include "base/number_text.h"
 #include "report/batch/batch.h"
-#include "report/brief_number.h"
 #include "report/escape.h"
 #include "report/page/page_design.h"
 #include "report/page/template_render.h"

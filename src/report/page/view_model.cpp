@@ -6,7 +6,6 @@
 #include <set>
 
 #include "base/number_text.h"
-#include "report/brief_number.h"
 #include "report/escape.h"
 #include "report/page/view_blocks.h"
 #include "report/page/view_value.h"
@@ -35,9 +34,9 @@ json check_view(const Check& check) {
     const bool near = check.kind == Check::Kind::near;
     const std::string relation = near || std::isnan(check.expected) ? "" : check.kind == Check::Kind::at_most ? "≤\u202f" : "≥\u202f";
     return view_of({{"name", "what is checked", prose_view(check.name.empty() ? "–" : check.name)},
-                    {"expected", "the value it should have, with its relation", relation + brief(check.expected, 4)},
+                    {"expected", "the value it should have, with its relation", relation + brief_text(check.expected, 4)},
                     {"measured", "the value it has", measured},
-                    {"tolerance", "how far off it may be", (near && check.tolerance > 0 ? "±\u202f" : "") + brief(check.tolerance, 2)},
+                    {"tolerance", "how far off it may be", (near && check.tolerance > 0 ? "±\u202f" : "") + brief_text(check.tolerance, 2)},
                     {"passed", "it passed", check.passed()},
                     {"failed", "it failed", check.failed()},
                     {"undecided", "it decides nothing here, for the reason in the note", check.status == Check::Status::undecided},

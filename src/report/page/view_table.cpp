@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "base/number_text.h"
-#include "report/brief_number.h"
 #include "report/escape.h"
 #include "report/page/view_blocks.h"
 #include "report/page/view_value.h"

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "report/brief_number.h"
 #include "report/page/view_blocks.h"
 
 namespace meshfolio::report {
@@ -140,15 +139,6 @@ TEST(ViewTable, AReferenceIsALinkWithTheNameOfItsTarget) {
     EXPECT_EQ(run["text"], "Table 1.1");
     table.rows[0][0] = std::string("t_unknown");
     EXPECT_THROW(view_of(table), std::logic_error) << "leads nowhere";
-}
-
-TEST(BriefNumber, SaysTheSameWithFewerDigits) {
-    EXPECT_EQ(brief(2, 4), "2");
-    EXPECT_EQ(brief(0.01, 4), "0.01");
-    EXPECT_EQ(brief(0.12345, 4), "0.1235");
-    EXPECT_EQ(brief(1e-6, 4), "1\u202f×\u202f10⁻⁶");
-    EXPECT_EQ(brief(120, 4), "120");
-    EXPECT_EQ(brief(std::nan(""), 4), "–");
 }
 
 }   // namespace
