@@ -8,9 +8,7 @@ namespace meshfolio::report {
 
 namespace {
 
-bool is_variable(std::string_view word) { return word.size() <= 3 && !is_function(word) && word != "or"; }
-
-/// What an index or exponent at `at` holds: a {group}, or a sign with the word or number behind it, or one character.
+/// Returns the index or exponent at `at` and moves `at` behind it: a {group}, a word or number with its sign, or one character.
 std::string script_at(const std::string& s, std::size_t& at) {
     if (at < s.size() && s[at] == '{') {
         const std::size_t end = std::min(s.find('}', at), s.size());
@@ -38,7 +36,7 @@ void append(std::vector<MathPart>& parts, MathPart::Kind kind, const std::string
     }
 }
 
-/// The letters of a variable that ends at `end`; its last is a vector if it has the name of one, and p if what is around it says so.
+/// Appends a variable that ends at `end`. Its last letter may be a vector by its name; p by its neighbours.
 void append_variable(std::vector<MathPart>& parts, const std::string& word, const std::string& math, std::size_t end) {
     const auto behind = [&](std::string_view mark) { return math.compare(end, mark.size(), mark) == 0; };
     const std::string_view before = std::string_view(math).substr(0, end - 1);
@@ -49,7 +47,7 @@ void append_variable(std::vector<MathPart>& parts, const std::string& word, cons
     if (is_vector) append(parts, MathPart::Kind::vector, word.substr(word.size() - 1));
 }
 
-/// Operators, digits and names as TeX.
+/// Returns operators, digits and names as TeX.
 std::string upright_tex(const std::string& text) {
     std::string tex;
     for (std::size_t at = 0, end = 0; at < text.size(); at = end) {
@@ -113,7 +111,7 @@ std::vector<MathPart> math_parts(const std::string& math) {
         while (end < math.size() && is_letter(math[end]) && math_character(math, end) == 1) ++end;
         if (end > at) {
             const std::string word = math.substr(at, end - at);
-            if (is_variable(word))
+            if (word.size() <= 3 && !is_function(word) && word != "or")
                 append_variable(parts, word, math, end);
             else
                 append(parts, Kind::upright, word);
@@ -128,21 +126,16 @@ std::vector<MathPart> math_parts(const std::string& math) {
 }
 
 std::string tex_of(const std::string& math, int depth) {
+    using Kind = MathPart::Kind;
     std::string tex;
     for (const MathPart& part : math_parts(math)) {
-        switch (part.kind) {
-            case MathPart::Kind::upright:
-                tex += upright_tex(part.text);
-                break;
-            case MathPart::Kind::variable:
-                tex += part.text;
-                break;
-            case MathPart::Kind::vector:
-                tex += depth > 0 ? part.text : "\\mathbf{" + part.text + "}";
-                break;
-            default:
-                tex += part.kind == MathPart::Kind::subscript ? "_{" : "^{";
-                tex += (depth < 3 ? tex_of(part.text, depth + 1) : upright_tex(part.text)) + "}";
+        if (part.kind == Kind::upright) {
+            tex += upright_tex(part.text);
+        } else if (part.kind == Kind::variable || part.kind == Kind::vector) {
+            tex += part.kind == Kind::vector && depth == 0 ? "\\mathbf{" + part.text + "}" : part.text;
+        } else {
+            tex += part.kind == Kind::subscript ? "_{" : "^{";
+            tex += (depth < 3 ? tex_of(part.text, depth + 1) : upright_tex(part.text)) + "}";
         }
     }
     return tex;

@@ -13,21 +13,21 @@ namespace meshfolio::report {
 namespace {
 
 constexpr long longest_unbroken = 25;   // characters
-constexpr std::size_t deepest = 40;     // fences in each other
+constexpr std::size_t deepest = 40;     // nested fences
 
 const Pairs symbols =
     pairs_in(R"(\alpha α \beta β \Delta Δ \varepsilon ε \theta θ \kappa κ \mu μ \pi π \sigma σ \Phi Φ \varphi φ \chi χ \cdot · \times ×
     \pm ± \cap ∩ \ni ∋ \le ≤ \ge ≥ \ne ≠ \approx ≈ \sim ∼ \succ ≻ \top ⊤ \circ ° \emptyset ∅ \dots … \sum ∑ \leftarrow ←
     \Rightarrow ⇒ \langle ⟨ \rangle ⟩ \Leftrightarrow ⇔ \lVert ‖ \rVert ‖ \backslash ∖ \lambda λ \in ∈ \gamma γ \delta δ \rho ρ \tau τ \omega ω \nabla ∇ \partial ∂ \infty ∞ \to → \propto ∝ \int ∫)");
 const Pairs spaces = pairs_in("\\, 0.167 \\; 0.278 ~ 0.167 \u202f 0.167 \\quad 1 \\qquad 2");
-const Pairs accents = pairs_in("\\hat ^ \\tilde ~ \\bar ¯ \u0302 ^ \u0303 ~ \u0304 ¯");   // the last three behind their letter
+const Pairs accents = pairs_in("\\hat ^ \\tilde ~ \\bar ¯ \u0302 ^ \u0303 ~ \u0304 ¯");   // the last three follow their letter
 
 struct Atom {
     enum class Kind { ordinary, function, sign, relation, comma, large, fence, space, blank, none };
     Kind kind = Kind::ordinary;
     std::string xml;       // of a sign, a relation and a comma the bare character
     bool tall = false;     // taller than a line
-    bool limits = false;   // what belongs to it stands below and above, where there is room
+    bool limits = false;   // scripts stand below and above, where there is room
 };
 using Kind = Atom::Kind;
 using Row = std::vector<Atom>;
@@ -51,7 +51,7 @@ bool is_operator(Kind kind) { return kind == Kind::sign || kind == Kind::relatio
 bool is_letter_like(Kind kind) { return kind == Kind::ordinary || kind == Kind::fence || kind == Kind::large; }
 std::string space(const std::string& width) { return "<mspace width=\"" + width + "em\"/>"; }
 
-/// Goes through TeX once and writes what it reads.
+/// Reads TeX once, token by token, and writes MathML.
 class Writer {
 public:
     Writer(std::string_view tex, std::string name) : tex_(tex), name_(std::move(name)) { advance(); }
@@ -89,7 +89,7 @@ private:
         if (const auto symbol = symbols.find(token_); symbol != symbols.end()) token_ = symbol->second;
     }
 
-    /// What stands between braces, as it is.
+    /// Returns the text between braces, not interpreted.
     std::string words() {
         const std::size_t end = tex_.find('}');
         if (token_ != "{" || end == std::string_view::npos) fail("a group {…} is missing");
@@ -120,7 +120,7 @@ private:
         return inside;
     }
 
-    /// A group or a single character, as one element.
+    /// Returns a group or a single character as one element.
     Atom argument() {
         const Row atoms = token_ == "{" ? group() : Row{atom()};
         return {Kind::ordinary, atoms.size() == 1 ? joined(atoms) : element("mrow", joined(atoms)), is_tall(atoms)};
@@ -155,7 +155,7 @@ private:
         return {base.kind, element(name, base.xml + below + above), base.tall || base.limits, base.limits};
     }
 
-    /// What stands up to the fence that closes the one that is read.
+    /// Returns the atoms up to the closing fence of the one that is read.
     Row fenced() {
         open_.push_back(token_);
         advance();
@@ -192,7 +192,7 @@ private:
         }
     }
 
-    /// A letter of another alphabet, since browsers know no mathvariant but "normal".
+    /// Returns a letter of another alphabet, as browsers know no mathvariant but "normal".
     std::string styled(const std::string& style) {
         const std::string letter = words();
         if (style == "\\mathrm") return element("mi", xml_escape(letter), letter.size() == 1 ? " mathvariant=\"normal\"" : "");
@@ -207,7 +207,7 @@ private:
         return {Kind::ordinary, element("mover", base + element("mo", accent, " stretchy=\"false\""), " accent=\"true\"")};
     }
 
-    /// √μ or √(…), whose fence the bar replaces.
+    /// Returns √μ, or √(…) without its fence.
     Atom root() {
         const bool in_fence = token_ == "(";
         const Row inside = in_fence ? fenced() : token_.empty() ? Row() : Row{argument()};
@@ -254,10 +254,10 @@ private:
         return {Kind::ordinary, element("mi", xml_escape(c.substr(c.starts_with('\\'))), variable ? "" : " mathvariant=\"normal\"")};
     }
 
-    /// Puts atoms beside each other, each as its neighbours want it.
+    /// Joins atoms, spaced by their neighbours. @param broken  lines may break behind relations
     std::string joined(const Row& atoms, bool broken = false) const {
         std::string xml;
-        Kind before = Kind::none;   // the last that is no space
+        Kind before = Kind::none;   // the last one that is no space
         for (std::size_t i = 0; i < atoms.size(); ++i) {
             const Atom& atom = atoms[i];
             const Kind left = i == 0 ? Kind::none : atoms[i - 1].kind, right = i + 1 == atoms.size() ? Kind::none : atoms[i + 1].kind;

@@ -1,8 +1,7 @@
 /// @file
-/// The one writer of MathML: displayed formulas from TeX, formulas in a sentence from the Unicode they are written in. One convention holds
-/// for both: variables and small Greek letters are italic, vectors bold, numbers, names and Greek capitals upright. A sign at the
-/// beginning, or behind a fence that opens, a relation, a comma or another operator, belongs to what follows it; a function is followed by
-/// U+2061; fences come in pairs, each in an mrow of its own, and grow only with what is tall.
+/// Writes MathML: of displayed formulas from TeX, of formulas in a sentence from Unicode. Variables and small Greek letters are italic,
+/// vectors bold, numbers, names and Greek capitals upright. A sign is a prefix at the beginning and behind an opening fence, a relation, a
+/// comma or another operator. U+2061 follows a function. A pair of fences has an mrow of its own and grows only with tall contents.
 #pragma once
 
 #include <string>
@@ -10,14 +9,15 @@
 
 namespace meshfolio::report {
 
+/// Returns the MathML of a displayed formula.
 /// @param name  for messages
 /// @param tex  letters, scripts, fences, \frac, \tfrac, \sqrt, \sum, \hat, \bar, \tilde, \text, \operatorname, \mathrm, \mathbf, \mathcal,
 ///             \boldsymbol, aligned, spaces, and the symbols listed in mathml.cpp
 /// @param alt  the same in plain text
-/// @throws UsageError naming what is not known, or the brace that is not closed
+/// @throws UsageError for an unknown command or a brace that is not closed
 std::string display_mathml(const std::string& name, std::string_view tex, const std::string& alt);
 
-/// @param math  as in the words: "λ_crit = 2/μ_max". Lines may be broken behind the relations of a long one.
+/// Returns the MathML of a formula in a sentence. Long ones may be broken behind relations. @param math  Unicode: "λ_crit = 2/μ_max"
 std::string inline_mathml(const std::string& math);
 
 }   // namespace meshfolio::report

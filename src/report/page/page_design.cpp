@@ -23,11 +23,10 @@ const std::string& raw_text(const Templates& templates, const std::string& name)
     return text;
 }
 
-/// To an HTML parser style and script are raw text, to an XML parser they are markup: the CDATA section inside comments suits both.
+/// Wraps a style or script, which is raw text to an HTML parser and markup to an XML parser, in a CDATA section inside comments.
 std::string raw_element(const std::string& text) { return "/*<![CDATA[*/\n" + text + "/*]]>*/"; }
 
-/// Puts the fonts in place of their files in fonts.css, and the other sheets behind it. Only a report has maths and enough italics to be
-/// worth their size.
+/// Returns fonts.css with the fonts inside, followed by the other sheets. Pages other than reports omit mathematics and italics.
 std::string joined_styles(const Templates& templates, const std::vector<std::string>& names, bool is_report) {
     std::string text = raw_text(templates, "fonts.css");
     for (const auto& font : meshfolio_embedded::embedded_page_fonts()) {
@@ -40,14 +39,7 @@ std::string joined_styles(const Templates& templates, const std::vector<std::str
     return raw_element(text);
 }
 
-/// Wraps each script into a block, so that its declarations stay local.
-std::string joined_scripts(const Templates& templates, const std::vector<std::string>& names) {
-    std::string text = "\"use strict\";\n";
-    for (const std::string& name : names) text += "{\n" + raw_text(templates, name) + "}\n";
-    return raw_element(text);
-}
-
-/// A content security policy that allows exactly these texts.
+/// Returns a content security policy that allows exactly these texts.
 std::string policy_for(const std::string& style, const std::vector<std::string>& scripts) {
     const auto source = [](const std::string& text) { return " 'sha256-" + base64(sha256_bytes(text)) + "'"; };
     std::string allowed;
@@ -56,16 +48,12 @@ std::string policy_for(const std::string& style, const std::vector<std::string>&
            "; base-uri 'none'; form-action 'none'";
 }
 
-nlohmann::json lab_view(const Lab& lab) {
-    return view_of({{"questions", "ids of those that open it", lab.questions}, {"data", "its modes, zlib and base64", lab.data}});
-}
-
 }   // namespace
 
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts) {
     const bool on_screen = design != "print", has_models = on_screen && (parts.models || !parts.labs.empty());
     const bool with_viewer = has_models && !parts.viewer.empty();
-    // Each script says at its head what it does, and which one before it, if any, it depends on.
+    // The head of each script names those before it that it depends on.
     std::vector<std::string> styles = {"figure.css", on_screen ? "report.css" : "print.css"}, scripts;
     if (design == "print") scripts = {"print_hyphens.js", "print_text.js", "print_pages.js", "print_float.js"};
     if (design == "report") styles.emplace_back("page_lightbox.css"), scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js"};
@@ -75,11 +63,13 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
     if (with_viewer && !parts.labs.empty()) styles.emplace_back("lab.css");
     if (with_viewer) scripts.emplace_back("models.js");
 
-    const std::string style = joined_styles(templates, styles, design == "report" || !on_screen),
-                      script = joined_scripts(templates, scripts);
-    // The scheme is chosen before anything is drawn, hence a script of its own.
+    const std::string style = joined_styles(templates, styles, design == "report" || !on_screen);
+    std::string joined_scripts = "\"use strict\";\n";
+    for (const std::string& name : scripts) joined_scripts += "{\n" + raw_text(templates, name) + "}\n";   // declarations stay local
+    const std::string script = raw_element(joined_scripts);
+    // The scheme is a script of its own, as it is chosen before the page is drawn.
     const std::string scheme = on_screen ? raw_element(raw_text(templates, "page_scheme.js")) : "";
-    std::vector<std::string> run = {script};   // the texts that are
+    std::vector<std::string> run = {script};   // scripts that run
     if (on_screen) run.push_back(scheme);
     if (with_viewer) run.emplace_back(parts.viewer);
     enter(model, {{"style", "report.css or print.css", style},
@@ -88,7 +78,11 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
                   {"has_viewer", "some figure can be turned, and the page carries the program for it (report.html only)", with_viewer},
                   {"viewer", "the program that turns models, zlib and base64 (report.html only)", with_viewer ? packed(parts.viewer) : ""},
                   {"labs", "meshes of the laboratory, each once (report.html and lab.html only)",
-                   list_of(with_viewer ? parts.labs : std::vector<Lab>(), lab_view)},
+                   list_of(with_viewer ? parts.labs : std::vector<Lab>(),
+                           [](const Lab& lab) {
+                               return view_of({{"questions", "ids of those that open it", lab.questions},
+                                               {"data", "its modes, zlib and base64", lab.data}});
+                           })},
                   {"policy", "content security policy that allows just these", policy_for(style, run)},
                   {"is_screen", "the page is for a screen, not for paper", on_screen}});
 }
@@ -96,7 +90,7 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
 std::string_view viewer_program() { return meshfolio_embedded::embedded_viewer().front().bytes; }
 
 std::string packed(std::string_view bytes) {
-    constexpr int level = 9;   // of 12: beyond it takes several times as long for a percent
+    constexpr int level = 9;   // of 12; the next takes several times as long for one percent
     const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(libdeflate_alloc_compressor(level),
                                                                                                    &libdeflate_free_compressor);
     if (!compressor) throw std::bad_alloc();

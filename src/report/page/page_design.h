@@ -1,5 +1,5 @@
 /// @file
-/// Style sheets and scripts of a page design, and the content security policy that allows only these.
+/// Style sheets and scripts of a page, and the content security policy that allows only these.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,17 +12,16 @@
 namespace meshfolio::report {
 
 struct DesignParts {
-    bool models = false;            // some figure can be turned: adds the styles and the script
-    std::string_view viewer = {};   // the program that turns them, as data; empty: models are only linked
+    bool models = false;            // adds styles and script for figures that can be turned
+    std::string_view viewer = {};   // program that turns them; empty: the page only links to models
     std::vector<Lab> labs = {};     // meshes of the laboratory, for the same program
 };
 
-/// Fills `style`, `scheme_script`, `script`, `viewer`, `labs` and `policy` of a view model for `design`.html; "lab" is the laboratory
-/// alone, "batch" the index of many reports.
+/// Adds styles, scripts, viewer, laboratories and policy to a view model for the template <design>.html.
 /// @throws UsageError for a text that would end its element
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts = {});
 
-/// Packs bytes for a page: zlib, then base64. The browser unpacks them itself (atob, DecompressionStream).
+/// Returns bytes packed for a page, by zlib and base64. Browsers unpack them by atob and DecompressionStream.
 std::string packed(std::string_view bytes);
 
 }   // namespace meshfolio::report

@@ -1,4 +1,4 @@
-// Mathematics in texts that do not mark it: captions, heads, names of checks, and the words between marked formulas.
+// Finds mathematics in texts that do not mark it: captions, heads, names of checks, words between marked formulas.
 #include <algorithm>
 #include <array>
 
@@ -13,21 +13,16 @@ bool is_in(std::string_view word, const std::array<std::string_view, n>& words) 
     return std::ranges::find(words, word) != words.end();
 }
 
-bool is_capital_greek(std::string_view c) { return c.size() == 2 && c >= "\u0391" && c <= "\u03a9"; }
 bool is_word_character(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
-/// Whether a character of a name stands at `at`: "é" too, from À to ɏ but for × and ÷.
+/// True if the character at `at` can be part of a name: letters, digits, "_", and À to ɏ except × and ÷.
 bool is_of_name(std::string_view s, std::size_t at) {
     if (at >= s.size()) return false;
     const std::string_view c = s.substr(at, 2);
     return is_word_character(s[at]) || (c[0] >= '\xc3' && c[0] <= '\xc9' && c != "×" && c != "÷");
 }
 
-bool is_after_name(std::string_view s, std::size_t at) {
-    return at > 0 && (is_word_character(s[at - 1]) || (at > 1 && is_of_name(s, at - 2) && !is_word_character(s[at - 2])));
-}
-
-/// Where a symbol's index, exponents and primes end.
+/// Returns the end of a symbol's index, exponents and primes, which begin at `end`.
 std::size_t scripts_end(const std::string& s, std::size_t end) {
     for (;;) {
         std::size_t next = end + math_character(s, end);
@@ -44,7 +39,7 @@ std::size_t scripts_end(const std::string& s, std::size_t end) {
     }
 }
 
-/// Whether the word from `at` to `end` is a Latin symbol, or a product of some.
+/// True if the word from `at` to `end` is a Latin symbol or a product of symbols.
 bool is_latin_symbol(std::string_view s, std::size_t at, std::size_t end) {
     static constexpr std::array<std::string_view, 6> products{"Lx", "MX", "LX", "CX", "du", "dv"};
     const std::string_view word = s.substr(at, end - at), before = s.substr(0, at), behind = s.substr(end);
@@ -66,18 +61,19 @@ bool is_latin_symbol(std::string_view s, std::size_t at, std::size_t end) {
     return std::string_view("BIyz").find(word) == std::string_view::npos;
 }
 
-/// Where the symbol that begins at `at` ends; `at` if none does.
+/// Returns the end of the symbol at `at`; `at` if there is none.
 std::size_t symbol_end(const std::string& s, std::size_t at) {
     std::size_t end = at;
     for (std::size_t next; (next = end + math_character(s, end)) > end; end = next) {
         const std::string_view c = std::string_view(s).substr(end, next - end), letter = c.substr(0, 2);
-        if (!is_small_greek(letter) && !(is_capital_greek(letter) && letter != "Σ") && c != "ĉ" && !(is_letter(c[0]) && c.size() > 1))
-            break;
+        const bool is_capital_greek = letter.size() == 2 && letter >= "\u0391" && letter <= "\u03a9";
+        if (!is_small_greek(letter) && !(is_capital_greek && letter != "Σ") && c != "ĉ" && !(is_letter(c[0]) && c.size() > 1)) break;
     }
     const std::size_t greek = end;
     while (end < s.size() && is_letter(s[end]) && math_character(s, end) == 1) ++end;
     if (greek > at) return scripts_end(s, end - greek <= 2 ? end : greek);
-    if (end == at || is_after_name(s, at)) return at;
+    const bool after_name = at > 0 && (is_word_character(s[at - 1]) || (at > 1 && is_of_name(s, at - 2) && !is_word_character(s[at - 2])));
+    if (end == at || after_name) return at;
     if (is_function(std::string_view(s).substr(at, end - at)) && s.compare(end, 1, " ") == 0) {
         const std::size_t argument = symbol_end(s, end + 1);
         if (argument > end + 1) return argument;
@@ -87,7 +83,7 @@ std::size_t symbol_end(const std::string& s, std::size_t at) {
 
 constexpr std::array<std::string_view, 11> signs{"=", "<", ">", "≤", "≥", "≈", "±", "×", "·", "−", "+"};
 
-/// Where symbols, numbers, fences and operators end that follow each other without a blank.
+/// Returns the end of the symbols, numbers, fences and operators that follow each other from `at` on without a space.
 std::size_t formula_end(const std::string& s, std::size_t at) {
     static constexpr std::string_view marks = "/^()[]|‖√½Σ∑∞∇∫°";
     for (std::size_t end; at < s.size(); at = end) {
@@ -108,7 +104,7 @@ std::size_t formula_end(const std::string& s, std::size_t at) {
     return at;
 }
 
-/// Whether every fence has its partner.
+/// True if every fence has its partner.
 bool is_balanced(std::string_view formula) {
     long depth = 0, bars = 0, norms = 0;
     for (std::size_t at = 0, length; depth >= 0 && (length = math_character(formula, at)) > 0; at += length) {
@@ -120,7 +116,8 @@ bool is_balanced(std::string_view formula) {
     return depth == 0 && bars % 2 == 0 && norms % 2 == 0;
 }
 
-/// The formula around the symbol from `begin` to `end`, after `from`: "½‖Δx‖", "K = 0", "1 − λμ"; the symbol where its fences do not match.
+/// Returns the formula around the symbol from `begin` to `end`, not before `from`: "½‖Δx‖", "K = 0"; the symbol alone if fences do not
+/// match.
 std::string_view formula_around(const std::string& s, std::size_t from, std::size_t begin, std::size_t end) {
     const std::string_view all = s, symbol = all.substr(begin, end - begin);
     std::size_t first = std::max(from, s.find_last_of(' ', begin) + 1);
@@ -151,7 +148,7 @@ std::string_view formula_around(const std::string& s, std::size_t from, std::siz
     return symbol;
 }
 
-/// Blanks around relations and before units no longer break lines.
+/// Returns words with no-break spaces around relations and before units.
 std::string kept_together(std::string words) {
     static constexpr std::array<std::string_view, 11> units{"s", "ms", "min", "h", "mm", "px", "MB", "KB", "GB", "kB", "%"};
     for (std::size_t at = 0; (at = words.find(' ', at)) != std::string::npos; ++at) {

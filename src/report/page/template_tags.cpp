@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t rows_shown = 2;
 
-/// A document with one of everything that a template can print.
+/// Returns a document with one of each part that a template can print.
 Document specimen(const Templates& templates) {
     Section section;
     section.id = "q1";
@@ -42,6 +42,7 @@ Document specimen(const Templates& templates) {
     return document;
 }
 
+/// Returns a view model with a meaning for each tag.
 nlohmann::json documented_model() {
     const KeptMeanings kept;
     const Templates templates;
@@ -62,19 +63,15 @@ nlohmann::json documented_model() {
     return model;
 }
 
-/// Texts are alike wherever they stand: what they hold is named from the last "runs" on.
-std::string short_path(const std::string& path) {
-    const std::size_t runs = (path + ".").rfind(".runs.");
-    return runs == std::string::npos ? path : path.substr(runs + 1);
-}
-
+/// Collects the meanings of all tags by their paths. Texts are alike everywhere: paths inside them begin with their last "runs".
 void collect(const nlohmann::json& value, const std::string& path, std::map<std::string, std::string>& tags) {
     if (value.is_array()) {
         for (const auto& item : value) collect(item, path, tags);
     } else if (value.is_object()) {
         for (const auto& [tag, meaning] : value.at(KeptMeanings::key).items()) {
             const std::string inner = path.empty() ? tag : path + "." + tag;
-            tags[short_path(inner)] = meaning;
+            const std::size_t runs = (inner + ".").rfind(".runs.");
+            tags[runs == std::string::npos ? inner : inner.substr(runs + 1)] = meaning;
             collect(value.at(tag), inner, tags);
         }
     }
@@ -92,8 +89,8 @@ std::string tag_documentation() {
     std::string text =
         "Tags of the templates (Mustache), by their place in the view model: inside {{#sections}}{{#blocks}} … the tag "
         "sections.blocks.caption\n"
-        "is {{caption}}, and names of outer places are known inside as well. What is_… and has_… name is true or false. Captions, titles,\n"
-        "names and the like hold `runs`: {{#caption}}{{>text.html}}{{/caption}} prints them. {{tag}} is escaped; {{{tag}}} is for mathml, "
+        "is {{caption}}, and outer names are known inside as well. Tags is_… and has_… are true or false. Captions, titles, names and\n"
+        "the like have `runs`: {{#caption}}{{>text.html}}{{/caption}} prints them. {{tag}} is escaped; {{{tag}}} is for mathml, "
         "svg,\n"
         "style and script alone.\n\n";
     const auto tags = tag_list();

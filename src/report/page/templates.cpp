@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// HTML and Markdown are Mustache, words are lists of messages; JSON is JSON; the style sheet and the script are taken as they are.
+/// Refuses syntax errors: HTML and Markdown are Mustache, words are lists of messages, JSON is JSON; style sheets and scripts may be
+/// anything.
 void require_syntax(const std::string& name, const std::string& text, const std::string& file) {
     if (name.starts_with("words/")) {
         messages_of(text, file);
@@ -35,7 +36,7 @@ void require_syntax(const std::string& name, const std::string& text, const std:
     }
 }
 
-/// Links may lead from one template to another one; a folder of templates is often somebody else's, and shows no other file.
+/// Refuses links out of the folder, which may come from somebody else and must not show other files.
 void require_within(const fs::path& folder, const fs::path& file) {
     std::error_code unknown;
     const fs::path root = fs::canonical(folder, unknown), target = fs::canonical(file, unknown);

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <regex>
+#include <set>
+#include <utility>
 
+#include "base/child_process.h"
 #include "base/errors.h"
 #include "base/number_text.h"
-#include "base/child_process.h"
 
 namespace meshfolio::report {
 
@@ -17,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr long long oldest_browser = 131;   // knows the margin boxes of @page
+constexpr long long oldest_browser = 131;   // the first with margin boxes of @page
 
 constexpr const char* variables[] = {"MESHFOLIO_CHROME", "CHROME_PATH", "PUPPETEER_EXECUTABLE_PATH"};
 constexpr const char* browsers[] = {"chromium-headless-shell", "chrome-headless-shell", "chromium",      "chromium-browser",
@@ -33,7 +36,7 @@ bool is_program(const fs::path& path) {
     return fs::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
 }
 
-/// A path, or a name to be found in the folders of PATH. Empty: nothing there.
+/// Returns the program of this path, or of this name in the folders of PATH; empty if there is none.
 fs::path program_of(const std::string& name, const EngineSearch& search) {
     if (name.find('/') != std::string::npos) return is_program(name) ? fs::absolute(name) : fs::path();
     const std::string path = value_of(search, "PATH");
@@ -46,28 +49,24 @@ fs::path program_of(const std::string& name, const EngineSearch& search) {
     return {};
 }
 
-/// Browsers that Playwright downloaded, newest first.
-std::vector<fs::path> playwright_browsers(const EngineSearch& search) {
-    std::vector<std::pair<long long, fs::path>> found;
+/// Returns the browsers that Playwright downloaded with their numbers, newest first.
+std::set<std::pair<long long, fs::path>, std::greater<>> playwright_browsers(const EngineSearch& search) {
+    std::set<std::pair<long long, fs::path>, std::greater<>> found;
     const std::string home = value_of(search, "HOME");
     std::error_code error;
-    if (home.empty()) return {};
+    if (home.empty()) return found;
     for (fs::directory_iterator it(fs::path(home) / ".cache/ms-playwright", error), end; !error && it != end; it.increment(error)) {
         const std::string name = it->path().filename().string();
         const std::size_t dash = name.rfind('-');
         if (!name.starts_with("chromium") || dash == std::string::npos) continue;
         for (const char* program : {"chrome-linux/headless_shell", "chrome-linux/chrome"}) {
-            if (is_program(it->path() / program))
-                found.emplace_back(parse_integer(name.substr(dash + 1)).value_or(0), it->path() / program);
+            if (is_program(it->path() / program)) found.emplace(parse_integer(name.substr(dash + 1)).value_or(0), it->path() / program);
         }
     }
-    std::sort(found.rbegin(), found.rend());
-    std::vector<fs::path> paths;
-    for (const auto& [number, path] : found) paths.push_back(path);
-    return paths;
+    return found;
 }
 
-/// Also where a small script calls the snap.
+/// True for a program in a snap, or a small script that calls one.
 bool is_in_snap(const fs::path& program) {
     std::error_code error;
     const fs::path real = fs::canonical(program, error);
@@ -78,7 +77,7 @@ bool is_in_snap(const fs::path& program) {
     return script.starts_with("#!") && script.find("/snap/bin/") != std::string::npos;
 }
 
-/// The engine behind a program, or why it cannot be one.
+/// Returns the engine that a program is; else adds the reason to `refused`.
 std::optional<PdfEngine> engine_of(const fs::path& program, std::vector<std::string>& refused) {
     const auto refuse = [&](const std::string& why) {
         refused.push_back(printable(program.string()) + " " + why);
@@ -130,9 +129,8 @@ EngineFinding find_pdf_engine(const EngineSearch& search) {
         const fs::path program = program_of(name, search);
         if (!program.empty() && serves(program)) return finding;
     }
-    for (const fs::path& program : playwright_browsers(search)) {
+    for (const auto& [number, program] : playwright_browsers(search))
         if (serves(program)) return finding;
-    }
     const fs::path weasyprint = program_of("weasyprint", search);
     if (!weasyprint.empty()) serves(weasyprint);
     return finding;

@@ -13,25 +13,25 @@ namespace meshfolio::report {
 struct PdfEngine {
     enum class Kind { chromium, weasyprint } kind = Kind::chromium;
     std::filesystem::path program;
-    std::string version;   // as it says itself: "Chromium 156.0.8078.79"
+    std::string version;   // name and version by its own account: "Chromium 156.0.8078.79"
 };
 
-/// Where to look.
+/// Where engines are looked for.
 struct EngineSearch {
-    std::string browser;                              // asked for by name or path: that one or none
+    std::string browser;                              // name or path of the only one to take; empty: any
     std::map<std::string, std::string> environment;   // MESHFOLIO_CHROME, CHROME_PATH, PUPPETEER_EXECUTABLE_PATH, PATH, HOME
 };
 
-/// With the environment of this process.
+/// Returns a search in the environment of this process.
 EngineSearch engine_search(const std::string& browser = "");
 
 struct EngineFinding {
     std::optional<PdfEngine> engine;
-    std::vector<std::string> refused;   // what was found and cannot serve, each with the reason
+    std::vector<std::string> refused;   // unusable engines, each with the reason
 };
 
-/// The first that serves: the one asked for; else those of the environment, those on the PATH (browsers before weasyprint), those of
-/// Playwright. A browser serves from version 131 on (page numbers); one inside a snap cannot read our files.
+/// Returns the first usable engine: the one asked for, or one of the environment, of the PATH, of Playwright, or weasyprint. Browsers need
+/// version 131 or later (page numbers); those inside a snap cannot read our files.
 EngineFinding find_pdf_engine(const EngineSearch& search);
 
 }   // namespace meshfolio::report

@@ -24,7 +24,7 @@ void open(QPDF& pdf, std::string_view bytes) {
     pdf.processMemoryFile("report.pdf", bytes.data(), bytes.size());
 }
 
-/// Entries of the outline in reading order, each with its level.
+/// Adds the entries of the outline in reading order, each with its level.
 void collect(const std::vector<QPDFOutlineObjectHelper>& items, int level, std::vector<std::pair<QPDFOutlineObjectHelper, int>>& all) {
     for (QPDFOutlineObjectHelper item : items) {
         all.emplace_back(item, level);
@@ -39,25 +39,13 @@ std::vector<std::pair<QPDFOutlineObjectHelper, int>> outline_of(QPDF& pdf) {
     return all;
 }
 
-/// Engines join or part the words of a heading: only what is not a space can be compared.
-std::string without_spaces(const std::string& text) {
-    std::string letters;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == ' ' || text[i] == '\n' || text[i] == '\t') continue;
-        bool wide = false;
-        for (const std::string_view space : {"\u00a0", "\u2007", "\u2008", "\u2009", "\u202f"}) {
-            if (text.compare(i, space.size(), space) == 0) {
-                i += space.size() - 1;
-                wide = true;
-                break;
-            }
-        }
-        if (!wide) letters += text[i];
-    }
-    return letters;
+std::string without_spaces(std::string text) {
+    for (const std::string_view space : {" ", "\n", "\t", "\u00a0", "\u2007", "\u2008", "\u2009", "\u202f"})
+        for (std::size_t at = 0; (at = text.find(space, at)) != std::string::npos;) text.erase(at, space.size());
+    return text;
 }
 
-/// What lies below a title that stands alone at the top is shown, everything deeper folded away.
+/// Shows the entries below a title that is alone at the top, and folds all deeper ones.
 void fold(QPDF& pdf, std::vector<std::pair<QPDFOutlineObjectHelper, int>>& items) {
     int at_top = 0, below = 0;
     for (const auto& [item, level] : items) at_top += level == 1 ? 1 : 0;
@@ -70,13 +58,13 @@ void fold(QPDF& pdf, std::vector<std::pair<QPDFOutlineObjectHelper, int>>& items
     pdf.getRoot().getKey("/Outlines").replaceKey("/Count", QPDFObjectHandle::newInteger(at_top + below));
 }
 
-/// Whether an entry of the outline tells a heading. Chromium drops the blank where a line wraps, and repeats what lies at the edge of two
-/// of its drawings.
-bool tells(const std::string& entry, const std::string& heading) {
-    const std::string told = without_spaces(entry), words = without_spaces(heading);
+/// True if an entry of the outline has the words of a heading. Chromium drops the space at the end of a line, and repeats words at the edge
+/// of two of its drawings.
+bool has_words_of(const std::string& heading, const std::string& entry) {
+    const std::string letters = without_spaces(entry), words = without_spaces(heading);
     std::size_t at = 0;
-    for (const char c : told) at += at < words.size() && c == words[at] ? 1 : 0;
-    return at == words.size() && told.size() <= 2 * words.size();
+    for (const char c : letters) at += at < words.size() && c == words[at] ? 1 : 0;
+    return at == words.size() && letters.size() <= 2 * words.size();
 }
 
 void rewrite_outline(QPDF& pdf, const std::vector<std::string>& titles) {
@@ -86,7 +74,7 @@ void rewrite_outline(QPDF& pdf, const std::vector<std::string>& titles) {
                           std::to_string(titles.size()) + " headings");
     for (std::size_t i = 0; i < items.size(); ++i) {
         auto& [item, level] = items[i];
-        if (!tells(item.getTitle(), titles[i]))
+        if (!has_words_of(titles[i], item.getTitle()))
             throw EngineError("the PDF has '" + printable(item.getTitle()) + "' in its outline where the page has '" +
                               printable(titles[i]) + "'");
         item.getObjectHandle().replaceKey("/Title", QPDFObjectHandle::newUnicodeString(titles[i]));
@@ -109,21 +97,21 @@ void describe(QPDF& pdf, const PdfDetails& details) {
     set("/CreationDate", details.date);
     set("/ModDate", details.date);
     pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(info));
-    pdf.getTrailer().removeKey("/ID");   // else the first half is kept, which some engines choose at random
+    pdf.getTrailer().removeKey("/ID");   // its first half, random in some engines, would be kept
     QPDFObjectHandle root = pdf.getRoot();
-    root.removeKey("/Metadata");   // XMP of some engines: the same again, with the hour
+    root.removeKey("/Metadata");   // XMP of some engines, with the time
     QPDFObjectHandle preferences = QPDFObjectHandle::newDictionary();
     preferences.replaceKey("/DisplayDocTitle", QPDFObjectHandle::newBool(true));
     root.replaceKey("/ViewerPreferences", preferences);
 }
 
-/// What an entry holds: several, one or nothing.
+/// Returns the objects of an entry: several, one or none.
 std::vector<QPDFObjectHandle> several(QPDFObjectHandle entry) {
     if (entry.isArray()) return entry.getArrayAsVector();
     return entry.isNull() ? std::vector<QPDFObjectHandle>{} : std::vector<QPDFObjectHandle>{entry};
 }
 
-/// The elements of the structure in reading order.
+/// Returns the elements of the structure tree in reading order.
 std::vector<QPDFObjectHandle> elements_of(const QPDFObjectHandle& structure) {
     std::vector<QPDFObjectHandle> elements, open{structure};
     std::set<QPDFObjGen> seen;
@@ -138,8 +126,7 @@ std::vector<QPDFObjectHandle> elements_of(const QPDFObjectHandle& structure) {
     return elements;
 }
 
-/// Engines name the cells of tables, which others refer to as their headers, by a counter of their own, and under load it counts
-/// otherwise: they are named anew, in reading order.
+/// Renames the cells of tables, which others refer to as their headers, in reading order: the names of engines differ from run to run.
 void name_elements(QPDF& pdf) {
     QPDFObjectHandle structure = pdf.getRoot().getKey("/StructTreeRoot");
     if (!structure.isDictionary()) return;
@@ -180,29 +167,27 @@ void attach(QPDF& pdf, const PdfDetails& details) {
     auto stream = QPDFEFStreamObjectHelper::createEFStream(pdf, details.attachment);
     stream.setSubtype("application/json").setCreationDate(details.date).setModDate(details.date);
     auto file = QPDFFileSpecObjectHelper::createFileSpec(pdf, details.attachment_name, stream);
-    if (!details.attachment_description.empty()) file.setDescription(details.attachment_description);
     file.getObjectHandle().replaceKey("/AFRelationship", QPDFObjectHandle::newName("/Data"));
     QPDFEmbeddedFileDocumentHelper(pdf).replaceEmbeddedFile(details.attachment_name, file);
     pdf.getRoot().replaceKey("/AF", QPDFObjectHandle::newArray({file.getObjectHandle()}));
 }
 
-std::string written(QPDF& pdf, qpdf_object_stream_e streams) {
-    QPDFWriter writer(pdf);
-    writer.setOutputMemory();
-    writer.setDeterministicID(true);
-    writer.setObjectStreamMode(streams);
-    writer.write();
-    const auto buffer = writer.getBufferSharedPointer();
-    return {reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()};
-}
-
-/// Objects are numbered as they are reached, then packed by their numbers: those the engine gave have no effect.
+/// Writes the PDF twice, first to number its objects in reading order, then to pack them: the numbers of the engine have no effect.
 std::string written(QPDF& pdf) {
-    const std::string numbered = written(pdf, qpdf_o_disable);
+    const auto write = [](QPDF& from, qpdf_object_stream_e streams) -> std::string {
+        QPDFWriter writer(from);
+        writer.setOutputMemory();
+        writer.setDeterministicID(true);
+        writer.setObjectStreamMode(streams);
+        writer.write();
+        const auto buffer = writer.getBufferSharedPointer();
+        return {reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()};
+    };
+    const std::string numbered = write(pdf, qpdf_o_disable);
     QPDF again;
     open(again, numbered);
     again.getTrailer().removeKey("/ID");
-    return written(again, qpdf_o_generate);
+    return write(again, qpdf_o_generate);
 }
 
 }   // namespace

@@ -1,6 +1,5 @@
 /// @file
-/// A PDF as a browser leaves it, made fit to be handed in: nothing in it depends on the time or the place, it says what it is and
-/// carries the results.
+/// Finishes the PDF of a browser: removes all that depends on time and place, and adds title, outline and the results as attachment.
 #pragma once
 
 #include <string>
@@ -21,22 +20,22 @@ struct PdfContents {
     std::vector<OutlineEntry> outline;   // in reading order
 };
 
-/// @throws EngineError if the bytes are no PDF that libqpdf can read
+/// Returns title, number of pages and outline of a PDF.
+/// @throws EngineError if libqpdf cannot read it
 PdfContents contents_of_pdf(std::string_view pdf);
 
 struct PdfDetails {
     std::string title, author, creator;
     std::string date = "D:19800101000000Z";    // of creation and change
-    std::vector<std::string> outline;          // the titles in full, in reading order
+    std::vector<std::string> outline;          // full titles in reading order
     std::string attachment_name, attachment;   // empty name: none
-    std::string attachment_description = {};
 };
 
-/// The date of SOURCE_DATE_EPOCH (seconds since 1970) as a PDF writes it; a fixed one for what is not such a number.
+/// Returns the date of SOURCE_DATE_EPOCH (seconds since 1970) in the notation of PDF; a fixed date for other texts.
 std::string pdf_date(const std::string& seconds);
 
-/// Equal pages and details give equal bytes.
-/// @throws EngineError if the PDF cannot be read, or its outline is not that of the details
+/// Returns the finished PDF. Equal pages and details give equal bytes.
+/// @throws EngineError if the PDF cannot be read, or its outline differs from that of the details
 std::string finish_pdf(std::string_view pdf, const PdfDetails& details);
 
 }   // namespace meshfolio::report
