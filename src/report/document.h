@@ -13,7 +13,6 @@
 #include <variant>
 #include <vector>
 
-#include "report/check.h"
 #include "report/diagram.h"
 #include "report/text.h"
 
@@ -43,6 +42,11 @@ struct Formula {
     bool operator==(const Formula&) const = default;
 };
 
+struct Range {
+    double low, high;
+    bool operator==(const Range&) const = default;
+};
+
 /// An empty cell means "undefined"; it is never a zero.
 using Cell = std::variant<std::monostate, double, std::string>;
 
@@ -53,14 +57,10 @@ struct Column {
     enum class Best { none, smallest, largest } best = Best::none;   // value to be marked
     /// Rounding for people: bounds outwards, orders of convergence to tenths whatever `digits`. Files get all digits.
     enum class Rounding { nearest, down, up, tenths } rounding = Rounding::nearest;
-    /// Shades cells on a logarithmic scale: not at all up to `low`, fully from `high` on.
-    struct Heat {
-        double low, high;
-        bool operator==(const Heat&) const = default;
-    };
-    std::optional<Heat> heat = {};
-    bool filter = false;      // readers may filter the rows by a value of this column
-    bool reference = false;   // texts are ids: people see "Figure 1.3" with a link, files keep the id
+    using Heat = Range;
+    std::optional<Heat> heat = {};   // shades cells on a logarithmic scale: not at all up to `low`, fully from `high` on
+    bool filter = false;             // readers may filter the rows by a value of this column
+    bool reference = false;          // texts are ids: people see "Figure 1.3" with a link, files keep the id
     bool operator==(const Column&) const = default;
 };
 
@@ -121,10 +121,7 @@ struct Map {
     bool log_x = false, log_y = false, log_values = false;
     enum class Colours { sequential, diverging } colours = Colours::sequential;
     double middle = 0;   // palest value of a diverging map; a thin line separates the two sides
-    struct Range {
-        double low, high;
-        bool operator==(const Range&) const = default;
-    };
+    using Range = report::Range;
     std::optional<Range> range = {};   // of the colours, whose ends hold for values beyond; empty: all finite values
     std::string undefined = {};        // meaning of the hatched cells: "blew up"
     struct Panel {
@@ -163,6 +160,45 @@ struct EntryList {
 using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Diagram, Figure, EntryList>;
 
 // ---- sections and the document --------------------------------------------------------------------------------------
+
+/// A check passes if |measured − expected| ≤ tolerance (kind `near`), measured ≤ expected + tolerance (`at_most`) or
+/// measured ≥ expected − tolerance (`at_least`). It is undecided, and no failure, if the number is no evidence, for example because
+/// rounding exceeds the margin; the note says why.
+struct Check {
+    enum class Kind { near, at_most, at_least };
+    enum class Status { passed, failed, undecided };
+    std::string name;   // "Gauss–Bonnet: Σ deficit / 2π on sphere"
+    double expected = 0;
+    double measured = 0;
+    double tolerance = 0;
+    Status status = Status::failed;
+    Kind kind = Kind::near;
+    std::string note = {};   // the comparison, or the reason of an expected failure or of no decision
+    bool passed() const { return status == Status::passed; }
+    bool failed() const { return status == Status::failed; }
+    bool operator==(const Check&) const = default;
+};
+/// Returns "measured 2.31, expected 2, tolerance 0.2", "measured 3, expected at most 1" or the like; "–" stands for NaN.
+std::string words_of(const Check& check);
+/// Return checks of the three kinds, passed or failed. NaN fails.
+Check check_near(std::string name, double expected, double measured, double tolerance, std::string note = "");
+Check check_at_most(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
+Check check_at_least(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
+/// Returns the check as undecided, with the reason in its note.
+Check undecided(Check check, std::string why);
+
+/// Returns a check that failed by at most `rounding` as undecided, any other check unchanged.
+Check within_rounding(Check check, double rounding);
+
+/// Numbers of checks that passed, failed, and decided nothing.
+struct Score {
+    std::size_t passed = 0, failed = 0, undecided = 0;
+    std::size_t total() const { return passed + failed + undecided; }
+    Score& operator+=(const Score& other);
+};
+Score score_of(const std::vector<Check>& checks);
+/// Returns "456 of 458 checks passed, 1 failed, 1 undecided".
+std::string words_of(const Score& score);
 
 struct Input {
     std::string role;        // "armadillo"

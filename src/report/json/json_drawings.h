@@ -10,9 +10,7 @@ namespace meshfolio::report {
 
 inline std::string table_file(const std::string& id) { return "tables/" + id + ".csv"; }
 
-template <class Fields, class Part>
-requires part_of<Part, Column::Heat> || part_of<Part, Map::Range>
-void describe(Fields& fields, Part& range) {
+void describe(auto& fields, part_of<Range> auto& range) {
     fields("low", range.low);
     fields("high", range.high);
 }

@@ -68,16 +68,9 @@ std::string PlotPanel::svg(bool with_y_numbers, bool with_line_labels) const {
 }
 
 std::vector<Stretch> PlotPanel::runs_of(const Series& series) const {
-    std::vector<Stretch> runs(1);
-    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
-        if (shows(series.x[i], series.y[i])) {
-            runs.back().push_back(at(series.x[i], series.y[i]));
-        } else if (!runs.back().empty()) {
-            runs.emplace_back();
-        }
-    }
-    if (runs.back().empty()) runs.pop_back();
-    return runs;
+    return stretches(std::min(series.x.size(), series.y.size()), [&](std::size_t i) {
+        return shows(series.x[i], series.y[i]) ? std::optional(at(series.x[i], series.y[i])) : std::nullopt;
+    });
 }
 
 std::vector<Marker> PlotPanel::markers() const {
@@ -154,26 +147,20 @@ std::string PlotPanel::grid(bool with_numbers) const {
 }
 
 std::string PlotPanel::band(const PlotCurve& curve) const {
-    const Series& series = *curve.series;
-    std::string path;
-    Stretch lower, upper;
-    const auto close = [&] {
-        for (std::size_t k = 0; k < upper.size(); ++k) path += (k == 0 ? "M" : "L") + px(upper[k].x) + " " + px(upper[k].y);
-        for (auto p = lower.rbegin(); p != lower.rend(); ++p) path += "L" + px(p->x) + " " + px(p->y);
-        if (!upper.empty()) path += "Z";
-        lower.clear();
-        upper.clear();
+    const Series& s = *curve.series;
+    const auto edge = [&](const std::vector<double>& y) {
+        return stretches(std::min({s.x.size(), s.y_low.size(), s.y_high.size()}), [&](std::size_t i) {
+            const bool shown = shows(s.x[i], s.y_low[i]) && shows(s.x[i], s.y_high[i]);
+            return shown ? std::optional(at(s.x[i], y[i])) : std::nullopt;
+        });
     };
-    for (std::size_t k = 0; k < std::min({series.x.size(), series.y_low.size(), series.y_high.size()}); ++k) {
-        const bool shown = shows(series.x[k], series.y_low[k]) && shows(series.x[k], series.y_high[k]);
-        if (!shown) {
-            close();
-            continue;
-        }
-        lower.push_back(at(series.x[k], series.y_low[k]));
-        upper.push_back(at(series.x[k], series.y_high[k]));
+    const std::vector<Stretch> upper = edge(s.y_high), lower = edge(s.y_low);
+    std::string path;
+    for (std::size_t i = 0; i < upper.size(); ++i) {
+        path += line_data(upper[i]);
+        for (auto p = lower[i].rbegin(); p != lower[i].rend(); ++p) path += "L" + px(p->x) + " " + px(p->y);
+        path += "Z";
     }
-    close();
     return path.empty() ? "" : "<path d=\"" + path + "\" fill=\"" + curve.look.color + "\" opacity=\"0.18\"/>\n";
 }
 
@@ -184,8 +171,7 @@ std::string PlotPanel::drawn(const PlotCurve& curve) const {
     const double size = !look.has_line && curve.series->x.size() > 60 ? 0.6 : 1;   // of a cloud of points
     Point last{-1e9, 0};
     for (const Stretch& run : runs_of(*curve.series)) {
-        for (std::size_t k = 0; look.has_line && run.size() > 1 && k < run.size(); ++k)
-            path += (k == 0 ? "M" : "L") + px(run[k].x) + " " + px(run[k].y);
+        if (look.has_line && run.size() > 1) path += line_data(run);
         // A value between two gaps leaves no trace in a line.
         const bool all = look.has_points || run.size() == 1;
         for (const Point& p : run)

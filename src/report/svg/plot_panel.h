@@ -20,9 +20,6 @@ struct PlotCurve {
     bool operator==(const std::string& name) const { return series->name == name; }
 };
 
-/// Consecutive points of a curve without a gap.
-using Stretch = std::vector<Point>;
-
 class PlotPanel {
 public:
     PlotPanel(const Plot& plot, std::string name, const Axis& x, const Axis& y);

@@ -106,27 +106,16 @@ private:
     }
 
     std::string drawn(const Diagram::Path& path) const {
-        std::string d;
-        std::vector<Point> run;
-        const auto end_run = [&] {
-            if (path.closed && run.size() > 2) d += "Z";
-            run.clear();
+        const auto point_of = [&](std::size_t i) {
+            return is_shown(path.x[i], path.y[i]) ? std::optional(at(path.x[i], path.y[i])) : std::nullopt;
         };
-        Point last, before;
-        for (std::size_t i = 0; i < std::min(path.x.size(), path.y.size()); ++i) {
-            if (!is_shown(path.x[i], path.y[i])) {
-                end_run();
-                continue;
-            }
-            const Point p = at(path.x[i], path.y[i]);
-            d += (run.empty() ? "M" : "L") + px(p.x) + " " + px(p.y);
-            before = run.empty() ? p : run.back();
-            last = p;
-            run.push_back(p);
-        }
-        end_run();
-        if (d.empty()) return "";
-        return "<path d=\"" + d + attributes_of(path.style) + "/>\n" + (path.arrow ? head(before, last, path.style) : "");
+        const std::vector<Stretch> runs = stretches(std::min(path.x.size(), path.y.size()), point_of);
+        if (runs.empty()) return "";
+        std::string d;
+        for (const Stretch& run : runs) d += line_data(run) + (path.closed && run.size() > 2 ? "Z" : "");
+        const Stretch& last = runs.back();
+        return "<path d=\"" + d + attributes_of(path.style) + "/>\n" +
+               (path.arrow && last.size() > 1 ? head(last[last.size() - 2], last.back(), path.style) : "");
     }
 
     /// Draws the head of an arrow from `before` to `tip`.

@@ -88,6 +88,12 @@ std::vector<std::string> wrapped(const std::string& text, double width) {
 
 std::string px(double x) { return plain_text(std::round(10 * x) / 10, 6); }
 
+std::string line_data(const Stretch& points) {
+    std::string data;
+    for (const Point& p : points) data += (data.empty() ? "M" : "L") + px(p.x) + " " + px(p.y);
+    return data;
+}
+
 std::string text_element(Point at, const std::string& anchor, const Text& text, const std::string& more) {
     return "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" + spans(text) + "</text>\n";
 }

@@ -2,7 +2,9 @@
 /// The SVG elements of plots, maps, diagrams and legends. Units are pixels, y down.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,25 @@ struct Point {
 struct Box {
     double left = 0, top = 0, right = 0, bottom = 0;
 };
+
+/// Consecutive points of a curve without a gap.
+using Stretch = std::vector<Point>;
+
+/// Returns the points point_of(0) to point_of(n − 1), optional each, in stretches between empty ones.
+template <class PointOf>
+std::vector<Stretch> stretches(std::size_t n, PointOf point_of) {
+    std::vector<Stretch> all(1);
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::optional<Point> point = point_of(i);
+        if (point) all.back().push_back(*point);
+        if (!point && !all.back().empty()) all.emplace_back();
+    }
+    if (all.back().empty()) all.pop_back();
+    return all;
+}
+
+/// Returns the path data of the line through these points: "M1 2L3 4".
+std::string line_data(const Stretch& points);
 
 /// Returns the width of a text in the regular sans of the pages.
 double text_width(const std::string& text);

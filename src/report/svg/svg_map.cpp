@@ -151,16 +151,12 @@ private:
     std::string line(const Series& series, std::size_t index, const Box& frame) const {
         const Look look = look_of(series, index);
         std::string path, points;
-        bool drawing = false;
-        for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
-            if (!shows(series.x[i], series.y[i])) {
-                drawing = false;
-                continue;
-            }
-            const Point p = at(frame, series.x[i], series.y[i]);
-            path += (drawing ? "L" : "M") + px(p.x) + " " + px(p.y);
-            if (look.has_points) points += cased_point(p, look);
-            drawing = true;
+        const auto point_of = [&](std::size_t i) {
+            return shows(series.x[i], series.y[i]) ? std::optional(at(frame, series.x[i], series.y[i])) : std::nullopt;
+        };
+        for (const Stretch& run : stretches(std::min(series.x.size(), series.y.size()), point_of)) {
+            path += line_data(run);
+            for (const Point& p : run) points += look.has_points ? cased_point(p, look) : "";
         }
         return (path.empty() || !look.has_line ? "" : cased(path, look.dashes)) + points;
     }
