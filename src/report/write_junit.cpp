@@ -23,19 +23,6 @@ std::string test_case(const std::string& section, const std::string& name, const
     return head + (outcome.empty() ? "/>\n" : ">" + outcome + "</testcase>\n");
 }
 
-std::string outcome_of(const Check& check) {
-    const std::string note = check.note.empty() ? "" : " (" + check.note + ")";
-    const std::string message = attribute("message", check.name + ": " + words_of(check) + note);
-    if (check.passed()) return "";
-    return check.failed() ? "<failure type=\"check\"" + message + "/>" : "<skipped" + message + "/>";
-}
-
-/// Returns seconds as an XML decimal, to the millisecond.
-std::string decimal(double seconds) {
-    const std::string milliseconds = std::to_string(1000 + std::llround(1000 * seconds) % 1000).substr(1);
-    return std::to_string(std::llround(1000 * seconds) / 1000) + "." + milliseconds;
-}
-
 /// A <testsuite> of one or several sections.
 class Suite {
 public:
@@ -49,7 +36,15 @@ public:
             ++left_out_;
         }
         const std::vector<std::string> ids = check_ids(section);
-        for (std::size_t i = 0; i < ids.size(); ++i) cases_ += test_case(group_, ids[i], outcome_of(section.checks[i]));
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            const Check& check = section.checks[i];
+            const std::string note = check.note.empty() ? "" : " (" + check.note + ")";
+            const std::string message = attribute("message", check.name + ": " + words_of(check) + note) + "/>";
+            cases_ += test_case(group_, ids[i],
+                                check.passed()   ? ""
+                                : check.failed() ? "<failure type=\"check\"" + message
+                                                 : "<skipped" + message);
+        }
         score_ += score_of(section.checks);
     }
     void add_error(const std::string& name, const std::string& kind, const std::string& message) {
@@ -59,11 +54,12 @@ public:
 
     std::string text(std::size_t number, double seconds) const {
         const auto count = [](const std::string& name, std::size_t n) { return attribute(name, std::to_string(n)); };
+        const long long milliseconds = std::llround(1000 * seconds);
+        const std::string time = std::to_string(milliseconds / 1000) + "." + std::to_string(1000 + milliseconds % 1000).substr(1);
         return "  <testsuite" + attribute("name", name_) + count("id", number) + " package=\"meshfolio\"" +
                " timestamp=\"1970-01-01T00:00:00\" hostname=\"localhost\"" + count("tests", score_.total() + broken_ + left_out_) +
                count("failures", score_.failed) + count("errors", broken_) + count("skipped", score_.undecided + left_out_) +
-               attribute("time", decimal(seconds)) + ">\n    <properties/>\n" + cases_ +
-               "    <system-out/>\n    <system-err/>\n  </testsuite>\n";
+               attribute("time", time) + ">\n    <properties/>\n" + cases_ + "    <system-out/>\n    <system-err/>\n  </testsuite>\n";
     }
 
 private:

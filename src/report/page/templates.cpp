@@ -36,15 +36,6 @@ void require_syntax(const std::string& name, const std::string& text, const std:
     }
 }
 
-/// Refuses links out of the folder, which may come from somebody else and must not show other files.
-void require_within(const fs::path& folder, const fs::path& file) {
-    std::error_code unknown;
-    const fs::path root = fs::canonical(folder, unknown), target = fs::canonical(file, unknown);
-    if (unknown) return;   // reading it reports why
-    if (std::ranges::mismatch(root, target).in1 != root.end())
-        throw UsageError("is a link that leads out of the folder of templates", "put a copy of the file in its place", {file.string(), 0});
-}
-
 }   // namespace
 
 Templates::Templates(const fs::path& folder) {
@@ -56,7 +47,12 @@ Templates::Templates(const fs::path& folder) {
         throw UsageError("not a folder of templates", "make one with meshfolio templates FOLDER", {folder.string(), 0});
     for (const auto& [name, unused] : text_) {
         if (!may_be_there(folder / name)) continue;
-        require_within(folder, folder / name);
+        // A folder of templates may come from somebody else and must not show other files.
+        std::error_code unknown;
+        const fs::path root = fs::canonical(folder, unknown), target = fs::canonical(folder / name, unknown);
+        if (!unknown && std::ranges::mismatch(root, target).in1 != root.end())
+            throw UsageError("is a link that leads out of the folder of templates", "put a copy of the file in its place",
+                             {(folder / name).string(), 0});
         replace(name, folder / name);
     }
 }

@@ -20,49 +20,7 @@ const double* number_in(const std::vector<Cell>& row, std::size_t column) {
     return column < row.size() ? std::get_if<double>(&row[column]) : nullptr;
 }
 
-bool is_numeric(const Table& table, std::size_t column) {
-    bool any = false;
-    for (const auto& row : table.rows) {
-        if (column < row.size() && std::holds_alternative<std::string>(row[column])) return false;
-        any = any || number_in(row, column);
-    }
-    return any;
-}
-
-/// Returns the value to be marked in a column; empty if none is asked for or all values are equal.
-std::optional<double> best_of(const Table& table, std::size_t column) {
-    if (table.columns[column].best == Column::Best::none) return {};
-    std::vector<double> values;
-    for (const auto& row : table.rows) {
-        const double* x = number_in(row, column);
-        if (x && std::isfinite(*x)) values.push_back(*x);
-    }
-    if (values.empty()) return {};
-    const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
-    if (*smallest == *largest) return {};
-    return table.columns[column].best == Column::Best::smallest ? *smallest : *largest;
-}
-
-/// Returns the shade of a value: 0 (none) to 6, in steps of equal ratio.
-int heat_of(double x, const Column::Heat& heat) {
-    constexpr int steps = 6;
-    const double place = std::log(std::abs(x) / heat.low) / std::log(heat.high / heat.low);
-    return std::isnan(place) ? 0 : static_cast<int>(std::lround(steps * std::clamp(place, 0.0, 1.0)));
-}
-
 enum class Notation { whole, plain, scientific };
-
-/// Returns `whole` for counts, and `scientific` if a number of the column needs a power of ten: then all numbers far from 1 have one.
-Notation notation_of(const Table& table, std::size_t column) {
-    bool whole = true, power = false;
-    for (const auto& row : table.rows) {
-        const double* x = number_in(row, column);
-        if (!x || !std::isfinite(*x)) continue;
-        whole = whole && std::trunc(*x) == *x && std::abs(*x) < 1e9;
-        power = power || readable(*x, table.columns[column].digits).find("×") != std::string::npos;
-    }
-    return whole ? Notation::whole : power ? Notation::scientific : Notation::plain;
-}
 
 /// Returns a number of the column as it is printed; "–" for an undefined one.
 std::string number_text(double x, const Column& column, Notation notation) {
@@ -96,18 +54,36 @@ std::vector<std::string> paddings_of(const std::vector<std::string>& texts) {
     return paddings;
 }
 
+/// The values that the cells of a column share.
 struct ColumnView {
     bool numeric, reference;
-    std::optional<double> best;
+    std::optional<double> best;                 // to be marked; empty if none is asked for or all values are equal
     std::vector<std::string> texts, paddings;   // one a row
 };
 
-ColumnView column_view(const Table& table, std::size_t column) {
-    ColumnView view{is_numeric(table, column), table.columns[column].reference, best_of(table, column), {}, {}};
-    const Notation notation = notation_of(table, column);
+ColumnView column_view(const Table& table, std::size_t c) {
+    const Column& column = table.columns[c];
+    bool has_words = false, has_numbers = false, whole = true, power = false;
+    std::vector<double> values;   // finite ones
     for (const auto& row : table.rows) {
-        const double* value = number_in(row, column);
-        view.texts.push_back(number_text(value ? *value : std::nan(""), table.columns[column], notation));
+        has_words = has_words || (c < row.size() && std::holds_alternative<std::string>(row[c]));
+        const double* x = number_in(row, c);
+        has_numbers = has_numbers || x;
+        if (!x || !std::isfinite(*x)) continue;
+        values.push_back(*x);
+        whole = whole && std::trunc(*x) == *x && std::abs(*x) < 1e9;
+        power = power || readable(*x, column.digits).find("×") != std::string::npos;
+    }
+    ColumnView view{has_numbers && !has_words, column.reference, {}, {}, {}};
+    if (column.best != Column::Best::none && !values.empty()) {
+        const auto [smallest, largest] = std::ranges::minmax(values);
+        if (smallest != largest) view.best = column.best == Column::Best::smallest ? smallest : largest;
+    }
+    // Counts are whole. If one number needs a power of ten, all numbers far from 1 have one.
+    const Notation notation = whole ? Notation::whole : power ? Notation::scientific : Notation::plain;
+    for (const auto& row : table.rows) {
+        const double* x = number_in(row, c);
+        view.texts.push_back(number_text(x ? *x : std::nan(""), column, notation));
     }
     view.paddings = view.numeric ? paddings_of(view.texts) : std::vector<std::string>(view.texts.size());
     return view;
@@ -134,7 +110,13 @@ json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& 
         const auto view = c == 0 ? letters_view : prose_view;
         json cell = refers ? text_view({ref(*words)}, numbering) : view(words ? *words : "");
         if (refers) cell["runs"][0]["is_elsewhere"] = false;   // the caption says it
-        const auto& heat = table.columns[c].heat;
+        const auto& range = table.columns[c].heat;
+        std::string heat;
+        if (x && range) {   // steps of equal ratio
+            constexpr int steps = 6;
+            const double place = std::log(std::abs(*x) / range->low) / std::log(range->high / range->low);
+            heat = std::to_string(std::isnan(place) ? 0 : std::lround(steps * std::clamp(place, 0.0, 1.0)));
+        }
         enter(cell, {{"is_words", "it holds words: runs", words != nullptr},
                      {"number", "as people read it", columns[c].texts[r]},
                      {"padding", "figure spaces that align decimal points", columns[c].paddings[r]},
@@ -142,8 +124,8 @@ json row_view(const Table& table, std::size_t r, const std::vector<ColumnView>& 
                      {"has_value", "it is defined", x && std::isfinite(*x)},
                      {"value", "with all digits, for sorting", x ? exact_text(*x) : ""},
                      {"is_best", "the best of its column", x && columns[c].best && *x == *columns[c].best},
-                     {"has_heat", "it is shaded", x && heat},
-                     {"heat", "how strongly, 1 to 6", x && heat ? std::to_string(heat_of(*x, *heat)) : ""},
+                     {"has_heat", "it is shaded", !heat.empty()},
+                     {"heat", "how strongly, 1 to 6", heat},
                      {"is_row_header", "it names the row", c == 0}});
         cells.push_back(std::move(cell));
     }

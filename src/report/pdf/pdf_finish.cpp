@@ -45,19 +45,6 @@ std::string without_spaces(std::string text) {
     return text;
 }
 
-/// Shows the entries below a title that is alone at the top, and folds all deeper ones.
-void fold(QPDF& pdf, std::vector<std::pair<QPDFOutlineObjectHelper, int>>& items) {
-    int at_top = 0, below = 0;
-    for (const auto& [item, level] : items) at_top += level == 1 ? 1 : 0;
-    for (auto& [item, level] : items) {
-        const int kids = static_cast<int>(item.getKids().size());
-        const bool shown = level == 1 && at_top == 1;
-        if (shown) below = kids;
-        if (kids > 0) item.getObjectHandle().replaceKey("/Count", QPDFObjectHandle::newInteger(shown ? kids : -kids));
-    }
-    pdf.getRoot().getKey("/Outlines").replaceKey("/Count", QPDFObjectHandle::newInteger(at_top + below));
-}
-
 /// True if an entry of the outline has the words of a heading. Chromium drops the space at the end of a line, and repeats words at the edge
 /// of two of its drawings.
 bool has_words_of(const std::string& heading, const std::string& entry) {
@@ -80,7 +67,16 @@ void rewrite_outline(QPDF& pdf, const std::vector<std::string>& titles) {
         item.getObjectHandle().replaceKey("/Title", QPDFObjectHandle::newUnicodeString(titles[i]));
     }
     if (items.empty()) return;
-    fold(pdf, items);
+    // Entries below a title that is alone at the top are shown, deeper ones folded away.
+    const auto at_top = static_cast<int>(std::count_if(items.begin(), items.end(), [](const auto& item) { return item.second == 1; }));
+    int below = 0;
+    for (auto& [item, level] : items) {
+        const int kids = static_cast<int>(item.getKids().size());
+        const bool shown = level == 1 && at_top == 1;
+        if (shown) below = kids;
+        if (kids > 0) item.getObjectHandle().replaceKey("/Count", QPDFObjectHandle::newInteger(shown ? kids : -kids));
+    }
+    pdf.getRoot().getKey("/Outlines").replaceKey("/Count", QPDFObjectHandle::newInteger(at_top + below));
     pdf.getRoot().replaceKey("/PageMode", QPDFObjectHandle::newName("/UseOutlines"));
 }
 
