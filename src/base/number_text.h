@@ -25,7 +25,7 @@ std::string readable_integer(double x);
 /// For limits and tolerances, which are exact.
 std::string brief_text(double x, int most);
 
-/// 3.59 × 10⁻⁵ whatever the size; for a column in which some numbers need the power.
+/// Returns `x` with `digits` significant digits and always with a power of ten: 3.59 × 10⁻⁵, 1.2 × 10³.
 std::string scientific_text(double x, int digits);
 
 /// Returns "10⁻⁴" for −4.

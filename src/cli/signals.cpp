@@ -22,7 +22,7 @@
 #include "base/child_process.h"
 #include "base/errors.h"
 #include "base/linux_only.h"
-#include "output/publish/publish.h"
+#include "output/publish/temporaries.h"
 
 namespace meshfolio::cli {
 

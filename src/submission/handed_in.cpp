@@ -25,12 +25,10 @@ using namespace std::string_view_literals;
 
 constexpr std::array read_endings{".csv"sv, ".toml"sv, ".obj"sv, ".off"sv, ".ply"sv, ".stl"sv};
 
-bool has_read_ending(const std::string& path) { return std::ranges::find(read_endings, lower_case_ending(path)) != read_endings.end(); }
-
-/// Why a path is malicious; empty if it is not. Any alphabet is allowed.
+/// Returns why a path is malicious; empty if it is not. Any alphabet is allowed.
 std::string trick_in(std::string_view path) {
     if (path.empty()) return "has no name";
-    if (path.size() > 1024) return "has a name of " + std::to_string(path.size()) + " bytes";   // patterns are held against it
+    if (path.size() > 1024) return "has a name of " + std::to_string(path.size()) + " bytes";   // patterns are matched with it
     if (path.front() == '/') return "is an absolute path";
     if (path.find('\\') != path.npos) return "is written with backslashes";
     if (path.size() > 1 && path[1] == ':') return "names a drive";
@@ -41,44 +39,42 @@ std::string trick_in(std::string_view path) {
 }
 
 std::string megabytes_of(std::uintmax_t bytes) { return std::to_string(bytes >> 20) + " MB"; }
+std::string normal(const std::string& path) { return fs::path(path).lexically_normal().generic_string(); }
 
-/// Collects files and holds them against the limits, wherever they come from.
+/// Collects files within the limits.
 class Collector {
 public:
     Collector(std::string file, const HandInLimits& limits) : file_(std::move(file)), limits_(limits) {}
 
-    [[noreturn]] void refuse(const std::string& problem, const std::string& remedy = "ask for another") const {
-        throw InputError({file_}, problem, remedy);
-    }
+    [[noreturn]] void refuse(const std::string& problem) const { throw InputError({file_}, problem, "ask for another"); }
     [[noreturn]] void refuse_entry(const std::string& path, const std::string& problem) const {
         refuse(in_quotes(path, 80) + " " + problem);
     }
 
-    /// Every entry is announced, also those that are not read. @return whether it is to be read
+    /// To be called for every entry, read or not. Returns true if it is to be read.
     bool announce(const std::string& path, bool is_folder) {
         if (++entries_ > limits_.most_entries) refuse("has more than " + std::to_string(limits_.most_entries) + " entries");
         if (const std::string trick = trick_in(path); !trick.empty()) refuse_entry(path, trick);
         if (is_folder) return false;
-        const std::string plain = fs::path(path).lexically_normal().generic_string();
+        const std::string plain = normal(path);
         if (!paths_.insert(plain).second) refuse_entry(path, "stands twice");
-        return has_read_ending(plain);
+        return std::ranges::find(read_endings, lower_case_ending(plain)) != read_endings.end();
     }
-    /// What has been read of a file so far.
-    void require_within_limits(const std::string& path, std::uintmax_t of_file, std::uintmax_t more) {
+    /// To be called whenever `more` bytes of a file were read, `so_far` in all.
+    void require_within_limits(const std::string& path, std::uintmax_t so_far, std::uintmax_t more) {
         total_ += more;
-        if (of_file > limits_.largest_file) refuse_entry(path, "is larger than " + megabytes_of(limits_.largest_file));
+        if (so_far > limits_.largest_file) refuse_entry(path, "is larger than " + megabytes_of(limits_.largest_file));
         if (total_ > limits_.largest_total) refuse("has more than " + megabytes_of(limits_.largest_total) + " of files");
     }
     void require_ratio(std::uintmax_t packed) const {
         if (total_ > limits_.ratio_from && static_cast<double>(total_) > limits_.largest_ratio * static_cast<double>(packed))
             refuse("is a zip bomb: " + megabytes_of(total_) + " come out of " + std::to_string(packed) + " bytes");
     }
-    void take(const std::string& path, std::string bytes) { files_[fs::path(path).lexically_normal().generic_string()] = std::move(bytes); }
+    void take(const std::string& path, std::string bytes) { files_[normal(path)] = std::move(bytes); }
 
     /// Drops the common top folder: students often pack the folder instead of its contents.
     HandedIn files() && {
-        const auto first_part = [](const std::string& path) { return path.substr(0, path.find('/') + 1); };
-        const std::string top = files_.empty() ? "" : first_part(files_.begin()->first);
+        const std::string first = files_.empty() ? "" : files_.begin()->first, top = first.substr(0, first.find('/') + 1);
         const bool in_one = !top.empty() && std::ranges::all_of(files_, [&](const auto& file) { return file.first.starts_with(top); });
         if (!in_one) return std::move(files_);
         HandedIn within;
@@ -110,8 +106,6 @@ HandedIn read_folder(const fs::path& folder, const HandInLimits& limits) {
     }
     return std::move(collector).files();
 }
-
-using Reader = std::unique_ptr<archive, decltype(&archive_read_free)>;
 
 std::string reason_of(archive* reader) {
     const char* reason = archive_error_string(reader);
@@ -151,14 +145,14 @@ std::string entry_bytes(archive* reader, const std::string& path, std::uintmax_t
 HandedIn unpacked(std::string_view zip, const std::string& file, const HandInLimits& limits) {
     const Utf8Names utf8;
     Collector collector(file, limits);
-    const Reader owner(archive_read_new(), &archive_read_free);
+    const std::unique_ptr<archive, decltype(&archive_read_free)> owner(archive_read_new(), &archive_read_free);
     archive* const reader = owner.get();
     if (archive_read_support_format_zip(reader) != ARCHIVE_OK || archive_read_open_memory(reader, zip.data(), zip.size()) != ARCHIVE_OK)
         collector.refuse("is no zip (" + reason_of(reader) + ")");
     archive_entry* entry = nullptr;
     for (int code = ARCHIVE_OK; (code = archive_read_next_header(reader, &entry)) != ARCHIVE_EOF;) {
         if (code != ARCHIVE_OK && code != ARCHIVE_WARN) collector.refuse("is no readable zip (" + reason_of(reader) + ")");
-        const char* name = archive_entry_pathname(entry);   // of any encoding; libarchive has turned backslashes of Windows into slashes
+        const char* name = archive_entry_pathname(entry);   // in any encoding; libarchive turns backslashes of Windows into slashes
         const std::string path = name != nullptr ? name : "";
         const auto type = archive_entry_filetype(entry);
         const bool wanted = collector.announce(path, type == AE_IFDIR);

@@ -12,22 +12,23 @@ namespace meshfolio::submission {
 
 struct HandInLimits {
     int most_entries = 5000;
-    std::uintmax_t largest_file = std::uintmax_t{64} << 20;   // unpacked, of those that are read [bytes]
+    std::uintmax_t largest_file = std::uintmax_t{64} << 20;   // of a file that is read, unpacked [bytes]
     std::uintmax_t largest_total = std::uintmax_t{256} << 20;
-    /// Unpacked over packed, of the whole, where more than `ratio_from` bytes come out: text seldom shrinks below 1 %, a bomb always does.
+    /// Unpacked over packed size of the whole, once more than `ratio_from` bytes are unpacked: text seldom shrinks below 1 %, bombs do.
     double largest_ratio = 100;
     std::uintmax_t ratio_from = std::uintmax_t{8} << 20;
 };
 
-/// Path → bytes of all files with one of our endings: .csv .toml .obj .off .ply .stl, in any case. Others are looked at no further than
-/// their names. If all files are in one folder, paths are relative to it.
+/// Path → bytes of all files that end in .csv, .toml, .obj, .off, .ply or .stl, in any case; of other files only the names are checked.
+/// If all files are in one folder, paths are relative to it.
 using HandedIn = std::map<std::string, std::string>;
 
-/// @throws InputError naming what is wrong: a path that leads outside or, in a folder, has backslashes, a link, a device, an entry that
-/// stands twice or is encrypted, and what is beyond the limits
+/// Reads a folder or a zip.
+/// @throws InputError for a path that leads outside or has backslashes, a link, a device, an entry that is encrypted or there twice, or a
+/// limit that is exceeded
 HandedIn read_handed_in(const std::filesystem::path& path, const HandInLimits& limits = {});
 
-/// The same of a zip in memory. @param file  what messages call it
+/// Reads a zip in memory; throws like read_handed_in(). @param file  its name in messages
 HandedIn unpacked(std::string_view zip, const std::string& file, const HandInLimits& limits = {});
 
 }   // namespace meshfolio::submission

@@ -1,20 +1,49 @@
-#include "submission/reading_order.h"
-
+// The order in which src.txt is read: what the answers are computed by first, the formulas before the chapters that use them.
 #include <algorithm>
 #include <map>
+
+#include "submission/source_listing.h"
 
 namespace meshfolio::submission {
 
 namespace {
 
-struct Part {
-    std::string_view title;
-    bool answers;                               // of the files that the answers are computed by
-    std::vector<std::string_view> beginnings;   // of the paths in it; the first part that has one of them takes a file
+std::string module_of(std::string_view path) { return std::string(path.substr(0, path.rfind('.'))); }
+
+bool is_chapter(std::string_view path) { return path.starts_with("src/questions/q"); }
+
+bool may_answer(std::string_view path) {
+    const auto begins = [&](std::string_view beginning) { return path.starts_with(beginning); };
+    return is_chapter(path) || begins("src/geometry/") || (begins("src/mesh/") && !begins("src/mesh/io/")) ||
+           begins("src/questions/bench/");
+}
+
+/// The files of a module, the modules that they include, and their length.
+struct Module {
+    std::vector<std::string> files, includes;
+    int lines = 0;
 };
 
-const std::vector<Part>& parts() {
-    static const std::vector<Part> list{
+std::map<std::string, Module> modules_of(const std::vector<SourceFile>& files, int lines_a_file) {
+    constexpr std::string_view directive = "#include \"";
+    std::map<std::string, Module> modules;
+    for (const auto& [path, bytes] : files) {
+        if (!may_answer(path)) continue;
+        Module& module = modules[module_of(path)];
+        module.files.push_back(path);
+        for (std::size_t at = bytes.find(directive); at != std::string_view::npos; at = bytes.find(directive, at + 1)) {
+            const std::size_t begin = at + directive.size();
+            module.includes.push_back(module_of("src/" + std::string(bytes.substr(begin, bytes.find('"', begin) - begin))));
+        }
+        module.lines += lines_a_file + static_cast<int>(std::ranges::count(bytes, '\n'));
+    }
+    return modules;
+}
+
+}   // namespace
+
+const std::vector<ReadingPart>& reading_parts() {
+    static const std::vector<ReadingPart> list{
         {"The formulas: Laplacians", true, {"src/geometry/operators/"}},
         {"The formulas: curvatures", true, {"src/geometry/curvature/"}},
         {"The formulas: spectra", true, {"src/geometry/spectrum/"}},
@@ -36,44 +65,6 @@ const std::vector<Part>& parts() {
     };
     return list;
 }
-
-std::string module_of(std::string_view path) { return std::string(path.substr(0, path.rfind('.'))); }
-
-bool is_chapter(std::string_view path) { return path.starts_with("src/questions/q"); }
-bool may_answer(std::string_view path) {
-    const auto begins = [&](std::string_view beginning) { return path.starts_with(beginning); };
-    return is_chapter(path) || begins("src/geometry/") || (begins("src/mesh/") && !begins("src/mesh/io/")) ||
-           begins("src/questions/bench/");
-}
-
-/// The files of a module, what they include, and how long they are.
-struct Module {
-    std::vector<std::string> files;
-    std::vector<std::string> includes;   // modules
-    int lines = 0;
-};
-
-void add_includes(std::string_view cpp, std::vector<std::string>& modules) {
-    constexpr std::string_view directive = "#include \"";
-    for (std::size_t at = cpp.find(directive); at != std::string_view::npos; at = cpp.find(directive, at + 1)) {
-        const std::size_t begin = at + directive.size();
-        modules.push_back(module_of("src/" + std::string(cpp.substr(begin, cpp.find('"', begin) - begin))));
-    }
-}
-
-std::map<std::string, Module> modules_of(const std::vector<SourceFile>& files, int lines_a_file) {
-    std::map<std::string, Module> modules;
-    for (const SourceFile& file : files) {
-        if (!may_answer(file.path)) continue;
-        Module& module = modules[module_of(file.path)];
-        module.files.push_back(file.path);
-        add_includes(file.bytes, module.includes);
-        module.lines += lines_a_file + static_cast<int>(std::count(file.bytes.begin(), file.bytes.end(), '\n'));
-    }
-    return modules;
-}
-
-}   // namespace
 
 std::set<std::string> answering_files(const std::vector<SourceFile>& files, const std::vector<std::string>& cited, int most_lines,
                                       int lines_a_file) {
@@ -102,12 +93,9 @@ std::set<std::string> answering_files(const std::vector<SourceFile>& files, cons
 
 ReadingPlace reading_place(const std::string& path, bool answers) {
     const auto begins = [&](std::string_view beginning) { return path.starts_with(beginning); };
-    const auto holds = [&](const Part& part) { return part.answers == answers && std::ranges::any_of(part.beginnings, begins); };
-    const auto part = static_cast<std::size_t>(std::ranges::find_if(parts(), holds) - parts().begin());
+    const auto holds = [&](const ReadingPart& part) { return part.answers == answers && std::ranges::any_of(part.beginnings, begins); };
+    const auto part = static_cast<std::size_t>(std::ranges::find_if(reading_parts(), holds) - reading_parts().begin());
     return {part, module_of(path), !path.ends_with(".h")};
 }
-
-std::string_view title_of_part(std::size_t part) { return parts().at(part).title; }
-bool answers(std::size_t part) { return parts().at(part).answers; }
 
 }   // namespace meshfolio::submission

@@ -20,48 +20,27 @@ using Sums = std::map<std::string, output::FileSum>;
     throw InputError({file.string(), line}, problem, remedy);
 }
 
-/// Neither listed in SHA256SUMS nor part of the report: the sums themselves and .gitignore.
-bool is_apart(const std::string& path) { return path == output::sums_file || path == ".gitignore"; }
+/// True for the files of a report that its SHA256SUMS does not list.
+bool is_unlisted(const std::string& path) { return path == output::sums_file || path == ".gitignore"; }
 
-void require_harmless(const fs::path& file, const std::string& path, const fs::file_status& status) {
+/// Reads a file that SHA256SUMS lists. @throws InputError if it has no place in a submission
+std::string harmless_bytes(const fs::path& file, const std::string& path) {
     constexpr const char* remedy = "take it out of the folder";
+    const fs::file_status status = fs::symlink_status(file);
     if (fs::is_symlink(status)) refuse(file, "is a link", remedy);
     if (const std::string problem = path_problem(path); !problem.empty()) refuse(file, problem, remedy);
     if (!fs::is_regular_file(status)) refuse(file, "is not a regular file", remedy);
     constexpr auto anyone = fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
     if ((status.permissions() & anyone) != fs::perms::none)
         refuse(file, "is executable", "take the right away (chmod -x), or the file out");
-}
-
-/// Reads the listed files, none of them suspicious; the paths of others go to `others`.
-std::map<std::string, std::string> listed_files(const fs::path& folder, const Sums& sums, std::vector<std::string>& others) {
-    std::map<std::string, std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {   // does not follow links
-        if (fs::is_directory(entry.symlink_status())) continue;
-        const std::string path = entry.path().lexically_relative(folder).generic_string();
-        if (is_apart(path)) continue;
-        if (!sums.contains(path)) {
-            others.push_back(path);
-            continue;
-        }
-        require_harmless(entry.path(), path, entry.symlink_status());
-        std::string bytes = read_file(entry.path());
-        if (const std::string kind = program_kind(bytes); !kind.empty()) refuse(entry.path(), "is " + kind, "take it out of the folder");
-        files.emplace(path, std::move(bytes));
-    }
-    std::ranges::sort(others);
-    return files;
-}
-
-Sums listed_sums(const fs::path& folder) {
-    const fs::path file = folder / output::sums_file;
-    if (!may_be_there(file)) refuse(file, "is not there", renew);
-    return output::parse_sums(read_file(file), file);
+    std::string bytes = read_file(file);
+    if (const std::string kind = program_kind(bytes); !kind.empty()) refuse(file, "is " + kind, remedy);
+    return bytes;
 }
 
 void require_sums(const fs::path& folder, const Sums& sums, const std::map<std::string, std::string>& files) {
     for (const auto& [path, sum] : sums) {
-        if (is_apart(path)) continue;
+        if (is_unlisted(path)) continue;
         const fs::path sums_path = folder / output::sums_file;
         if (const std::string problem = path_problem(path); !problem.empty())
             refuse(sums_path, "'" + path + "' " + problem, renew, sum.line);
@@ -79,14 +58,25 @@ ReportFolder read_report(const fs::path& folder) try {
         refuse(folder, "is not a folder", "make a report with meshfolio report --out " + folder.string() + ", or name another with --out");
     if (!output::has_mark(folder, output::report_folder))
         refuse(folder, "holds no report of meshfolio", "make one with meshfolio report --out " + folder.string());
-    const Sums sums = listed_sums(folder);
+    const fs::path sums_path = folder / output::sums_file;
+    if (!may_be_there(sums_path)) refuse(sums_path, "is not there", renew);
+    const Sums sums = output::parse_sums(read_file(sums_path), sums_path);
     ReportFolder report{folder, {}, {}};
-    report.files = listed_files(folder, sums, report.others);
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {   // does not follow links
+        if (fs::is_directory(entry.symlink_status())) continue;
+        const std::string path = entry.path().lexically_relative(folder).generic_string();
+        if (is_unlisted(path)) continue;
+        if (sums.contains(path))
+            report.files.emplace(path, harmless_bytes(entry.path(), path));
+        else
+            report.others.push_back(path);
+    }
+    std::ranges::sort(report.others);
     require_sums(folder, sums, report.files);
     report.files.erase(output::marker_file);
     return report;
 } catch (const fs::filesystem_error& error) {
-    throw InputError({folder.string(), 0}, "cannot be read (" + error.code().message() + ")");
+    throw InputError({folder.string()}, "cannot be read (" + error.code().message() + ")");
 }
 
 }   // namespace meshfolio::submission

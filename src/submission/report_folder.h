@@ -17,8 +17,9 @@ struct ReportFolder {
     std::vector<std::string> others;            // relative paths of the user's files, which SHA256SUMS does not list
 };
 
-/// @throws InputError if there is no report of ours, a file is not what SHA256SUMS says, or something is listed that has no place in a
-/// report: a program, a link, a build folder
+/// Reads a report into memory.
+/// @throws InputError if there is no report of meshfolio, a file differs from SHA256SUMS, or a listed file is a program, a link or in a
+/// build folder
 ReportFolder read_report(const std::filesystem::path& folder);
 
 inline constexpr const char* renew = "make the report again with meshfolio report";

@@ -12,7 +12,9 @@ namespace meshfolio::submission {
 
 namespace {
 
-// ---- the text --------------------------------------------------------------------------------------------------------------
+constexpr int banner_lines = 4;       // a blank line, a rule, the path, a rule
+constexpr int most_head_lines = 80;   // without the index of the sections and the lines of the files
+const std::string rule(100, '=');
 
 std::vector<std::string_view> lines_of(std::string_view bytes) {
     std::vector<std::string_view> lines;
@@ -24,32 +26,12 @@ std::vector<std::string_view> lines_of(std::string_view bytes) {
     return lines;
 }
 
-std::string right(const std::string& text, std::size_t width) {
-    return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
+std::string blanks(std::size_t width, std::size_t used) { return std::string(width > used ? width - used : 0, ' '); }
+std::string left(const std::string& text, std::size_t width) { return text + blanks(width, text.size()); }
+std::string right(int number, std::size_t width) {
+    const std::string digits = std::to_string(number);
+    return blanks(width, digits.size()) + digits;
 }
-std::string left(const std::string& text, std::size_t width) {
-    return text + std::string(width > text.size() ? width - text.size() : 0, ' ');
-}
-std::string right(int number, std::size_t width) { return right(std::to_string(number), width); }
-
-constexpr int banner_lines = 4;       // a blank line, a rule, the path, a rule
-constexpr int most_head_lines = 80;   // without the index of the sections and the lines of the files
-const std::string rule(100, '=');
-
-class NumberedText {
-public:
-    void add(std::string_view line) {
-        text_ += right(++lines_, 6);
-        if (!line.empty()) text_ += "  ";
-        text_ += line;
-        text_ += '\n';
-    }
-    std::string text() && { return std::move(text_); }
-
-private:
-    std::string text_ = {};
-    int lines_ = 0;
-};
 
 }   // namespace
 
@@ -76,18 +58,18 @@ std::vector<std::string> SourceListing::head(const std::string& title) const {
                             (purpose.empty() ? code.file : left(code.file, 46) + purpose));
         }
     }
+    const auto part_of = [](const Listed& listed) -> const ReadingPart& { return reading_parts().at(listed.place.part); };
     lines.insert(lines.end(), {"", "FILES: first line, number of lines, path; of what the answers do not need, the parts alone"});
     for (std::size_t i = 0; i < files_.size(); ++i) {
         const Listed& listed = files_[i];
-        const std::size_t part = listed.place.part;
-        const bool begins = i == 0 || files_[i - 1].place.part != part;
-        const std::string line = "  " + left("L" + std::to_string(listed.first), 8);
-        if (begins && answers(part)) lines.insert(lines.end(), {"", std::string(title_of_part(part))});
-        if (begins && !answers(part) && i > 0 && answers(files_[i - 1].place.part)) lines.emplace_back();
-        if (answers(part)) {
+        const ReadingPart &part = part_of(listed), *before = i == 0 ? nullptr : &part_of(files_[i - 1]);
+        const std::string title(part.title), line = "  " + left("L" + std::to_string(listed.first), 8);
+        if (part.answers) {
+            if (before != &part) lines.insert(lines.end(), {"", title});
             lines.push_back(line + right(listed.lines, 5) + "  " + listed.file.path);
-        } else if (begins) {
-            lines.push_back(line + std::string(title_of_part(part)));
+        } else if (before != &part) {
+            if (before != nullptr && before->answers) lines.emplace_back();
+            lines.push_back(line + title);
         }
     }
     return lines;
@@ -110,7 +92,7 @@ SourceListing::SourceListing(const std::string& title, const std::vector<SourceF
     }
     std::ranges::sort(files_, {}, &Listed::place);
 
-    int line = static_cast<int>(head(title).size());   // as long whatever the numbers in it
+    int line = static_cast<int>(head(title).size());   // its length does not depend on the numbers in it
     for (Listed& listed : files_) {
         listed.first = line + banner_lines + 1;
         line += banner_lines + listed.lines;
@@ -118,18 +100,22 @@ SourceListing::SourceListing(const std::string& title, const std::vector<SourceF
     for (CitingSection& section : index_)
         for (report::CodeReference& code : section.code) code.line = line_of(code.function, code.file);
 
-    NumberedText text;
-    for (const std::string& row : head(title)) text.add(row);
+    int number = 0;
+    const auto add = [&](std::string_view row) {
+        text_ += right(++number, 6) + (row.empty() ? "" : "  ");
+        text_ += row;
+        text_ += '\n';
+    };
+    for (const std::string& row : head(title)) add(row);
     for (const Listed& listed : files_) {
         const std::string range = "L" + std::to_string(listed.first) + " to L" + std::to_string(listed.first + listed.lines - 1);
-        for (const std::string& row : {std::string(), rule, listed.file.path + "   (" + range + ")", rule}) text.add(row);
-        for (const std::string_view row : lines_of(listed.file.bytes)) text.add(row);
+        for (const std::string& row : {std::string(), rule, listed.file.path + "   (" + range + ")", rule}) add(row);
+        for (const std::string_view row : lines_of(listed.file.bytes)) add(row);
     }
-    text_ = std::move(text).text();
 }
 
 int SourceListing::line_of(const std::string& function, const std::string& file) const {
-    const auto listed = std::find_if(files_.begin(), files_.end(), [&](const Listed& l) { return l.file.path == file; });
+    const auto listed = std::ranges::find_if(files_, [&](const Listed& l) { return l.file.path == file; });
     if (listed == files_.end()) return 0;
     const long line = definition_line(listed->file.bytes, function);
     return line == 0 ? 0 : listed->first - 1 + static_cast<int>(line);
@@ -157,7 +143,7 @@ std::vector<SourceFile> source_tree() {
     add("", meshfolio_embedded::embedded_source());
     add("data/", meshfolio_embedded::embedded_data());
     add("data/reports/", meshfolio_embedded::embedded_reports());
-    std::sort(files.begin(), files.end(), [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
+    std::ranges::sort(files, {}, &SourceFile::path);
     return files;
 }
 

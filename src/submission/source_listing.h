@@ -1,30 +1,63 @@
 /// @file
-/// src.txt: all source of our own in one text, every line numbered, what the answers are computed by first, with an index from questions
-/// to lines at its head.
+/// src.txt: the project's own source in one text with numbered lines. It begins with an index from questions to lines; the files that the
+/// answers are computed by come first.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "report/document.h"
-#include "submission/reading_order.h"
 
 namespace meshfolio::submission {
 
-/// All of them, sorted by path: what git holds, meshes and pictures too.
+struct SourceFile {
+    std::string path;         // "src/main.cpp"
+    std::string_view bytes;   // compiled in
+};
+
+/// Returns every file of the source tree, sorted by path: what git holds, meshes and pictures too.
 std::vector<SourceFile> source_tree();
 
-/// The words of `build_packages` in tests/setup.sh: the Debian packages that building takes.
+/// Returns the words of `build_packages` in tests/setup.sh: the Debian packages that the build needs.
 /// @throws std::logic_error if `setup_script` has no such list
 std::vector<std::string> build_packages(std::string_view setup_script);
 
-/// The line, counted from 1, that holds the name in the definition of a function or a class at namespace scope, as a reader would find it:
-/// not a call, a declaration or a comment; 0 if there is none. The text is formatted: such a definition begins in the first column, and
-/// nothing else that looks like one does.
-/// Of overloads the first counts. "Type::member" asks for a member defined outside its class; a bare name finds one too, when no
-/// function or class of that name alone is defined: "SparseFactor" may be the constructor SparseFactor::SparseFactor.
+/// Returns the line, counted from 1, that defines the function or class `name` at namespace scope; 0: no line. Calls, declarations and
+/// comments do not count. The text must be formatted: a definition begins in the first column.
+/// Of overloads the first counts. "Type::member" finds a member defined outside its class. A bare name finds a member too if no function or
+/// class has that name alone: "SparseFactor" may be the constructor SparseFactor::SparseFactor.
 long definition_line(std::string_view cpp, std::string_view name);
+
+// ---- the order -------------------------------------------------------------------------------------------------------------
+
+/// Returns the paths of the files that compute the answers: the questions' chapters, then the modules of the mathematics, the meshes and
+/// the studies that they cite or include, then what those include, and so on.
+/// A module (a header and its implementation) that would exceed `most_lines` in all is left out; each file counts `lines_a_file` lines more
+/// than it has.
+std::set<std::string> answering_files(const std::vector<SourceFile>& files, const std::vector<std::string>& cited, int most_lines,
+                                      int lines_a_file);
+
+/// A part of the listing, such as "The questions".
+struct ReadingPart {
+    std::string_view title;
+    bool answers;                               // it holds files that compute the answers
+    std::vector<std::string_view> beginnings;   // of paths; a file belongs to the first part with a beginning of its path
+};
+/// Returns all parts in the order of the listing.
+const std::vector<ReadingPart>& reading_parts();
+
+/// The place of a file in the listing: sorted by part, then by module, a header before its implementation.
+struct ReadingPlace {
+    std::size_t part = 0;
+    std::string module;   // path without its ending
+    bool is_implementation = false;
+    auto operator<=>(const ReadingPlace&) const = default;
+};
+ReadingPlace reading_place(const std::string& path, bool answers);
+
+// ---- the text --------------------------------------------------------------------------------------------------------------
 
 /// A section of the report and the code it cites, for the index.
 struct CitingSection {
@@ -36,21 +69,21 @@ struct CitingSection {
 class SourceListing {
 public:
     /// @param title  the first line
-    /// @param files  of these, what is_source(path) is listed
+    /// @param files  the source tree; only files for which is_source(path) is true are listed
     SourceListing(const std::string& title, const std::vector<SourceFile>& files, std::vector<CitingSection> index);
 
-    /// Lines end in LF; each begins with its number, six wide, and two blanks.
+    /// Returns the text. Lines end in LF; each begins with its number, six wide, and two blanks.
     const std::string& text() const { return text_; }
 
-    /// Where in text() the definition of a function or a class of this file stands; 0: nowhere.
+    /// Returns the line of text() that defines a function or a class of the file; 0: it is not defined there.
     int line_of(const std::string& function, const std::string& file) const;
 
     const std::vector<CitingSection>& index() const { return index_; }   // with lines
 
-    /// The head and what the answers are computed by are together at most this long: what a marker reads.
+    /// The most lines of the index and the answering files together.
     static constexpr int most_answer_lines = 15'000;
 
-    /// Of the program and its renderer. Tests, templates, settings and build files are in the source archive alone.
+    /// True for C++ files of the program and its renderer; all other files are in the source archive alone.
     static bool is_source(std::string_view path);
 
 private:
@@ -66,8 +99,8 @@ private:
     std::vector<std::string> head(const std::string& title) const;
 };
 
-/// Enters the line of every cited function and class. One that is not found keeps line 0 and becomes a warning of its section.
-/// @return  those that are not found, as sentences
+/// Enters the line of every cited function and class. A citation that is not found keeps line 0 and adds a warning to its section.
+/// @return  one sentence for each citation that is not found
 std::vector<std::string> cite(report::Document& document, const SourceListing& listing);
 
 }   // namespace meshfolio::submission

@@ -14,30 +14,27 @@
 #include "base/sha256.h"
 #include "output/publish/folder_system.h"
 #include "report/escape.h"
+#include "report/numbering.h"
 #include "report/page/template_render.h"
 #include "report/writers.h"
-#include "submission/source_listing.h"
 #include "submission/suspicious_file.h"
 
 namespace meshfolio::submission {
 
 namespace {
 
-struct ZipEntry {
-    std::string path;
-    std::string_view bytes;
-    bool executable = false;   // mode 0755; else 0644
-};
+using nlohmann::json;
 
-using Writer = std::unique_ptr<archive, decltype(&archive_write_free)>;
-using Entry = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
+constexpr const char* archive_file = "submission.zip";
 
-/// @throws OutputError with libarchive's reason
+/// The files of the archive: path → bytes.
+using Contents = std::map<std::string, std::string_view>;
+
+/// @throws OutputError with libarchive's reason unless `code` is ARCHIVE_OK
 void require(int code, archive* writer) {
-    if (code != ARCHIVE_OK) {
-        const char* reason = archive_error_string(writer);
-        throw OutputError("submission.zip", std::string("cannot be packed (") + (reason ? reason : "libarchive failed") + ")");
-    }
+    if (code == ARCHIVE_OK) return;
+    const char* reason = archive_error_string(writer);
+    throw OutputError(archive_file, std::string("cannot be packed (") + (reason ? reason : "libarchive failed") + ")");
 }
 
 la_ssize_t append(archive*, void* zip, const void* bytes, std::size_t count) {
@@ -45,78 +42,64 @@ la_ssize_t append(archive*, void* zip, const void* bytes, std::size_t count) {
     return static_cast<la_ssize_t>(count);
 }
 
-void add(archive* writer, const ZipEntry& file) {
-    // No time: libarchive would write the local one beside it, which differs with the time zone.
-    const Entry entry(archive_entry_new(), &archive_entry_free);
-    archive_entry_set_pathname(entry.get(), file.path.c_str());
-    archive_entry_set_size(entry.get(), static_cast<la_int64_t>(file.bytes.size()));
-    archive_entry_set_filetype(entry.get(), AE_IFREG);
-    archive_entry_set_perm(entry.get(), file.executable ? 0755 : 0644);
-    archive_entry_set_uid(entry.get(), 0);
-    archive_entry_set_gid(entry.get(), 0);
-    require(archive_write_header(writer, entry.get()), writer);
-    const la_ssize_t written = archive_write_data(writer, file.bytes.data(), file.bytes.size());
-    require(written == static_cast<la_ssize_t>(file.bytes.size()) ? ARCHIVE_OK : ARCHIVE_FATAL, writer);
-}
-
-/// The archive, in the order of the entries, deflated, without owners and times (readers show 1 January 1980): its bytes depend on nothing
-/// but its entries.
+/// Returns the archive, deflated, sorted by path, without owners and times (readers show 1 January 1980): equal contents give equal bytes.
 /// @throws OutputError if libarchive cannot
-std::string zip_of(const std::vector<ZipEntry>& entries) {
+std::string zip_of(const Contents& contents) {
     std::string zip;
-    const Writer writer(archive_write_new(), &archive_write_free);
-    archive* const w = writer.get();
-    require(archive_write_set_format_zip(w), w);
-    require(archive_write_set_options(w, "zip:compression=deflate,zip:compression-level=6"), w);
-    require(archive_write_set_bytes_in_last_block(w, 1), w);   // no padding
-    require(archive_write_open(w, &zip, nullptr, append, nullptr), w);
-    for (const ZipEntry& entry : entries) add(w, entry);
-    require(archive_write_close(w), w);
+    const std::unique_ptr<archive, decltype(&archive_write_free)> owner(archive_write_new(), &archive_write_free);
+    archive* const writer = owner.get();
+    require(archive_write_set_format_zip(writer), writer);
+    require(archive_write_set_options(writer, "zip:compression=deflate,zip:compression-level=6"), writer);
+    require(archive_write_set_bytes_in_last_block(writer, 1), writer);   // no padding
+    require(archive_write_open(writer, &zip, nullptr, append, nullptr), writer);
+    for (const auto& [path, bytes] : contents) {
+        // No time: libarchive would write the local one beside it, which differs with the time zone.
+        const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(archive_entry_new(), &archive_entry_free);
+        archive_entry_set_pathname(entry.get(), path.c_str());
+        archive_entry_set_size(entry.get(), static_cast<la_int64_t>(bytes.size()));
+        archive_entry_set_filetype(entry.get(), AE_IFREG);
+        archive_entry_set_perm(entry.get(), path.starts_with("source/") && is_script(bytes) ? 0755 : 0644);
+        archive_entry_set_uid(entry.get(), 0);
+        archive_entry_set_gid(entry.get(), 0);
+        require(archive_write_header(writer, entry.get()), writer);
+        const la_ssize_t written = archive_write_data(writer, bytes.data(), bytes.size());
+        require(written == static_cast<la_ssize_t>(bytes.size()) ? ARCHIVE_OK : ARCHIVE_FATAL, writer);
+    }
+    require(archive_write_close(writer), writer);
     return zip;
 }
 
-using nlohmann::json;
-
-std::string packages_of(const std::vector<SourceFile>& tree) {
-    const auto setup = std::find_if(tree.begin(), tree.end(), [](const SourceFile& f) { return f.path == "tests/setup.sh"; });
-    return joined(build_packages(setup == tree.end() ? std::string_view() : setup->bytes), " ");
-}
-
-json citations_view(const SourceListing& listing) {
-    json list = json::array();
+/// Renders templates/instructions.md: what the archive holds, how to build and run it, where each question is answered.
+std::string instructions(const ReadyReport& ready, const SourceListing& listing, const std::vector<SourceFile>& tree,
+                         const SubmissionOptions& options) {
+    const auto setup = std::ranges::find(tree, "tests/setup.sh", &SourceFile::path);
+    json citations = json::array();
     for (const CitingSection& section : listing.index()) {
         for (const report::CodeReference& code : section.code) {
-            list.push_back(
+            citations.push_back(
                 {{"section", section.label}, {"line", std::to_string(code.line)}, {"function", code.function}, {"file", code.file}});
         }
     }
-    return list;
-}
-
-/// INSTRUCTIONS.md from templates/instructions.md: what the archive holds, how to build and run it, where each question is.
-std::string instructions(const ReportFacts& facts, const SourceListing& listing, const std::vector<SourceFile>& tree,
-                         const SubmissionOptions& options) {
-    const json model = {{"title", report::safe_text(facts.title)},
-                        {"author", report::safe_text(facts.author)},
-                        {"course", report::safe_text(facts.course)},
-                        {"has_course", !facts.course.empty()},
-                        {"version", facts.version},
-                        {"commit", facts.commit},
-                        {"has_commit", !facts.commit.empty() && facts.commit != "unknown"},
+    const report::Document& document = ready.document;
+    const std::string& commit = document.provenance.commit;
+    const bool has_own_meshes = std::ranges::any_of(document.sections, [](const report::Section& section) {
+        return report::is_question(section.id) &&
+               std::ranges::any_of(section.inputs, [](const report::Input& i) { return !i.asked.empty() && !i.stand_in; });
+    });
+    const json model = {{"title", report::safe_text(document.title)},
+                        {"author", report::safe_text(ready.author)},
+                        {"course", report::safe_text(document.course)},
+                        {"has_course", !document.course.empty()},
+                        {"version", document.provenance.version},
+                        {"commit", commit},
+                        {"has_commit", !commit.empty() && commit != "unknown"},
                         {"has_pdf", options.pdf},
                         {"has_images", options.images},
-                        {"has_own_meshes", facts.own_meshes},
-                        {"packages", packages_of(tree)},
-                        {"citations", citations_view(listing)}};
+                        {"has_own_meshes", has_own_meshes},
+                        {"packages", joined(build_packages(setup == tree.end() ? std::string_view() : setup->bytes), " ")},
+                        {"citations", citations}};
     return report::render(report::Templates(), "instructions.md", model, report::markdown_escape);
 }
-
-constexpr const char* archive_file = "submission.zip";
-constexpr const char* manifest_file = "MANIFEST.sha256";
-constexpr const char* notices_source = "src/submission/NOTICES.md";
-
-/// Path in the archive → bytes.
-using Contents = std::map<std::string, std::string_view>;
 
 bool is_packed(const std::string& path, const SubmissionOptions& options) {
     if (path == archive_file) return false;   // of an earlier submission
@@ -125,52 +108,35 @@ bool is_packed(const std::string& path, const SubmissionOptions& options) {
     return true;
 }
 
-/// Adds the source tree. Our own scripts are its only executables; any other program or build product in it is refused.
-void enter_source(const std::vector<SourceFile>& tree, Contents& contents) {
-    for (const SourceFile& file : tree) {
-        const std::string kind = is_script(file.bytes) ? "" : program_kind(file.bytes), problem = path_problem(file.path);
-        if (!kind.empty() || !problem.empty()) {
-            throw InputError({"source/" + file.path, 0}, kind.empty() ? problem : "is " + kind,
-                             "take it out of the source folder, build the program and make the report again");
-        }
-        contents["source/" + file.path] = file.bytes;
-    }
-}
-
-/// For `sha256sum -c`.
-std::string manifest_of(const Contents& contents) {
-    std::string manifest;
-    for (const auto& [path, bytes] : contents) manifest += sha256(bytes) + "  " + path + "\n";
-    return manifest;
-}
-
-std::vector<ZipEntry> entries_of(const Contents& contents) {
-    std::vector<ZipEntry> entries;
-    for (const auto& [path, bytes] : contents) entries.push_back({path, bytes, path.starts_with("source/") && is_script(bytes)});
-    return entries;
-}
-
 }   // namespace
 
 Submission pack(const ReportFolder& report, const SourceListing& listing, const SubmissionOptions& options) {
-    const ReportFacts facts = require_ready(report, listing, options);
+    const ReadyReport ready = require_ready(report, listing, options);
     const std::vector<SourceFile> tree = source_tree();
     Contents contents;
     for (const auto& [path, bytes] : report.files)
         if (is_packed(path, options)) contents[path] = bytes;
-    enter_source(tree, contents);
+    for (const SourceFile& file : tree) {   // our own scripts are its only executables
+        const std::string kind = is_script(file.bytes) ? "" : program_kind(file.bytes), problem = path_problem(file.path);
+        if (!kind.empty() || !problem.empty()) {
+            throw InputError({"source/" + file.path}, kind.empty() ? problem : "is " + kind,
+                             "take it out of the source folder, build the program and make the report again");
+        }
+        contents["source/" + file.path] = file.bytes;
+    }
     contents["LICENSE"] = contents.at("source/LICENSE");
-    contents["NOTICES.md"] = contents.at(std::string("source/") + notices_source);
-    const std::string how_to = instructions(facts, listing, tree, options);
+    contents["NOTICES.md"] = contents.at("source/src/submission/NOTICES.md");
+    const std::string how_to = instructions(ready, listing, tree, options);
     contents["INSTRUCTIONS.md"] = how_to;
-    const std::string manifest = manifest_of(contents);
-    contents[manifest_file] = manifest;
-    return {zip_of(entries_of(contents)), contents.size(), facts.warnings};
+    std::string manifest;   // for sha256sum -c
+    for (const auto& [path, bytes] : contents) manifest += sha256(bytes) + "  " + path + "\n";
+    contents["MANIFEST.sha256"] = manifest;
+    return {zip_of(contents), contents.size(), ready.warnings};
 }
 
 output::Notes publish(const ReportFolder& report, const Submission& submission) {
     output::Publication publication(report.path);
-    for (const auto& [path, bytes] : report.files) {   // as they were checked, whatever has happened to the folder since
+    for (const auto& [path, bytes] : report.files) {   // as they were checked, even if the folder has changed since
         if (path == archive_file) continue;
         output::make_folder((publication.folder() / path).parent_path());
         write_file(publication.folder() / path, bytes);

@@ -1,28 +1,48 @@
 /// @file
-/// submission.zip: what the assignment asks for, in one archive that says what it is and can be checked.
+/// submission.zip: what the assignment asks for, in one archive that describes itself and can be checked.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "output/publish/publish.h"
-#include "submission/readiness.h"
+#include "report/document.h"
+#include "submission/report_folder.h"
+#include "submission/source_listing.h"
 
 namespace meshfolio::submission {
 
+struct SubmissionOptions {
+    std::string author;                   // empty: the author that the report names
+    bool pdf = true;                      // report.pdf and appendix.pdf are required and packed
+    bool images = false;                  // images/ is packed, and the Markdown, which shows them
+    std::vector<std::string> questions;   // ids that must be answered
+};
+
+/// A report that may be submitted.
+struct ReadyReport {
+    report::Document document;
+    std::string author;
+    std::vector<std::string> warnings;   // problems that do not prevent a submission
+};
+
+/// Checks a report and reads its results.json.
+/// @throws SubmissionError if a question is missing, skipped or failed, or a citation does not resolve; InputError if a file is missing
+/// or was written by another version; UsageError if no author is known, or `options` name another than the report
+ReadyReport require_ready(const ReportFolder& report, const SourceListing& listing, const SubmissionOptions& options);
+
 struct Submission {
-    std::string zip;
+    std::string zip;   // bytes of the archive
     std::size_t files = 0;
     std::vector<std::string> warnings;
 };
 
-/// The report's files, the source tree below source/, INSTRUCTIONS.md, NOTICES.md and MANIFEST.sha256 of all others. The same report and
-/// author give the same bytes.
+/// Packs the report's files, the source tree below source/, INSTRUCTIONS.md, NOTICES.md and a MANIFEST.sha256 of all of them. The same
+/// report and author give the same bytes.
 /// @throws what require_ready() throws
 Submission pack(const ReportFolder& report, const SourceListing& listing, const SubmissionOptions& options);
 
-/// The report's folder again, with the archive in it and its sums renewed, all at once.
-/// @throws OutputError
+/// Replaces the report's folder in one step by itself with submission.zip in it and its sums renewed. @throws OutputError
 output::Notes publish(const ReportFolder& report, const Submission& submission);
 
 }   // namespace meshfolio::submission

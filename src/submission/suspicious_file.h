@@ -1,5 +1,5 @@
 /// @file
-/// What has no place in a submission: programs, build folders, links, paths that lead outside.
+/// Files that must not be in a submission: programs, build products, paths that lead outside.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace meshfolio::submission {
 
-/// What kind of program begins with these bytes: "an ELF program", "a script"; empty: none.
+/// Returns the kind of program that begins with these bytes: "an ELF program or library", "a script"; empty: no program.
 std::string program_kind(std::string_view bytes);
 
-/// A script's first line. The project's own scripts (build-report, run-tests, …) have it, and are the only executables of a submission.
+/// True if the bytes begin with "#!". The project's own scripts (build-report, run-tests, …) are the only executables of a submission.
 bool is_script(std::string_view bytes);
 
-/// Why a relative path must not be packed: it leads outside, or names a build folder or what a build leaves; empty: it may.
+/// Returns why a path must not be packed ("leads outside its folder", "lies in a build folder", …); empty: it may.
 std::string path_problem(std::string_view path);
 
 }   // namespace meshfolio::submission

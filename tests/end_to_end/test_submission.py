@@ -333,7 +333,7 @@ class Refusals(Reported):
         out = self.copy()
         (out / "results.json").write_text('{"title": 7}')
         renew_sums(out)
-        self.refuse(3, "is not what a report leaves", out)
+        self.refuse(3, "results.json:1: ", out)
 
     def test_executable_files_are_refused(self):
         out = self.copy()

@@ -37,14 +37,14 @@ void FileGroup::add(const fs::path& path, std::string_view bytes) {
         const bool replaces = fs::exists(status);
         write_part(member->part, bytes, true,
                    replaces ? status.permissions() : new_file_permissions);   // never more permissive than the file it replaces
-        // Nor closed by the umask; if that fails it stays so. Whose it is may have changed: nothing runs as somebody else.
+        // The umask may have taken rights away: restores them if possible. The owner may change: nothing runs as another user.
         if (replaces) fs::permissions(member->part.path(), status.permissions() & fs::perms::all, error);
     } catch (const OutputError& failure) {   // the message names the file that was asked for
         throw OutputError(path.string(), std::string("cannot be written: ") + failure.what());
     }
 }
 
-/// Renames a file into place. A replaced file keeps the temporary name if the file system can exchange names.
+/// Renames a file to its place. The file that it replaces gets the temporary name if the file system can exchange names.
 void FileGroup::place(Member& member) {
     const fs::path& part = member.part.path();
     int error = rename_with(part, member.target, Taken::kept);
@@ -53,10 +53,10 @@ void FileGroup::place(Member& member) {
         error = rename_with(part, member.target, Taken::exchanged);
         member.state = Member::State::exchanged;
         std::error_code ignored;
-        if (error == 0 && fs::is_directory(fs::symlink_status(part, ignored)))   // one that came meanwhile
+        if (error == 0 && fs::is_directory(fs::symlink_status(part, ignored)))   // made meanwhile
             throw OutputError(member.asked.string(), "is a folder");
     }
-    if (error == EINVAL || error == ENOSYS || error == EOPNOTSUPP || error == ENOENT) {   // or it was taken away meanwhile
+    if (error == EINVAL || error == ENOSYS || error == EOPNOTSUPP || error == ENOENT) {   // ENOENT: removed meanwhile
         error = rename_with(part, member.target, Taken::replaced);
         member.state = Member::State::replaced;
     }
@@ -65,13 +65,8 @@ void FileGroup::place(Member& member) {
     throw OutputError(member.asked.string(), std::string("cannot be put in place (") + std::strerror(error) + ")");
 }
 
-void FileGroup::sync_folders() const {
-    std::set<fs::path> folders;
-    for (const Member& member : members_) folders.insert(member.part.path().parent_path());
-    for (const fs::path& folder : folders) OpenFolder(folder).sync();
-}
-
-void FileGroup::take_back() noexcept {
+/// Undoes the renames, last first.
+void FileGroup::restore() noexcept {
     for (auto member = members_.rbegin(); member != members_.rend(); ++member) {   // Clang 14 knows no std::views::reverse
         if (member->state == Member::State::exchanged) rename_with(member->part.path(), member->target, Taken::exchanged);
         if (member->state == Member::State::fresh) rename_with(member->target, member->part.path(), Taken::kept);
@@ -82,9 +77,11 @@ void FileGroup::publish() {
     const auto permission = permission_to_create();
     try {
         for (Member& member : members_) place(member);
-        sync_folders();
+        std::set<fs::path> folders;
+        for (const Member& member : members_) folders.insert(member.part.path().parent_path());
+        for (const fs::path& folder : folders) OpenFolder(folder).sync();
     } catch (const OutputError&) {
-        take_back();
+        restore();
         throw;
     }
     remember_publication();

@@ -1,5 +1,5 @@
 /// @file
-/// Files that appear all at once: each written beside its place and on the disk before the first takes it.
+/// Files that appear all at once: all are written beside their places and flushed to the disk before the first is renamed.
 #pragma once
 
 #include <deque>
@@ -15,22 +15,21 @@ namespace meshfolio::output {
 
 class FileGroup {
 public:
-    /// Protects an input file: adding an output of that name fails. Call it before add().
+    /// Protects an input file: add() refuses an output of that name. To be called before add().
     void keep(const std::filesystem::path& input);
 
-    /// Writes `bytes` beside `path`; thread-safe. What is not a regular file (a device, a FIFO) is written at once.
-    /// @throws OutputError; UsageError for a file that is kept or in the group already
+    /// Writes `bytes` beside `path`; thread-safe. A device or a FIFO is written to at once.
+    /// @throws OutputError; UsageError if the file is protected or in the group already
     void add(const std::filesystem::path& path, std::string_view bytes);
 
-    /// Puts every file in its place, or none: earlier ones are taken back if one fails. Call it once.
-    /// @throws OutputError
+    /// Renames every file to its place, or none: if one fails, the files before it are restored. To be called once. @throws OutputError
     void publish();
 
 private:
     struct Member {
         Member(std::filesystem::path asked_for, std::filesystem::path its_target, std::filesystem::path beside)
             : asked(std::move(asked_for)), target(std::move(its_target)), part(std::move(beside)) {}
-        std::filesystem::path asked, target;   // as it was named, and with links followed
+        std::filesystem::path asked, target;   // as named, and with links followed
         Temporary part;
         enum class State { waiting, fresh, exchanged, replaced } state = State::waiting;
     };
@@ -39,11 +38,10 @@ private:
     std::deque<Member> members_;   // a deque: references to members stay valid
 
     static void place(Member& member);
-    void sync_folders() const;
-    void take_back() noexcept;
+    void restore() noexcept;
 };
 
-/// Creates or replaces one file all at once. @throws OutputError
+/// Creates or replaces one file in one step. @throws OutputError
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
 }   // namespace meshfolio::output

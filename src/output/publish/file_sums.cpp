@@ -15,14 +15,7 @@ namespace meshfolio::output {
 
 namespace fs = std::filesystem;
 
-namespace {
-
 constexpr std::uintmax_t largest_sums = std::uintmax_t{256} << 20;   // bytes
-
-/// The list comes from outside as well.
-bool is_inside(const fs::path& path) { return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end(); }
-
-}   // namespace
 
 std::map<std::string, FileSum> parse_sums(const std::string& text, const std::filesystem::path& file) {
     constexpr std::size_t digits = 64, gap = 2;
@@ -93,9 +86,11 @@ std::string first_changed(const fs::path& folder) {
     std::vector<char> is_whole(listed.size());
     tbb::parallel_for(std::size_t{0}, listed.size(), [&](std::size_t i) {
         try {
-            const auto& [path, sum] = listed[i];   // .gitignore is the user's; earlier versions listed it
-            is_whole[i] = path == ".gitignore" || (is_inside(path) && sha256_of_file(folder / path) == sum.digest);
-        } catch (const InputError&) {   // it is missing, or cannot be read
+            const fs::path path = listed[i].first;
+            const bool is_inside = path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+            is_whole[i] = path == ".gitignore" ||   // the user's; earlier versions listed it
+                          (is_inside && sha256_of_file(folder / path) == listed[i].second.digest);
+        } catch (const InputError&) {   // missing, or not readable
         }
     });
     const auto changed = std::find(is_whole.begin(), is_whole.end(), '\0');

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Compares with $HOME and the home folder of the user's account.
+/// True for $HOME and the home folder of the user's account.
 bool is_home(const fs::path& folder) {
     const passwd* account = ::getpwuid(::geteuid());
     std::error_code error;
@@ -26,7 +26,7 @@ bool is_home(const fs::path& folder) {
     return false;
 }
 
-/// Returns what a folder without the mark of `kind` holds, in words; empty: nothing that would be in the way.
+/// Describes the contents of a folder without the marker of `kind`; empty: nothing that would be lost.
 std::string foreign_contents(const fs::path& folder, const FolderKind& kind) {
     for (const FolderKind& other : {report_folder, marks_folder, batch_folder})
         if (has_mark(folder, other)) return other.words;
@@ -34,7 +34,7 @@ std::string foreign_contents(const fs::path& folder, const FolderKind& kind) {
     fs::directory_iterator it(folder, error);
     for (; !error && it != fs::directory_iterator(); it.increment(error)) {
         const std::string name = it->path().filename().string();
-        const bool is_part = name.starts_with(".meshfolio.part-");   // of a run that is under way, or was killed
+        const bool is_part = name.starts_with(".meshfolio.part-");   // of a run that goes on, or was killed
         if (name == ".gitignore" || is_part || process_in_name(name, ".meshfolio.tmp-") != 0) continue;
         if (kind.marker == batch_folder.marker && has_mark(it->path(), report_folder)) continue;   // parts that were merged
         return "files that no run of ours put there";
@@ -49,7 +49,7 @@ bool has_mark(const fs::path& folder, const FolderKind& kind) noexcept try {
     const fs::path mark = folder / kind.marker;
     const std::string_view contents = kind.contents;
     return fs::is_regular_file(fs::symlink_status(mark)) && read_file(mark, contents.size()) == contents;
-} catch (const std::exception&) {   // not to be read, or larger
+} catch (const std::exception&) {   // not readable, or larger
     return false;
 }
 

@@ -4,14 +4,11 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <algorithm>
-
 #include <cerrno>
 #include <cstring>
 
 #include "base/errors.h"
 #include "output/publish/temporaries.h"
-#include "report/escape.h"
 
 namespace meshfolio::output {
 
@@ -44,7 +41,7 @@ bool OpenFolder::is_in_its_place() const {
 
 fs::path resolved(const fs::path& path, std::error_code& error) {
     fs::path target = fs::absolute(path, error);
-    // Twice: behind "nowhere/.." the first only shortens and follows no links.
+    // Twice: after "nowhere/.." the first call only shortens the path and follows no links.
     for (int i = 0; i < 2 && !error; ++i) target = fs::weakly_canonical(target, error);
     return target;
 }
@@ -68,7 +65,7 @@ void require_folder(const fs::path& path) {
 }
 
 fs::path place_of_file(const fs::path& path) {
-    if (is_stream(path)) return path;   // links to pipes lead nowhere by name
+    if (is_stream(path)) return path;   // a link to a pipe has no path to follow
     std::error_code error;
     const fs::path target = resolved(path, error), folder = target.parent_path();
     if (error) throw OutputError(path.string(), "cannot be a file (" + error.message() + ")");
@@ -93,8 +90,8 @@ void make_folder(const fs::path& path) {
 }
 
 bool is_safe_name(std::string_view name) {
-    const auto safe = [](char c) { return report::is_alphanumeric(c) || c == '_' || c == '.' || c == '+' || c == '-'; };
-    return !name.empty() && name.size() <= 120 && name.front() != '.' && name.front() != '-' && std::all_of(name.begin(), name.end(), safe);
+    constexpr std::string_view safe = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.+-";
+    return !name.empty() && name.size() <= 120 && name.front() != '.' && name.front() != '-' && name.find_first_not_of(safe) == name.npos;
 }
 
 }   // namespace meshfolio::output

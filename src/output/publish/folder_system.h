@@ -1,5 +1,5 @@
 /// @file
-/// The system calls on folders that the standard library does not offer, each checked. Renaming: base/linux_only.h.
+/// Checked system calls on folders that the standard library does not offer. Renaming: base/linux_only.h.
 #pragma once
 
 #include <filesystem>
@@ -7,21 +7,21 @@
 
 namespace meshfolio::output {
 
-/// An open folder, to be synced after names in it have changed.
+/// An open folder.
 class OpenFolder {
 public:
-    /// @throws OutputError
-    explicit OpenFolder(const std::filesystem::path& path);
+    explicit OpenFolder(const std::filesystem::path& path);   // throws OutputError
     ~OpenFolder();
     OpenFolder(const OpenFolder&) = delete;
     OpenFolder& operator=(const OpenFolder&) = delete;
-    /// @throws OutputError
+    /// Flushes changed names in the folder to the disk. @throws OutputError
     void sync() const;
-    /// Until this goes, however the process ends. File systems without locks let everyone in. @throws OutputError if another has it
+    /// Locks the folder until this object or the process ends; does nothing on file systems without locks.
+    /// @throws OutputError if another process has the lock
     void lock() const;
-    /// The same without an error. @return whether it has the lock
+    /// Locks like lock(); returns false if another process has the lock.
     bool try_lock() const;
-    /// Returns whether its name still stands for this folder.
+    /// True if the path still names this folder.
     bool is_in_its_place() const;
 
 private:
@@ -29,26 +29,26 @@ private:
     int descriptor_;
 };
 
-/// The absolute path, links followed as far as it exists, which a rename needs. @param error  why there is none
+/// Returns the absolute path, with links followed as far as it exists. @param error  set if there is none
 std::filesystem::path resolved(const std::filesystem::path& path, std::error_code& error);
 
-/// `path` relative to `folder`, links followed; empty if it is not inside.
+/// Returns `path` relative to `folder`, with links followed; empty if it is not inside.
 std::filesystem::path path_inside(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-/// Where a file of that name will stand, links followed. @throws OutputError where none can be made or replaced: its folder is missing or
-/// closed, or it is a folder itself
+/// Returns the path that a file of this name will have, with links followed.
+/// @throws OutputError if it cannot be made: its folder is missing or not writable, or it is a folder itself
 std::filesystem::path place_of_file(const std::filesystem::path& path);
 
-/// Is there a device, a pipe or the like, which cannot be replaced by a rename?
+/// True for a device, a pipe or a socket, which a rename cannot replace.
 bool is_stream(const std::filesystem::path& path);
 
-/// Before the work: can make_folder() make it, and files be put into it? @throws OutputError
+/// Requires that make_folder() can make the folder and that it is writable. @throws OutputError otherwise
 void require_folder(const std::filesystem::path& path);
 
-/// mkdir, parents too. @throws OutputError
+/// Creates the folder and its parents, if missing. @throws OutputError
 void make_folder(const std::filesystem::path& path);
 
-/// True for a plain file name: 1 to 120 characters of [A-Za-z0-9_.+-], the first of which is no point and no minus.
+/// True for a plain file name: 1 to 120 characters of [A-Za-z0-9_.+-] that do not begin with '.' or '-'.
 bool is_safe_name(std::string_view name);
 
 }   // namespace meshfolio::output

@@ -24,7 +24,7 @@ namespace {
     throw OutputError(path.string(), what + " (" + std::strerror(error) + ")");
 }
 
-/// The folder that the rename will name, without a trailing slash.
+/// Returns the absolute path of a folder, with links followed and without a trailing slash.
 fs::path resolved_folder(const fs::path& target) {
     std::error_code error;
     fs::path path = resolved(target, error);
@@ -34,7 +34,7 @@ fs::path resolved_folder(const fs::path& target) {
     return path;
 }
 
-/// Removes permissions of others that the replaced folder did not grant.
+/// Removes permissions of other users that the replaced folder did not grant.
 void keep_private(const fs::path& folder, const fs::path& target) {
     std::error_code error;
     const fs::file_status replaced = fs::status(target, error);
@@ -49,27 +49,25 @@ void sync_folders(const fs::path& folder) {
     OpenFolder(folder).sync();
 }
 
-/// Opens and locks the folder once no other run is exchanging it; null where there is none.
-/// @throws OutputError where another run keeps it for long
+/// Opens and locks the folder as soon as no other run exchanges it; returns null if it is missing.
+/// @throws OutputError if another run holds it for a minute
 std::unique_ptr<OpenFolder> locked_folder(const fs::path& target) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (may_be_there(target)) {
         try {
             auto folder = std::make_unique<OpenFolder>(target);
-            if (std::chrono::steady_clock::now() > end) folder->lock();   // says that it is busy
+            if (std::chrono::steady_clock::now() > end) folder->lock();   // throws
             if (folder->try_lock() && folder->is_in_its_place()) return folder;
         } catch (const OutputError&) {
-            if (may_be_there(target)) throw;   // else it was being renamed
+            if (may_be_there(target)) throw;   // otherwise it was just renamed
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return nullptr;
 }
 
-bool cannot_exchange(int error) { return error == EINVAL || error == ENOSYS || error == EOPNOTSUPP; }
-
-/// Replaces a mount point, which cannot be renamed, file by file. Meanwhile the sums list the old and the new of each file, so that the
-/// next run knows both as ours; those of the new alone come last.
+/// Replaces a mount point, which cannot be renamed, file by file. Meanwhile its SHA256SUMS lists the old and the new version of each file,
+/// so that the next run recognises both; the final SHA256SUMS comes last.
 void place_file_by_file(const fs::path& folder, const fs::path& target, UserFiles& users) {
     const auto permission = permission_to_create();
     std::vector<std::string> files = files_below(folder);
@@ -89,20 +87,13 @@ void place_file_by_file(const fs::path& folder, const fs::path& target, UserFile
     remember_publication();
 }
 
-void create_folder(const fs::path& path) {
-    const auto permission = permission_to_create();
-    std::error_code error;
-    if (!fs::create_directory(path, error))
-        throw OutputError(path.string(), "cannot create the folder (" + (error ? error.message() : std::string("it exists")) + ")");
-}
-
 }   // namespace
 
 Publication::Publication(const fs::path& target, const FolderKind& kind) : target_(resolved_folder(target)), kind_(kind) {
     require_ours(target_, kind);
     make_folder(target_.parent_path());
     sweep_leftovers(target_);
-    static_cast<void>(UserFiles(target_));   // what cannot be carried over is refused before the work
+    static_cast<void>(UserFiles(target_));   // refuses files that cannot be carried over before the work
     in_place_ = is_mount_point(target_);
     if (in_place_) {
         lock_ = std::make_unique<OpenFolder>(target_);
@@ -111,7 +102,12 @@ Publication::Publication(const fs::path& target, const FolderKind& kind) : targe
     const fs::path path =
         in_place_ ? target_ / (".meshfolio.tmp-" + process_number()) : fs::path(target_.string() + ".tmp-" + process_number());
     folder_ = std::make_unique<Temporary>(path);
-    create_folder(path);
+    {
+        const auto permission = permission_to_create();
+        std::error_code error;
+        if (!fs::create_directory(path, error))
+            throw OutputError(path.string(), "cannot create the folder (" + (error ? error.message() : std::string("it exists")) + ")");
+    }
     keep_private(path, target_);
     write_file(path / kind.marker, kind.contents);
 }
@@ -120,7 +116,7 @@ Publication::~Publication() = default;
 
 const fs::path& Publication::folder() const { return folder_->path(); }
 
-/// Prepares the exchange with the target, which the caller has locked. Null where there is none.
+/// Examines the target, which the caller has locked, before the exchange; returns null if it is missing.
 std::unique_ptr<UserFiles> Publication::users_of_target(const std::function<void()>& last_check) const {
     if (!may_be_there(target_)) return nullptr;
     require_ours(target_, kind_);
@@ -130,11 +126,12 @@ std::unique_ptr<UserFiles> Publication::users_of_target(const std::function<void
     return users;
 }
 
-/// One rename, or two where the file system cannot exchange names: the next run can restore the old folder from its name then.
-/// @return 0 or errno; folder() is the old one afterwards, or is gone
+/// Exchanges folder() with the target by one rename, or by two if the file system cannot exchange names: after a crash between the two,
+/// the next run restores the old folder. Afterwards folder() is the old folder, or is gone.
+/// @return 0 or errno
 int Publication::exchange(const UserFiles* users, Notes& notes) {
     const int error = rename_with(folder(), target_, users == nullptr ? Taken::kept : Taken::exchanged);
-    if (!cannot_exchange(error)) return error;
+    if (error != EINVAL && error != ENOSYS && error != EOPNOTSUPP) return error;
     const fs::path aside = target_.string() + ".old-" + process_number();
     const int moved = rename_with(target_, aside, Taken::replaced);
     if (moved != 0 && moved != ENOENT) fail(target_, "cannot be moved aside", moved);
@@ -148,10 +145,10 @@ int Publication::exchange(const UserFiles* users, Notes& notes) {
     return 0;
 }
 
-/// Two first runs may race: the second finds the name taken and exchanges.
-void Publication::place_by_one_rename(Notes& notes, const std::function<void()>& last_check) {
+/// Puts folder() in the place of the target. If another run has made the target meanwhile, tries again.
+void Publication::place_by_rename(Notes& notes, const std::function<void()>& last_check) {
     const OpenFolder parent(target_.parent_path()), own(folder());
-    own.lock();   // whoever replaces the new folder waits until what is the user's has been carried over
+    own.lock();   // a run that replaces the new folder waits until the user's files are carried over
     int error = 0;
     for (int attempt = 0; attempt < 10; ++attempt) {
         const auto lock = locked_folder(target_);
@@ -164,7 +161,7 @@ void Publication::place_by_one_rename(Notes& notes, const std::function<void()>&
         if (error != 0) break;
         try {
             parent.sync();
-        } catch (const OutputError&) {   // not known to last: better the old one
+        } catch (const OutputError&) {   // the rename may not survive a loss of power: restores the old folder
             const bool is_back = rename_with(target_, folder(), users ? Taken::exchanged : Taken::replaced) == 0;
             if (users && !is_back) take_the_rest(*users, notes);
             throw;
@@ -176,7 +173,7 @@ void Publication::place_by_one_rename(Notes& notes, const std::function<void()>&
     fail(target_, "the finished report cannot be put in its place", error);
 }
 
-/// What the user has changed since the links were made, and what cannot have two names.
+/// Moves to the target the files that the user has changed since the links were made, and files that cannot be linked.
 void Publication::take_the_rest(UserFiles& users, Notes& notes) {
     try {
         users.renamed(folder());
@@ -198,14 +195,14 @@ Notes Publication::publish(const Digests& known, const std::function<void()>& la
         place_file_by_file(folder(), target_, *users);
         notes = {target_.string() + ": is a mount point, so the report was replaced file by file", users->notes(target_)};
     } else {
-        place_by_one_rename(notes, last_check);
+        place_by_rename(notes, last_check);
     }
-    if (!folder_->is_kept() && !folder_->remove())   // the earlier report, of another owner perhaps
+    if (!folder_->is_kept() && !folder_->remove())   // it may belong to another user
         notes.warning += (notes.warning.empty() ? "" : "; ") + folder().string() + ": cannot be removed, though nobody needs it any more";
     return notes;
 } catch (const fs::filesystem_error& error) {
     throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")");
-} catch (const InputError& error) {   // a file of ours that cannot be read back
+} catch (const InputError& error) {   // a new file cannot be read back
     throw OutputError(target_.string(), error.what());
 }
 
@@ -215,7 +212,7 @@ void Publication::step_aside() try {
     Publication aside(failed_beside(target_));
     std::swap(target_, aside.target_);
     if (!in_place_ && !aside.in_place_) return;
-    // Of two file systems: no rename leads from one to the other.
+    // A rename cannot move the folder to another file system.
     fs::copy(folder(), aside.folder(), fs::copy_options::recursive | fs::copy_options::overwrite_existing);
     keep_private(aside.folder(), aside.target_);
     std::swap(folder_, aside.folder_);
@@ -234,16 +231,14 @@ std::vector<std::string> Publication::remove_failed() const {
     const auto permission = permission_to_create();
     if (users.any()) {
         users.remove_ours();
-        fs::remove(failed / sums_file, error);   // what is left is the user's
+        fs::remove(failed / sums_file, error);   // only the user's files are left
         return {failed.string() + ": holds files of yours, and was not removed with the failed report"};
     }
-    if (!in_place_ && rename_with(failed, folder(), Taken::kept) == 0)   // a name that is swept if we end here
+    if (!in_place_ && rename_with(failed, folder(), Taken::kept) == 0)   // a name that is swept if the process ends here
         folder_->remove();
     else
         fs::remove_all(failed, error);
     return {};
 }
-
-bool abandon_publications() noexcept { return remove_all_temporaries(); }
 
 }   // namespace meshfolio::output

@@ -24,11 +24,11 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Registry {
-    std::recursive_mutex creating;   // the permission
-    bool has_published = false;      // guarded by it
+    std::recursive_mutex creating;   // permission_to_create()
+    bool has_published = false;      // guarded by `creating`
     std::mutex listing;              // guards `paths`
     std::set<fs::path> paths;
-    std::atomic<char*> reserve = new char[std::size_t{1} << 20];   // given back when there is no memory left to remove anything
+    std::atomic<char*> reserve = new char[std::size_t{1} << 20];   // freed when removal runs out of memory
 };
 
 /// Never destroyed: a signal may come while the program ends.
@@ -37,7 +37,7 @@ Registry& registry() {
     return *instance;
 }
 
-/// The sums go last but for the marker: of a removal that is cut short, the next run still knows what is ours, and that it is ours.
+/// Empties a folder except for its marker, the sums last: after an interrupted removal the next run still recognises the folder and files.
 void remove_contents(const fs::path& folder, std::error_code& error) {
     if (fs::is_symlink(fs::symlink_status(folder, error)) || !fs::is_directory(folder, error)) return;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
@@ -47,7 +47,7 @@ void remove_contents(const fs::path& folder, std::error_code& error) {
     if (!error) fs::remove(folder / sums_file, error);
 }
 
-/// Folders of the user's may be closed to their own owner.
+/// Gives the owner all rights on a folder and the folders below it: the user's own may be closed.
 void open_folders(const fs::path& folder) {
     std::error_code error;
     const auto open = [&](const fs::path& one) { fs::permissions(one, fs::perms::owner_all, fs::perm_options::add, error); };
@@ -57,8 +57,8 @@ void open_folders(const fs::path& folder) {
         if (fs::is_directory(it->symlink_status())) open(it->path());
 }
 
-/// Repeated, because a writer that is still running may add a file between the listing and the removal of its folder.
-/// @return whether nothing is left
+/// Removes a path with everything in it. Tries repeatedly, because a thread that still writes may add files meanwhile.
+/// @return true if nothing is left
 bool remove_stubbornly(const fs::path& path) noexcept {
     for (int attempt = 0; attempt < 100; ++attempt) {
         std::error_code error;
@@ -108,7 +108,7 @@ void write_part(const Temporary& part, std::string_view bytes, bool synced, std:
     file.finish(bytes, synced);
 }
 
-bool remove_all_temporaries() noexcept {
+bool abandon_publications() noexcept {
     registry().creating.lock();   // and never unlocked
     registry().listing.lock();
     for (const auto& path : registry().paths) remove_stubbornly(path);
@@ -119,7 +119,7 @@ std::string process_number() { return std::to_string(::getpid()); }
 
 namespace {
 
-/// Only a folder that carries a marker of ours, or never held more than a .gitignore, is ours to remove.
+/// True for a folder that this program made: it has a marker, or holds a .gitignore at most.
 bool is_our_folder(const fs::directory_entry& entry) {
     if (entry.is_symlink() || !entry.is_directory()) return false;
     if (is_marked(entry.path())) return true;
@@ -127,26 +127,26 @@ bool is_our_folder(const fs::directory_entry& entry) {
                        [](const fs::directory_entry& inside) { return inside.path().filename() == ".gitignore"; });
 }
 
-/// Calls use(entry) for each entry of `folder` that a dead process left under the name `stem` and its number.
-/// @param ours  also for those with the number of this process, which one before it may have had
+/// Calls use(entry) for each entry of `folder` that a dead process left under the name `<stem><pid>…`.
+/// @param own  also entries with the number of this process, which an earlier process may have had
 template <class Use>
-void for_each_leftover(const fs::path& folder, const std::string& stem, bool ours, const Use& use) noexcept try {
+void for_each_leftover(const fs::path& folder, const std::string& stem, bool own, const Use& use) noexcept try {
     std::vector<fs::directory_entry> entries;
     std::error_code error;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) entries.push_back(*it);
     for (const fs::directory_entry& entry : entries) {
         const long pid = process_in_name(entry.path().filename().string(), stem);
-        if (pid > 0 && (pid == ::getpid() ? ours : is_dead(pid))) use(entry);
+        if (pid > 0 && (pid == ::getpid() ? own : is_dead(pid))) use(entry);
     }
 } catch (const std::exception&) {
-    // A leftover that cannot be examined stays; the run itself is not in danger.
+    // A leftover that cannot be examined stays.
 }
 
 }   // namespace
 
 bool is_dead(long pid) {
     if (::kill(static_cast<pid_t>(pid), 0) != 0 && errno == ESRCH) return true;
-    // Killed, but not yet waited for: the state after the name in parentheses is Z. (Files of /proc have no size to read by.)
+    // Killed, but not yet collected: the state after the name in parentheses is Z. (Files of /proc have no size, so no read_file.)
     std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
     std::string status;
     std::getline(file, status);
@@ -168,12 +168,12 @@ void sweep_leftovers(const fs::path& target) noexcept try {
     };
     const auto settle = [&](const fs::directory_entry& entry, bool was_there) {
         if (!is_our_folder(entry)) return;
-        const bool is_finished = may_be_there(entry.path() / sums_file);   // those come last, and all at once
+        const bool is_finished = may_be_there(entry.path() / sums_file);   // written last, in one step
         if ((was_there || is_finished) && !may_be_there(target)) return fs::rename(entry.path(), target, ignored);
         if (is_finished) {
             UserFiles users(entry.path());
             users.examine();
-            if (users.any() && !is_marked(target)) return;   // nowhere to go
+            if (users.any() && !is_marked(target)) return;   // the user's files have no place to go
             users.move_into(target);
         }
         remove_stubbornly(entry.path());
@@ -183,11 +183,11 @@ void sweep_leftovers(const fs::path& target) noexcept try {
     for_each_leftover(target.parent_path(), name + ".tmp-", true, [&](const auto& entry) { settle(entry, false); });
     for_each_leftover(target, ".meshfolio.tmp-", true, remove);   // of runs into a mount point
 } catch (const std::exception&) {
-    // No memory for a name, or no place for a file of the user's: what is left stays for the next run.
+    // Leftovers that cannot be handled stay for the next run.
 }
 
 void sweep_file_leftovers(const fs::path& folder) noexcept {
-    // Not those with our own number: another thread may be writing one.
+    // Files with the number of this process stay: another thread may be writing one.
     for_each_leftover(folder, ".meshfolio.part-", false, [](const fs::directory_entry& entry) {
         std::error_code ignored;
         if (entry.is_regular_file() && !entry.is_symlink()) fs::remove(entry.path(), ignored);

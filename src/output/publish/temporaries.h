@@ -1,6 +1,5 @@
 /// @file
-/// The temporary files and folders of this process, so that a signal can have them removed at any moment,
-/// and those that earlier processes left.
+/// The temporary files and folders of this process, which can be removed at any moment, and those that earlier processes left.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +11,7 @@
 
 namespace meshfolio::output {
 
-/// A path that is removed with everything in it when this goes, or earlier by remove_all_temporaries().
+/// A path that is removed with everything in it by the destructor, or earlier by abandon_publications().
 class Temporary {
 public:
     explicit Temporary(std::filesystem::path path);
@@ -20,9 +19,9 @@ public:
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
     const std::filesystem::path& path() const { return path_; }
-    /// @return whether nothing is left of it
+    /// Removes it now. Returns true if nothing is left.
     bool remove() const noexcept;
-    /// Leaves it where it is, for a later run.
+    /// Leaves it for a later run.
     void keep() noexcept;
     bool is_kept() const { return is_kept_; }
 
@@ -31,36 +30,35 @@ private:
     bool is_kept_ = false;
 };
 
-/// A recursive lock, held while a file is created or renamed. After remove_all_temporaries() it is never granted again.
+/// Returns a recursive lock, to be held while a file is created or renamed. After abandon_publications() this function never returns.
 std::unique_lock<std::recursive_mutex> permission_to_create();
-/// Call it with the lock once something is published.
+/// Notes that something was published. To be called with the lock.
 void remember_publication();
 
-/// Writes the file at `part`. @param synced  returns only when the bytes are on the disk @throws OutputError
+/// Writes the file at `part`. @param synced  return only when the bytes are on the disk @throws OutputError
 void write_part(const Temporary& part, std::string_view bytes, bool synced, std::filesystem::perms permissions = new_file_permissions);
 
-/// Takes the lock for good and removes all registered paths, even while other threads write there.
-/// @return whether something was published before
-bool remove_all_temporaries() noexcept;
+/// For an early end of the process, such as a signal: removes every temporary file and folder of this process, even while other threads
+/// write there, and lets nothing more be published. Returns true if something was published before.
+bool abandon_publications() noexcept;
 
-/// The number of this process, which ends the names of temporary files.
+/// Returns the number of this process as text, for the names of temporary files.
 std::string process_number();
 
-/// True when no process has this number (any more), or one that was killed and only waits to be collected.
+/// True if no process has this number, or only a killed one that its parent has not collected yet.
 bool is_dead(long pid);
 
-/// The process number at the end of `name` when it reads `<stem><digits>`; else 0.
+/// Returns the process number in a name of the form `<stem><digits>…`; 0 for other names.
 long process_in_name(const std::string& name, const std::string& stem);
 
-/// Cleans up what interrupted runs left beside `target`, as `<target>.tmp-<pid>` or `<target>.old-<pid>`. A finished folder becomes
-/// `target` where that is missing; otherwise the user's files in it are moved into `target`, and it is removed as an unfinished one is.
-/// Folders without our mark and anything else are left alone, and nothing that cannot be removed is an error.
+/// Removes the folders `<target>.tmp-<pid>` and `<target>.old-<pid>` of interrupted runs. If `target` is missing, a finished folder becomes
+/// `target`; otherwise the user's files in it are moved into `target` first. Folders without a marker stay; failures are ignored.
 void sweep_leftovers(const std::filesystem::path& target) noexcept;
 
-/// The same for the temporary files of a FileGroup in `folder`.
+/// Removes the temporary files that FileGroups of dead processes left in `folder`. Failures are ignored.
 void sweep_file_leftovers(const std::filesystem::path& folder) noexcept;
 
-/// And for folders `<stem><pid>-…` of this user in `place`, which others may use as well.
+/// Removes the folders `<stem><pid>-…` of this user's dead processes in `place`, a folder such as /tmp. Failures are ignored.
 void sweep_scratch_leftovers(const std::filesystem::path& place, const std::string& stem) noexcept;
 
 }   // namespace meshfolio::output

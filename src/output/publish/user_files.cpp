@@ -34,37 +34,27 @@ bool is_there(const fs::path& path) {
     return fs::symlink_status(path, error).type() != fs::file_type::not_found;
 }
 
-/// True for a folder, not for a link to one.
+/// True for a folder, false for a link to one.
 bool is_folder(const fs::path& path) {
     std::error_code error;
     return fs::is_directory(fs::symlink_status(path, error));
 }
 
-/// The first part of `path` that `successor` does not have yet: "notes/" of "notes/a/b"; the whole path where all its folders are there.
-std::string first_new_part(const fs::path& path, const fs::path& successor) {
-    fs::path part;
-    for (const fs::path& name : path) {
-        part /= name;
-        if (!is_there(successor / part)) break;
-    }
-    return part == path ? path.string() : part.string() + "/";
-}
-
-/// A rename that replaces nothing. @return 0 or errno
+/// Renames without replacing anything. @return 0 or errno
 int move_to_free_name(const fs::path& from, const fs::path& to) {
     const int error = rename_with(from, to, Taken::kept);
     if (error != EINVAL && error != ENOSYS && error != EOPNOTSUPP) return error;
     return is_there(to) ? EEXIST : rename_with(from, to, Taken::replaced);
 }
 
-/// Of a regular file; empty where it is none or cannot be read.
+/// Returns the SHA-256 of a regular file; empty if it is no regular file or cannot be read.
 std::string digest_of(const fs::path& file) try {
     return fs::is_regular_file(fs::symlink_status(file)) ? sha256_of_file(file) : "";
 } catch (const std::exception&) {
     return "";
 }
 
-/// "a, b, c and 4 more".
+/// Returns "a, b, c, d, e and 4 more".
 std::string named(const std::set<std::string>& names) {
     constexpr std::size_t most = 5, longest = 60;
     std::string text;
@@ -91,7 +81,7 @@ bool is_same_file(const fs::path& one, const fs::path& other) try {
     if (a.st_dev == b.st_dev && a.st_ino == b.st_ino) return true;
     if (S_ISLNK(a.st_mode) && S_ISLNK(b.st_mode)) return fs::read_symlink(one) == fs::read_symlink(other);
     return S_ISREG(a.st_mode) && S_ISREG(b.st_mode) && a.st_size == b.st_size && sha256_of_file(one) == sha256_of_file(other);
-} catch (const std::exception&) {   // one cannot be read: they may differ
+} catch (const std::exception&) {   // not readable: they may differ
     return false;
 }
 
@@ -109,7 +99,8 @@ std::string keep_beside(const fs::path& path, bool stays) {
 
 std::vector<std::string> replace_listed(const fs::path& folder, const std::map<std::string, std::string>& files) {
     SumsList listed = sums_of(folder);
-    if (!std::ranges::all_of(listed.paths, [&](const std::string& path) { return files.contains(path); })) listed = {};   // not ours
+    if (!std::ranges::all_of(listed.paths, [&](const std::string& path) { return files.contains(path); }))
+        listed = {};   // a list of other files
     std::vector<std::string> kept;
     std::string before, after;
     for (const auto& [name, bytes] : files) after += sha256(bytes) + "  " + name + "\n";
@@ -128,34 +119,36 @@ std::vector<std::string> replace_listed(const fs::path& folder, const std::map<s
     return kept;
 }
 
-/// Puts files of the user's into the successor of their folder.
+/// Puts the user's files into the successor of their folder.
 class UserFiles::Carrier {
 public:
     Carrier(fs::path from, fs::path to, bool moves) : from_(std::move(from)), to_(std::move(to)), moves_(moves) {}
 
-    /// @return where it is, below the successor; empty: it is left for later, or gone
+    /// Links or moves a file. @return its path below the successor; empty: it is left for a later move, or gone
     fs::path carry(const Found& file) {
         const fs::path parent = folder_at(file.path.parent_path()), from = from_ / file.path;
         if (file.is_folder) return folder_at(file.path).lexically_relative(to_);
         for (int number = file.edited ? 1 : 0;; ++number) {
             const fs::path place = parent / name_beside(file.path.filename().string(), number);
-            if (moves_ && is_same_file(from, place)) return place.lexically_relative(to_);   // it has been linked
+            if (moves_ && is_same_file(from, place)) return place.lexically_relative(to_);   // already linked
             const int error =
                 moves_ ? move_to_free_name(from, place) : (::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, place.c_str(), 0) == 0 ? 0 : errno);
             if (error == 0 || (error == EEXIST && is_same_file(from, place))) return place.lexically_relative(to_);
             if (error == EEXIST) continue;
-            if (error == ENOENT || (!moves_ && can_be_moved_instead(from, error))) return {};
+            const bool no_link = error == EPERM || error == EACCES || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK;
+            const auto can_be_moved = [&] { return ::faccessat(AT_FDCWD, from.parent_path().c_str(), W_OK | X_OK, AT_EACCESS) == 0; };
+            if (error == ENOENT || (!moves_ && no_link && can_be_moved())) return {};
             throw OutputError(from.string(), std::string("cannot be carried over (") + std::strerror(error) + ")", remedy);
         }
     }
 
-    /// Folders that were made get the mode, the owner and the time of those they stand for, the inner ones first.
+    /// Gives new folders the mode, the owner and the times of their originals, the inner ones first.
     void finish() const {
         for (auto made = made_.rbegin(); made != made_.rend(); ++made) {
             struct stat status {};
             if (::lstat(made->first.c_str(), &status) != 0) continue;
             const timespec times[] = {status.st_atim, status.st_mtim};
-            // Not everybody may give a folder away, and not every file system keeps times: neither is a reason to fail.
+            // Only root may change the owner, and some file systems keep no times: neither is a reason to fail.
             if (::geteuid() == 0 && ::lchown(made->second.c_str(), status.st_uid, status.st_gid) != 0) continue;
             ::chmod(made->second.c_str(), status.st_mode & 07777);
             ::utimensat(AT_FDCWD, made->second.c_str(), times, AT_SYMLINK_NOFOLLOW);
@@ -183,11 +176,6 @@ private:
             if (is_new) made_.emplace_back(from_ / below, place);
             return folders_[below] = place;
         }
-    }
-
-    static bool can_be_moved_instead(const fs::path& from, int error) {
-        const bool no_second_name = error == EPERM || error == EACCES || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK;
-        return no_second_name && ::faccessat(AT_FDCWD, from.parent_path().c_str(), W_OK | X_OK, AT_EACCESS) == 0;
     }
 };
 
@@ -246,7 +234,7 @@ void UserFiles::examine() {
         const auto known = ours_.find(path);
         try {
             is_ours[i] = (known != ours_.end() && known->second == stamp) || listed_.has(path, sha256_of_file(folder_ / path));
-        } catch (const InputError&) {   // not to be read: it may have been edited
+        } catch (const InputError&) {   // not readable: it may have been edited
         }
     });
     ours_.clear();
@@ -260,11 +248,17 @@ void UserFiles::examine() {
 
 void UserFiles::note(const Found& file, const fs::path& successor) {
     if (file.edited || file.path == ".gitignore" || is_there(successor / file.path)) return;
-    if (counted_.insert(file.path.string()).second) kept_.insert(first_new_part(file.path, successor));
+    if (!counted_.insert(file.path.string()).second) return;
+    fs::path part;   // the first that the successor does not have yet: "notes/" of "notes/a/b"
+    for (const fs::path& name : file.path) {
+        part /= name;
+        if (!is_there(successor / part)) break;
+    }
+    kept_.insert(part == file.path ? part.string() : part.string() + "/");
 }
 
 void UserFiles::carry(const fs::path& successor, bool moves) {
-    // Those that keep their names come first: they may be the names of others that are kept beside.
+    // Files that keep their names come first: another file may be about to get the same name.
     std::stable_partition(found_.begin(), found_.end(),
                           [&](const Found& file) { return !file.edited && !is_there(successor / file.path); });
     for (const Found& file : found_) note(file, successor);
@@ -303,7 +297,7 @@ void UserFiles::remove_ours(const std::set<std::string>& incoming) const {
         if (incoming.contains(path)) continue;
         fs::remove(folder_ / path, ignored);
         for (fs::path parent = fs::path(path).parent_path(); !parent.empty(); parent = parent.parent_path())
-            if (!fs::remove(folder_ / parent, ignored)) break;   // it is not empty
+            if (!fs::remove(folder_ / parent, ignored)) break;   // not empty
     }
 }
 

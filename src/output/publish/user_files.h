@@ -1,5 +1,5 @@
 /// @file
-/// The user's files in a folder of ours: those that SHA256SUMS does not list, and those that are listed and were edited since.
+/// The user's files in a folder that this program made: files that SHA256SUMS does not list, and listed files that were edited since.
 #pragma once
 
 #include <sys/stat.h>
@@ -17,38 +17,38 @@ namespace meshfolio::output {
 
 class UserFiles {
 public:
-    /// Lists `folder` without following links; nothing is hashed yet.
-    /// @throws OutputError where a folder in it cannot be listed, or a mount point in it would be carried along
+    /// Lists `folder` without following links or computing digests.
+    /// @throws OutputError if a folder in it cannot be listed or is a mount point
     explicit UserFiles(std::filesystem::path folder);
 
-    /// Lists it again and compares the listed files with their sums, in parallel; files that did not change since the last call are not
-    /// read again. @throws OutputError as above
+    /// Lists the folder again and compares its files with their sums, in parallel. Files that did not change since the last call are not
+    /// read again. @throws OutputError like the constructor
     void examine();
 
-    /// Returns whether anything of the user's was found.
+    /// True if the folder holds a file of the user.
     bool any() const { return !found_.empty(); }
 
-    /// Gives each file of the user's a second name in `successor`: under its own name, or as NAME.edited where that is taken or the file
-    /// was listed. Files that cannot have two names (another owner, a file system without hard links) are left to move_into().
-    /// @throws OutputError where one can neither be linked nor moved
+    /// Hard-links each file of the user into `successor`: under its own name, or as NAME.edited if that is taken or the file is listed.
+    /// Files that cannot be linked (another owner, a file system without hard links) are left to move_into().
+    /// @throws OutputError for a file that can neither be linked nor moved
     void link_into(const std::filesystem::path& successor) { carry(successor, false); }
 
-    /// Moves what `successor` does not have yet. @throws OutputError
+    /// Moves the user's files that `successor` does not have yet. @throws OutputError
     void move_into(const std::filesystem::path& successor) { carry(successor, true); }
 
-    /// Renames, within the folder, what is in the way of the files of `incoming`. @throws OutputError
+    /// Renames the user's files within the folder that are in the way of the files of `incoming`. @throws OutputError
     void make_way_for(const std::filesystem::path& incoming);
 
-    /// Removes the listed files that are as we wrote them and `incoming` does not have, and the folders they leave empty.
+    /// Removes the listed files that were not edited and are not among `incoming`, and the folders that become empty.
     void remove_ours(const std::set<std::string>& incoming = {}) const;
 
-    /// The folder has another name now.
+    /// Notes that the folder was renamed.
     void renamed(std::filesystem::path folder) { folder_ = std::move(folder); }
 
-    /// What SHA256SUMS lists.
+    /// Returns the SHA256SUMS of the folder.
     const SumsList& listed() const { return listed_; }
 
-    /// Returns lines that tell what was kept, at most one of each kind. @param where  the folder the files are in now
+    /// Returns at most two lines for the user: which files were kept, and which were renamed. @param where  the folder they are in now
     std::vector<std::string> notes(const std::filesystem::path& where) const;
 
 private:
@@ -69,7 +69,7 @@ private:
     SumsList listed_;
     std::vector<Found> found_;
     std::vector<std::pair<std::string, Stamp>> unsure_;   // listed, to be hashed
-    std::map<std::string, Stamp> ours_;                   // listed, as we wrote them
+    std::map<std::string, Stamp> ours_;                   // listed and not edited
     std::set<std::string> kept_, renamed_;                // for notes()
     std::set<std::string> counted_;
 
@@ -79,21 +79,21 @@ private:
     void note(const Found& file, const std::filesystem::path& successor);
 };
 
-/// Gives what stands at `path` the first free name beside it (name_beside()): a second name, or another one.
-/// @param stays  it is to be replaced at once, and keeps its own name until then where it can have two
-/// @return the new name; empty: nothing is there @throws OutputError
+/// Renames the file at `path` to the first free name_beside().
+/// @param stays  link it instead if possible: the caller replaces it under its old name at once
+/// @return the new name; empty: there was no file @throws OutputError
 std::string keep_beside(const std::filesystem::path& path, bool stays);
 
-/// Replaces files in a folder that others use as well, and lists them alone in its SHA256SUMS. Those that are there and not as listed are
-/// kept beside. At any moment the list has what stands in the folder, or what stood there.
+/// Replaces single files in a folder, which become the only files of its SHA256SUMS. Files of these names that are there and differ from
+/// the list are kept under another name. At any moment the list covers the files as they are.
 /// @param files  name → bytes
-/// @return the new names of those that were kept @throws OutputError
+/// @return the new names of the kept files @throws OutputError
 std::vector<std::string> replace_listed(const std::filesystem::path& folder, const std::map<std::string, std::string>& files);
 
-/// Returns whether both names stand for the same file, for files of the same bytes or for links to the same place.
+/// True if both paths name the same file, files with the same bytes, or links to the same path.
 bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
 
-/// Returns the `number`-th name for a file that is kept beside: its own, NAME.edited, NAME.edited.2 …
+/// Returns a name for a file that must make way: for 0, 1, 2 it is NAME, NAME.edited, NAME.edited.2.
 std::string name_beside(const std::string& name, int number);
 
 }   // namespace meshfolio::output

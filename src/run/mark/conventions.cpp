@@ -32,7 +32,7 @@ const ValueConvention inverse{{"inverse"}, [](const Vector& right) -> Vector { r
 
 }   // namespace of_values
 
-constexpr double coarsest_rounding = 0.005;   // of the typical size: more leaves too little to judge by
+constexpr double coarsest_rounding = 0.005;   // relative to the typical size; beyond, too few digits are left to judge by
 
 double median_magnitude(const Vector& values) {
     std::vector<double> magnitudes;
@@ -102,11 +102,10 @@ std::vector<ConventionKeys> recognised(const GivenValues& given, const RightValu
         if (keys.empty() || (!found.empty() && keys.size() > found.front().size())) return;
         RightValues wrong = right;
         wrong.values = convention.apply(base);
-        if (right.relative_to_scale) wrong.scale = std::max(right.scale, wrong.values.cwiseAbs().maxCoeff());   // of a run that blows up
-        // As large as right values are: where they are all 0, so is what they are measured by.
-        if (agreement_of({wrong.values}, right, tolerance).worst <= 2 * tolerance) return;   // no other answer than the right one
+        if (right.relative_to_scale) wrong.scale = std::max(right.scale, wrong.values.cwiseAbs().maxCoeff());   // a run that blows up
+        if (agreement_of({wrong.values}, right, tolerance).worst <= 2 * tolerance) return;   // the right answer again
         const Agreement with_wrong = agreement_of(given, wrong, tolerance);
-        if (!with_wrong.agrees(tolerance) || 2 * with_wrong.asked < with_right.asked) return;   // hardly defined: it explains nothing
+        if (!with_wrong.agrees(tolerance) || 2 * with_wrong.asked < with_right.asked) return;   // too little is defined
         if (!found.empty() && keys.size() < found.front().size()) found.clear();
         if (std::ranges::find(found, keys) == found.end()) found.push_back(std::move(keys));
     };

@@ -1,5 +1,5 @@
 /// @file
-/// `meshfolio mark`: a class against a rubric, into a folder that appears all at once.
+/// `meshfolio mark`: marks a class by a rubric, into a folder that appears all at once.
 #pragma once
 
 #include <string>
@@ -11,11 +11,13 @@ namespace meshfolio::run {
 
 struct MarkFlags {
     std::vector<std::string> submissions;   // folders and zips
-    std::string rubric, out, templates;     // empty: the bundled example, marks, those of the program
+    std::string rubric, templates;          // empty: bundled
+    std::string out;                        // folder of the marks
 };
 
-/// @return failed when a submission could not be marked: its row says why, the others are marked
-/// @throws SettingsErrors, InputError for a submission, a rubric or a mesh that is not there, OutputError
+/// Marks all submissions and prints the path of class.csv.
+/// @return failed if a submission could not be marked: its row says why
+/// @throws SettingsErrors, OutputError; InputError for a submission, a rubric or a mesh that is missing
 ExitCode mark_class(const MarkFlags& flags);
 
 }   // namespace meshfolio::run

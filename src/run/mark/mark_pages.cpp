@@ -11,7 +11,6 @@
 #include "base/number_text.h"
 #include "output/draw/surface_of.h"
 #include "png/png.h"
-#include "questions/operators/study.h"
 #include "report/escape.h"
 #include "report/page/page_design.h"
 #include "report/page/template_render.h"
@@ -30,7 +29,7 @@ using nlohmann::json;
 constexpr report::Words words("mark");
 constexpr int view_side = 300;   // pixels
 
-/// "area_voronoi" is the sentence "area" with the name of the form; most keys are sentences of their own.
+/// Returns the sentence of a convention: most keys have their own; those of operators and areas share two.
 std::string sentence_of(const std::string& key) {
     const auto after = [&](std::string_view start) { return key.substr(start.size()); };
     if (key.starts_with("operator_")) {
@@ -39,10 +38,7 @@ std::string sentence_of(const std::string& key) {
         description.erase(description.find_last_not_of('.') + 1);
         return words.line("convention.operator", "operator"_a = entry.title, "description"_a = description);
     }
-    if (key.starts_with("area_")) {
-        const operators::LaboratoryOperator with_area{OperatorKind::cotan, area_form_named(after("area_"))};
-        return words.line("convention.area", "area"_a = name_of(with_area.area));
-    }
+    if (key.starts_with("area_")) return words.line("convention.area", "area"_a = after("area_"));
     return words.line("convention." + key);
 }
 
@@ -56,25 +52,16 @@ std::string in_words(const std::vector<ConventionKeys>& conventions) {
     return joined(each, "; " + words.line("or") + " ");
 }
 
-/// "that of vertex 17".
-std::string place_of(const ItemMark& mark) {
-    if (is_of_mesh(mark.item->what))
-        return words.line("place.coordinate", "vertex"_a = mark.agreement.where / 3,
-                          "axis"_a = std::string(1, "xyz"[mark.agreement.where % 3]));
-    if (mark.item->what == MarkedThing::eigenvalues) return words.line("place.eigenvalue", "index"_a = mark.agreement.where + 1);
-    return words.line("place.vertex", "vertex"_a = mark.agreement.where);
-}
-
 const char* verdict_word(Verdict verdict) {
     constexpr const char* in_order[] = {"right", "accepted", "recognised", "wrong", "missing", "unusable"};
     return in_order[static_cast<std::size_t>(verdict)];
 }
 
-bool keeps_all(const ItemMark& mark) { return mark.verdict == Verdict::right || mark.verdict == Verdict::accepted; }
+bool has_all_points(const ItemMark& mark) { return mark.verdict == Verdict::right || mark.verdict == Verdict::accepted; }
 
 std::string points_text(double points) { return plain_text(points, 6); }
 
-/// The difference on the mesh, from six sides, as JPEG; empty if there is nothing to draw.
+/// Draws the difference on the mesh from six sides, as a JPEG; returns "" if there is no difference to draw.
 std::string picture_of(const ItemMark& mark) {
     if (mark.difference.size() == 0 || !mark.difference.array().isFinite().any()) return "";
     const std::shared_ptr<const TriangleMesh> mesh(mark.reference->mesh->prepared, &mark.reference->mesh->mesh());
@@ -94,39 +81,31 @@ std::string picture_of(const ItemMark& mark) {
     return render::encode_jpeg(render::compose(sheet), quality);
 }
 
-/// "You wrote 1.9; right is 2 (5 % off)."
-std::string wrong_number(double given, double expected) {
-    const auto text = [](double x) { return (x < 0 ? "−" : "") + plain_text(std::abs(x)); };
-    const double percent = 100 * std::abs(given - expected) / std::abs(expected);
-    return "You wrote " + text(given) + "; right is " + text(expected) +
-           (std::isfinite(percent) ? " (" + plain_text(rounded(percent, 2)) + "\u202f% off)." : ".");
+/// Explains a wrong answer: the number beside the right one, or the place where the answer is worst.
+std::string wrong_text(const ItemMark& mark) {
+    const MarkedThing what = mark.item->what;
+    const Eigen::Index worst = mark.agreement.where;
+    if (what == MarkedThing::number) {
+        const auto text = [](double x) { return (x < 0 ? "−" : "") + plain_text(std::abs(x)); };
+        const double percent = 100 * std::abs(mark.given - mark.expected) / std::abs(mark.expected);
+        return "You wrote " + text(mark.given) + "; right is " + text(mark.expected) +
+               (std::isfinite(percent) ? " (" + plain_text(rounded(percent, 2)) + "\u202f% off)." : ".");
+    }
+    const std::string place =
+        is_of_mesh(what) ? words.line("place.coordinate", "vertex"_a = worst / 3, "axis"_a = std::string(1, "xyz"[worst % 3]))
+        : what == MarkedThing::eigenvalues ? words.line("place.eigenvalue", "index"_a = worst + 1)
+                                           : words.line("place.vertex", "vertex"_a = worst);
+    return words.line("said.wrong", "share"_a = readable_percent(mark.agreement.share), "tolerance"_a = plain_text(mark.item->tolerance, 3),
+                      "place"_a = place, "given"_a = readable(mark.given, 6), "expected"_a = readable(mark.expected, 6));
 }
 
-/// Why an answer has its verdict.
-std::string explanation_of(const ItemMark& mark) {
-    const std::string worst = readable(mark.agreement.worst, 2), tolerance = plain_text(mark.item->tolerance, 3);
-    if (mark.verdict == Verdict::right)
-        return mark.agreement.worst > 0 ? words.line("said.right", "worst"_a = worst, "tolerance"_a = tolerance) : words.line("said.exact");
-    if (mark.verdict == Verdict::accepted) return words.line("said.accepted", "conventions"_a = in_words(mark.conventions));
-    if (mark.verdict == Verdict::recognised)
-        return words.line("said.recognised", "conventions"_a = in_words(mark.conventions),
-                          "share"_a = readable_percent(mark.item->recognised, 2));
-    const bool is_number = mark.item->what == MarkedThing::number;
-    if (mark.verdict == Verdict::wrong && is_number) return wrong_number(mark.given, mark.expected);
-    if (mark.verdict == Verdict::wrong)
-        return words.line("said.wrong", "share"_a = readable_percent(mark.agreement.share), "tolerance"_a = tolerance,
-                          "place"_a = place_of(mark), "given"_a = readable(mark.given, 6), "expected"_a = readable(mark.expected, 6));
-    return is_number ? words.line("said.no_number", "file"_a = answers_file, "id"_a = mark.item->id)
-                     : words.line("said.missing", "pattern"_a = mark.item->file);
-}
-
-/// A mark in short, as a cell of the class or the head of an item.
+/// Returns the fields that a cell of the class page and the head of an item share.
 json mark_view(const ItemMark& mark) {
     return {{"score", points_text(mark.score)},
             {"verdict", words.line("verdict." + std::string(verdict_word(mark.verdict)))},
-            {"is_right", keeps_all(mark)},
+            {"is_right", has_all_points(mark)},
             {"is_partial", mark.verdict == Verdict::recognised},
-            {"is_lost", !keeps_all(mark) && mark.verdict != Verdict::recognised}};
+            {"is_lost", !has_all_points(mark) && mark.verdict != Verdict::recognised}};
 }
 
 json item_view(const ItemMark& mark) {
@@ -138,7 +117,7 @@ json item_view(const ItemMark& mark) {
                  {"file", report::safe_text(mark.file)},
                  {"has_file", !mark.file.empty()},
                  {"settings", described(*mark.item, mark.settings)},
-                 {"said", report::safe_text(said_of(mark))},
+                 {"said", report::safe_text(explanation_of(mark))},
                  {"has_picture", !picture.empty()},
                  {"picture", base64(picture)}});
     return view;
@@ -152,55 +131,69 @@ json class_row(const StudentMarks& marks) {
             {"cells", report::list_of(marks.items, mark_view)}};
 }
 
-/// What the class did with one item: how many had it right, and which convention explains most of the others.
-json class_item(const std::vector<StudentMarks>& students, const Rubric& rubric, std::size_t item) {
+/// Returns how many students had an item right, and the convention that explains most other answers.
+json class_item(const std::vector<StudentMarks>& students, const RubricItem& item, std::size_t index) {
     double sum = 0;
     std::ptrdiff_t right = 0;
-    std::map<ConventionKeys, int> told;
+    std::map<ConventionKeys, int> counts;
     for (const StudentMarks& marks : students) {
         if (!marks.refused.empty()) continue;
-        const ItemMark& mark = marks.items[item];
+        const ItemMark& mark = marks.items[index];
         sum += mark.score;
-        right += keeps_all(mark) ? 1 : 0;
+        right += has_all_points(mark) ? 1 : 0;
         if (mark.verdict == Verdict::recognised)
-            for (const ConventionKeys& keys : mark.conventions) ++told[keys];
+            for (const ConventionKeys& keys : mark.conventions) ++counts[keys];
     }
-    const auto most = std::ranges::max_element(told, {}, [](const auto& one) { return one.second; });
-    return {{"id", rubric.items[item].id},
-            {"title", report::safe_text(rubric.items[item].title)},
-            {"points", points_text(rubric.items[item].points)},
+    const auto most = std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; });
+    return {{"id", item.id},
+            {"title", report::safe_text(item.title)},
+            {"points", points_text(item.points)},
             {"average", readable(sum / static_cast<double>(std::max<std::size_t>(1, students.size())))},
             {"right", std::to_string(right)},
-            {"has_misconception", most != told.end()},
-            {"misconception", most != told.end() ? report::safe_text(in_words({most->first})) : ""},
-            {"times", most != told.end() ? std::to_string(most->second) : ""}};
+            {"has_misconception", most != counts.end()},
+            {"misconception", most != counts.end() ? report::safe_text(in_words({most->first})) : ""},
+            {"times", most != counts.end() ? std::to_string(most->second) : ""}};
 }
 
-}   // namespace
-
-std::string said_of(const ItemMark& mark) {
-    if (mark.verdict == Verdict::unusable) return words.line("said.unusable", "problem"_a = mark.problem);
-    const std::string said = explanation_of(mark);
-    return mark.reference->not_unique && mark.verdict != Verdict::right ? said + " " + words.line("said.not_unique") : said;
-}
-
-namespace {
-
-/// What stands in every page of a class.
-json page_model(const Rubric& rubric) { return {{"title", report::safe_text(rubric.title)}, {"points", points_text(rubric.points())}}; }
-
-std::string page_of(json model, const report::Templates& templates, const std::string& design) {
+std::string page_of(json model, const Rubric& rubric, const report::Templates& templates, const std::string& design) {
+    model.update({{"title", report::safe_text(rubric.title)}, {"points", points_text(rubric.points())}});
     report::add_design(model, templates, design);
     return report::render(templates, design + ".html", model, report::xml_escape);
 }
 
 }   // namespace
 
+std::string explanation_of(const ItemMark& mark) {
+    const std::string worst = readable(mark.agreement.worst, 2), tolerance = plain_text(mark.item->tolerance, 3);
+    std::string text;
+    switch (mark.verdict) {
+        case Verdict::unusable:
+            return words.line("said.unusable", "problem"_a = mark.problem);
+        case Verdict::right:
+            return mark.agreement.worst > 0 ? words.line("said.right", "worst"_a = worst, "tolerance"_a = tolerance)
+                                            : words.line("said.exact");
+        case Verdict::accepted:
+            text = words.line("said.accepted", "conventions"_a = in_words(mark.conventions));
+            break;
+        case Verdict::recognised:
+            text = words.line("said.recognised", "conventions"_a = in_words(mark.conventions),
+                              "share"_a = readable_percent(mark.item->recognised, 2));
+            break;
+        case Verdict::wrong:
+            text = wrong_text(mark);
+            break;
+        case Verdict::missing:
+            text = mark.item->what == MarkedThing::number ? words.line("said.no_number", "file"_a = answers_file, "id"_a = mark.item->id)
+                                                          : words.line("said.missing", "pattern"_a = mark.item->file);
+            break;
+    }
+    return mark.reference->not_unique ? text + " " + words.line("said.not_unique") : text;
+}
+
 std::string student_page(const StudentMarks& marks, const Rubric& rubric, const report::Templates& templates) {
     const auto remark_view = [](const std::string& remark) -> json { return {{"text", report::safe_text(remark)}}; };
-    const auto right = std::ranges::count_if(marks.items, keeps_all);
-    json model = page_model(rubric);
-    model.update({{"student", marks.id},
+    const auto right = std::ranges::count_if(marks.items, has_all_points);
+    const json model{{"student", marks.id},
                   {"source", report::safe_text(marks.source)},
                   {"score", points_text(marks.score())},
                   {"refused", report::safe_text(marks.refused)},
@@ -212,8 +205,8 @@ std::string student_page(const StudentMarks& marks, const Rubric& rubric, const 
                   {"has_right", right > 0},
                   {"has_remarks", !marks.remarks.empty()},
                   {"remarks", report::list_of(marks.remarks, remark_view)},
-                  {"items", report::list_of(marks.items, item_view)}});
-    return page_of(std::move(model), templates, "mark");
+                  {"items", report::list_of(marks.items, item_view)}};
+    return page_of(model, rubric, templates, "mark");
 }
 
 std::string student_json(const StudentMarks& marks, const Rubric& rubric) {
@@ -223,8 +216,8 @@ std::string student_json(const StudentMarks& marks, const Rubric& rubric) {
                          {"name", report::safe_text(mark.item->title)},
                          {"score", mark.score},
                          {"max_score", mark.item->points},
-                         {"status", keeps_all(mark) ? "passed" : "failed"},
-                         {"output", report::safe_text(said_of(mark))},
+                         {"status", has_all_points(mark) ? "passed" : "failed"},
+                         {"output", report::safe_text(explanation_of(mark))},
                          {"output_format", "text"},
                          {"extra_data", {{"verdict", verdict_word(mark.verdict)}, {"conventions", mark.conventions}}}});
     }
@@ -269,17 +262,16 @@ std::string class_page(const std::vector<StudentMarks>& students, const Rubric& 
     for (const StudentMarks& marks : students) sum += marks.score();
     const auto refused = std::ranges::count_if(students, [](const StudentMarks& marks) { return !marks.refused.empty(); });
     json items = json::array();
-    for (std::size_t i = 0; i < rubric.items.size(); ++i) items.push_back(class_item(students, rubric, i));
-    json model = page_model(rubric);
-    model.update({{"student_count", std::to_string(students.size())},
+    for (std::size_t i = 0; i < rubric.items.size(); ++i) items.push_back(class_item(students, rubric.items[i], i));
+    const json model{{"student_count", std::to_string(students.size())},
                   {"is_one", students.size() == 1},
                   {"average", readable(sum / static_cast<double>(std::max<std::size_t>(1, students.size())))},
                   {"refused_count", std::to_string(refused)},
                   {"has_refused", refused > 0},
                   {"column_count", std::to_string(rubric.items.size())},
                   {"items", items},
-                  {"students", report::list_of(students, class_row)}});
-    return page_of(std::move(model), templates, "class");
+                  {"students", report::list_of(students, class_row)}};
+    return page_of(model, rubric, templates, "class");
 }
 
 }   // namespace meshfolio::run

@@ -1,5 +1,5 @@
 /// @file
-/// Marks as files: a page and results.json a student, class.csv and class.html for all.
+/// Marks as files: a page and results.json for each student, class.csv and class.html for all.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace meshfolio::run {
 
-/// The explanation of one mark as plain text, from templates/words/mark.md.
-std::string said_of(const ItemMark& mark);
+/// Explains one mark as plain text, from templates/words/mark.md.
+std::string explanation_of(const ItemMark& mark);
 
-/// With the differences on the mesh, drawn from six sides: one file.
+/// Returns a student's HTML page, with pictures of the differences on the mesh from six sides.
 std::string student_page(const StudentMarks& marks, const Rubric& rubric, const report::Templates& templates);
-/// As Gradescope's autograder reads it: score, tests with score, max_score, status and output.
+/// Returns a student's marks as JSON for Gradescope's autograder: the score, and a test for each item.
 std::string student_json(const StudentMarks& marks, const Rubric& rubric);
-/// One row a student.
+/// Returns a table with a row for each student: score and verdict of every item.
 std::string class_csv(const std::vector<StudentMarks>& students, const Rubric& rubric);
-/// The same as a page: students by items, and what went wrong most often with each item.
+/// Returns the class's HTML page: students by items, and the most frequent convention of each item.
 std::string class_page(const std::vector<StudentMarks>& students, const Rubric& rubric, const report::Templates& templates);
 
 }   // namespace meshfolio::run

@@ -14,12 +14,10 @@ namespace meshfolio::run {
 
 namespace {
 
-/// Eigenvalues nearer than this, relative, have eigenvectors that are one choice of many.
-constexpr double equal_eigenvalues = 1e-6;
-/// Sets of wrong answers that are kept, some 25 times the positions of a mesh each.
-constexpr std::size_t most_variants = 64;
+constexpr double equal_eigenvalues = 1e-6;    // relative difference below which eigenvalues count as equal
+constexpr std::size_t most_variants = 64;   // sets of wrong answers in memory, each some 25 times the positions of a mesh
 
-/// Calls `use` with each; there may be no such operator on this mesh, or no such answer with it.
+/// Calls use(wrong, operator) for each wrong operator; skips operators without an answer on this mesh.
 template <class Use>
 void for_each_wrong_laplacian(const TriangleMesh& mesh, const AnswerSettings& s, const Use& use) {
     for (const WrongLaplacian& wrong : wrong_laplacians(s)) {
@@ -36,7 +34,7 @@ Vector mean_curvature_by(const PreparedMesh& prepared, OperatorKind kind, const 
     return operator_mean_curvature(prepared.mesh, prepared.topology, kind, L);
 }
 
-/// What is a mean over the neighbours as the sum over them.
+/// Turns means over the neighbours into sums over them.
 Vector summed(const Vector& mean, const MeshTopology& topology) {
     Vector sum = mean;
     for (Eigen::Index v = 0; v < sum.size(); ++v) sum[v] *= topology.neighbours.size(static_cast<int>(v));
@@ -44,10 +42,6 @@ Vector summed(const Vector& mean, const MeshTopology& topology) {
 }
 
 // ---- curvature ----------------------------------------------------------------------------------------------------------
-
-std::vector<Variant> uniform_variants(const PreparedMesh& prepared, const Vector& right) {
-    return {{"valence_sum", summed(right, prepared.topology)}, {"scaled", uniform_mean_curvature_scaled(prepared.mesh, prepared.topology)}};
-}
 
 std::vector<Variant> gaussian_variants(const PreparedMesh& prepared, AreaForm form) {
     std::vector<Variant> variants;
@@ -98,14 +92,14 @@ std::vector<Variant> reconstruction_variants(const PreparedMesh& prepared, const
         variants.push_back({"zero_left_out", flat(more - constant)});
     }
     for_each_wrong_laplacian(prepared.mesh, s, [&](const WrongLaplacian& wrong, const LaplaceBeltrami& L) {
-        if (wrong.key == "half_kept") return;   // a factor leaves the modes as they are
+        if (wrong.key == "half_kept") return;   // a factor does not change the modes
         const Spectrum its_own = smallest_eigenpairs(L, s.k);
         variants.push_back({wrong.key, flat(reconstruct(its_own, L.M, X, static_cast<int>(its_own.eigenvalues.size())))});
     });
     return variants;
 }
 
-/// The modes with the eigenvalue in place k − 1; nothing where more than a few follow.
+/// Returns the modes that share their eigenvalue with mode k − 1; nothing if more than a few follow.
 std::optional<EqualModes> equal_modes(const LaplaceBeltrami& L, const Positions& X, int k) {
     constexpr int a_few = 12;
     const Spectrum spectrum = smallest_eigenpairs(L, k + a_few);
@@ -149,7 +143,9 @@ RightValues right_values(const RubricItem& item, const AnswerSettings& s, const 
 std::vector<Variant> computed_variants(const RubricItem& item, const AnswerSettings& s, const Reference& reference) {
     const PreparedMesh& prepared = *reference.mesh->prepared;
     if (item.what == MarkedThing::H) return curvature_variants(prepared, s);
-    if (item.what == MarkedThing::H_uniform) return uniform_variants(prepared, reference.right.values);
+    if (item.what == MarkedThing::H_uniform)
+        return {{"valence_sum", summed(reference.right.values, prepared.topology)},
+                {"scaled", uniform_mean_curvature_scaled(prepared.mesh, prepared.topology)}};
     if (item.what == MarkedThing::K) return gaussian_variants(prepared, s.area);
     if (item.what == MarkedThing::eigenvalues) return spectrum_variants(prepared, s);
     if (item.what == MarkedThing::reconstruction) return reconstruction_variants(prepared, s);
@@ -158,8 +154,8 @@ std::vector<Variant> computed_variants(const RubricItem& item, const AnswerSetti
 
 }   // namespace
 
-// The coefficients ĉ of a choice are P of all coefficients c, P a projector of rank `taken`: there is one where ĉᵀ(c − ĉ) = 0 and neither
-// factor has more rank than it may have.
+// A choice projects all coefficients c to ĉ = Pc by a projector P of rank `taken`. Such a P exists if ĉᵀ(c − ĉ) = 0 and the ranks of ĉ and
+// c − ĉ are not larger than those of P and I − P.
 bool is_another_choice(const Positions& given, const EqualModes& equal, double tolerance) {
     const DenseMatrix D = given - equal.below, weighted = equal.modes.transpose() * equal.M.asDiagonal();
     const DenseMatrix all = weighted * equal.X, own = weighted * D, rest = all - own;
@@ -199,7 +195,7 @@ const Reference& References::of(const RubricItem& item, const AnswerSettings& se
 const std::vector<Variant>& References::variants_of(const RubricItem& item, const AnswerSettings& settings) {
     const Key key{item.id, settings};
     if (const auto known = variants_.find(key); known != variants_.end()) return known->second;
-    if (variants_.size() >= most_variants) variants_.clear();   // of a class in which everyone chooses something else
+    if (variants_.size() >= most_variants) variants_.clear();   // every student chooses other settings
     return variants_[key] = computed_variants(item, settings, of(item, settings));
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// The right answers of a rubric, and the wrong ones that are known, each computed once for all students who name the same settings.
+/// The right answers of a rubric and the known wrong ones, each computed once for all students who name the same settings.
 #pragma once
 
 #include <functional>
@@ -16,52 +16,53 @@
 
 namespace meshfolio::run {
 
-/// Modes of equal eigenvalues, of which a reconstruction uses an arbitrary choice.
+/// Modes with equal eigenvalues, of which a reconstruction takes an arbitrary choice.
 struct EqualModes {
     Vector M;
-    Positions X, below;   // and rebuilt from the modes before them
-    DenseMatrix modes;    // all of them
-    int taken = 0;        // by the reconstruction
+    Positions X, below;   // of the mesh; rebuilt from the modes before the equal ones
+    DenseMatrix modes;    // all modes with this eigenvalue
+    int taken = 0;        // number of them in the reconstruction
 };
-/// Could the positions result from another choice? @param tolerance  [length]
+/// True if another choice of the equal modes explains the given positions. @param tolerance  [length]
 bool is_another_choice(const Positions& given, const EqualModes& equal, double tolerance);
 
 /// The right answer for a student's file.
 struct Reference {
     std::shared_ptr<const LibraryMesh> mesh;   // null for a number
-    RightValues right;                         // one a vertex, three a vertex for positions, or a list
-    bool not_unique = false;                   // a reconstruction that parts equal eigenvalues: others are right as well
-    std::optional<EqualModes> equal;           // those, unless they are too many
+    RightValues right;                         // per vertex, three per vertex for positions, or a list
+    bool not_unique = false;                   // a reconstruction that takes some of several modes with equal eigenvalues
+    std::optional<EqualModes> equal;           // these modes, unless there are too many
 };
 
 using OperatorOf = std::function<LaplaceBeltrami(const TriangleMesh&)>;
 
-/// An operator that is taken for the right one.
+/// An operator that a student may have used instead of the right one.
 struct WrongLaplacian {
     std::string key;                           // of the convention
-    OperatorKind kind = OperatorKind::cotan;   // the uniform one makes a curvature in its own way
+    OperatorKind kind = OperatorKind::cotan;   // for the mean curvature, which the uniform operator defines differently
     OperatorOf of;
 };
 
-/// Those of the operator laboratory but the right one, and what is made of that by wrong areas.
+/// Returns all other operators of the program, and the right operator with wrong areas.
 std::vector<WrongLaplacian> wrong_laplacians(const AnswerSettings& s);
 
-/// x, y, z of vertex 0, then of vertex 1, …
+/// Returns x, y, z of vertex 0, then of vertex 1, …
 inline Vector flat(const Positions& X) { return Eigen::Map<const Vector>(X.data(), X.size()); }
 
-/// The right smoothing run, and what comes of known mistakes.
+/// Returns the options of the right smoothing run, with lambda in model units.
 SmoothingOptions smoothing_of(const PreparedMesh& prepared, const AnswerSettings& s);
+/// Returns the smoothed positions that result from known mistakes.
 std::vector<Variant> smoothing_variants(const PreparedMesh& prepared, const AnswerSettings& s);
 
 /// Computes each answer once.
 class References {
 public:
-    /// Opens every mesh. @throws InputError for one that is missing or unusable
+    /// Opens every mesh. @throws InputError for a mesh that is missing or unusable
     explicit References(const Rubric& rubric);
 
-    /// @throws Error where these settings have no answer
+    /// Returns the right answer. @throws Error if these settings have none
     const Reference& of(const RubricItem& item, const AnswerSettings& settings);
-    /// Valid until the next call.
+    /// Returns the known wrong answers; the reference is valid until the next call.
     const std::vector<Variant>& variants_of(const RubricItem& item, const AnswerSettings& settings);
 
 private:

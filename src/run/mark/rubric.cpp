@@ -20,7 +20,7 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-/// The name of each thing in a rubric, and which settings its answer depends on.
+/// The name of an answer in a rubric, and the keys of the settings on which it depends.
 struct ThingEntry {
     MarkedThing what;
     std::string_view name;
@@ -39,17 +39,11 @@ const std::array<ThingEntry, 7>& things() {
 }
 const ThingEntry& entry_of(MarkedThing what) { return *std::ranges::find(things(), what, &ThingEntry::what); }
 
-Keys thing_names() {
-    Keys names;
-    for (const ThingEntry& entry : things()) names.emplace_back(entry.name);
-    return names;
-}
-
 constexpr long long most_modes = 500, most_steps = 1000;
-constexpr int most_chosen = 100;   // by a student: none may take minutes. The rubric may have more
+constexpr int most_chosen = 100;   // modes or steps that a student may choose, unless the rubric has more
 constexpr double largest_points = 1e6;
 
-/// A word that a function knows, or what the function says of it.
+/// Reads a word as named(word); a UsageError of `named` becomes a problem.
 template <class Value, class Named>
 void read_named(const TableReader& reader, const char* key, Problems& problems, Value& value, Named named) {
     const auto word = reader.text(key);
@@ -72,7 +66,7 @@ void read_settings_of_answer(const TableReader& reader, Problems& problems, Answ
     settings.rebuild = reader.truth("rebuild").value_or(settings.rebuild);
 }
 
-/// Words of a list, each one of the known ones.
+/// Reads a list of known words.
 Keys read_some_of(const TableReader& reader, const char* key, Problems& problems, const Keys& known) {
     return reader.texts(key, [&](const std::string& word, const toml::node& where) {
         if (contains(known, word)) return;
@@ -113,7 +107,9 @@ private:
         read_named(reader, "what", problems_, item.what, [&](const std::string& word) {
             const auto entry = std::ranges::find(things(), word, &ThingEntry::name);
             if (entry != things().end()) return entry->what;
-            throw UsageError("unknown what " + in_quotes(word), "did you mean '" + nearest_word(word, thing_names()) + "'?");
+            Keys names;
+            for (const ThingEntry& known : things()) names.emplace_back(known.name);
+            throw UsageError("unknown what " + in_quotes(word), "did you mean '" + nearest_word(word, names) + "'?");
         });
         const ThingEntry& entry = entry_of(item.what);
         item.mesh = reader.text("mesh").value_or("");
@@ -145,20 +141,6 @@ private:
             if (reader.node(key) == nullptr) problems_.add(table, "[[item]] has no " + key, "data/rubric.toml shows one");
     }
 };
-
-/// The table of a TOML text; null where it is none, which is reported.
-std::optional<toml::table> table_of(std::string_view text, const std::string& file, Problems& problems) {
-    if (const long line = line_of_long_key(text); line > 0) {
-        problems.add(line, "a key has too many parts between dots", "none that is known has more than two");
-        return {};
-    }
-    try {
-        return toml::parse(text, file);
-    } catch (const toml::parse_error& error) {
-        problems.add(static_cast<long>(error.source().begin.line), std::string(error.description()), "correct the TOML");
-        return {};
-    }
-}
 
 StudentAnswer answer_of(const toml::table& table, const RubricItem& item, Problems& problems) {
     Keys known = item.free;

@@ -1,5 +1,5 @@
 /// @file
-/// The rubric of a class (data/rubric.toml documents every key), and the settings that students name (answers.toml).
+/// The rubric of a class (data/rubric.toml documents every key), and the settings that students name in answers.toml.
 #pragma once
 
 #include <filesystem>
@@ -17,10 +17,10 @@ namespace meshfolio::run {
 
 enum class MarkedThing { H, H_uniform, K, eigenvalues, reconstruction, smoothed, number };
 
-/// Are these the positions of a mesh's vertices?
+/// True if the answer is a mesh, of which the positions are marked.
 inline bool is_of_mesh(MarkedThing what) { return what == MarkedThing::reconstruction || what == MarkedThing::smoothed; }
 
-/// How the right answer is computed. Two answers of the same settings are the same.
+/// The settings of an answer. Equal settings have equal right answers.
 struct AnswerSettings {
     OperatorKind laplacian = OperatorKind::cotan;
     AreaForm area = AreaForm::barycentric;
@@ -34,44 +34,43 @@ struct AnswerSettings {
 };
 
 struct RubricItem {
-    std::string id;      // a safe name; that of the section of the page
+    std::string id;      // a safe name
     std::string title;   // for people
     MarkedThing what = MarkedThing::H;
     std::string mesh;                   // beside the rubric or bundled
-    std::string file;                   // of the student; * and ? are wildcards
-    std::vector<std::string> columns;   // of a CSV file; the first that it has
+    std::string file;                   // pattern of the student's file, with * and ?
+    std::vector<std::string> columns;   // of a CSV file; the first that is there counts
     AnswerSettings settings;
-    std::vector<std::string> free;     // keys of settings that the student may choose
-    std::vector<std::string> accept;   // conventions that cost nothing
-    double value = 0;                  // of a number
+    std::vector<std::string> free;     // keys of the settings that the student may choose
+    std::vector<std::string> accept;   // keys of conventions that cost no points
+    double value = 0;                  // the right number
     double tolerance = 1e-4;           // relative, of each value
     double points = 1;
-    double recognised = 0.5;   // share of the points for an answer that is right but for a known convention
+    double recognised = 0.5;   // share of the points for an answer that a known convention explains
 };
 
 struct Rubric {
     std::string title;
-    std::filesystem::path base;   // its folder: what meshes are relative to
+    std::filesystem::path base;   // folder of the rubric, to which paths of meshes are relative
     std::vector<RubricItem> items;
     double points() const;
 };
 
-/// @param file  what messages call it @throws SettingsErrors with everything that is wrong, each with its line
+/// Parses a rubric. @param file  its name in messages @throws SettingsErrors with every problem and its line
 Rubric parse_rubric(std::string_view text, const std::string& file);
-/// From a file; empty: the bundled example. @throws SettingsErrors, InputError for a file that cannot be read
+/// Reads a rubric from a file; empty: the bundled example. @throws SettingsErrors, InputError for a file that cannot be read
 Rubric read_rubric(const std::string& file);
 
-/// Of these settings, those that the answer depends on: "area = mixed, k = 5".
+/// Describes the settings on which the answer depends: "area = mixed, k = 5".
 std::string described(const RubricItem& item, const AnswerSettings& settings);
 
-/// answers.toml: by id of an item what the student chose.
 struct StudentAnswer {
     AnswerSettings settings;
-    std::optional<double> value;   // of a number
+    std::optional<double> value;   // for a number
 };
 inline constexpr const char* answers_file = "answers.toml";
-/// For each item; those that the text says nothing of, or that is empty, have the settings of the rubric.
-/// @param problems  what was not understood, one line each: it is left out, and the rubric's own settings hold
+/// Parses answers.toml: id of an item → settings and number. Items that it does not name have the settings of the rubric.
+/// @param problems  receives a line for each entry that was not understood; the rubric's setting holds instead
 std::map<std::string, StudentAnswer> parse_answers(std::string_view text, const Rubric& rubric, std::vector<std::string>& problems);
 
 }   // namespace meshfolio::run

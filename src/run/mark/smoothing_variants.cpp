@@ -13,10 +13,10 @@ namespace meshfolio::run {
 
 namespace {
 
-/// Steps times vertices of a run with a new operator at each: beyond, with all wrong operators, one submission would take minutes.
+/// The most steps × vertices of a run that rebuilds its operator: beyond, all wrong operators together would take minutes.
 constexpr double most_rebuilt = 2e5;
 
-/// One step with an operator, X to the next X. That of a wrong sign may have no Cholesky factor.
+/// Returns the function that maps X to the next X. An LDLT factor serves, because a step with a wrong sign may have no Cholesky factor.
 std::function<Positions(const Positions&)> step_of(const LaplaceBeltrami& L, const SmoothingOptions& options) {
     const OperatorWithMass whole = operator_with_mass(L);
     const auto explicit_step_by = [whole](double lambda, const Positions& X) -> Positions {
@@ -28,7 +28,7 @@ std::function<Positions(const Positions&)> step_of(const LaplaceBeltrami& L, con
         const auto factor = std::make_shared<SparseFactor>(SparseFactor::ldlt(system));
         step = [=, M = whole.M](const Positions& X) -> Positions {
             const Positions right = M.asDiagonal() * X, next = factor->solve(DenseMatrix(right));
-            return next + factor->solve(DenseMatrix(right - system * next));   // what an indefinite factor rounds away
+            return next + factor->solve(DenseMatrix(right - system * next));   // corrects the rounding of an indefinite factor
         };
     } else if (options.scheme == SmoothingScheme::taubin) {
         step = [=, lambda = options.lambda, mu = taubin_mu_of(L, options)](const Positions& X) {
@@ -46,22 +46,12 @@ std::function<Positions(const Positions&)> step_of(const LaplaceBeltrami& L, con
     };
 }
 
-/// As smooth(), whatever operator and step are, and however far the positions go.
-Positions steps_of(const OperatorOf& operator_of, const SmoothingOptions& options, TriangleMesh mesh) {
-    auto step = step_of(operator_of(mesh), options);
-    for (int i = 0; i < options.iterations && mesh.X.allFinite(); ++i) {
-        if (options.rebuild && i > 0) step = step_of(operator_of(mesh), options);
-        mesh.X = step(mesh.X);
-    }
-    return mesh.X;
-}
-
 }   // namespace
 
 SmoothingOptions smoothing_of(const PreparedMesh& prepared, const AnswerSettings& s) {
     SmoothingOptions options{
         .scheme = s.scheme, .laplacian = s.laplacian, .iterations = s.iterations, .rebuild = s.rebuild, .area = s.area};
-    // As `meshfolio smooth`: the largest stable step is that with barycentric areas.
+    // Like `meshfolio smooth`: tau is the largest stable step with barycentric areas.
     const double critical =
         s.unit == StepUnit::tau ? largest_stable_step(largest_eigenvalue(laplace_operator(prepared.mesh, s.laplacian))) : 0;
     options.lambda = step_in_model_units(s.lambda, s.unit, critical, mean_edge_length(prepared.mesh));
@@ -75,9 +65,14 @@ std::vector<Variant> smoothing_variants(const PreparedMesh& prepared, const Answ
         SmoothingOptions wrong = right;
         try {
             change(wrong);
-            const Positions X = steps_of(operator_of, wrong, prepared.mesh);
-            if (wrong.iterations > 0 && X.allFinite()) variants.push_back({key, flat(X)});
-        } catch (const Error&) {   // no such run
+            TriangleMesh mesh = prepared.mesh;
+            auto step = step_of(operator_of(mesh), wrong);
+            for (int i = 0; i < wrong.iterations && mesh.X.allFinite(); ++i) {
+                if (wrong.rebuild && i > 0) step = step_of(operator_of(mesh), wrong);
+                mesh.X = step(mesh.X);
+            }
+            if (wrong.iterations > 0 && mesh.X.allFinite()) variants.push_back({key, flat(mesh.X)});
+        } catch (const Error&) {   // the mistake has no result here
         }
     };
     const OperatorOf own = [&](const TriangleMesh& mesh) { return laplace_operator(mesh, s.laplacian, s.area); };
@@ -99,7 +94,7 @@ std::vector<Variant> smoothing_variants(const PreparedMesh& prepared, const Answ
     for (const WrongLaplacian& wrong : wrong_laplacians(s)) {
         attempt(wrong.key, wrong.of, [](SmoothingOptions&) {});
         if (s.unit != StepUnit::tau) continue;
-        attempt(wrong.key, wrong.of, [&](SmoothingOptions& o) {   // whose largest stable step is another
+        attempt(wrong.key, wrong.of, [&](SmoothingOptions& o) {   // in units of its own largest stable step
             o.lambda = s.lambda * largest_stable_step(largest_eigenvalue(wrong.of(prepared.mesh)));
         });
     }

@@ -27,7 +27,7 @@ std::vector<WrongLaplacian> wrong_laplacians(const AnswerSettings& s) {
     };
     for (const OperatorEntry& entry : operator_list())
         if (entry.kind != s.laplacian) named("operator_" + std::string(entry.name), entry.kind, s.area);
-    if (is_dimensionless(s.laplacian)) {   // its masses are the valences, and it has no areas
+    if (is_dimensionless(s.laplacian)) {   // it has no areas: its masses are the valences
         with_masses("valence_sum", ones_where);
         return all;
     }

@@ -75,7 +75,7 @@ TEST(Marking, RightAnswersHaveAllPoints) {
         OneItem one(thing);
         for (const double noise : {0.0, 1e-7}) {
             const ItemMark mark = one.mark((1 + noise) * one.right);
-            EXPECT_EQ(mark.verdict, Verdict::right) << thing << ": " << said_of(mark);
+            EXPECT_EQ(mark.verdict, Verdict::right) << thing << ": " << explanation_of(mark);
             EXPECT_EQ(mark.score, 8) << thing;
         }
     }
@@ -99,7 +99,7 @@ TEST(Marking, EveryConventionIsNamedWhereItCanBeMade) {
             if (agreement_of({values}, one.reference.right, item.tolerance).worst <= 2 * item.tolerance) return;   // none on this mesh
             const ItemMark mark = one.mark(values);
             EXPECT_EQ(mark.verdict, Verdict::recognised) << thing << ": " << keys.front();
-            EXPECT_TRUE(names(mark.conventions, keys)) << thing << ": " << keys.front() << ": " << said_of(mark);
+            EXPECT_TRUE(names(mark.conventions, keys)) << thing << ": " << keys.front() << ": " << explanation_of(mark);
             EXPECT_EQ(mark.score, 4);
         };
         for (const ValueConvention& convention : value_conventions(item.what))
@@ -131,7 +131,7 @@ TEST(Marking, RoundedDigitsCostNothing) {
         return one.mark({{"a.csv", csv.str()}});
     };
     for (const int decimals : {6, 9, 17}) {
-        EXPECT_EQ(mark_with(1, decimals).verdict, Verdict::right) << decimals << ": " << said_of(mark_with(1, decimals));
+        EXPECT_EQ(mark_with(1, decimals).verdict, Verdict::right) << decimals << ": " << explanation_of(mark_with(1, decimals));
         EXPECT_EQ(mark_with(-1, decimals).verdict, Verdict::accepted) << decimals;
         EXPECT_TRUE(names(mark_with(2, decimals).conventions, {"doubled"})) << decimals;
         EXPECT_EQ(mark_with(1.02, decimals).verdict, Verdict::wrong) << decimals;
@@ -183,7 +183,7 @@ TEST(Marking, WrongAnswersAreNotRecognised) {
         Vector values = one.right;
         for (Eigen::Index i = 0; i < values.size(); ++i) values[i] *= 1 + 0.1 * (i % 7);
         const ItemMark mark = one.mark(values);
-        EXPECT_EQ(mark.verdict, Verdict::wrong) << thing << ": " << said_of(mark);
+        EXPECT_EQ(mark.verdict, Verdict::wrong) << thing << ": " << explanation_of(mark);
         EXPECT_EQ(mark.score, 0) << thing;
     }
 }
@@ -195,7 +195,7 @@ TEST(Marking, ReversedTrianglesAreNamed) {
     turned.X = Eigen::Map<const Positions>(one.right.data(), turned.X.rows(), 3);
     turned.F.col(1).swap(turned.F.col(2));
     const ItemMark mark = one.mark({{"a.ply", encode_mesh(turned, "a.ply")}});
-    EXPECT_TRUE(names(mark.conventions, {"reversed_faces"})) << said_of(mark);
+    EXPECT_TRUE(names(mark.conventions, {"reversed_faces"})) << explanation_of(mark);
 }
 
 TEST(Marking, UnusableFilesAreReportedWithTheirItem) {
@@ -227,7 +227,7 @@ TEST(Marking, EveryConventionHasItsSentence) {
         mark.reference = &reference;
         mark.verdict = Verdict::recognised;
         mark.conventions = {{key}};
-        EXPECT_NO_THROW(EXPECT_GT(said_of(mark).size(), 60u)) << key;
+        EXPECT_NO_THROW(EXPECT_GT(explanation_of(mark).size(), 60u)) << key;
     }
 }
 
@@ -250,7 +250,7 @@ TEST(Marking, PagesAndTablesShowTheMarks) {
 
 TEST(Marking, AWrongNumberIsSaidBesideTheRightOne) {
     OneItem one("what = \"number\"");   // whose value is 3
-    const auto said = [&](const std::string& answers) { return said_of(one.mark({{answers_file, answers}})); };
+    const auto said = [&](const std::string& answers) { return explanation_of(one.mark({{answers_file, answers}})); };
     EXPECT_EQ(said("a = 2.85"), "You wrote 2.85; right is 3 (5\u202f% off).");
     EXPECT_EQ(said("a = 4.5"), "You wrote 4.5; right is 3 (50\u202f% off).");
 }
