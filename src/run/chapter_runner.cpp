@@ -40,10 +40,10 @@ Answer failed(std::string_view id, const std::string& message) {
 
 /// Places output meshes in meshes/, unless the settings name another folder for the chapter.
 void place_meshes(Answer& answer, const ReportSettings& settings) {
-    const auto table = settings.questions.find(answer.section.id);
-    if (table == settings.questions.end() || !table->second.output) return;
+    const QuestionTable& table = table_of(settings, answer.section.id);
+    if (!table.output) return;
     for (std::string& path : answer.section.output_meshes)
-        if (path.starts_with("meshes/")) path = *table->second.output + path.substr(6);
+        if (path.starts_with("meshes/")) path = *table.output + path.substr(6);
 }
 
 }   // namespace
@@ -89,9 +89,7 @@ Answer ChapterRunner::attempted(const Chapter& chapter, const MeshLibrary& meshe
 Answer ChapterRunner::answered_on_its_threads(const Chapter& chapter, const MeshLibrary& meshes, const Progress& progress) const {
     const std::string id(chapter.id);
     const auto work = [&] { return chapter.answer(meshes, question_settings(settings_, id), progress); };
-    const auto table = settings_.questions.find(id);
-    const int threads = table != settings_.questions.end() ? table->second.threads.value_or(0) : 0;
-    if (threads > 0) return tbb::task_arena(threads).execute(work);
+    if (const int threads = table_of(settings_, id).threads.value_or(0); threads > 0) return tbb::task_arena(threads).execute(work);
     // Isolated: a thread that waits for its own work must not begin another chapter, which would count as time of this one.
     Answer answer;
     tbb::this_task_arena::isolate([&] { answer = work(); });

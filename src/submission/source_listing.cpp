@@ -63,13 +63,13 @@ std::vector<std::string> SourceListing::head(const std::string& title) const {
     for (std::size_t i = 0; i < files_.size(); ++i) {
         const Listed& listed = files_[i];
         const ReadingPart &part = part_of(listed), *before = i == 0 ? nullptr : &part_of(files_[i - 1]);
-        const std::string title(part.title), line = "  " + left("L" + std::to_string(listed.first), 8);
+        const std::string heading(part.title), line = "  " + left("L" + std::to_string(listed.first), 8);
         if (part.answers) {
-            if (before != &part) lines.insert(lines.end(), {"", title});
+            if (before != &part) lines.insert(lines.end(), {"", heading});
             lines.push_back(line + right(listed.lines, 5) + "  " + listed.file.path);
         } else if (before != &part) {
             if (before != nullptr && before->answers) lines.emplace_back();
-            lines.push_back(line + title);
+            lines.push_back(line + heading);
         }
     }
     return lines;

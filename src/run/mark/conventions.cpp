@@ -103,7 +103,7 @@ std::vector<ConventionKeys> recognised(const GivenValues& given, const RightValu
         RightValues wrong = right;
         wrong.values = convention.apply(base);
         if (right.relative_to_scale) wrong.scale = std::max(right.scale, wrong.values.cwiseAbs().maxCoeff());   // a run that blows up
-        if (agreement_of({wrong.values}, right, tolerance).worst <= 2 * tolerance) return;   // the right answer again
+        if (agreement_of({wrong.values}, right, tolerance).worst <= 2 * tolerance) return;                      // the right answer again
         const Agreement with_wrong = agreement_of(given, wrong, tolerance);
         if (!with_wrong.agrees(tolerance) || 2 * with_wrong.asked < with_right.asked) return;   // too little is defined
         if (!found.empty() && keys.size() < found.front().size()) found.clear();

@@ -49,8 +49,8 @@ struct Agreement {
     Eigen::Index where = -1;   // index of the worst value
     bool agrees(double tolerance) const { return worst <= tolerance; }
 };
-/// Compares values. Each difference is divided by |right| + the median of all |right|, so that neither a few peaks nor values near 0 decide.
-/// Rounding may explain a part of a difference, up to 0.5 % of that median. A missing value is infinitely far away.
+/// Compares values. Each difference is divided by |right| + the median of all |right|, so that neither a few peaks nor values near 0
+/// decide. Rounding may explain a part of a difference, up to 0.5 % of that median. A missing value is infinitely far away.
 Agreement agreement_of(const GivenValues& given, const RightValues& right, double tolerance);
 
 /// Returns all smallest sets of conventions that explain `given`; none if `given` is right or nothing explains it.

@@ -91,10 +91,10 @@ std::string wrong_text(const ItemMark& mark) {
         return "You wrote " + text(mark.given) + "; right is " + text(mark.expected) +
                (std::isfinite(percent) ? " (" + plain_text(rounded(percent, 2)) + "\u202f% off)." : ".");
     }
-    const std::string place =
-        is_of_mesh(what) ? words.line("place.coordinate", "vertex"_a = worst / 3, "axis"_a = std::string(1, "xyz"[worst % 3]))
-        : what == MarkedThing::eigenvalues ? words.line("place.eigenvalue", "index"_a = worst + 1)
-                                           : words.line("place.vertex", "vertex"_a = worst);
+    const std::string place = is_of_mesh(what)
+                                  ? words.line("place.coordinate", "vertex"_a = worst / 3, "axis"_a = std::string(1, "xyz"[worst % 3]))
+                              : what == MarkedThing::eigenvalues ? words.line("place.eigenvalue", "index"_a = worst + 1)
+                                                                 : words.line("place.vertex", "vertex"_a = worst);
     return words.line("said.wrong", "share"_a = readable_percent(mark.agreement.share), "tolerance"_a = plain_text(mark.item->tolerance, 3),
                       "place"_a = place, "given"_a = readable(mark.given, 6), "expected"_a = readable(mark.expected, 6));
 }
@@ -194,18 +194,18 @@ std::string student_page(const StudentMarks& marks, const Rubric& rubric, const 
     const auto remark_view = [](const std::string& remark) -> json { return {{"text", report::safe_text(remark)}}; };
     const auto right = std::ranges::count_if(marks.items, has_all_points);
     const json model{{"student", marks.id},
-                  {"source", report::safe_text(marks.source)},
-                  {"score", points_text(marks.score())},
-                  {"refused", report::safe_text(marks.refused)},
-                  {"is_refused", !marks.refused.empty()},
-                  {"right_count", std::to_string(right)},
-                  {"item_count", std::to_string(rubric.items.size())},
-                  {"wrong_count", std::to_string(std::ssize(rubric.items) - right)},
-                  {"has_wrong", marks.refused.empty() && right < std::ssize(rubric.items)},
-                  {"has_right", right > 0},
-                  {"has_remarks", !marks.remarks.empty()},
-                  {"remarks", report::list_of(marks.remarks, remark_view)},
-                  {"items", report::list_of(marks.items, item_view)}};
+                     {"source", report::safe_text(marks.source)},
+                     {"score", points_text(marks.score())},
+                     {"refused", report::safe_text(marks.refused)},
+                     {"is_refused", !marks.refused.empty()},
+                     {"right_count", std::to_string(right)},
+                     {"item_count", std::to_string(rubric.items.size())},
+                     {"wrong_count", std::to_string(std::ssize(rubric.items) - right)},
+                     {"has_wrong", marks.refused.empty() && right < std::ssize(rubric.items)},
+                     {"has_right", right > 0},
+                     {"has_remarks", !marks.remarks.empty()},
+                     {"remarks", report::list_of(marks.remarks, remark_view)},
+                     {"items", report::list_of(marks.items, item_view)}};
     return page_of(model, rubric, templates, "mark");
 }
 
@@ -264,13 +264,13 @@ std::string class_page(const std::vector<StudentMarks>& students, const Rubric& 
     json items = json::array();
     for (std::size_t i = 0; i < rubric.items.size(); ++i) items.push_back(class_item(students, rubric.items[i], i));
     const json model{{"student_count", std::to_string(students.size())},
-                  {"is_one", students.size() == 1},
-                  {"average", readable(sum / static_cast<double>(std::max<std::size_t>(1, students.size())))},
-                  {"refused_count", std::to_string(refused)},
-                  {"has_refused", refused > 0},
-                  {"column_count", std::to_string(rubric.items.size())},
-                  {"items", items},
-                  {"students", report::list_of(students, class_row)}};
+                     {"is_one", students.size() == 1},
+                     {"average", readable(sum / static_cast<double>(std::max<std::size_t>(1, students.size())))},
+                     {"refused_count", std::to_string(refused)},
+                     {"has_refused", refused > 0},
+                     {"column_count", std::to_string(rubric.items.size())},
+                     {"items", items},
+                     {"students", report::list_of(students, class_row)}};
     return page_of(model, rubric, templates, "class");
 }
 

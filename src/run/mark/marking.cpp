@@ -130,9 +130,9 @@ void judge(ItemMark& mark, const Given& given, References& references) {
     const auto is_accepted = [&](const ConventionKeys& keys) {
         return std::ranges::all_of(keys, [&](const std::string& key) { return contains(item.accept, key); });
     };
-    mark.verdict = mark.conventions.empty()                                  ? agrees ? Verdict::right : Verdict::wrong
+    mark.verdict = mark.conventions.empty()                             ? agrees ? Verdict::right : Verdict::wrong
                    : std::ranges::any_of(mark.conventions, is_accepted) ? Verdict::accepted
-                                                                             : Verdict::recognised;
+                                                                        : Verdict::recognised;
     const bool has_all = mark.verdict == Verdict::right || mark.verdict == Verdict::accepted;
     mark.score = has_all ? item.points : mark.verdict == Verdict::recognised ? item.recognised * item.points : 0;
 }

@@ -14,8 +14,8 @@ namespace meshfolio::run {
 
 namespace {
 
-constexpr double equal_eigenvalues = 1e-6;    // relative difference below which eigenvalues count as equal
-constexpr std::size_t most_variants = 64;   // sets of wrong answers in memory, each some 25 times the positions of a mesh
+constexpr double equal_eigenvalues = 1e-6;   // relative difference below which eigenvalues count as equal
+constexpr std::size_t most_variants = 64;    // sets of wrong answers in memory, each some 25 times the positions of a mesh
 
 /// Calls use(wrong, operator) for each wrong operator; skips operators without an answer on this mesh.
 template <class Use>

@@ -6,11 +6,11 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
-#include "base/in_quotes.h"
-#include "base/nearest_word.h"
 #include "base/number_text.h"
 #include "output/publish/folder_system.h"
+#include "run/arguments.h"
 #include "run/mark/conventions.h"
+#include "run/one_mesh/fields.h"
 #include "run/settings/settings_reader.h"
 #include "submission/source_listing.h"
 
@@ -43,36 +43,17 @@ constexpr long long most_modes = 500, most_steps = 1000;
 constexpr int most_chosen = 100;   // modes or steps that a student may choose, unless the rubric has more
 constexpr double largest_points = 1e6;
 
-/// Reads a word as named(word); a UsageError of `named` becomes a problem.
-template <class Value, class Named>
-void read_named(const TableReader& reader, const char* key, Problems& problems, Value& value, Named named) {
-    const auto word = reader.text(key);
-    if (!word) return;
-    try {
-        value = named(*word);
-    } catch (const UsageError& error) {
-        problems.add(*reader.node(key), error.what());
-    }
-}
+const Keys schemes{"explicit", "implicit", "taubin"}, units{"raw", "tau", "h2"};   // in the order of their enumerators
 
-void read_settings_of_answer(const TableReader& reader, Problems& problems, AnswerSettings& settings) {
-    read_named(reader, "operator", problems, settings.laplacian, operator_named);
-    read_named(reader, "area", problems, settings.area, area_form_named);
-    read_named(reader, "scheme", problems, settings.scheme, smoothing_scheme_named);
-    read_named(reader, "unit", problems, settings.unit, step_unit_named);
+void read_settings_of_answer(const TableReader& reader, AnswerSettings& settings) {
+    if (const auto word = reader.word("operator", operator_choices())) settings.laplacian = operator_named(*word);
+    if (const auto word = reader.word("area", area_choices())) settings.area = area_form_named(*word);
+    if (const auto word = reader.word("scheme", schemes)) settings.scheme = smoothing_scheme_named(*word);
+    if (const auto word = reader.word("unit", units)) settings.unit = step_unit_named(*word);
     if (const auto k = reader.integer("k", 1, most_modes)) settings.k = static_cast<int>(*k);
     if (const auto steps = reader.integer("iterations", 1, most_steps)) settings.iterations = static_cast<int>(*steps);
-    if (const auto lambda = reader.numbers("lambda", 0, limits::largest_lambda, true); !lambda.empty()) settings.lambda = lambda.front();
+    settings.lambda = reader.number("lambda", 0, limits::largest_lambda, true, settings.lambda);
     settings.rebuild = reader.truth("rebuild").value_or(settings.rebuild);
-}
-
-/// Reads a list of known words.
-Keys read_some_of(const TableReader& reader, const char* key, Problems& problems, const Keys& known) {
-    return reader.texts(key, [&](const std::string& word, const toml::node& where) {
-        if (contains(known, word)) return;
-        problems.add(where, reader.called(key) + ": unknown word " + in_quotes(word),
-                     known.empty() ? "there is none here" : "did you mean '" + nearest_word(word, known) + "'?");
-    });
 }
 
 class RubricReader {
@@ -104,41 +85,29 @@ private:
         if (!output::is_safe_name(item.id) || !ids_.insert(item.id).second)
             problems_.add(table, "[[item]] has no id of its own", "add id = \"q3-h\", say: letters, digits, '_', '-' and '.'");
         item.title = reader.text("title").value_or(item.id);
-        read_named(reader, "what", problems_, item.what, [&](const std::string& word) {
-            const auto entry = std::ranges::find(things(), word, &ThingEntry::name);
-            if (entry != things().end()) return entry->what;
-            Keys names;
-            for (const ThingEntry& known : things()) names.emplace_back(known.name);
-            throw UsageError("unknown what " + in_quotes(word), "did you mean '" + nearest_word(word, names) + "'?");
-        });
-        const ThingEntry& entry = entry_of(item.what);
+        Keys things_known;
+        for (const ThingEntry& thing : things()) things_known.emplace_back(thing.name);
+        if (const auto word = reader.word("what", things_known)) item.what = std::ranges::find(things(), *word, &ThingEntry::name)->what;
         item.mesh = reader.text("mesh").value_or("");
         item.file = reader.text("file").value_or("");
         item.columns = reader.texts("column");
-        read_settings_of_answer(reader, problems_, item.settings);
-        item.free = read_some_of(reader, "free", problems_, entry.settings);
-        item.accept = read_some_of(reader, "accept", problems_, convention_keys());
-        const auto number = [&](const char* key, double low, double high, bool above, double& value) {
-            if (const auto given = reader.numbers(key, low, high, above); !given.empty()) value = given.front();
-        };
-        number("value", -1e100, 1e100, false, item.value);
-        number("tolerance", 0, 1, true, item.tolerance);
-        number("points", 0, largest_points, false, item.points);
-        number("recognised", 0, 1, false, item.recognised);
-        require(table, reader, item.what);
-        return item;
-    }
-
-    void require(const toml::table& table, const TableReader& reader, MarkedThing what) {
+        read_settings_of_answer(reader, item.settings);
+        item.free = reader.words("free", entry_of(item.what).settings);
+        item.accept = reader.words("accept", convention_keys());
+        item.value = reader.number("value", -1e100, 1e100, false, item.value);
+        item.tolerance = reader.number("tolerance", 0, 1, true, item.tolerance);
+        item.points = reader.number("points", 0, largest_points, false, item.points);
+        item.recognised = reader.number("recognised", 0, 1, false, item.recognised);
         Keys must{"id", "what", "points"};
-        if (what == MarkedThing::number) {
+        if (item.what == MarkedThing::number) {
             must.emplace_back("value");
         } else {
             must.insert(must.end(), {"mesh", "file"});
-            if (!is_of_mesh(what)) must.emplace_back("column");
+            if (!is_of_mesh(item.what)) must.emplace_back("column");
         }
         for (const std::string& key : must)
             if (reader.node(key) == nullptr) problems_.add(table, "[[item]] has no " + key, "data/rubric.toml shows one");
+        return item;
     }
 };
 
@@ -148,11 +117,11 @@ StudentAnswer answer_of(const toml::table& table, const RubricItem& item, Proble
     const TableReader reader(table, "[" + item.id + "]", known, problems);
     StudentAnswer answer{item.settings, {}};
     AnswerSettings chosen = item.settings;
-    read_settings_of_answer(reader, problems, chosen);
+    read_settings_of_answer(reader, chosen);
     const auto limit = [&](const char* key, int& value, int own) {
         const int most = std::max(own, most_chosen);
         if (value <= most) return;
-        problems.add(table, reader.called(key) + " is above " + std::to_string(most), "that of the rubric is taken");
+        problems.add(table, reader.called(key) + " is above " + std::to_string(most), "the value of the rubric is taken");
         value = own;
     };
     limit("k", chosen.k, item.settings.k);
@@ -182,7 +151,7 @@ Rubric parse_rubric(std::string_view text, const std::string& file) {
     Problems problems(file);
     Rubric rubric;
     rubric.base = std::filesystem::path(file).parent_path();
-    if (const auto table = table_of(text, file, problems)) RubricReader(rubric, problems).read(*table);
+    if (const auto table = parsed_toml(text, file, problems)) RubricReader(rubric, problems).read(*table);
     problems.raise();
     return rubric;
 }
@@ -195,7 +164,6 @@ Rubric read_rubric(const std::string& file) {
 }
 
 std::string described(const RubricItem& item, const AnswerSettings& settings) {
-    constexpr std::array schemes{"explicit", "implicit", "taubin"}, units{"raw", "tau", "h2"};   // in the order of their enumerators
     const std::map<std::string, std::string> values{{"operator", std::string(operator_entry(settings.laplacian).name)},
                                                     {"area", std::string(name_of(settings.area))},
                                                     {"k", std::to_string(settings.k)},
@@ -217,7 +185,7 @@ std::map<std::string, StudentAnswer> parse_answers(std::string_view text, const 
         ids.push_back(item.id);
     }
     Problems found(answers_file);
-    if (const auto root = text.size() <= limits::largest_settings ? table_of(text, answers_file, found) : std::nullopt) {
+    if (const auto root = text.size() <= limits::largest_settings ? parsed_toml(text, answers_file, found) : std::nullopt) {
         const TableReader known(*root, "", {"name"}, found, ids);
         for (const RubricItem& item : rubric.items) {
             const toml::node* node = root->get(item.id);

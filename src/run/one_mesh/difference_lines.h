@@ -12,8 +12,8 @@
 namespace meshfolio::run {
 
 struct DifferenceLine {
-    const char* key;     // "rms"; ends with its unit where that is an angle
-    const char* title;   // the same for people
+    const char* key;     // "rms"; ends with the unit of an angle
+    const char* title;   // for people
     double value;        // NaN: not defined
     const char* meaning;
     bool is_count = false;
@@ -22,28 +22,28 @@ struct DifferenceLine {
 struct Difference {
     bool same_triangles = false;
     std::vector<DifferenceLine> lines;
-    std::optional<SurfaceDistances> distances;   // where they are compared as surfaces
-    std::vector<std::string> warnings;           // of searches that reached a limit
+    std::optional<SurfaceDistances> distances;   // if they are compared as surfaces
+    std::vector<std::string> warnings;           // about searches that reached a limit
 };
 
-/// The same vertices, by number, in the same triangles?
+/// True if both meshes have as many vertices, and the same triangles of vertex numbers in the same order.
 bool have_same_triangles(const TriangleMesh& a, const TriangleMesh& b);
 
-/// b measured against a: vertex by vertex and face by face where they have the same triangles, as two surfaces where not.
-/// @param as_surfaces  in any case
+/// Measures b against a: vertex by vertex and face by face if they have the same triangles, otherwise as two surfaces.
+/// @param as_surfaces  compare surfaces even if the triangles are the same
 /// @param accuracy     of the Hausdorff distance, from least_accuracy to most_accuracy
 /// @throws MeshError if a surface has no triangle
 Difference difference_of(const TriangleMesh& a, const TriangleMesh& b, bool as_surfaces = false, double accuracy = default_accuracy);
 
-/// The object that `compare --json` prints: the lines, and of surfaces the shares of both areas at distances in equal bins.
+/// Returns the JSON of `compare --json`: key → value of each line, and for surfaces a histogram of the distances of both.
 std::string difference_json(const Difference& difference);
 
-/// The page of `compare --html`: numbers, pictures and distances of two meshes in one file.
+/// Returns the HTML page of `compare --html`: numbers, pictures and a histogram of distances.
 std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances);
 
-/// The distance of each vertex to the other surface, as a field to draw. @param diagonal  of the box of one of them
+/// Returns distances to the other surface as a field to draw. @param diagonal  of the box of one of the meshes
 Field distance_field(Vector of_vertices, double diagonal);
 
-inline constexpr int distance_bins = 40;   // from 0 to the Hausdorff distance
+inline constexpr int distance_bins = 40;   // of the histogram, from 0 to the Hausdorff distance
 
 }   // namespace meshfolio::run

@@ -29,7 +29,7 @@ constexpr double text_size = 26;                    // a page shows the picture 
 
 std::string name_of(const PreparedMesh& prepared) { return report::safe_text(std::filesystem::path(prepared.file).filename().string()); }
 
-/// @param values  in colours of the distance to the other surface; otherwise without colours
+/// Draws both meshes from six sides as a JPEG. @param values  colour them by the distance to the other surface
 std::string pictures(const PreparedMesh& a, const PreparedMesh& b, const SurfaceDistances& distances, bool values) {
     const double diagonal = bounding_box(a.mesh).diagonal();
     const auto field = [&](const DistancesTo& to) { return values ? distance_field(to.of_vertices, diagonal) : Field(); };
@@ -40,7 +40,7 @@ std::string pictures(const PreparedMesh& a, const PreparedMesh& b, const Surface
     return render::encode_jpeg(render::compose(draw_pair({a, of_a}, {b, of_b}, request).sheet), jpeg_quality);
 }
 
-/// Shares of the area in percent, as steps.
+/// Returns the percentages of the area per bin of distance, as steps.
 report::Series steps(const std::string& name, const DistancesTo& distances, double high) {
     report::Series series{.name = name};
     const std::vector<double> shares = area_histogram(distances, high, distance_bins);
@@ -63,52 +63,43 @@ report::Plot histogram(const SurfaceDistances& distances) {
     return plot;
 }
 
-std::string value_text(const DifferenceLine& line) {
-    return line.is_count ? readable_count(static_cast<long long>(line.value)) : readable(line.value, 6);
-}
-
-nlohmann::json line_view(const DifferenceLine& line) {
-    return {{"title", line.title}, {"value", value_text(line)}, {"meaning", line.meaning}};
-}
-
 double value_of(const Difference& difference, std::string_view key) {
     return std::ranges::find(difference.lines, key, &DifferenceLine::key)->value;
 }
 
-/// "+1.2 %"; of a ratio that is not defined "".
+/// Returns "+1.2 %" for a ratio of 1.012; "" for NaN.
 std::string change_text(double ratio) {
     if (!std::isfinite(ratio)) return "";
     return (ratio > 1 ? "+" : "") + (ratio == 1 ? "0\u202f%" : readable_percent(ratio - 1, 2));
 }
 
-/// What a page begins with: in words, with shares of the size of A.
-nlohmann::json headline(const Difference& difference) {
-    const double rms = value_of(difference, "rms"), max = value_of(difference, "max"), diagonal = value_of(difference, "box_diagonal");
-    const std::string volume = change_text(value_of(difference, "volume_ratio")), area = change_text(value_of(difference, "area_ratio"));
-    return {{"rms", readable(rms)},
-            {"rms_share", readable_percent(rms / diagonal, 2)},
-            {"largest", readable(max)},
-            {"largest_share", readable_percent(max / diagonal, 2)},
-            {"has_volume", !volume.empty()},
-            {"volume", volume},
-            {"area", area}};
-}
-
 }   // namespace
 
 std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances) {
-    const bool differ = value_of(difference, "max") > 1e-12 * value_of(difference, "box_diagonal");
-    nlohmann::json model = headline(difference);
-    model.update({{"a", name_of(a)},
-                  {"b", name_of(b)},
-                  {"by_vertices", !difference.distances.has_value()},
-                  {"lines", report::list_of(difference.lines, line_view)},
-                  {"differ", differ},
-                  {"same_triangles", difference.same_triangles},
-                  {"picture", base64(pictures(a, b, distances, differ))},
-                  {"has_histogram",
-                   differ && distances.hausdorff.distance > 0 && distances.a_to_b.areas.sum() > 0 && distances.b_to_a.areas.sum() > 0},
-                  {"histogram", report::svg_of(histogram(distances))}});
+    const double rms = value_of(difference, "rms"), max = value_of(difference, "max"), diagonal = value_of(difference, "box_diagonal");
+    const std::string volume = change_text(value_of(difference, "volume_ratio")), area = change_text(value_of(difference, "area_ratio"));
+    const bool differ = max > 1e-12 * diagonal;
+    const auto line_view = [](const DifferenceLine& line) -> nlohmann::json {
+        const std::string value = line.is_count ? readable_count(static_cast<long long>(line.value)) : readable(line.value, 6);
+        return {{"title", line.title}, {"value", value}, {"meaning", line.meaning}};
+    };
+    nlohmann::json model{{"rms", readable(rms)},
+                         {"rms_share", readable_percent(rms / diagonal, 2)},
+                         {"largest", readable(max)},
+                         {"largest_share", readable_percent(max / diagonal, 2)},
+                         {"has_volume", !volume.empty()},
+                         {"volume", volume},
+                         {"area", area},
+                         {"a", name_of(a)},
+                         {"b", name_of(b)},
+                         {"by_vertices", !difference.distances.has_value()},
+                         {"lines", report::list_of(difference.lines, line_view)},
+                         {"differ", differ},
+                         {"same_triangles", difference.same_triangles},
+                         {"picture", base64(pictures(a, b, distances, differ))},
+                         {"has_histogram", differ && distances.hausdorff.distance > 0 && distances.a_to_b.areas.sum() > 0 &&
+                                               distances.b_to_a.areas.sum() > 0},
+                         {"histogram", report::svg_of(histogram(distances))}};
     const report::Templates templates;
     report::add_design(model, templates, "compare");
     return report::render(templates, "compare.html", model, report::xml_escape);

@@ -23,6 +23,8 @@ std::vector<std::string> operator_choices() {
     return names;
 }
 
+std::vector<std::string> area_choices() { return {"barycentric", "voronoi", "mixed"}; }
+
 std::vector<std::string> field_names() {
     std::vector<std::string> names{"none", "h-uniform"};
     for (const OperatorEntry& entry : operator_list())
@@ -31,7 +33,7 @@ std::vector<std::string> field_names() {
     return names;
 }
 
-// Only the mean over the neighbours asks who they are.
+// Only the mean over the neighbours needs the topology.
 Checks checks_for(const std::string& name) { return name == "h-uniform" ? Checks::all : Checks::for_pictures; }
 
 Field field_of(const PreparedMesh& mesh, const std::string& name) {
@@ -73,23 +75,19 @@ Vector mesh_column(const std::string& file, const std::string& name, int vertice
                      names.empty() ? "it has none" : suggestion(name, names) + "it has " + meshfolio::joined(names, ", "));
 }
 
-Vector table_column(const std::string& file, const std::string& column, int vertices) {
-    NumberColumn read = csv_column(read_file(file, largest_csv), file, {column}, vertices);
-    if (read.first_infinite > 0)
-        throw InputError({file, read.first_infinite}, "an infinite value has no colour", "leave the cell empty where there is no value");
-    return std::move(read.values);
-}
-
 }   // namespace
 
 Field field_from_file(const PreparedMesh& mesh, const std::string& file_and_column) {
     const std::size_t colon = file_and_column.rfind(':');
-    if (colon == std::string::npos) throw UsageError("--values needs FILE:COLUMN, not " + in_quotes(file_and_column), "name both");
+    if (colon == std::string::npos || colon == 0 || colon + 1 == file_and_column.size())
+        throw UsageError("--values needs FILE:COLUMN, not " + in_quotes(file_and_column), "name both");
     const std::string file = file_and_column.substr(0, colon), column = file_and_column.substr(colon + 1);
-    if (file.empty() || column.empty()) throw UsageError("--values needs FILE:COLUMN, not " + in_quotes(file_and_column), "name both");
-    return field_of_values(
-        is_mesh_file(file) ? mesh_column(file, column, mesh.mesh.vertex_count()) : table_column(file, column, mesh.mesh.vertex_count()),
-        column);
+    const int vertices = mesh.mesh.vertex_count();
+    if (is_mesh_file(file)) return field_of_values(mesh_column(file, column, vertices), column);
+    NumberColumn read = csv_column(read_file(file, largest_csv), file, {column}, vertices);
+    if (read.first_infinite > 0)
+        throw InputError({file, read.first_infinite}, "an infinite value has no colour", "leave the cell empty where there is no value");
+    return field_of_values(std::move(read.values), column);
 }
 
 Field field_of_values(Vector values, const std::string& quantity) {

@@ -11,18 +11,6 @@ namespace meshfolio::run {
 
 using nlohmann::ordered_json;
 
-namespace {
-
-/// Whether a triangle is without area although its vertices are apart.
-bool has_zero_area(const TriangleMesh& mesh, const std::vector<VertexCopy>& copies) {
-    const TriangleMesh joined = with_joined_vertices(mesh, copies);
-    for (int t = 0; t < joined.face_count(); ++t)
-        if (kind_of(joined, t) == TriangleKind::zero_area) return true;
-    return false;
-}
-
-}   // namespace
-
 Inspection inspect_mesh(PreparedMesh prepared, OperatorKind kind, const std::function<void(std::string_view)>& progress) {
     Inspection inspection;
     inspection.prepared = std::move(prepared);
@@ -34,11 +22,15 @@ Inspection inspect_mesh(PreparedMesh prepared, OperatorKind kind, const std::fun
         const LaplaceBeltrami laplacian = laplace_operator(mesh, kind);
         inspection.joined_vertices = static_cast<int>(laplacian.copies.size());
         inspection.stability = stability_certificate(laplacian, {.assembly = assembly_of(kind), .progress = progress});
-        if (kind == OperatorKind::cotan && inspection.facts.counts.zero_area_faces > 0 && has_zero_area(mesh, laplacian.copies))
-            inspection.floored = largest_stable_step(largest_eigenvalue(floored_laplace_beltrami(mesh)));
+        if (kind == OperatorKind::cotan && inspection.facts.counts.zero_area_faces > 0) {
+            const TriangleMesh joined = with_joined_vertices(mesh, laplacian.copies);
+            bool has_zero_area = false;   // with distinct vertices
+            for (int t = 0; t < joined.face_count() && !has_zero_area; ++t) has_zero_area = kind_of(joined, t) == TriangleKind::zero_area;
+            if (has_zero_area) inspection.floored = largest_stable_step(largest_eigenvalue(floored_laplace_beltrami(mesh)));
+        }
     } catch (const SolverError& error) {
         inspection.no_stability = error.what();
-    } catch (const MeshError& error) {   // no triangle has a stiffness; without any area the mesh is refused
+    } catch (const MeshError& error) {   // no triangle has a stiffness
         if (!(inspection.facts.counts.area > 0)) throw;
         inspection.no_stability = error.what();
     }
@@ -47,20 +39,8 @@ Inspection inspect_mesh(PreparedMesh prepared, OperatorKind kind, const std::fun
 
 namespace {
 
-ordered_json consequences_json(const MeshFacts& facts) {
-    ordered_json list = ordered_json::array();
-    for (const auto& [defect, count] : certificates::defects_of(facts)) {
-        list.push_back({{"defect", defect->key},
-                        {"name", defect->name()},
-                        {"count", count},
-                        {"affects", certificates::affected_questions(*defect)},
-                        {"breaks", defect->breaks()},
-                        {"done", defect->done()}});
-    }
-    return list;
-}
-
-/// Where −C is indefinite no step is stable: the limits are null. Where that is undecided, none is proved.
+/// Adds the limits of a stable step. They are null if −C is indefinite, because no step is stable then; the proved ones also if that is
+/// undecided.
 void add_stability(ordered_json& json, const std::optional<StabilityCertificate>& proved, OperatorKind kind) {
     for (const char* name : {"lambda_crit", "lambda_safe", "lambda_crit_vertex", "lambda_crit_proved", "proved_of", "definiteness"})
         json[name] = nullptr;
@@ -88,6 +68,15 @@ void add_stability(ordered_json& json, const std::optional<StabilityCertificate>
 std::string inspection_json(const Inspection& inspection) {
     const Preflight& p = inspection.prepared.preflight;
     const auto row = [](const Vector3& v) { return ordered_json::array({v.x(), v.y(), v.z()}); };
+    ordered_json defects = ordered_json::array();
+    for (const auto& [defect, count] : certificates::defects_of(inspection.facts)) {
+        defects.push_back({{"defect", defect->key},
+                           {"name", defect->name()},
+                           {"count", count},
+                           {"affects", certificates::affected_questions(*defect)},
+                           {"breaks", defect->breaks()},
+                           {"done", defect->done()}});
+    }
     ordered_json json{
         {"vertices", p.vertices},
         {"vertices_in_use", p.vertices_in_use},
@@ -130,7 +119,7 @@ std::string inspection_json(const Inspection& inspection) {
         {"offset_in_diagonals", inspection.facts.offset},
         {"coordinate_rounding", inspection.facts.coordinate_rounding},
         {"written_steps", inspection.facts.written_steps},
-        {"defects", consequences_json(inspection.facts)}};
+        {"defects", defects}};
     add_stability(json, inspection.stability, inspection.kind);
     json["lambda_crit_with_zero_area_faces"] = inspection.floored ? ordered_json(*inspection.floored) : ordered_json();
     json["warnings"] = ordered_json::array();

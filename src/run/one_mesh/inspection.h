@@ -18,22 +18,22 @@ struct Inspection {
     PreparedMesh prepared;
     OperatorKind kind = OperatorKind::cotan;   // of the proof
     MeshFacts facts;
-    std::optional<StabilityCertificate> stability;   // nothing when it could not be computed
-    std::string no_stability;                        // why
-    std::optional<double> floored;                   // λ_crit if triangles without area kept a stiffness; nothing where there are none
-                                                     // but those of joined vertices [length²]
-
-    int joined_vertices = 0;   // that are one point with an earlier vertex to the operator: ends of edges without length
+    std::optional<StabilityCertificate> stability;   // nothing if it could not be computed
+    std::string no_stability;                        // the reason
+    /// λ_crit of the operator that gives triangles of zero area a stiffness; nothing if there are no such triangles with distinct vertices
+    /// [length²].
+    std::optional<double> floored;
+    int joined_vertices = 0;   // that the operator identifies with an earlier vertex: ends of edges of length 0
 
     double deficits_over_2pi() const { return facts.total_deficit / (2 * std::numbers::pi); }
 };
 
-/// @param kind      whose largest stable step
+/// Inspects a mesh. @param kind      of the operator for the largest stable step
 /// @param progress  called with the name of each step; may throw to stop
 /// @throws MeshError for a mesh without any area
 Inspection inspect_mesh(PreparedMesh prepared, OperatorKind kind, const std::function<void(std::string_view)>& progress);
 
-/// The object that `inspect --json` prints; what is not defined is null.
+/// Returns the JSON of `inspect --json`, with null for undefined values.
 std::string inspection_json(const Inspection& inspection);
 
 }   // namespace meshfolio::run

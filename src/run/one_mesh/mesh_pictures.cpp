@@ -23,39 +23,26 @@ namespace meshfolio::run {
 
 namespace {
 
-constexpr double densest_lines = 4, densest_edges = 3;       // pixels apart, and long
-constexpr int largest_cell = 2048;                           // of a labelled sheet: to be looked at, not measured
-constexpr double narrowest_range = 1 / largest_coordinate;   // where numbers on a colour bar end
-
-std::string colormap_for(const PictureRequest& request, bool is_signed) {
-    return !request.colormap.empty() ? request.colormap : is_signed ? "diverging" : "viridis";
-}
+constexpr double densest_lines = 4, densest_edges = 3;       // distance of isolines, length of edges [pixels]
+constexpr int largest_cell = 2048;                           // of a labelled sheet, which is to be looked at, not measured
+constexpr double narrowest_range = 1 / largest_coordinate;   // that a colour bar can print
 
 output::Panel panel_of(const PreparedMesh& prepared, const Field& field) {
     return {"", "", std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &prepared.mesh), field.values};
-}
-
-output::ColorRange color_range(const PictureRequest& request, const std::vector<output::Panel>& panels, const Field& field) {
-    output::ColorRange range =
-        output::robust_range(panels, colormap_for(request, field.is_signed), field.quantity, field.unit, field.floor);
-    if (!request.range) return range;
-    std::tie(range.low, range.high) = *request.range;
-    output::enter_clipped(range, output::finite_values(panels));
-    return range;
 }
 
 std::string counts_of(const PreparedMesh& prepared) {
     return readable_count(prepared.preflight.vertices_in_use) + " vertices, " + readable_count(prepared.preflight.triangles) + " triangles";
 }
 
-/// Pixels of a unit of length in views along an axis, which share a frame.
+/// Returns the pixels per unit of length in views along an axis, which share a frame.
 double scale_of(const PreparedMesh& prepared, const render::DrawOptions& draw) {
     return draw.frame ? draw.frame->pixels_per_unit
                       : render::frame_of(output::bounds_of(prepared.mesh), draw.width, draw.height, draw.fill).pixels_per_unit;
 }
 
-/// Edges closer than a few pixels are no longer lines but a grey veil: they are left out, and the words say so.
-std::string without_dense_edges(const PreparedMesh& prepared, render::DrawOptions& draw) {
+/// Leaves out edges that are only a few pixels long and would cover the mesh. Returns words about that for the subtitle, or "".
+std::string leave_out_dense_edges(const PreparedMesh& prepared, render::DrawOptions& draw) {
     const TriangleMesh& mesh = prepared.mesh;
     if (!draw.edges || mesh.face_count() == 0) return "";
     double sum = 0;
@@ -87,7 +74,7 @@ void refuse_dense_isolines(const PreparedMesh& prepared, const Field& field, con
             "take " + plain_text(rounded_up(draw.isoline_spacing * densest_lines / apart, 1)) + " or more, or larger pictures");
 }
 
-/// "rms 0.12 1/length", over the area.
+/// Returns "rms 0.12 1/length": the root mean square of the field over the area.
 std::string rms_of(const PreparedMesh& prepared, const Field& field) {
     const Vector areas = vertex_areas(prepared.mesh, AreaForm::barycentric);
     double sum = 0, area = 0;
@@ -96,7 +83,7 @@ std::string rms_of(const PreparedMesh& prepared, const Field& field) {
     return "rms " + readable(std::sqrt(sum / area)) + (field.unit.empty() ? "" : " " + field.unit);
 }
 
-/// What the sheets of one mesh and of two have in common.
+/// Returns a sheet without pictures, and the range of its colours.
 MeshPictures sheet_for(const PictureRequest& request, const std::vector<output::Panel>& panels, const Field& field) {
     MeshPictures drawn;
     render::ContactSheet& sheet = drawn.sheet;
@@ -105,58 +92,52 @@ MeshPictures sheet_for(const PictureRequest& request, const std::vector<output::
     sheet.em = request.em;
     if (std::max(request.draw.width, request.draw.height) > largest_cell) sheet.cell = largest_cell;
     if (field.values.size() == 0) return drawn;
-    drawn.range = color_range(request, panels, field);
+    const std::string colormap = !request.colormap.empty() ? request.colormap : field.is_signed ? "diverging" : "viridis";
+    drawn.range = output::robust_range(panels, colormap, field.quantity, field.unit, field.floor);
+    if (request.range) {
+        std::tie(drawn.range->low, drawn.range->high) = *request.range;
+        output::enter_clipped(*drawn.range, output::finite_values(panels));
+    }
     const bool has_undefined = std::ranges::any_of(panels, [](const output::Panel& panel) { return panel.values.array().isNaN().any(); });
     sheet.color_bar = output::color_bar_of(*drawn.range, has_undefined, request.draw);
     return drawn;
 }
 
-/// Pictures of one mesh in the colours of the sheet.
+/// Draws one mesh in the colours of the sheet.
 std::vector<render::Image> pictures_of(const PreparedMesh& prepared, const Field& field, const MeshPictures& sheet,
                                        render::DrawOptions draw, std::span<const render::View> views) {
     if (sheet.range) draw.range = output::value_range(*sheet.range);
     const Vector3 &low = prepared.preflight.box_low, &high = prepared.preflight.box_high;
-    if (!draw.frame && std::ranges::all_of(views, &render::View::is_along_axis))   // what draw_views would find by itself
+    if (!draw.frame && std::ranges::all_of(views, &render::View::is_along_axis))   // as draw_views would do, but faster
         draw.frame = render::frame_of({{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}}, draw.width, draw.height, draw.fill);
     return output::drawn_views(output::surface_of(prepared.mesh, sheet.range ? &field.values : nullptr), views, draw);
 }
 
-/// With the direction that shows this mesh best where one from three quarters is asked for.
+/// Replaces each view "hero" by the direction that shows this mesh best.
 std::vector<render::View> directed(std::vector<render::View> views, const TriangleMesh& mesh) {
     for (render::View& view : views)
         if (!view.is_along_axis()) view = render::hero_view(output::surface_of(mesh));
     return views;
 }
 
-TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
+TriangleMesh both_meshes(const TriangleMesh& a, const TriangleMesh& b) {
     TriangleMesh both{Positions(a.X.rows() + b.X.rows(), 3), Faces(a.F.rows() + b.F.rows(), 3)};
     both.X << a.X, b.X;
     both.F << a.F, b.F.array() + a.vertex_count();
     return both;
 }
 
-/// Around the mesh, as one picture of it alone would have it.
+/// Returns the frame of a picture of the mesh alone.
 render::Frame frame_of(const TriangleMesh& mesh, const render::View& view, const render::DrawOptions& draw) {
     if (view.is_along_axis()) return render::frame_of(output::bounds_of(mesh), draw.width, draw.height, draw.fill);
     const render::Surface surface = output::surface_of(mesh);
     return render::frame_of(surface.positions, surface.triangles, view, draw.width, draw.height, draw.fill);
 }
 
-/// Of a sheet without anything added: three pictures in a row.
-struct BareGrid {
-    explicit BareGrid(std::size_t pictures)
-        : columns(std::min(3, static_cast<int>(pictures))), rows((static_cast<int>(pictures) + columns - 1) / columns) {}
-    int columns, rows;
-};
-
-render::Image bare_sheet(const std::vector<render::Image>& pictures) {
-    const BareGrid grid(pictures.size());
-    render::Image sheet(grid.columns * pictures.front().width, grid.rows * pictures.front().height);
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        render::paste(sheet, pictures[i], static_cast<int>(i) % grid.columns * pictures[i].width,
-                      static_cast<int>(i) / grid.columns * pictures[i].height);
-    }
-    return sheet;
+/// Returns the columns and rows of a bare sheet.
+std::pair<int, int> bare_grid(std::size_t pictures) {
+    const int count = static_cast<int>(pictures), columns = std::min(3, count);
+    return {columns, (count + columns - 1) / columns};
 }
 
 }   // namespace
@@ -174,10 +155,10 @@ std::vector<render::View> views_named(const std::string& names) {
     return views;
 }
 
-std::pair<double, double> value_limits(double low, double high, const std::string& told) {
-    if (!(low < high)) throw UsageError(told + " is not lo,hi with lo < hi");
+std::pair<double, double> value_limits(double low, double high, const std::string& name) {
+    if (!(low < high)) throw UsageError(name + " is not lo,hi with lo < hi");
     if (std::max(std::abs(low), std::abs(high)) > largest_coordinate || high - low < narrowest_range)
-        throw UsageError(told + " is beyond 1e100 or narrower than 1e-100", "scale the values");
+        throw UsageError(name + " is beyond 1e100 or narrower than 1e-100", "scale the values");
     return {low, high};
 }
 
@@ -185,7 +166,7 @@ MeshPictures draw_pictures(const PreparedMesh& prepared, const Field& field, con
     MeshPictures drawn = sheet_for(request, {panel_of(prepared, field)}, field);
     refuse_dense_isolines(prepared, field, request.draw);
     render::DrawOptions draw = request.draw;
-    drawn.sheet.subtitle = counts_of(prepared) + without_dense_edges(prepared, draw);
+    drawn.sheet.subtitle = counts_of(prepared) + leave_out_dense_edges(prepared, draw);
     drawn.sheet.pictures = pictures_of(prepared, field, drawn, draw, directed(request.views, prepared.mesh));
     for (const render::View& view : request.views) drawn.sheet.view_names.emplace_back(view.name);
     return drawn;
@@ -202,11 +183,11 @@ MeshPictures draw_pair(const PairedMesh& left, const PairedMesh& right, const Pi
         drawn.sheet.heads.push_back(letter + (": " + std::filesystem::path(one->prepared.file).filename().string()));
         drawn.sheet.subheads.push_back(one->field.values.size() == 0 ? counts_of(one->prepared) : rms_of(one->prepared, one->field));
     }
-    const TriangleMesh whole = joined(left.prepared.mesh, right.prepared.mesh);
+    const TriangleMesh whole = both_meshes(left.prepared.mesh, right.prepared.mesh);
     for (const render::View& view : directed(request.views, left.prepared.mesh)) {
         render::DrawOptions draw = request.draw;
         draw.frame = frame_of(whole, view, draw);
-        without_dense_edges(left.prepared, draw);
+        leave_out_dense_edges(left.prepared, draw);
         for (const PairedMesh* one : {&left, &right}) {
             drawn.sheet.pictures.push_back(pictures_of(one->prepared, one->field, drawn, draw, std::span(&view, 1)).front());
             drawn.sheet.view_names.emplace_back(view.name);
@@ -215,11 +196,21 @@ MeshPictures draw_pair(const PairedMesh& left, const PairedMesh& right, const Pi
     return drawn;
 }
 
-render::Image composed(const render::ContactSheet& sheet, bool bare) { return bare ? bare_sheet(sheet.pictures) : render::compose(sheet); }
+render::Image composed(const render::ContactSheet& sheet, bool bare) {
+    if (!bare) return render::compose(sheet);
+    const auto [columns, rows] = bare_grid(sheet.pictures.size());
+    const int width = sheet.pictures.front().width, height = sheet.pictures.front().height;
+    render::Image composed(columns * width, rows * height);
+    for (int i = 0; const render::Image& picture : sheet.pictures) {
+        render::paste(composed, picture, i % columns * width, i / columns * height);
+        ++i;
+    }
+    return composed;
+}
 
 std::int64_t bare_sheet_pixels(std::size_t views, const render::DrawOptions& draw) {
-    const BareGrid grid(views);
-    return std::int64_t{grid.columns} * draw.width * grid.rows * draw.height;
+    const auto [columns, rows] = bare_grid(views);
+    return std::int64_t{columns} * draw.width * rows * draw.height;
 }
 
 }   // namespace meshfolio::run

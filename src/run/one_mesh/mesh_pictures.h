@@ -18,39 +18,40 @@ namespace meshfolio::run {
 inline constexpr int largest_side = 8192;   // of a picture [pixels]
 
 struct PictureRequest {
-    render::DrawOptions draw = {};   // its range is that of the field
+    render::DrawOptions draw = {};   // without a range, which comes from the field
     std::vector<render::View> views;
     std::string colormap = {};                             // empty: diverging for signed values, viridis for others
-    std::optional<std::pair<double, double>> range = {};   // of the colours; nothing: robust
+    std::optional<std::pair<double, double>> range = {};   // of the colours; nothing: without outliers
     std::string title = {};                                // of the sheet
-    double em = 0;                                         // its text size [pixels]; 0: by its width
+    double em = 0;                                         // text size of the sheet [pixels]; 0: by its width
 };
 
 struct MeshPictures {
-    std::optional<output::ColorRange> range;   // nothing where there are no values
-    render::ContactSheet sheet;                // with the pictures, one a view
+    std::optional<output::ColorRange> range;   // nothing if there are no values
+    render::ContactSheet sheet;                // with a picture for each view
 };
 
-/// Some of +x, -x, +y, -y, +z, -z and hero, by commas; empty: the six. @throws UsageError
+/// Parses a list with commas of +x, -x, +y, -y, +z, -z and hero; empty: the first six. @throws UsageError for another name
 std::vector<render::View> views_named(const std::string& names);
 
-/// Checks the range of the colours: a colour bar must be able to print it. @param told  its name in messages @throws UsageError
-std::pair<double, double> value_limits(double low, double high, const std::string& told);
+/// Requires a range of colours that a colour bar can print, and returns it. @param name  of the range in messages @throws UsageError
+std::pair<double, double> value_limits(double low, double high, const std::string& name);
 
-/// @throws UsageError for an unknown colour map
+/// Draws all views of a mesh with a field. @throws UsageError for an unknown colour map, or isolines that are too dense
 MeshPictures draw_pictures(const PreparedMesh& prepared, const Field& field, const PictureRequest& request);
 
-/// One mesh of a pair, and what is drawn on it: values of both or of none.
+/// A mesh of a pair with its field; either both fields have values or none.
 struct PairedMesh {
     const PreparedMesh& prepared;
     const Field& field;
 };
-/// Both from one camera, at one scale, in one range of colours: each view of the first beside that of the second.
-/// @throws UsageError for an unknown colour map
+/// Draws two meshes from one camera, at one scale, in one range of colours: each view of the first beside that of the second.
+/// @throws UsageError like draw_pictures()
 MeshPictures draw_pair(const PairedMesh& left, const PairedMesh& right, const PictureRequest& request);
 
-/// @param bare  the pictures alone, three in a row, without words and colour bar
+/// Composes a sheet. @param bare  the pictures alone, three in a row, without words and colour bar
 render::Image composed(const render::ContactSheet& sheet, bool bare);
+/// Returns the number of pixels of a bare sheet.
 std::int64_t bare_sheet_pixels(std::size_t views, const render::DrawOptions& draw);
 
 }   // namespace meshfolio::run

@@ -13,18 +13,6 @@
 
 namespace meshfolio::run {
 
-namespace {
-
-/// h_idt, h_cotan_no_half, …
-VertexColumn operator_column(const PreparedMesh& prepared, AreaForm form, OperatorKind kind) {
-    std::string name = "h_" + std::string(operator_entry(kind).name);
-    std::replace(name.begin(), name.end(), '-', '_');
-    const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
-    return {name, operator_mean_curvature(prepared.mesh, prepared.topology, kind, laplacian)};
-}
-
-}   // namespace
-
 std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets) {
     const auto& [mesh, topology] = std::tie(prepared.mesh, prepared.topology);
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh, form);
@@ -40,7 +28,10 @@ std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaFo
         columns.push_back({"k_jet", std::move(jet.K)});
     }
     const bool has_column = kind == OperatorKind::cotan || kind == OperatorKind::uniform;   // h_cotan, h_uniform_scaled
-    if (!has_column) columns.push_back(operator_column(prepared, form, kind));
+    if (has_column) return columns;
+    std::string name = "h_" + std::string(operator_entry(kind).name);   // h_idt, h_cotan_no_half, …
+    std::ranges::replace(name, '-', '_');
+    columns.push_back({name, operator_mean_curvature(mesh, topology, kind, laplace_operator(mesh, kind, form))});
     return columns;
 }
 

@@ -21,7 +21,7 @@ constexpr std::size_t longest_remark = 1000;   // bytes of `said` and `lost`
 
 const Words common_keys{"row", "from", "name", "kind", "mesh", "colour", "colormap", "said", "lost", "brief"};
 
-/// What else an experiment of a kind may have, and what of it it must.
+/// The further keys that an experiment of a kind may have, and those that it must have.
 struct KindKeys {
     Words may, must;
 };
@@ -67,21 +67,25 @@ public:
         const TableReader reader(table, "[[experiment]]", known, problems_);
         Experiment experiment;
         experiment.rows = reader.integers("row", limits::first_row, limits::last_row);
-        experiment.from = text(reader, "from", limits::longest_text);
-        experiment.name = text(reader, "name", limits::longest_text);
-        experiment.said = text(reader, "said", longest_remark);
-        experiment.lost = text(reader, "lost", longest_remark);
+        experiment.from = reader.text("from", limits::longest_text).value_or("");
+        experiment.name = reader.text("name", limits::longest_text).value_or("");
+        experiment.said = reader.text("said", longest_remark).value_or("");
+        experiment.lost = reader.text("lost", longest_remark).value_or("");
         experiment.brief = reader.truth("brief").value_or(false);
         experiment.search = reader.truth("search").value_or(false);
         read_choices(reader, experiment);
         read_numbers(reader, experiment);
         require(table, reader, {"row", "from", "name", "kind"});
-        if (const auto kind = one_of(reader, "kind", experiment_kind_names())) {
+        if (const auto kind = reader.word("kind", experiment_kind_names())) {
             experiment.kind = experiment_kind_named(*kind);
-            check_keys(table, reader, *kind);
+            const auto& [may, must] = keys_of(experiment.kind);
+            require(table, reader, must);
+            for (const std::string& key : known) {
+                if (reader.node(key) == nullptr || contains(common_keys, key) || contains(may, key)) continue;
+                problems_.add(*reader.node(key), reader.called(key) + " has no meaning for kind '" + *kind + "'", "leave it out");
+            }
         }
-        if (experiment.lambda_unit == StepUnit::h2 &&
-            std::any_of(experiment.operators.begin(), experiment.operators.end(), is_dimensionless))
+        if (experiment.lambda_unit == StepUnit::h2 && std::ranges::any_of(experiment.operators, is_dimensionless))
             problems_.add(*reader.node("unit"), "[[experiment]] unit h2 does not fit the uniform operator, whose steps have no unit",
                           "raw or tau");
         return experiment;
@@ -91,45 +95,11 @@ private:
     const std::map<std::string, OriginalMesh>& originals_;
     Problems& problems_;
 
-    std::string text(const TableReader& reader, const std::string& key, std::size_t longest) {
-        std::string text = reader.text(key).value_or("");
-        if (text.size() > longest) {
-            problems_.add(*reader.node(key), reader.called(key) + " has " + std::to_string(text.size()) + " bytes",
-                          "at most " + std::to_string(longest) + " are allowed");
-        }
-        return text;
-    }
-
-    /// The words of a list that are known, each once.
-    Words some_of(const TableReader& reader, const std::string& key, const Words& known) {
-        Words good;
-        reader.texts(key, [&](const std::string& word, const toml::node& where) {
-            if (!contains(known, word)) {
-                problems_.add(where, "unknown " + key + " " + in_quotes(word) + " in [[experiment]]",
-                              known.empty() ? "there is none" : "did you mean '" + nearest_word(word, known) + "'?");
-            } else if (contains(good, word)) {
-                problems_.add(where, reader.called(key) + " '" + word + "' is given twice", "name it once");
-            } else {
-                good.push_back(word);
-            }
-        });
-        return good;
-    }
-
-    std::optional<std::string> one_of(const TableReader& reader, const std::string& key, const Words& known) {
-        auto word = reader.text(key);
-        if (!word || contains(known, *word)) return word;
-        problems_.add(*reader.node(key), "unknown " + key + " " + in_quotes(*word) + " in [[experiment]]",
-                      "did you mean '" + nearest_word(*word, known) + "'?");
-        return {};
-    }
-
-    /// Those of `known` that the key names, as `value_of` their names; what `values` holds stays when the key is missing.
+    /// Reads known words and maps them by `value_of`. If the key is missing, `values` stays as it is.
     template <class Value, class ValueOf>
     void choose(const TableReader& reader, const std::string& key, const Words& known, std::vector<Value>& values, ValueOf value_of) {
-        const Words words = some_of(reader, key, known);
-        if (words.empty()) return;
-        values.clear();
+        const Words words = reader.words(key, known);
+        if (!words.empty()) values.clear();
         for (const std::string& word : words) values.push_back(value_of(word));
     }
 
@@ -139,11 +109,11 @@ private:
         choose(reader, "mesh", meshes, experiment.meshes, [&](const std::string& name) { return originals_.at(name); });
         choose(reader, "scheme", smoothing_method_names(), experiment.methods, smoothing_method_named);
         choose(reader, "operator", operator_choices(), experiment.operators, operator_named);
-        choose(reader, "area", {"barycentric", "voronoi", "mixed"}, experiment.areas, area_form_named);
+        choose(reader, "area", area_choices(), experiment.areas, area_form_named);
         choose(reader, "colour", experiment_colour_names(), experiment.colours, experiment_colour_named);
-        if (const auto unit = one_of(reader, "unit", {"raw", "tau", "h2"})) experiment.lambda_unit = step_unit_named(*unit);
-        if (const auto unit = one_of(reader, "noise_unit", noise_unit_names())) experiment.noise_unit = noise_unit_named(*unit);
-        experiment.colormap = one_of(reader, "colormap", colormap_names()).value_or("");
+        if (const auto unit = reader.word("unit", {"raw", "tau", "h2"})) experiment.lambda_unit = step_unit_named(*unit);
+        if (const auto unit = reader.word("noise_unit", noise_unit_names())) experiment.noise_unit = noise_unit_named(*unit);
+        experiment.colormap = reader.word("colormap", colormap_names()).value_or("");
     }
 
     void read_numbers(const TableReader& reader, Experiment& experiment) {
@@ -154,8 +124,7 @@ private:
         experiment.minimum = reader.integers("minimum", 0, limits::largest_iterations);
         std::sort(experiment.iterations.begin(), experiment.iterations.end());
         std::sort(experiment.k.begin(), experiment.k.end());
-        if (const auto seed = reader.integer("seed", 0, std::numeric_limits<std::int64_t>::max()))
-            experiment.seed = static_cast<std::uint64_t>(*seed);
+        if (const auto seed = reader.integer("seed", 0, largest_seed)) experiment.seed = static_cast<std::uint64_t>(*seed);
         if (const std::size_t given = reader.size("minimum"), levels = reader.size("noise"); given > 0 && given != levels) {
             problems_.add(
                 *reader.node("minimum"),
@@ -168,38 +137,20 @@ private:
         for (const std::string& key : keys)
             if (reader.node(key) == nullptr) problems_.add(table, "[[experiment]] has no " + key, "add " + key + " = …");
     }
-
-    void check_keys(const toml::table& table, const TableReader& reader, const std::string& kind) {
-        const KindKeys& keys = keys_of(experiment_kind_named(kind));
-        require(table, reader, keys.must);
-        for (const std::string& key : all_keys()) {
-            if (reader.node(key) == nullptr || contains(common_keys, key) || contains(keys.may, key)) continue;
-            problems_.add(*reader.node(key), reader.called(key) + " has no meaning for kind '" + kind + "'", "leave it out");
-        }
-    }
 };
 
 OriginalMesh read_original(const toml::table& table, const std::string& name, Problems& problems) {
     const std::string called = "[original." + printable(name) + "]";
     const TableReader reader(table, called, {"file", "stand_in", "lambda_crit", "mean_edge", "diagonal"}, problems);
-    const auto number = [&](const char* key) {
-        const std::vector<double> values = reader.numbers(key, 0, limits::largest_lambda, true);
-        if (reader.size(key) > 1) problems.add(*reader.node(key), reader.called(key) + " is a list", "give one number");
-        return values.empty() ? 0 : values.front();
-    };
+    const auto number = [&](const char* key) { return reader.number(key, 0, limits::largest_lambda, true, 0); };
     OriginalMesh mesh{name,
                       reader.text("file").value_or(""),
-                      reader.text("stand_in").value_or(""),
+                      reader.word("stand_in", bundled_meshes()).value_or(""),
                       number("lambda_crit"),
                       number("mean_edge"),
                       number("diagonal")};
     if (mesh.file.find('\0') != std::string::npos) problems.add(*reader.node("file"), called + " file contains a NUL", "name a file");
-    if (reader.node("stand_in") == nullptr) {
-        problems.add(table, called + " has no stand_in", "name the bundled mesh that takes its place");
-    } else if (!mesh.stand_in.empty() && !contains(bundled_meshes(), mesh.stand_in)) {
-        problems.add(*reader.node("stand_in"), called + " stand_in " + in_quotes(mesh.stand_in) + " is not a bundled mesh",
-                     "did you mean '" + nearest_word(mesh.stand_in, bundled_meshes()) + "'?");
-    }
+    if (reader.node("stand_in") == nullptr) problems.add(table, called + " has no stand_in", "name the bundled mesh that takes its place");
     return mesh;
 }
 

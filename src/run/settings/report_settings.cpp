@@ -36,11 +36,9 @@ void take(std::optional<double>& value, const Setting& setting, const std::strin
 }
 
 void take(std::string& value, const Setting& setting, const std::string& name, const std::string& text) {
-    if (setting.choices != nullptr && !contains(setting.choices(), text))
-        throw UsageError(name + " " + in_quotes(text) + " is none of auto, require and off",
-                         suggestion(text, setting.choices()) + "take one of them");
-    const bool is_word_of_report = *setting.table != '\0';
-    if (is_word_of_report && (text.size() > limits::longest_text || printable(text) != text))
+    if (setting.choices != nullptr) require_choice(name, text, setting.choices());
+    const bool is_printed = *setting.table != '\0';   // in the report
+    if (is_printed && (text.size() > limits::longest_text || printable(text) != text))
         throw UsageError(name + " is not at most " + std::to_string(limits::longest_text) + " bytes on one line", "write it shorter");
     value = text;
 }
@@ -49,12 +47,12 @@ void take(std::filesystem::path& value, const Setting&, const std::string&, cons
 
 void take(std::vector<std::filesystem::path>& folders, const Setting&, const std::string&, const std::string& text) {
     std::vector<std::string> given = split(text, ':');
-    std::erase(given, "");   // as in other lists of folders
+    std::erase(given, "");   // like other lists of folders
     if (!given.empty()) folders.assign(given.begin(), given.end());
 }
 
-/// "Q1" and "1" are q1, "1-3" and "q1-q3" are three of them; anything else stays unchanged, for the error message.
-std::vector<std::string> ids_meant(const std::string& word) {
+/// Returns the ids that a word names: q1 for "Q1" and "1", three ids for "1-3" and "q1-q3"; any other word unchanged.
+std::vector<std::string> ids_named_by(const std::string& word) {
     const auto number_of = [](std::string_view text) {
         if (text.starts_with('q') || text.starts_with('Q')) text.remove_prefix(1);
         const bool is_number = !text.empty() && text.size() <= 2 && text.find_first_not_of("0123456789") == std::string_view::npos;
@@ -73,17 +71,17 @@ void take(std::vector<std::string>& chosen, const Setting& setting, const std::s
     const std::vector<std::string> known = setting.choices();
     std::vector<std::string> ids, given;
     for (const std::string& word : split(text, ',')) {
-        const std::vector<std::string> meant = ids_meant(word);
-        given.insert(given.end(), meant.begin(), meant.end());
+        const std::vector<std::string> named = ids_named_by(word);
+        given.insert(given.end(), named.begin(), named.end());
     }
     Problems problems("");
     for (const std::string& id : given) {
         if (id.empty()) {
-            problems.add(0, name + " " + in_quotes(text) + " has a comma with nothing before or behind it", "write q1,q4");
+            problems.add(0, name + " " + in_quotes(text) + " has a comma with nothing before or after it", "write q1,q4");
         } else if (!contains(known, id)) {
-            problems.add(0, name + ": no question " + in_quotes(id), "did you mean '" + nearest_word(id, known) + "'?");
+            problems.add(0, name + ": " + in_quotes(id) + " is unknown", "did you mean '" + nearest_word(id, known) + "'?");
         } else if (contains(ids, id)) {
-            problems.add(0, name + ": '" + id + "' is given twice", "name each once; their order is fixed");
+            problems.add(0, name + ": '" + id + "' is given twice", "name it once");
         } else {
             ids.push_back(id);
         }
@@ -92,7 +90,7 @@ void take(std::vector<std::string>& chosen, const Setting& setting, const std::s
     chosen = ids;
 }
 
-/// Takes every setting that `text_of` has a text for, under the name that `name_of` gives it.
+/// Takes every setting for which text_of(name) is not empty. @param name_of  the member of Setting with the name
 template <class TextOf>
 void take_texts(ReportSettings& settings, const char* Setting::*name_of, TextOf text_of, Problems& problems) {
     for_each_setting(settings, [&](const Setting& setting, auto& value) {
@@ -118,22 +116,12 @@ void take_flags(ReportSettings& settings, const ReportFlags& flags, Problems& pr
     if (flags.alone && flags.only.empty()) problems.add(0, "--alone is about --only", "name the sections with --only q1,q4");
     if (flags.part.empty()) return;
     if (!flags.out.empty()) problems.add(0, "--part and --out name two folders", "leave one of them out");
-    settings.out = flags.part;   // to be joined: what differs from run to run, and what is printed of the whole, have no place in it
+    settings.out = flags.part;   // to be merged: it has neither timings, which differ from run to run, nor a PDF
     settings.timings = false;
     settings.pdf = "off";
 }
 
-void take_meshes(ReportSettings& settings, const std::vector<std::string>& meshes, Problems& problems) {
-    for (const std::string& mesh : meshes) {
-        if (std::ranges::find(settings.meshes, std::filesystem::path(mesh)) != settings.meshes.end()) {
-            problems.add(0, in_quotes(mesh) + " is given twice; its outputs would collide", "name it once");
-        } else {
-            settings.meshes.emplace_back(mesh);
-        }
-    }
-}
-
-/// Those of data/reports, each file read once.
+/// Returns the experiments of data/reports, parsed once.
 const std::vector<Experiment>& bundled_experiments() {
     static const std::vector<Experiment> experiments = [] {
         std::vector<Experiment> all;
@@ -146,33 +134,26 @@ const std::vector<Experiment>& bundled_experiments() {
     return experiments;
 }
 
-/// Meshes that settings and experiments name: looked for beside the settings file, then in the data folders.
-std::vector<std::filesystem::path> named_meshes(const ReportSettings& settings) {
-    std::vector<std::filesystem::path> files = listed_meshes(settings);
-    for (const Experiment& experiment : settings.experiments.empty() ? bundled_experiments() : settings.experiments) {
-        for (const OriginalMesh& mesh : experiment.meshes)
-            if (!mesh.file.empty()) files.emplace_back(mesh.file);
-    }
-    return files;
-}
-
-/// Every file and folder that may be read.
+/// Returns every file and folder that the report may read.
 std::set<std::filesystem::path> inputs_of(const ReportSettings& settings, const std::string& config) {
     std::set<std::filesystem::path> inputs = {config, settings.templates, settings.page.file.value_or("")};
     inputs.insert(settings.meshes.begin(), settings.meshes.end());
     inputs.insert(settings.data.begin(), settings.data.end());
-    std::vector<std::filesystem::path> in_data = named_meshes(settings);
-    for (const std::filesystem::path& mesh : in_data) inputs.insert(settings.base / mesh);
-    for (const MeshRole& role : mesh_role_list()) in_data.emplace_back(role.asked);
-    for (const StandIn& original : stand_in_list()) in_data.emplace_back(original.file);
+    std::vector<std::filesystem::path> meshes = listed_meshes(settings);   // beside the settings file, or in a data folder
+    for (const Experiment& experiment : settings.experiments.empty() ? bundled_experiments() : settings.experiments)
+        for (const OriginalMesh& mesh : experiment.meshes) meshes.emplace_back(mesh.file);
+    for (const std::filesystem::path& mesh : meshes)
+        if (!mesh.empty()) inputs.insert(settings.base / mesh);
+    for (const MeshRole& role : mesh_role_list()) meshes.emplace_back(role.asked);
+    for (const StandIn& original : stand_in_list()) meshes.emplace_back(original.file);
     for (const std::filesystem::path& folder : settings.data) {
-        for (const std::filesystem::path& mesh : in_data)
+        for (const std::filesystem::path& mesh : meshes)
             if (!mesh.empty()) inputs.insert({folder / mesh, folder / mesh.filename()});
     }
     return inputs;
 }
 
-/// Refuses inputs inside an earlier report, also through links: publishing the new report removes it.
+/// Refuses inputs inside an earlier report, also through links: publishing the new report removes them.
 void require_inputs_outside(const ReportSettings& settings, const std::string& config, Problems& problems) {
     std::error_code error;
     if (!std::filesystem::exists(output::resolved(settings.out, error) / output::marker_file, error)) return;
@@ -182,17 +163,6 @@ void require_inputs_outside(const ReportSettings& settings, const std::string& c
                      in_quotes(input.string()) + " lies in " + in_quotes(settings.out.string()) + ", which the report replaces as a whole",
                      "move it, or choose another folder with --out");
     }
-}
-
-void take_experiments(QuestionSettings& question, const ReportSettings& settings) {
-    question.bundled_experiments = bundled_experiments();
-    question.experiments = settings.experiments;
-    question.own_experiments = !settings.experiments.empty();
-    if (question.own_experiments) return;
-    const auto is_brief = [](const Experiment& experiment) { return experiment.brief; };
-    std::copy_if(question.bundled_experiments.begin(), question.bundled_experiments.end(), std::back_inserter(question.experiments),
-                 is_brief);
-    if (question.quick && question.experiments.size() > 1) question.experiments.resize(1);
 }
 
 }   // namespace
@@ -221,8 +191,13 @@ ReportSettings report_settings(const ReportFlags& flags) {
         if (!flags.config.empty()) settings = read_settings(flags.config, settings);
     });
     take_flags(settings, flags, problems);
-    take_meshes(settings, flags.meshes, problems);
-    problems.collect([&] { report::Templates(settings.templates); });   // those of the folder, reported with the other problems
+    for (const std::string& mesh : flags.meshes) {
+        if (std::ranges::find(settings.meshes, std::filesystem::path(mesh)) != settings.meshes.end())
+            problems.add(0, in_quotes(mesh) + " is given twice; its outputs would collide", "name it once");
+        else
+            settings.meshes.emplace_back(mesh);
+    }
+    problems.collect([&] { report::Templates(settings.templates); });   // checks the folder
     require_inputs_outside(settings, flags.config, problems);
     problems.raise();
     settings.only = sections_in_order(settings.only, wants_earlier(settings));
@@ -239,25 +214,34 @@ Effort effort_of(const ReportSettings& settings, const std::string& id) {
     return planned != settings.efforts.end() ? planned->second : Effort{.small = settings.quick};
 }
 
+const QuestionTable& table_of(const ReportSettings& settings, std::string_view id) {
+    static const QuestionTable none;
+    const auto table = settings.questions.find(std::string(id));
+    return table != settings.questions.end() ? table->second : none;
+}
+
 QuestionSettings question_settings(const ReportSettings& settings, const std::string& id) {
     QuestionSettings question;
-    auto& [meshes, base, k, lambda, iterations, noise, seed, quick, laboratory, colormap, experiments, bundled, own] = question;   // all
+    const QuestionTable& table = table_of(settings, id);
+    // Naming all members makes the compiler report a new one.
+    auto& [meshes, base, k, lambda, iterations, noise, seed, quick, laboratory, colormap, experiments, bundled, own] = question;
+    if (settings.meshes.empty()) meshes = table.meshes;   // meshes on the command line replace those of the file
     base = settings.base;
-    seed = settings.seed;
-    quick = effort_of(settings, id).small;
-    laboratory = settings.laboratory;
-    colormap = settings.colormap;
-    if (chapter_of_id(id).on_request) take_experiments(question, settings);
-    const auto it = settings.questions.find(id);
-    if (it == settings.questions.end()) return question;
-    const QuestionTable& table = it->second;
-    // Meshes on the command line take every role, also those of the file.
-    if (settings.meshes.empty()) meshes = table.meshes;
     k = table.k;
     lambda = table.lambda;
     iterations = table.iterations;
     noise = table.noise;
-    seed = table.seed.value_or(seed);
+    seed = table.seed.value_or(settings.seed);
+    quick = effort_of(settings, id).small;
+    laboratory = settings.laboratory;
+    colormap = settings.colormap;
+    if (!chapter_of_id(id).on_request) return question;
+    bundled = bundled_experiments();
+    experiments = settings.experiments;
+    own = !experiments.empty();
+    if (own) return question;
+    std::ranges::copy_if(bundled, std::back_inserter(experiments), &Experiment::brief);
+    if (quick && experiments.size() > 1) experiments.resize(1);
     return question;
 }
 

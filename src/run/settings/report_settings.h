@@ -1,6 +1,6 @@
 /// @file
-/// What `meshfolio report` was asked for: flags over settings file over environment over defaults. Settings files are TOML. Strict: every
-/// key is known, of its type and within its limits, or the file is refused with everything that is wrong in it at once.
+/// The settings of `meshfolio report`: flags over settings file over environment over defaults. Settings files are TOML and read strictly:
+/// a file with any unknown key, wrong type or value beyond a limit is refused, with all its problems at once.
 #pragma once
 
 #include <tbb/global_control.h>
@@ -21,7 +21,7 @@
 
 namespace meshfolio::run {
 
-/// Everything wrong in settings, whether from a file, the command line or the environment; what() is the first.
+/// All problems of settings, whether from a file, the command line or the environment; what() is the first.
 class SettingsErrors : public UsageError {
 public:
     /// @param problems  at least one
@@ -32,7 +32,7 @@ private:
     std::vector<UsageError> problems_;
 };
 
-/// As given on the command line; what is empty was not.
+/// The options of the command line; empty: not given.
 struct ReportFlags {
     std::vector<std::string> meshes, data;
     std::string only, out, config, threads, size, templates, pdf, pdf_browser, author, from, part, junit, time;
@@ -41,7 +41,7 @@ struct ReportFlags {
          plan = false, json = false;
 };
 
-/// Those of them that are one word each, by their names.
+/// The options that take one word.
 inline constexpr std::pair<const char*, std::string ReportFlags::*> word_flags[] = {
     {"--only", &ReportFlags::only},       {"--config", &ReportFlags::config},
     {"--author", &ReportFlags::author},   {"--size", &ReportFlags::size},
@@ -54,11 +54,11 @@ struct ViewSize {
 };
 
 struct PageTemplate {
-    std::string design = "report";               // a bundled one
-    std::optional<std::filesystem::path> file;   // in place of it, absolute or relative to where the program runs
+    std::string design = "report";               // name of a bundled design
+    std::optional<std::filesystem::path> file;   // instead, absolute or relative to the working directory
 };
 
-/// [[question]]: what was given is set, the rest stays with the question.
+/// A [[question]] of a settings file; the question itself decides what is not set.
 struct QuestionTable {
     std::vector<std::string> meshes;
     std::vector<int> k, iterations;
@@ -68,7 +68,7 @@ struct QuestionTable {
     std::optional<std::string> output;   // folder of the output meshes
 };
 
-/// How much of a section is done: run/plan decides.
+/// The effort spent on a section, as run/plan decides.
 struct Effort {
     bool small = false;      // the settings of --quick
     int most_vertices = 0;   // larger meshes are decimated to this; 0: no limit
@@ -76,71 +76,72 @@ struct Effort {
     double cpu_seconds = 0;   // estimated
 };
 
-/// setting_list.h says of each where it is given and what depends on it.
+/// setting_list.h says where each setting is given and what depends on it.
 struct ReportSettings {
     std::vector<std::filesystem::path> meshes, data;
     std::filesystem::path out = "out", templates;
     PageTemplate page;
-    std::string pdf = "auto", pdf_browser;   // auto, require or off; the browser by name or path, empty: the first that is found
+    std::string pdf = "auto", pdf_browser;   // auto, require or off; name or path of the browser, empty: the first that is found
     std::string title, author, course, colormap;
     ViewSize size;
     int threads = 0;   // 0: all
     std::uint64_t seed = 0;
-    bool view_files = false;    // every view of every figure is a file of its own as well
-    bool sheets_only = false;   // unless so, not even those that the assignment asks for
+    bool view_files = false;    // also write every view of every figure as a file
+    bool sheets_only = false;   // write no view as a file, even if the assignment asks for it
     bool quick = false, laboratory = false, fail_fast = false, timings = true;
     bool earlier = false;                             // also the chapters on request
-    std::optional<double> time;                       // seconds on two cores that the report is to fit into; none: as promised
-    std::map<std::string, Effort> efforts;            // by id; none: everything as `quick` says
-    std::vector<std::string> only;                    // ids; empty: all, those on request only as chapters_of() says
+    std::optional<double> time;                       // seconds on two cores for the report; none: the default
+    std::map<std::string, Effort> efforts;            // by id; none: `quick` decides
+    std::vector<std::string> only;                    // ids; empty: all of chapters_of()
     std::map<std::string, QuestionTable> questions;   // by id
     std::vector<Experiment> experiments;              // of earlier reports; empty: the brief ones of the bundled files
-    std::string experiments_digest;                   // SHA-256 of the file they come from
-    std::filesystem::path base;                       // folder of that file: what the meshes of `questions` are relative to
+    std::string experiments_digest;                   // SHA-256 of the settings file
+    std::filesystem::path base;                       // folder of the settings file, to which its meshes are relative
 };
 
-/// Those of a file over `before`. A file's questions, experiments and sections take the place of others, also where it has none.
-/// @param file  what messages call it; paths are relative to its folder
+/// Parses a settings file over `before`. Its questions, experiments and sections replace the earlier ones, even by none.
+/// @param file  its name in messages; paths are relative to its folder
 /// @throws SettingsErrors
 ReportSettings parse_settings(std::string_view text, const std::string& file, ReportSettings before = {});
 
-/// The same from the file of that name, else, also where a folder has it, from the bundled one of data/reports. @throws SettingsErrors,
-/// also for one that cannot be read
+/// Parses the settings file of this name, or else the bundled one of data/reports. @throws SettingsErrors, also if there is neither
 ReportSettings read_settings(const std::string& config, ReportSettings before = {});
 
-/// @throws SettingsErrors, UsageError
+/// Returns the settings of a run. @throws SettingsErrors, UsageError
 ReportSettings report_settings(const ReportFlags& flags);
 
-/// For as long as it lives, no more threads work than are asked for; null where all may.
+/// Limits the threads of the process to those of the settings during the lifetime of the result; null: no limit.
 std::unique_ptr<tbb::global_control> limited_threads(const ReportSettings& settings);
 
-/// Behind the section's id: the name of what is planned for it, among what is described.
+/// The key of a section's effort in described() is its id with this suffix.
 inline constexpr const char* effort_suffix = " effort";
 
-/// What is planned for one section.
+/// Returns the planned effort of one section.
 Effort effort_of(const ReportSettings& settings, const std::string& id);
 
-/// Those of one question.
+/// Returns the [[question]] table of one section; an empty one if the settings have none.
+const QuestionTable& table_of(const ReportSettings& settings, std::string_view id);
+
+/// Returns the settings of one section.
 QuestionSettings question_settings(const ReportSettings& settings, const std::string& id);
 
-/// The meshes of all questions, in order: their names must not depend on which question reads first.
+/// Returns the meshes that [[question]] tables name, in the order of their ids.
 std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings);
 
-/// Returns true if the settings ask for the chapters on request, by `earlier` or by experiments of their own.
+/// True if the settings ask for the chapters on request, by `earlier` or by experiments of their own.
 bool wants_earlier(const ReportSettings& settings);
 
-/// Returns the chapters of the report, in their order. Those on request are among them if the settings name experiments, or `only` names
-/// the chapter. All other functions that choose sections use this one.
+/// Returns the chapters of the report, in their order. A chapter on request is among them if wants_earlier(), or if `only` names it.
 std::vector<const Chapter*> chapters_of(const ReportSettings& settings);
 
-/// Returns true if the report has the chapter and `only` does not leave it out.
+/// True if the report has the chapter and `only` does not leave it out.
 bool is_asked_for(const ReportSettings& settings, std::string_view id);
 
-/// For the provenance: everything that shapes the results, without threads and paths.
+/// Returns name → value of every setting that shapes the results, without threads and paths, for the provenance.
 std::map<std::string, std::string> described(const ReportSettings& settings);
 
-/// Returns these sections in the order of the report; nothing, which means all, where they are all.
-/// @param with_earlier  whether all includes the chapters on request
+/// Returns these sections in the order of the report; nothing if they are all sections.
+/// @param with_earlier  all sections include the chapters on request
 std::vector<std::string> sections_in_order(const std::vector<std::string>& ids, bool with_earlier);
 
 /// Returns every setting that the answer to a question depends on, for the key of the cache. Meshes have a part of their own in it.

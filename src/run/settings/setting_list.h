@@ -1,6 +1,6 @@
 /// @file
-/// Every setting once: where it is given, its limits, and what depends on it. All code that reads, names or hashes settings uses these
-/// lists. Forgetting a member is a compile error, as the structured bindings name all.
+/// The list of all settings: where each is given, its limits, and what depends on it. All code that reads, names or hashes settings uses
+/// this list. The structured bindings name all members, so that the compiler reports a new one.
 #pragma once
 
 #include <concepts>
@@ -19,28 +19,28 @@ namespace meshfolio::run {
 inline constexpr long long largest_seed = std::numeric_limits<std::int64_t>::max();   // TOML's integers
 
 struct Setting {
-    const char* table = "";   // of a settings file; empty: none, the top
-    const char* key = "";     // in that table; empty: no file has it
-    const char* flag = "";    // of `meshfolio report`
-    const char* variable = "";
-    const char* name = "";           // in the provenance; empty: left out there
-    bool shapes_answers = false;     // an answer is stored under its value
+    const char* table = "";          // of a settings file; empty: the top level
+    const char* key = "";            // in that table; empty: not in files
+    const char* flag = "";           // of `meshfolio report`
+    const char* variable = "";       // of the environment
+    const char* name = "";           // in the provenance; empty: not there
+    bool shapes_answers = false;     // its value is a part of the key of a cached answer
     long long least = 0, most = 0;   // of integers
     double largest = 0;              // of other numbers, from 0
-    bool is_above_zero = false;      // 0 itself is too small
+    bool is_above_zero = false;      // 0 itself is refused
     std::vector<std::string> (*choices)() = nullptr;
 };
 
 inline std::vector<std::string> pdf_choices() { return {"auto", "require", "off"}; }
 
-/// Those of the renderer, in its order.
+/// Returns the names of the renderer's colour maps.
 inline std::vector<std::string> colormap_names() {
     std::vector<std::string> names;
     for (const render::Colormap& map : render::colormap_list()) names.emplace_back(map.name);
     return names;
 }
 
-/// Calls visit(setting, value) for each.
+/// Calls visit(setting, value) for each setting of a report.
 template <class Settings, class Visit>
 requires std::same_as<std::remove_const_t<Settings>, ReportSettings>
 void for_each_setting(Settings& settings, Visit visit) {
@@ -79,11 +79,11 @@ void for_each_setting(Settings& settings, Visit visit) {
     visit(Setting{.table = "[report]", .key = "template"}, page);
     visit(Setting{.table = "[report]", .key = "sections", .flag = "--only", .name = "only", .choices = section_ids}, only);
     visit(Setting{.table = "[render]", .key = "colormap", .name = "colormap", .shapes_answers = true, .choices = colormap_names}, colormap);
-    // Tables of their own, the file they come from, and what is planned.
+    // Not single settings.
     static_cast<void>(std::tie(efforts, questions, experiments, experiments_digest, base));
 }
 
-/// The same for [[question]].
+/// Calls visit(setting, value) for each setting of a [[question]].
 template <class Table, class Visit>
 requires std::same_as<std::remove_const_t<Table>, QuestionTable>
 void for_each_setting(Table& table, Visit visit) {

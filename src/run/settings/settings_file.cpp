@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Names in the report's folder that a question's output may not take.
-const std::vector<std::string> taken_names{"images",    "tables",       "models",     "index.html",    "appendix.html",
-                                           "report.md", "appendix.md",  "summary.md", "report.pdf",    "appendix.pdf",
-                                           "src.txt",   "results.json", "SHA256SUMS", "submission.zip"};
+/// Names of files and folders of every report.
+const std::vector<std::string> used_names{"images",    "tables",       "models",     "index.html",    "appendix.html",
+                                          "report.md", "appendix.md",  "summary.md", "report.pdf",    "appendix.pdf",
+                                          "src.txt",   "results.json", "SHA256SUMS", "submission.zip"};
 
 template <class Settings>
 std::vector<std::string> keys_of(std::string_view table) {
@@ -55,12 +55,12 @@ private:
     const toml::table& root_;
     ReportSettings& settings_;
     Problems& problems_;
-    std::map<std::string, long> output_lines_;   // where each output name was given
+    std::map<std::string, long> output_lines_;   // output name → line
 
     void read_table(const std::string& name, const toml::table& table, const std::vector<std::string>& tables = {}) {
         const TableReader reader(table, name, keys_of<ReportSettings>(name), problems_, tables);
         for_each_setting(settings_, [&](const Setting& setting, auto& value) {
-            if (*setting.key != '\0' && setting.table == name && reader.node(setting.key) != nullptr) take(reader, setting, value);
+            if (setting.table == name) take_if_given(reader, setting, value);
         });
     }
 
@@ -69,17 +69,25 @@ private:
         known.emplace_back("id");
         const TableReader reader(table, "[[question]]", known, problems_);
         QuestionTable question;
-        for_each_setting(question, [&](const Setting& setting, auto& value) {
-            if (reader.node(setting.key) != nullptr) take(reader, setting, value);
-        });
-        enter(table, reader, std::move(question));
+        for_each_setting(question, [&](const Setting& setting, auto& value) { take_if_given(reader, setting, value); });
+        if (reader.node("id") == nullptr) problems_.add(table, "[[question]] has no id", "add id = \"q1\", say");
+        const auto id = reader.word("id", section_ids());
+        if (id && !settings_.questions.emplace(*id, std::move(question)).second)
+            problems_.add(*reader.node("id"), "question '" + *id + "' is given twice", "merge the two tables");
+    }
+
+    template <class Value>
+    void take_if_given(const TableReader& reader, const Setting& setting, Value& value) {
+        if constexpr (requires { take(reader, setting, value); }) {
+            if (*setting.key != '\0' && reader.node(setting.key) != nullptr) take(reader, setting, value);
+        }
     }
 
     // ---- a value that is given, by the type of the setting --------------------------------------------------------------
 
-    template <class Value>
-    requires std::same_as<Value, bool>
-    void take(const TableReader& reader, const Setting& setting, Value& value) { value = reader.truth(setting.key).value_or(value); }
+    void take(const TableReader& reader, const Setting& setting, std::same_as<bool> auto& value) {
+        value = reader.truth(setting.key).value_or(value);
+    }
 
     template <std::integral Value>
     requires(!std::same_as<Value, bool>) void take(const TableReader& reader, const Setting& setting, Value& value) {
@@ -88,7 +96,7 @@ private:
 
     template <std::integral Value>
     void take(const TableReader& reader, const Setting& setting, std::optional<Value>& value) {
-        if (const auto number = reader.integer(setting.key, setting.least, setting.most)) value = static_cast<Value>(*number);
+        take(reader, setting, value.emplace());
     }
 
     void take(const TableReader& reader, const Setting& setting, std::vector<int>& values) {
@@ -109,27 +117,20 @@ private:
         if (!sides.empty()) size = {sides.front(), sides.back()};
     }
 
-    /// A word or two on one line; the name of a colour map, where there is a choice.
+    /// Takes one of the choices, if the setting has any, or a text on one line.
     void take(const TableReader& reader, const Setting& setting, std::string& value) {
-        const auto text = reader.text(setting.key);
-        if (!text) return;
-        value = *text;
-        const toml::node& node = *reader.node(setting.key);
         if (setting.choices != nullptr) {
-            if (!contains(setting.choices(), value))
-                problems_.add(node, "unknown colour map " + in_quotes(value),
-                              "did you mean '" + nearest_word(value, setting.choices()) + "'?");
+            value = reader.word(setting.key, setting.choices()).value_or("");
             return;
         }
-        if (value.size() > static_cast<std::size_t>(limits::longest_text))
-            problems_.add(node, reader.called(setting.key) + " has " + std::to_string(value.size()) + " bytes",
-                          "at most " + std::to_string(limits::longest_text) + " are allowed");
+        value = reader.text(setting.key, limits::longest_text).value_or(value);
         const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-        if (std::any_of(value.begin(), value.end(), is_control))
-            problems_.add(node, reader.called(setting.key) + " has a control character", "write it on one line, with spaces for tabs");
+        if (std::ranges::any_of(value, is_control))
+            problems_.add(*reader.node(setting.key), reader.called(setting.key) + " has a control character",
+                          "write it on one line, with spaces for tabs");
     }
 
-    /// One of the bundled designs by its name, else a file.
+    /// Takes the name of a bundled design, or a file.
     void take(const TableReader& reader, const Setting& setting, PageTemplate& page) {
         const auto name = reader.text(setting.key);
         if (!name) return;
@@ -147,26 +148,22 @@ private:
         }
     }
 
-    /// Sections, of which there is a choice, or paths of meshes.
+    /// Takes some of the choices, if the setting has any, or paths.
     void take(const TableReader& reader, const Setting& setting, std::vector<std::string>& values) {
-        const std::vector<std::string> known = setting.choices != nullptr ? setting.choices() : std::vector<std::string>();
+        if (setting.choices != nullptr) {
+            values = reader.words(setting.key, setting.choices());
+            return;
+        }
         const std::string called = reader.called(setting.key);
         std::map<std::string, int> times;
-        values = reader.texts(setting.key, [&](const std::string& word, const toml::node& where) {
-            const bool is_twice = ++times[word] == 2;
-            if (setting.choices == nullptr) {
-                if (word.empty()) problems_.add(where, called + " is an empty path", "name a file");
-                if (word.find('\0') != std::string::npos) problems_.add(where, called + " contains a NUL", "name a file");
-                if (is_twice) problems_.add(where, called + " " + in_quotes(word) + " is given twice", "its outputs would collide");
-            } else if (!contains(known, word)) {
-                problems_.add(where, called + ": no question " + in_quotes(word), "did you mean '" + nearest_word(word, known) + "'?");
-            } else if (is_twice) {
-                problems_.add(where, called + ": '" + word + "' is given twice", "name each once; their order is fixed");
-            }
+        values = reader.texts(setting.key, [&](const std::string& path, const toml::node& where) {
+            if (path.empty()) problems_.add(where, called + " is an empty path", "name a file");
+            if (path.find('\0') != std::string::npos) problems_.add(where, called + " contains a NUL", "name a file");
+            if (++times[path] == 2) problems_.add(where, called + " " + in_quotes(path) + " is given twice", "its outputs would collide");
         });
     }
 
-    /// The output of a question: a plain name that neither leaves the report's folder nor is taken there.
+    /// Takes a plain name that neither leaves the report's folder nor is used there.
     void take(const TableReader& reader, const Setting& setting, std::optional<std::string>& value) {
         value = reader.text(setting.key);
         if (!value) return;
@@ -176,29 +173,11 @@ private:
         if (!output::is_safe_name(*value)) {
             problems_.add(node, called + " " + in_quotes(*value) + " is not a plain name inside the output folder",
                           "use letters, digits, '_', '-' and '.', at most 120 of them");
-        } else if (contains(taken_names, *value)) {
+        } else if (contains(used_names, *value)) {
             problems_.add(node, called + " '" + *value + "' collides with a part of the report", "choose another name");
-        } else if (const auto [first, fresh] = output_lines_.emplace(*value, line); !fresh) {
+        } else if (const auto [first, is_new] = output_lines_.emplace(*value, line); !is_new) {
             problems_.add(node, called + " '" + *value + "' collides with that of line " + std::to_string(first->second),
                           "choose another name");
-        }
-    }
-
-    /// Paths stand on the command line alone.
-    template <class Paths>
-    requires std::same_as<Paths, fs::path> || std::same_as<Paths, std::vector<fs::path>>
-    void take(const TableReader&, const Setting&, Paths&) {}
-    void take(const TableReader&, const Setting&, std::optional<double>&) {}
-
-    void enter(const toml::table& table, const TableReader& question, QuestionTable read) {
-        if (question.node("id") == nullptr) problems_.add(table, "[[question]] has no id", "add id = \"q1\", say");
-        const auto id = question.text("id");
-        if (!id) return;
-        const std::vector<std::string> known = section_ids();
-        if (!contains(known, *id)) {
-            problems_.add(*question.node("id"), "unknown question " + in_quotes(*id), "did you mean '" + nearest_word(*id, known) + "'?");
-        } else if (!settings_.questions.emplace(*id, std::move(read)).second) {
-            problems_.add(*question.node("id"), "question '" + *id + "' is given twice", "merge the two tables");
         }
     }
 };
@@ -207,20 +186,11 @@ private:
 
 ReportSettings parse_settings(std::string_view text, const std::string& file, ReportSettings settings) {
     Problems problems(file);
-    if (const long line = line_of_long_key(text); line > 0) {
-        problems.add(line, "a key has more than " + std::to_string(limits::longest_key) + " parts between dots",
-                     "none that is known has more than two");
-        problems.raise();
-    }
     settings.questions.clear();
     settings.only.clear();
     settings.base = fs::path(file).parent_path();
     settings.experiments_digest = sha256(text);
-    try {
-        Reader(toml::parse(text, file), settings, problems).read();
-    } catch (const toml::parse_error& error) {
-        problems.add(static_cast<long>(error.source().begin.line), std::string(error.description()), "correct the TOML");
-    }
+    if (const auto root = parsed_toml(text, file, problems)) Reader(*root, settings, problems).read();
     problems.raise();
     return settings;
 }

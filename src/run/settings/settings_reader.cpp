@@ -22,6 +22,10 @@ std::string type_name(const toml::node& node) {
 
 std::string between(const std::string& low, const std::string& high) { return "from " + low + " to " + high; }
 
+std::string nearest_of(const std::string& word, const std::vector<std::string>& known) {
+    return known.empty() ? "leave it out: nothing is known here" : "did you mean '" + nearest_word(word, known) + "'?";
+}
+
 }   // namespace
 
 void Problems::add(const toml::node& where, const std::string& problem, const std::string& remedy) {
@@ -43,16 +47,16 @@ void Problems::raise() const {
 
 namespace {
 
-/// Skips comments and strings of TOML. After a syntax error its result does not matter, as the parser stops there.
+/// Skips comments and strings of TOML. After a syntax error the result does not matter, as the parser stops there.
 class TomlSkipper {
 public:
     explicit TomlSkipper(std::string_view text) : text_(text) {}
 
     bool ended() const { return at_ >= text_.size(); }
     char next() { return text_[at_++]; }
-    /// Behind a '#'.
+    /// To be called after a '#'.
     void comment() { at_ = std::min(text_.find('\n', at_), text_.size()); }
-    /// Behind the first quote of a text.
+    /// To be called after the first quote of a text.
     void quoted(char quote) {
         const std::string three(3, quote);
         if (text_.substr(at_ - 1).starts_with(three)) return to_end_of_lines(three);
@@ -67,7 +71,7 @@ public:
     std::size_t at() const { return std::min(at_, text_.size()); }
 
 private:
-    /// A text of several lines may end in up to two quotes of its own.
+    /// Skips the rest of a text in triple quotes, which may end with up to two quotes more.
     void to_end_of_lines(const std::string& three) {
         at_ += 2;
         while (at_ < text_.size() && !text_.substr(at_).starts_with(three)) at_ += text_[at_] == '\\' && three[0] == '"' ? 2 : 1;
@@ -100,6 +104,20 @@ long line_of_long_key(std::string_view text) {
     return 0;
 }
 
+std::optional<toml::table> parsed_toml(std::string_view text, const std::string& file, Problems& problems) {
+    if (const long line = line_of_long_key(text); line > 0) {
+        problems.add(line, "a key has more than " + std::to_string(limits::longest_key) + " parts between dots",
+                     "none that is known has more than two");
+        return {};
+    }
+    try {
+        return toml::parse(text, file);
+    } catch (const toml::parse_error& error) {
+        problems.add(static_cast<long>(error.source().begin.line), std::string(error.description()), "correct the TOML");
+        return {};
+    }
+}
+
 void for_each_table(const toml::node& node, const std::string& name, Problems& problems,
                     const std::function<void(const toml::table&)>& read) {
     const std::string remedy = "write [[" + name + "]] above each";
@@ -126,7 +144,7 @@ TableReader::TableReader(const toml::table& table, std::string name, const std::
         const std::string place = name_.empty() ? "" : " in " + name_;
         const std::vector<std::string>& like = is_table && !tables.empty() ? tables : known;
         problems.add(static_cast<long>(key.source().begin.line), (is_table ? "unknown table " : "unknown key ") + in_quotes(word) + place,
-                     is_table && tables.empty() ? name_ + " has no tables within it" : "did you mean '" + nearest_word(word, like) + "'?");
+                     is_table && tables.empty() ? name_ + " has no tables within it" : nearest_of(word, like));
     }
 }
 
@@ -171,9 +189,20 @@ std::optional<double> TableReader::number_of(const toml::node& node, const std::
     return {};
 }
 
-std::optional<std::string> TableReader::text(std::string_view key) const {
+std::optional<std::string> TableReader::text(std::string_view key, std::size_t longest) const {
     const toml::node* found = node(key);
-    return found != nullptr ? text_of(*found, called(key)) : std::nullopt;
+    auto text = found != nullptr ? text_of(*found, called(key)) : std::nullopt;
+    if (text && text->size() > longest)
+        problems_.add(*found, called(key) + " has " + std::to_string(text->size()) + " bytes",
+                      "at most " + std::to_string(longest) + " are allowed");
+    return text;
+}
+
+std::optional<std::string> TableReader::word(std::string_view key, const std::vector<std::string>& known) const {
+    auto word = text(key);
+    if (!word || contains(known, *word)) return word;
+    problems_.add(*node(key), called(key) + ": " + in_quotes(*word) + " is unknown", nearest_of(*word, known));
+    return {};
 }
 
 std::optional<bool> TableReader::truth(std::string_view key) const {
@@ -220,6 +249,20 @@ std::vector<std::string> TableReader::texts(std::string_view key, const Check& c
     });
 }
 
+std::vector<std::string> TableReader::words(std::string_view key, const std::vector<std::string>& known) const {
+    std::vector<std::string> good;
+    texts(key, [&](const std::string& word, const toml::node& where) {
+        if (!contains(known, word)) {
+            problems_.add(where, called(key) + ": " + in_quotes(word) + " is unknown", nearest_of(word, known));
+        } else if (contains(good, word)) {
+            problems_.add(where, called(key) + ": '" + word + "' is given twice", "name it once");
+        } else {
+            good.push_back(word);
+        }
+    });
+    return good;
+}
+
 std::vector<int> TableReader::integers(std::string_view key, long long low, long long high) const {
     return one_or_several<int>(key, [&](const toml::node& node, const std::string& name) { return integer_of(node, name, low, high); });
 }
@@ -227,6 +270,12 @@ std::vector<int> TableReader::integers(std::string_view key, long long low, long
 std::vector<double> TableReader::numbers(std::string_view key, double low, double high, bool above) const {
     return one_or_several<double>(key,
                                   [&](const toml::node& node, const std::string& name) { return number_of(node, name, low, high, above); });
+}
+
+double TableReader::number(std::string_view key, double low, double high, bool above, double fallback) const {
+    const std::vector<double> values = numbers(key, low, high, above);
+    if (size(key) > 1) problems_.add(*node(key), called(key) + " is a list", "give one number");
+    return values.empty() ? fallback : values.front();
 }
 
 }   // namespace meshfolio::run

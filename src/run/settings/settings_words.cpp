@@ -40,7 +40,7 @@ Words words_of(const std::vector<Value>& values) {
     return words;
 }
 
-/// Names without folders: a report must not depend on where its inputs are.
+/// Omits folders: a report must not depend on the place of its inputs.
 template <class Value>
 Words words_without_folders(const Value& value) {
     return words_of(value);
@@ -79,9 +79,8 @@ std::vector<std::string> identity_of(const ReportSettings& settings, const std::
     };
     for_each_setting(settings, add);
     identity.push_back(words_of(effort_of(settings, question)).front());
-    const auto table = settings.questions.find(question);
-    for_each_setting(table != settings.questions.end() ? table->second : QuestionTable(), add);
-    // Those of the bundled files are part of the program.
+    for_each_setting(table_of(settings, question), add);
+    // The bundled experiments are a part of the program.
     if (chapter_of_id(question).on_request && !settings.experiments.empty()) identity.push_back(settings.experiments_digest);
     return identity;
 }

@@ -97,18 +97,18 @@ std::vector<Rule> rules() {
          q4 + "seed = 1.5\nthreads = -1",
          {"3: [[question]] seed is a number with a fraction, not an integer",
           "4: [[question]] threads = -1 is out of range; it may be from 0 to 1024"}},
-        {"[question]", "[question]\nid = \"q9\"", {"1: question is not a list of tables", "2: unknown question 'q9'"}},
+        {"[question]", "[question]\nid = \"q9\"", {"1: question is not a list of tables", "2: [[question]] id: 'q9' is unknown"}},
         {"mixed list of questions",
          "question = [{id = \"q9\"}, 3]",
-         {"1: unknown question 'q9'", "1: question[1] is an integer, not a table; write [[question]] above each"}},
+         {"1: [[question]] id: 'q9' is unknown", "1: question[1] is an integer, not a table; write [[question]] above each"}},
         {"empty list of questions", "question = []", {"1: question is not a list of tables"}},
         // every wrong element of a list is reported on its own line
         {"sections",
          "[report]\nsections = [\"q1\", \"q9\", 3]",
-         {"2: [report] sections: no question 'q9'; did you mean '", "2: [report] sections[2] is an integer, not a text"}},
+         {"2: [report] sections: 'q9' is unknown; did you mean '", "2: [report] sections[2] is an integer, not a text"}},
         {"sections over lines",
          "[report]\nsections = [\n  \"q1\",\n  \"q9\",\n  \"q1\"\n]",
-         {"4: [report] sections: no question 'q9'", "5: [report] sections: 'q1' is given twice"}},
+         {"4: [report] sections: 'q9' is unknown", "5: [report] sections: 'q1' is given twice"}},
         {"size",
          "[render]\nsize = [8, \"x\", 64]",
          {"2: [render] size[0] = 8 is out of range", "2: [render] size[1] is a text, not an integer", "2: [render] size has 3 values"}},
@@ -148,7 +148,7 @@ std::vector<Rule> rules() {
         {"second line", "[report]\ntitle = \"a\\nb\"", {"2: [report] title has a control character"}},
         {"delete", "[report]\ncourse = \"a\\u007fb\"", {"2: [report] course has a control character"}},
         {"control character in a key", "\"\\u001b[31mred\" = 1", {"1: unknown key '\\x1b[31mred'"}},
-        {"colour map", "[render]\ncolormap = \"vridis\"", {"2: unknown colour map 'vridis'; did you mean 'viridis'?"}},
+        {"colour map", "[render]\ncolormap = \"vridis\"", {"2: [render] colormap: 'vridis' is unknown; did you mean 'viridis'?"}},
         // questions
         {"twice", q4 + q4, {"4: question 'q4' is given twice"}},
         {"no id", "[[question]]\nk = 5", {"1: [[question]] has no id"}},
@@ -165,8 +165,8 @@ std::vector<Rule> rules() {
         // experiments
         {"words of an experiment",
          "[[experiment]]\nrow = 7\nfrom = \"S\"\nname = \"n\"\nkind = \"forms\"\narea = [\"voronoy\", \"mixd\"]\n",
-         {"6: unknown area 'voronoy' in [[experiment]]; did you mean 'voronoi'?",
-          "6: unknown area 'mixd' in [[experiment]]; did you mean 'mixed'?", "6: [[experiment]] area has no meaning for kind 'forms'"}},
+         {"6: [[experiment]] area: 'voronoy' is unknown; did you mean 'voronoi'?",
+          "6: [[experiment]] area: 'mixd' is unknown; did you mean 'mixed'?", "6: [[experiment]] area has no meaning for kind 'forms'"}},
         {"[experiment]",
          "[experiment]\nrow = 7",
          {"1: experiment is not a list of tables", "1: [[experiment]] has no from", "1: [[experiment]] has no name",
@@ -245,7 +245,7 @@ TEST(SettingsRules, ProblemsOfTheCommandLineAndTheFileAreReportedTogether) {
                                                   "--size '8' is not an integer from 16 to 4096",
                                                   "--threads 'x' is not an integer from 0 to 1024",
                                                   "--only 'q5,,q9,q5' has a comma with nothing",
-                                                  "--only: no question 'q9'",
+                                                  "--only: 'q9' is unknown",
                                                   "--only: 'q5' is given twice"};
         ASSERT_EQ(errors.problems().size(), beginnings.size());
         for (std::size_t i = 0; i < beginnings.size(); ++i)
