@@ -7,23 +7,6 @@
 
 namespace meshfolio::cli {
 
-namespace {
-
-ExitCode run_cache(const std::string& action) {
-    const auto store = usable_cache();
-    if (!store) return ExitCode::ok;
-    if (action == "clear") {
-        store->clear();
-        return ExitCode::ok;
-    }
-    const output::ResultCache::Size size = store->size();
-    print_path(store->folder());
-    print(std::to_string(size.files) + " files, " + plain_text(static_cast<double>(size.bytes) / 1e6, 4) + " MB\n");
-    return ExitCode::ok;
-}
-
-}   // namespace
-
 Command cache_command(CLI::App& parent) {
     const auto action = std::make_shared<std::string>("show");
     CommandOptions app(parent, "cache", "Where answers of earlier reports are kept, and how large that is");
@@ -31,7 +14,18 @@ Command cache_command(CLI::App& parent) {
     app.footer(
         "It is $XDG_CACHE_HOME/meshfolio, of at most MESHFOLIO_CACHE_LIMIT megabytes (2048); what was used longest ago goes first.\n"
         "Example: meshfolio cache clear");
-    return {app, [action] { return run_cache(*action); }};
+    return {app, [action] {
+                const auto store = usable_cache();
+                if (!store) return ExitCode::ok;
+                if (*action == "clear") {
+                    store->clear();
+                    return ExitCode::ok;
+                }
+                const output::ResultCache::Size size = store->size();
+                print_path(store->folder());
+                print(std::to_string(size.files) + " files, " + plain_text(static_cast<double>(size.bytes) / 1e6, 4) + " MB\n");
+                return ExitCode::ok;
+            }};
 }
 
 }   // namespace meshfolio::cli

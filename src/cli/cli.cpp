@@ -35,17 +35,13 @@ const CommandGroup groups[] = {
     {"Check and mark", {compare_command, mark_command, verify_command}},
     {"Set up", {doctor_command, list_command, templates_command, cache_command, help_command, version_command}}};
 
-/// `meshfolio` alone says what it can do; with options only it means `meshfolio report`.
-std::vector<std::string> with_command(int argc, const char* const* argv) {
+/// Returns the words of the command line, with the command `help` if there are none, and `report` before options.
+/// @throws UsageError for an empty word, often from an unset variable of a script: CLI11 would take the next word as the value of "--out="
+std::vector<std::string> words_of(int argc, const char* const* argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
     if (words.empty()) words.emplace_back("help");
     const bool asks_about_itself = words[0] == "-h" || words[0] == "--help" || words[0] == "--version";
     if (words[0].starts_with('-') && !asks_about_itself) words.insert(words.begin(), "report");
-    return words;
-}
-
-/// Refuses empty arguments, often from unset variables of a script: CLI11 would take the next word as the value of "--out=".
-void refuse_empty(const std::vector<std::string>& words) {
     std::string before;
     for (const std::string& word : words) {
         if (word.empty())
@@ -53,9 +49,10 @@ void refuse_empty(const std::vector<std::string>& words) {
         if (word.starts_with("--") && word.find('=') == word.size() - 1) throw UsageError("'" + word + "' has no value", "leave it out");
         before = word;
     }
+    return words;
 }
 
-/// The error for what CLI11 refuses. A misspelt option is reported first, as it often causes the other problems.
+/// Turns an error of CLI11 into ours. A misspelt option is reported first, as it often causes the other problems.
 /// @param name_called  by the user: "meshfolio" alone may mean the report
 UsageError usage_error(const CLI::App& command, const std::string& name_called, const CLI::ParseError& error) {
     const std::string help = "see " + called(command) + " --help";
@@ -71,7 +68,7 @@ UsageError usage_error(const CLI::App& command, const std::string& name_called, 
     return UsageError(error.what(), help);
 }
 
-/// Splits "--out DIR" into the names of an option and the type that the help shows, NUMBER by default. Positional arguments have no type.
+/// Splits "--out DIR" into the names of an option and the type of its value, NUMBER by default. Positional arguments have no type.
 struct Named {
     explicit Named(const std::string& text)
         : names(text.substr(0, text.find(' '))),
@@ -97,10 +94,9 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
         }
     }
 
-    std::vector<std::string> words = with_command(argc, argv);
-    refuse_empty(words);
-    if (!words.front().starts_with('-')) command_called(app, words.front());   // or it is refused
-    std::reverse(words.begin(), words.end());                                  // CLI11 takes the words from the back
+    std::vector<std::string> words = words_of(argc, argv);
+    if (!words.front().starts_with('-')) command_called(app, words.front());   // throws for an unknown command
+    std::ranges::reverse(words);                                               // CLI11 takes the words from the back
     try {
         app.parse(words);
     } catch (const CLI::CallForAllHelp&) {
@@ -118,12 +114,12 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
         const CLI::App& command = chosen.empty() ? app : *chosen.front();
         throw usage_error(command, argc > 1 && argv[1][0] == '-' ? app.get_name() : called(command), error);
     }
-    const auto chosen = std::find_if(commands.begin(), commands.end(), [](const Command& command) { return command.app->parsed(); });
+    const auto chosen = std::ranges::find_if(commands, [](const Command& command) { return command.app->parsed(); });
     const Stage stage(chosen->app->get_name());
     return chosen->run();
 }
 
-/// Did a thread fail to start? oneTBB reports that by its message alone.
+/// True if no memory was left for a thread, which oneTBB reports by its message alone.
 bool is_shortage(const std::exception& error) {
     if (const auto* system = dynamic_cast<const std::system_error*>(&error))
         return system->code() == std::errc::resource_unavailable_try_again || system->code() == std::errc::not_enough_memory;
@@ -131,11 +127,10 @@ bool is_shortage(const std::exception& error) {
 }
 
 /// Prints at most 38 problems: a file of another kind may have one on every line.
-void complain_about(const SettingsErrors& errors) {
-    constexpr std::size_t most = 38;
-    const std::size_t told = std::min(most, errors.problems().size());
-    for (std::size_t i = 0; i < told; ++i) complain(errors.problems()[i].what(), Ink::red);
-    if (told < errors.problems().size()) complain("… and " + std::to_string(errors.problems().size() - told) + " more problems");
+void print_problems(const std::vector<UsageError>& problems) {
+    const std::size_t printed = std::min<std::size_t>(38, problems.size());
+    for (std::size_t i = 0; i < printed; ++i) complain(problems[i].what(), Ink::red);
+    if (printed < problems.size()) complain("… and " + std::to_string(problems.size() - printed) + " more problems");
 }
 
 }   // namespace
@@ -195,7 +190,7 @@ int run(int argc, const char* const* argv) {
     try {
         return static_cast<int>(parse_and_run(argc, argv));
     } catch (const SettingsErrors& errors) {
-        complain_about(errors);
+        print_problems(errors.problems());
         return static_cast<int>(errors.exit_code());
     } catch (const ReaderGone&) {
         end_by_broken_pipe();

@@ -1,6 +1,6 @@
 /// @file
-/// The subcommands, one file each (<name>_command.cpp). A new one is a function here and a line in the table of cli.cpp. CLI11, whose
-/// headers take seconds to compile, is included by cli.cpp and help_formats.cpp alone.
+/// The subcommands, one file each (<name>_command.cpp). A new one is a function here and a line in the table of cli.cpp. Only cli.cpp and
+/// help_formats.cpp include CLI11, because its headers take seconds to compile.
 #pragma once
 
 #include <functional>
@@ -15,29 +15,31 @@ class App;
 
 namespace meshfolio {
 struct Backend;
-namespace run {}
+namespace run {
+struct ReportFlags;
+}
 }   // namespace meshfolio
 
 namespace meshfolio::cli {
 
-using namespace run;   // what the commands share with `report`
+using namespace run;
 
-/// Puts what follows a command into variables, which must outlive the parsing. Names are as in CLI11: "MESH" is positional,
-/// "-o,--output FILE" an option and what it takes, a NUMBER where nothing is said. A variable that is not empty keeps its value as the
-/// default, which the help shows.
+/// Adds a command whose arguments are stored in variables, which must outlive the parsing. Names are as in CLI11: "MESH" is a positional
+/// argument, "-o,--output FILE" an option with the type of its value, which is NUMBER by default. The help shows the value of a variable
+/// that is not empty as the default.
 class CommandOptions {
 public:
     CommandOptions(CLI::App& parent, const std::string& command, const std::string& purpose);
 
     void text(const std::string& names, std::string& value, const std::string& help);
     void required(const std::string& names, std::string& value, const std::string& help);
-    /// One of the words; another is refused with the nearest of them.
+    /// One of the words; another is refused, with the nearest of them as a suggestion.
     void choice(const std::string& names, std::string& value, const std::vector<std::string>& choices, const std::string& help);
     void required_texts(const std::string& names, std::vector<std::string>& values, const std::string& help);
     /// A positional argument takes all words that follow, an option one word each time.
     void texts(const std::string& names, std::vector<std::string>& values, const std::string& help);
     void flag(const std::string& names, bool& value, const std::string& help);
-    /// What the help ends with: an example.
+    /// The end of the help: an example.
     void footer(const std::string& text);
 
     operator CLI::App*() const { return app_; }
@@ -47,12 +49,17 @@ private:
 };
 
 struct Command {
-    CLI::App* app;                   // its options; parsed() if it was asked for
+    CLI::App* app;                   // its options; parsed() is true for the command that was called
     std::function<ExitCode()> run;   // throws an Error, or returns ok or failed
 };
 
-/// Calls work with the backend of that name. `slepc` is the ranks of MPI: the first does the work, the others serve it.
-/// @throws EngineError for what this program was built without
+/// Declares the options that report, batch and merge share: author, settings, templates, PDF.
+void add_paper_options(CommandOptions& app, ReportFlags& flags);
+/// Declares the options that report and batch share: sections, time, size, threads, cache.
+void add_run_options(CommandOptions& app, ReportFlags& flags);
+
+/// Calls work() with the backend "builtin" or "slepc". With slepc, the first rank of MPI calls work() and the others serve it.
+/// @throws EngineError for slepc if this program was built without it
 ExitCode with_backend(const std::string& backend, const std::function<ExitCode(const Backend&)>& work);
 const std::vector<std::string>& backend_choices();
 

@@ -29,15 +29,15 @@ std::string in_words(const std::vector<DifferenceLine>& lines) {
     return text;
 }
 
-/// Repairs may turn the triangles of one mesh and not of the other (a smoothed surface can end inside out): when the files agree on the
-/// triangles, those of A count for both.
+/// Gives B the triangles of A if the files have the same triangles: repairs may have turned them in one mesh alone, such as a smoothed
+/// surface that ends inside out.
 void take_triangles_of_file(const CompareFlags& options, const PreparedMesh& a, PreparedMesh& b) {
     const bool once = options.a == "-" || options.b == "-";   // standard input cannot be read again
     if (once || a.mesh.vertex_count() != b.mesh.vertex_count() || have_same_triangles(a.mesh, b.mesh)) return;
     if (have_same_triangles(read_mesh(options.a).mesh, read_mesh(options.b).mesh)) b.mesh.F = a.mesh.F;
 }
 
-/// The output files that need the distances between surfaces.
+/// Adds the output files, which need the distances between the surfaces.
 void add_files(output::FileGroup& files, const CompareFlags& options, const PreparedMesh& a, const PreparedMesh& b,
                const Difference& difference) {
     if (options.csv.empty() && options.ply.empty() && options.html.empty()) return;

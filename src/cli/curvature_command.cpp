@@ -2,6 +2,7 @@
 #include <cmath>
 #include <memory>
 
+#include "base/joined.h"
 #include "cli/commands.h"
 #include "mesh/io/mesh_files.h"
 #include "run/console.h"
@@ -21,7 +22,7 @@ void warn_of_missing_jets(const PreparedMesh& prepared, const std::vector<Vertex
              " vertices have no jet: too few vertices around, or a sample too thin to be trusted");
 }
 
-/// Warns of interior vertices whose area is not positive: they have no curvature.
+/// Warns of vertices of triangles that have no area > 0, and therefore no curvature.
 void warn_of_empty_areas(const PreparedMesh& prepared, const std::string& file, AreaForm form) {
     const Vector areas = vertex_areas(prepared.mesh, form);
     int empty = 0;
@@ -40,11 +41,12 @@ Command curvature_command(CLI::App& parent) {
     const auto options = std::make_shared<Options>();
     CommandOptions app(parent, "curvature", "Areas and curvatures of every vertex as CSV");
     app.required("MESH", options->mesh, formats_read);
-    app.choice("--area", options->area, {"barycentric", "voronoi", "mixed"}, "of a vertex");
+    app.choice("--area", options->area, area_choices(), "of a vertex");
     app.choice("--operator", options->laplacian, operator_choices(), "adds the mean curvature by another operator, as h_<its name>");
     app.flag("--jets", options->jets, "also h_jet and k_jet, of degree-3 polynomials fitted to two rings");
     app.text("--csv FILE", options->csv, "file, or - for standard output; default: - where there is no --ply");
-    app.text("--ply FILE", options->ply, "the mesh with all of these beside the values its vertices have: .ply, .vtp or .glb");
+    app.text("--ply FILE", options->ply,
+             "the mesh with all of these beside the values its vertices have: " + joined(column_endings(), ", "));
     app.footer("Example: meshfolio curvature bunny.off --area mixed --csv bunny.csv");
     return {app, [options] {
                 const AreaForm form = area_form_named(options->area);

@@ -16,17 +16,7 @@ namespace meshfolio::cli {
 
 namespace {
 
-void add_pdf(nlohmann::ordered_json& json) {
-    const report::EngineFinding finding = report::find_pdf_engine(report::engine_search());
-    json["pdf_engine"] = nullptr;
-    if (finding.engine)
-        json["pdf_engine"] = {{"program", printable(finding.engine->program.string())}, {"version", finding.engine->version}};
-    json["pdf_engines_refused"] = finding.refused;
-    json["missing"] = nlohmann::ordered_json::array();
-    if (!finding.engine) json["missing"].push_back("a PDF engine: apt install chromium-headless-shell");
-}
-
-/// The folder of the cache with its size, or the reason why there is none.
+/// Returns the folder of the cache with its size, or the reason why there is none.
 nlohmann::ordered_json cache_found() try {
     const auto folder = output::default_cache_folder();
     if (!folder) return {{"folder", "none: neither XDG_CACHE_HOME nor HOME names a folder"}};
@@ -48,7 +38,13 @@ nlohmann::ordered_json findings() {
     json["viewer"] = report::viewer_program().empty() ? "not built in" : "three.js, compiled in";
     json["libraries"] = provenance.libraries;
     json["cache"] = cache_found();
-    add_pdf(json);
+    const report::EngineFinding finding = report::find_pdf_engine(report::engine_search());
+    json["pdf_engine"] = nullptr;
+    if (finding.engine)
+        json["pdf_engine"] = {{"program", printable(finding.engine->program.string())}, {"version", finding.engine->version}};
+    json["pdf_engines_refused"] = finding.refused;
+    json["missing"] = nlohmann::ordered_json::array();
+    if (!finding.engine) json["missing"].push_back("a PDF engine: apt install chromium-headless-shell");
     if (report::viewer_program().empty()) json["missing"].push_back("the viewer of models: apt install npm, then build again");
     return json;
 }
@@ -77,7 +73,7 @@ std::string doctor_text(const nlohmann::ordered_json& json) {
     return text;
 }
 
-/// "Ready: everything found", or what one has to do without, with the remedies.
+/// Returns "Ready: everything found", or a list of what is missing, with remedies.
 std::string verdict_of(const nlohmann::ordered_json& missing) {
     if (missing.empty()) return inked(Ink::green, "Ready: everything found") + "\n";
     std::string text;

@@ -7,18 +7,6 @@
 
 namespace meshfolio::cli {
 
-namespace {
-
-std::string help_as(const std::string& format, const CLI::App& program, const std::string& command) {
-    if (format == "man") return man_page(command_called(program, command));
-    if (format == "bash") return bash_completion(program);
-    if (format == "zsh") return zsh_completion(program);
-    if (format == "fish") return fish_completion(program);
-    return help_text(command_called(program, command));
-}
-
-}   // namespace
-
 Command help_command(CLI::App& parent) {
     struct HelpFlags {
         std::string command, format = "text";
@@ -29,7 +17,12 @@ Command help_command(CLI::App& parent) {
     app.choice("--as", flags->format, {"text", "man", "bash", "zsh", "fish"}, "a page for man(1), or completions for a shell");
     app.footer("Example: meshfolio help render\n         source <(meshfolio help --as bash)");
     return {app, [flags, &parent] {
-                print(help_as(flags->format, parent, flags->command));
+                const std::string& format = flags->format;
+                print(format == "bash"   ? bash_completion(parent)
+                      : format == "zsh"  ? zsh_completion(parent)
+                      : format == "fish" ? fish_completion(parent)
+                      : format == "man"  ? man_page(command_called(parent, flags->command))
+                                         : help_text(command_called(parent, flags->command)));
                 return ExitCode::ok;
             }};
 }

@@ -16,7 +16,7 @@ namespace meshfolio::cli {
 
 namespace {
 
-/// Of a command, in the order of their definition; `places` is whether those without a dash are meant.
+/// Returns the options of a command in the order of their definition. @param places  its positional arguments instead
 std::vector<const CLI::Option*> options_of(const CLI::App& command, bool places) {
     return command.get_options([places](const CLI::Option* option) { return option->get_positional() == places; });
 }
@@ -27,7 +27,7 @@ std::vector<const CLI::App*> commands_of(const CLI::App& program) {
 
 bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
-/// "-o", "--output".
+/// Returns the names with their dashes: "-o", "--output".
 std::vector<std::string> names_of(const CLI::Option& option) {
     std::vector<std::string> names;
     for (const std::string& name : option.get_snames()) names.push_back("-" + name);
@@ -41,23 +41,23 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text;
 }
 
-/// The words that may be given for the value, with a space between; empty for a free one. A name of a sample or a command is asked of the
-/// program or of its list.
+/// Returns the words that complete a value, by its type, with a space between; empty: any value.
 std::string values_of(const CLI::App& program, const CLI::Option& option) {
-    if (option.get_name() == "COMMAND") {
-        std::string names;
-        for (const CLI::App* command : commands_of(program)) names += (names.empty() ? "" : " ") + command->get_name();
-        return names;
+    const std::string type = option.get_positional() ? option.get_name() : option.get_type_name();
+    if (type == "COMMAND") {
+        std::vector<std::string> names;
+        for (const CLI::App* command : commands_of(program)) names.push_back(command->get_name());
+        return joined(names, " ");
     }
-    if (option.get_name() == "NAME") return "$(meshfolio sample --list | cut -d' ' -f1)";
-    if (option.check_lname("views")) return "+x -x +y -y +z -z hero";
-    if (option.check_lname("only")) return joined(section_ids(), " ");
-    if (option.check_lname("config")) return joined(bundled_report_names(), " ");
-    const std::string type = option.get_type_name();
-    return type.find('|') == std::string::npos ? "" : replaced(type, "|", " ");
+    if (type == "NAME" && option.get_positional()) return "$(meshfolio sample --list | cut -d' ' -f1)";
+    if (type == "VIEWS") return "+x -x +y -y +z -z hero";
+    if (type == "QUESTIONS") return joined(section_ids(), " ");
+    if (type == "SETTINGS") return joined(bundled_report_names(), " ");
+    const std::string words = option.get_type_name();
+    return words.find('|') == std::string::npos ? "" : replaced(words, "|", " ");
 }
 
-/// For troff: dashes that can be copied, no line that begins with a control character.
+/// Escapes text for troff: dashes that can be copied, no line that begins with a control character.
 std::string troff(const std::string& text) {
     std::string safe = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
     if (safe.starts_with('.') || safe.starts_with('\'')) safe.insert(0, "\\&");
@@ -72,7 +72,7 @@ std::string man_options(const CLI::App& command) {
             std::string names = places ? "\\fI" + troff(option->get_name()) + "\\fR" : "";
             for (const std::string& name : names_of(*option)) names += (names.empty() ? "\\fB" : ", \\fB") + troff(name) + "\\fR";
             if (!places && takes_value(*option))
-                names += " \\fI" + replaced(troff(option->get_type_name()), "|", "|\\:") + "\\fR";   // \\: a line may end there
+                names += " \\fI" + replaced(troff(option->get_type_name()), "|", "|\\:") + "\\fR";   // \\: allows a line break
             text += names + "\n" + troff(option->get_description());
             if (!option->get_default_str().empty()) text += " (default: " + troff(option->get_default_str()) + ")";
             text += "\n";
@@ -81,7 +81,7 @@ std::string man_options(const CLI::App& command) {
     return text;
 }
 
-/// For a word within single quotes of any shell here.
+/// Puts text in single quotes. @param quote  how the shell writes a single quote within them
 std::string single_quoted(const std::string& text, const std::string& quote) { return "'" + replaced(text, "'", quote) + "'"; }
 
 }   // namespace
@@ -90,7 +90,7 @@ std::string called(const CLI::App& command) {
     return command.get_parent() == nullptr ? command.get_name() : called(*command.get_parent()) + " " + command.get_name();
 }
 
-/// App::help() would give that of the command that was parsed, `help` itself.
+// App::help() would return the help of the parsed command, which is `help` itself.
 std::string help_text(const CLI::App& command) {
     command.get_formatter()->column_width(command.get_parent() == nullptr ? 14 : 30);   // one formatter serves all
     const std::string text = command.get_formatter()->make_help(&command, called(command), CLI::AppFormatMode::Normal);
@@ -144,7 +144,7 @@ std::string bash_completion(const CLI::App& program) {
                 names += name + " ";
                 pattern += (pattern.empty() ? "'" : " | '") + command->get_name() + " " + name + "'";
             }
-            // What takes another value ends here too: with no words, Bash completes names of files.
+            // Options with other values get no words, so that Bash completes names of files.
             if (takes_value(*option)) values += "    " + pattern + ") words=\"" + values_of(program, *option) + "\" ;;\n";
         }
         words += "    " + command->get_name() + ") [[ $word == -* ]] && words=\"" + names + "\" || words=\"" + places + "\" ;;\n";
@@ -160,12 +160,12 @@ std::string bash_completion(const CLI::App& program) {
 }
 
 std::string zsh_completion(const CLI::App& program) {
-    const auto told = [](const std::string& text) {
+    const auto escaped = [](const std::string& text) {
         return replaced(replaced(replaced(replaced(text, "\\", "\\\\"), "[", "\\["), "]", "\\]"), ":", "\\:");
     };
     const auto action = [&](const CLI::Option& option) {
         const std::string values = values_of(program, option), type = option.get_type_name();
-        return ":" + told(type.empty() ? option.get_name() : type) + ":" +
+        return ":" + escaped(type.empty() ? option.get_name() : type) + ":" +
                (!values.empty()    ? "(" + values + ")"
                 : type == "DIR"    ? "_files -/"
                 : type == "NUMBER" ? " "
@@ -173,11 +173,11 @@ std::string zsh_completion(const CLI::App& program) {
     };
     std::string names, cases;
     for (const CLI::App* command : commands_of(program)) {
-        names += "    " + single_quoted(command->get_name() + ":" + told(command->get_description()), "'\\''") + "\n";
+        names += "    " + single_quoted(command->get_name() + ":" + escaped(command->get_description()), "'\\''") + "\n";
         cases += "    " + command->get_name() + ") _arguments";
         for (const CLI::Option* option : options_of(*command, false)) {
             for (const std::string& name : names_of(*option))
-                cases += " \\\n      " + single_quoted("*" + name + "[" + told(option->get_description()) + "]" +
+                cases += " \\\n      " + single_quoted("*" + name + "[" + escaped(option->get_description()) + "]" +
                                                            (takes_value(*option) ? action(*option) : ""),
                                                        "'\\''");
         }

@@ -1,5 +1,5 @@
 /// @file
-/// What the command line's own definitions say of it: help, man pages, completions.
+/// Help, man pages and completions, made from the definitions of the command line.
 #pragma once
 
 #include <string>
@@ -10,20 +10,21 @@ class App;
 
 namespace meshfolio::cli {
 
-/// "meshfolio render".
+/// Returns the command as the user types it: "meshfolio render".
 std::string called(const CLI::App& command);
 
+/// Returns the help of the program or of one command.
 std::string help_text(const CLI::App& command);
 
-/// A page for man(1), of the program or of one command.
+/// Returns a page for man(1), of the program or of one command.
 std::string man_page(const CLI::App& command);
 
-/// Completions of the whole program, for the shell of that name.
+/// Returns a script that completes all commands in a shell.
 std::string bash_completion(const CLI::App& program);
 std::string zsh_completion(const CLI::App& program);
 std::string fish_completion(const CLI::App& program);
 
-/// The command of that name, `program` itself for an empty one. @throws UsageError when there is none, with the nearest
+/// Returns the command of that name, or `program` itself for "". @throws UsageError for an unknown name, with the nearest
 const CLI::App& command_called(const CLI::App& program, const std::string& name);
 
 }   // namespace meshfolio::cli

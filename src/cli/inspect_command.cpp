@@ -16,32 +16,6 @@ namespace meshfolio::cli {
 
 namespace {
 
-Inspection inspection_of(const std::string& file, OperatorKind kind) {
-    std::optional<Stage> stage;
-    Inspection inspection = inspect_mesh(load_mesh(file), kind, [&](std::string_view what) { stage.emplace(std::string(what)); });
-    if (!inspection.no_stability.empty()) warn(file + ": largest stable step not computed: " + inspection.no_stability);
-    return inspection;
-}
-
-/// The line that scripts read.
-std::string facts_line(const Preflight& p) {
-    return "V=" + std::to_string(p.vertices_in_use) + " F=" + std::to_string(p.triangles) +
-           " chi=" + std::to_string(p.euler_characteristic) + " comps=" + std::to_string(p.components) +
-           " bedges=" + std::to_string(p.boundary_edges) + " area=" + plain_text(p.area, 10) + "\n";
-}
-
-double degrees(double radians) { return radians * 180 / std::numbers::pi; }
-
-/// Each defect that was found, the questions it affects, and the repair.
-std::string consequences(const MeshFacts& facts) {
-    std::string text;
-    for (const auto& [defect, count] : certificates::defects_of(facts)) {
-        text += "  " + std::to_string(count) + " x " + defect->name() + "\n    affects " + certificates::affected_for_people(*defect) +
-                ": " + defect->breaks() + "\n    done: " + defect->done() + "\n";
-    }
-    return text.empty() ? "nothing found that affects a question\n" : "found\n" + text;
-}
-
 std::string line(const std::string& name, const std::string& value) { return name + std::string(26 - name.size(), ' ') + value + "\n"; }
 
 std::string in_words(const StabilityCertificate& proved, OperatorKind kind) {
@@ -70,7 +44,10 @@ std::string in_words(const StabilityCertificate& proved, OperatorKind kind) {
 std::string in_words(const Inspection& inspection) {
     const Preflight& p = inspection.prepared.preflight;
     const auto count = [&](const std::string& name, int n) { return line(name, std::to_string(n)); };
-    std::string text = facts_line(p);
+    // Scripts read the first line.
+    std::string text = "V=" + std::to_string(p.vertices_in_use) + " F=" + std::to_string(p.triangles) +
+                       " chi=" + std::to_string(p.euler_characteristic) + " comps=" + std::to_string(p.components) +
+                       " bedges=" + std::to_string(p.boundary_edges) + " area=" + plain_text(p.area, 10) + "\n";
     text += count("unreferenced vertices", p.vertices - p.vertices_in_use);
     text += count("edges", p.edges) + count("boundary loops", p.boundary_loops);
     text += line("genus", p.genus >= 0 ? std::to_string(p.genus) : "not defined");
@@ -84,7 +61,7 @@ std::string in_words(const Inspection& inspection) {
                                                : "undefined: " + why_no_volume(inspection.prepared.mesh, inspection.prepared.topology));
     text += line("mean edge", plain_text(p.mean_edge));
     text += line("edge lengths", plain_text(inspection.facts.shortest_edge) + " to " + plain_text(inspection.facts.longest_edge));
-    text += line("smallest angle", plain_text(degrees(inspection.facts.smallest_angle), 4) + " degrees");
+    text += line("smallest angle", plain_text(inspection.facts.smallest_angle * 180 / std::numbers::pi, 4) + " degrees");
     const Vector3 extent = p.box_high - p.box_low;
     text += line("box", plain_text(extent.x()) + " x " + plain_text(extent.y()) + " x " + plain_text(extent.z()) + ", " +
                             plain_text(inspection.facts.offset, 3) + " diagonals from the origin (centred and scaled inside)");
@@ -93,13 +70,19 @@ std::string in_words(const Inspection& inspection) {
                                  (p.manifold() ? ", off by " + plain_text(inspection.facts.gauss_bonnet_residual, 2) : ", not manifold"));
     if (inspection.stability) text += in_words(*inspection.stability, inspection.kind);
     if (inspection.joined_vertices > 0)
-        text += line("joined vertices",
-                     std::to_string(inspection.joined_vertices) + " at the end of an edge without length: one with its other end");
+        text += line("joined vertices", std::to_string(inspection.joined_vertices) +
+                                            " at the ends of edges of length 0: each counts as one with the other end");
     if (inspection.floored) {
         text += line("with zero-area faces", plain_text(*inspection.floored, 8) +
                                                  " if their cotangents counted, cut off at 1e12; flip edges, or take --operator tufted");
     }
-    return text + consequences(inspection.facts);
+    const auto defects = certificates::defects_of(inspection.facts);
+    text += defects.empty() ? "nothing found that affects a question\n" : "found\n";
+    for (const auto& [defect, number] : defects) {
+        text += "  " + std::to_string(number) + " x " + defect->name() + "\n    affects " + certificates::affected_for_people(*defect) +
+                ": " + defect->breaks() + "\n    done: " + defect->done() + "\n";
+    }
+    return text;
 }
 
 }   // namespace
@@ -117,7 +100,12 @@ Command inspect_command(CLI::App& parent) {
     app.footer("Example: meshfolio inspect bunny.off --json");
     return {app, [options] {
                 const OperatorKind kind = operator_named(options->laplacian);
-                const Inspection inspection = about_mesh(options->mesh, [&] { return inspection_of(options->mesh, kind); });
+                const Inspection inspection = about_mesh(options->mesh, [&] {
+                    std::optional<Stage> stage;
+                    return inspect_mesh(load_mesh(options->mesh), kind, [&](std::string_view what) { stage.emplace(std::string(what)); });
+                });
+                if (!inspection.no_stability.empty())
+                    warn(options->mesh + ": largest stable step not computed: " + inspection.no_stability);
                 print(options->json ? inspection_json(inspection) + "\n" : for_terminal(in_words(inspection)));
                 return ExitCode::ok;
             }};

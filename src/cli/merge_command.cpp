@@ -10,11 +10,7 @@ Command merge_command(CLI::App& parent) {
     CommandOptions app(parent, "merge", "Parts of a report joined into the report that one run would make");
     app.required_texts("DIR", flags->parts, "folders of meshfolio report --part; each has some of the sections");
     app.text("--out DIR", flags->out, "folder of the report, replaced as a whole; default: out");
-    app.text("--author NAME", flags->author, "whose work it is");
-    app.text("--config FILE", flags->config, "settings file (TOML) for title, author, course and template");
-    app.text("--templates DIR", flags->templates, "folder of templates that replace those of the same name");
-    app.text("--pdf auto|require|off", flags->pdf, "report.pdf and appendix.pdf: auto (the default), require or off");
-    app.text("--pdf-browser FILE", flags->pdf_browser, "the browser that prints, by name or path; default: the first that is found");
+    add_paper_options(app, *flags);
     app.text("--junit FILE", flags->junit, "the checks as JUnit XML, for CI");
     app.footer(
         "Nothing is computed. Parts of other inputs, settings or programs are refused by name.\n"

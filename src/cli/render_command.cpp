@@ -32,39 +32,18 @@ struct RenderFlags {
     bool edges = false, plain = false, transparent = false;
 };
 
-/// "1024" or "800x600".
-std::pair<int, int> picture_size(const std::string& text) {
-    const std::size_t x = text.find('x');
-    const auto width = parse_integer(text.substr(0, x));
-    const auto height = x == std::string::npos ? width : parse_integer(text.substr(x + 1));
-    const auto fits = [](const std::optional<long long>& side) { return side && *side >= 1 && *side <= largest_side; };
-    if (!fits(width) || !fits(height))
-        throw UsageError("--size '" + text + "' is not N or WxH", "both between 1 and " + std::to_string(largest_side));
-    return {static_cast<int>(*width), static_cast<int>(*height)};
-}
-
-/// "lo,hi".
-std::pair<double, double> value_limits_in(const std::string& text) {
-    const std::size_t comma = text.find(',');
-    const auto low = parse_number(std::string_view(text).substr(0, comma));
-    const auto high = comma == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(comma + 1));
-    const double nothing = std::nan("");
-    return value_limits(low.value_or(nothing), high.value_or(nothing), "--range '" + text + "'");
-}
-
-/// 0 where none is wanted.
-double isoline_spacing(const std::string& text) {
-    if (text.empty()) return 0;
-    const auto spacing = parse_number(text);
-    if (!spacing || !(*spacing > 0)) throw UsageError("--isolines '" + text + "' is not a number above 0");
-    return *spacing;
-}
-
 render::DrawOptions draw_options(const RenderFlags& options) {
     render::DrawOptions draw;
-    std::tie(draw.width, draw.height) = picture_size(options.size);
+    const std::size_t x = options.size.find('x');   // "1024" or "800x600"
+    const auto width = parse_integer(options.size.substr(0, x));
+    const auto height = x == std::string::npos ? width : parse_integer(options.size.substr(x + 1));
+    const auto fits = [](const std::optional<long long>& side) { return side && *side >= 1 && *side <= largest_side; };
+    if (!fits(width) || !fits(height))
+        throw UsageError("--size '" + options.size + "' is not N or WxH", "both between 1 and " + std::to_string(largest_side));
+    draw.width = static_cast<int>(*width);
+    draw.height = static_cast<int>(*height);
     draw.edges = options.edges;
-    draw.isoline_spacing = isoline_spacing(options.isolines);
+    if (!options.isolines.empty()) draw.isoline_spacing = number_above_zero("--isolines", options.isolines);
     if (options.transparent) draw.background = {255, 255, 255, 0};
     draw.face_colors_from_id = options.field == "id";
     if (options.plain) {
@@ -76,23 +55,23 @@ render::DrawOptions draw_options(const RenderFlags& options) {
     return draw;
 }
 
-/// Refuses a sheet that is too large for a PNG, before anything is drawn.
-void refuse_large_sheet(std::size_t views, const render::DrawOptions& draw) {
-    const std::int64_t pixels = bare_sheet_pixels(views, draw);
-    if (pixels > render::largest_png)
-        throw UsageError("a plain sheet of " + std::to_string(views) + " views has " + std::to_string(pixels) + " pixels, more than " +
-                             std::to_string(render::largest_png),
-                         "take a smaller --size or fewer --views");
+/// Parses "lo,hi".
+std::pair<double, double> value_limits_in(const std::string& text) {
+    const std::size_t comma = text.find(',');
+    const auto low = parse_number(std::string_view(text).substr(0, comma));
+    const auto high = comma == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(comma + 1));
+    const double nothing = std::nan("");
+    return value_limits(low.value_or(nothing), high.value_or(nothing), "--range '" + text + "'");
 }
 
-/// "+x", or "x-pos" for programs that take a sign for an option.
+/// Returns "+x.png", or "x-pos.png" for programs that mistake a sign for an option.
 std::string file_name(const std::string& view, bool in_words) {
     if (!in_words || (view[0] != '+' && view[0] != '-')) return view + ".png";
     return view.substr(1) + (view[0] == '+' ? "-pos.png" : "-neg.png");
 }
 
-/// An empty private chunk and IEND, the last bytes of a picture of ours. Programs that change a picture drop the chunk, for it is marked
-/// as unsafe to copy (PNG specification, 5.4): whoever finds it finds our picture as we drew it.
+/// The last bytes of our pictures: an empty private chunk and IEND. Programs that change a picture drop the chunk, because it is marked as
+/// unsafe to copy (PNG specification, 5.4). A picture with the chunk is therefore as we drew it.
 constexpr std::string_view end_of_ours("\0\0\0\0msFO\xfe\xff\x92\x49\0\0\0\0IEND\xae\x42\x60\x82", 24);
 constexpr std::size_t end_of_any = 12;   // bytes: IEND alone
 
@@ -100,19 +79,13 @@ std::string marked(std::string png) { return png.erase(png.size() - end_of_any).
 
 bool is_our_picture(const std::string& bytes) { return bytes.ends_with(end_of_ours); }
 
-/// Encodes the sheet first, as it takes longer than all views together; these get their labels when it has them.
+/// Encodes and adds the pictures and the sheet, the sheet first, because it takes longest. Labels the views once the sheet is composed.
 void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::path>& paths, render::ContactSheet& sheet, bool bare) {
     const render::Image whole = composed(sheet, bare);
     for_each_task(1 + sheet.pictures.size(), [&](std::size_t task) {
         const render::Image& picture = task == 0 ? whole : sheet.pictures[task - 1];
         if (task > 0 && !bare) output::label_view(sheet.pictures[task - 1], sheet.view_names[task - 1]);
         files.add(task == 0 ? paths.back() : paths[task - 1], marked(render::encode_png(picture)));
-    });
-}
-
-bool show_something(const std::vector<render::Image>& pictures, render::Rgba background) {
-    return std::any_of(pictures.begin(), pictures.end(), [&](const render::Image& picture) {
-        return std::any_of(picture.pixels.begin(), picture.pixels.end(), [&](render::Rgba pixel) { return pixel != background; });
     });
 }
 
@@ -151,7 +124,10 @@ ExitCode run_render(const RenderFlags& options) {
     const render::DrawOptions given = draw_options(options);
     const std::vector<render::View> views = views_named(options.views);
     const bool bare = options.plain || given.face_colors_from_id;
-    if (bare) refuse_large_sheet(views.size(), given);
+    if (const std::int64_t pixels = bare_sheet_pixels(views.size(), given); bare && pixels > render::largest_png)
+        throw UsageError("a plain sheet of " + std::to_string(views.size()) + " views has " + std::to_string(pixels) +
+                             " pixels, more than " + std::to_string(render::largest_png),
+                         "take a smaller --size or fewer --views");
     std::optional<std::pair<double, double>> range;
     if (!options.range.empty()) range = value_limits_in(options.range);
     if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
@@ -169,7 +145,10 @@ ExitCode run_render(const RenderFlags& options) {
     PictureRequest request{.draw = given, .views = views, .colormap = options.colormap, .range = range};
     request.title = std::filesystem::path(prepared.file).filename().string();
     MeshPictures drawn = draw_pictures(prepared, field, request);
-    if (!show_something(drawn.sheet.pictures, given.background))
+    const auto is_empty = [&](const render::Image& picture) {
+        return std::ranges::all_of(picture.pixels, [&](render::Rgba pixel) { return pixel == given.background; });
+    };
+    if (std::ranges::all_of(drawn.sheet.pictures, is_empty))
         warn("nothing of the mesh is seen: it is thinner than the samples of a picture lie apart");
 
     output::FileGroup files;

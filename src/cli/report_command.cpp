@@ -22,33 +22,18 @@ Command report_command(CLI::App& parent) {
     const auto flags = std::make_shared<ReportFlags>();
     CommandOptions app(parent, "report", "All questions: the full report");
     app.texts("MESH", flags->meshes, "meshes of your own, which take every role; default: those of the assignment");
-    app.text("--only QUESTIONS", flags->only,
-             "some of the questions: q1,q4 or 1-3,7; a report of the same inputs and settings in --out keeps its others");
+    add_run_options(app, *flags);
+    add_paper_options(app, *flags);
     app.flag("--alone", flags->alone, "nothing but what --only names");
     app.text("--part DIR", flags->part, "folder for a part of a report, to be joined with others by meshfolio merge");
     app.texts("--data DIR", flags->data,
               "folder with the assignment's meshes by their own paths (repeatable, the first that has one wins)");
     app.text("--out DIR", flags->out, "folder of the report, replaced as a whole but for files of yours; default: out");
-    app.text("--config FILE", flags->config,
-             "settings file (TOML; data/report.toml documents every key), or where no file has that name, bundled settings");
-    app.text("--author NAME", flags->author, "whose work it is; also with --from");
-    app.text("--threads", flags->threads, "at most so many threads; default: all");
-    app.text("--size PIXELS", flags->size, "pixels of one view; default: 800, or 400 with --quick");
-    app.flag("--views-files", flags->view_files, "every view of every figure as a PNG of that size, not only those asked to be handed in");
     app.flag("--sheets-only", flags->sheets_only, "not even those: figures are sheets, as those of batch");
-    app.text("--pdf auto|require|off", flags->pdf,
-             "report.pdf and appendix.pdf: auto, where an engine is there (the default); require; or off");
-    app.text("--pdf-browser FILE", flags->pdf_browser, "the browser that prints, by name or path; default: the first that is found");
-    app.text("--templates DIR", flags->templates, "folder of templates that replace those of the same name; links may not lead out of it");
     app.flag("--quick", flags->quick, "small settings for a first look: 20 s up to 100,000 triangles, 60 s at a million");
-    app.text("--time SECONDS", flags->time,
-             "seconds on two cores to fit into: settings are made small, large meshes decimated; default: as promised, 180 up to 346,000 "
-             "triangles");
     app.flag("--plan", flags->plan, "only say what would be done, what it costs and what is scaled down");
     app.flag("--json", flags->json, "the plan for programs");
     app.flag("--fail-fast", flags->fail_fast, "stop the other questions when one fails");
-    app.flag("--no-timings", flags->no_timings, "leave out everything that differs from run to run");
-    app.flag("--no-cache", flags->no_cache, "answer every question anew and keep no answer; see meshfolio cache --help");
     app.text("--junit FILE", flags->junit, "the checks as JUnit XML, for CI");
     app.text("--from FILE", flags->from, "results.json of an earlier report, which is rendered again without computing anything");
     app.footer(

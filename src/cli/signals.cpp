@@ -31,7 +31,7 @@ namespace {
 void fill_closed_descriptors() {
     for (int descriptor = 0; descriptor <= 2; ++descriptor) {
         if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
-        // The lowest free number is taken, which is this one. For reading only: what is written there must be found out.
+        // open() takes the lowest free number, which is this one. Only for reading, so that writing fails.
         if (::open("/dev/null", O_RDONLY) < 0 && ::open("/", O_RDONLY | O_DIRECTORY) < 0) return;
     }
 }
@@ -45,16 +45,16 @@ sigset_t ending_signals() {
     return set;
 }
 
-/// Does not block: a full pipe must not keep the process alive.
+/// Prints to stderr without blocking: a full pipe must not keep the process alive.
 void tell(std::string_view message) {
     pollfd ready{STDERR_FILENO, POLLOUT, 0};
     if (::poll(&ready, 1, 0) != 1) return;
     if (::write(STDERR_FILENO, message.data(), message.size()) < 0) {
-        // Standard error is gone: there is nowhere to report it.
+        // There is no place to report this.
     }
 }
 
-/// Runs in a thread of its own, where everything may be called that a signal handler may not.
+/// Waits for a signal, cleans up and ends the process. Runs in a thread of its own, which may call what a signal handler may not.
 [[noreturn]] void wait_for_the_end(sigset_t signals) {
     int signal = 0;
     while (sigwait(&signals, &signal) != 0) {
@@ -72,7 +72,7 @@ pthread_t ending_thread;   // waits in wait_for_the_end()
 /// Forwards a signal to the waiting thread: threads that a library started before main() do not block signals and may receive them.
 void hand_on(int signal) { pthread_kill(ending_thread, signal); }
 
-/// Some destructors of the packages allocate and may not throw.
+/// Cleans up after an uncaught exception: destructors of libraries may run out of memory although they must not throw.
 [[noreturn]] void end_after_uncaught() {
     try {
         if (const auto exception = std::current_exception()) std::rethrow_exception(exception);
@@ -87,12 +87,12 @@ void hand_on(int signal) { pthread_kill(ending_thread, signal); }
     ::_exit(static_cast<int>(ExitCode::failed));
 }
 
-/// Ends this run when the run that started it (run/batch) ends, even if that one was killed.
+/// Ends this run when the batch run that started it ends, even if that was killed.
 void end_with_parent() {
     const char* parent = std::getenv("MESHFOLIO_PARENT");
     if (parent == nullptr) return;
     ask_for_signal_of_parent(SIGTERM);
-    if (std::to_string(::getppid()) != parent) ::_exit(128 + SIGTERM);   // it was gone before
+    if (std::to_string(::getppid()) != parent) ::_exit(128 + SIGTERM);   // it has ended before
 }
 
 [[noreturn]] void end_before_begin() {
@@ -100,7 +100,7 @@ void end_with_parent() {
     ::_exit(static_cast<int>(ExitCode::failed));
 }
 
-/// Some libraries crash, or throw outside any handler, when memory runs out while they are loaded.
+/// Requires memory for loading the libraries: some crash, or throw outside any handler, without it.
 __attribute__((no_sanitize("address", "thread", "undefined"))) void require_room_to_begin() {
     constexpr std::size_t room = std::size_t{8} << 20;   // less than any command needs
     std::set_terminate(end_before_begin);                // until prepare_process()
@@ -115,14 +115,14 @@ MESHFOLIO_BEFORE_LIBRARIES void (*const at_the_very_beginning)() = require_room_
 
 void prepare_process() {
 #ifdef __GLIBC__
-    // Matrices of large meshes come and go by the hundred: their pages are kept instead of being fetched anew, and cleared, each time.
-    ::mallopt(M_MMAP_THRESHOLD, 32 << 20);   // the most it takes
+    // Matrices of large meshes are allocated by the hundred: keeping their pages saves the system from clearing new ones each time.
+    ::mallopt(M_MMAP_THRESHOLD, 32 << 20);   // the largest value allowed
     ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 #endif
     end_with_parent();
     fill_closed_descriptors();
     std::set_terminate(end_after_uncaught);
-    for (const int ignored : {SIGPIPE, SIGXFSZ}) static_cast<void>(::signal(ignored, SIG_IGN));   // both can be: such a write fails instead
+    for (const int ignored : {SIGPIPE, SIGXFSZ}) static_cast<void>(::signal(ignored, SIG_IGN));   // such a write fails instead
     const sigset_t signals = ending_signals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     try {
@@ -134,7 +134,7 @@ void prepare_process() {
         action.sa_flags = SA_RESTART;
         for (const int signal : {SIGINT, SIGTERM, SIGHUP})
             if (sigismember(&signals, signal) == 1) ::sigaction(signal, &action, nullptr);
-    } catch (const std::system_error&) {   // no room for a thread: signals then end the process the plain way
+    } catch (const std::system_error&) {   // no memory for a thread: signals end the process without cleaning up
         pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
     }
 }

@@ -22,7 +22,7 @@ struct SmoothFlags {
     bool rebuild = false, adaptive = false;
 };
 
-/// All but the step, which needs the mesh.
+/// Returns all options except the step, which needs the mesh.
 SmoothingOptions smoothing_options(const SmoothFlags& options) {
     SmoothingOptions smoothing;
     smoothing.scheme = smoothing_scheme_named(options.scheme);
@@ -43,8 +43,7 @@ SmoothingOptions smoothing_options(const SmoothFlags& options) {
     return smoothing;
 }
 
-/// Before the run: an operator with eigenvalues below 0 has no stable step.
-/// @return whether it has, which is proved
+/// Warns of an operator with a negative eigenvalue, which has no stable step. Returns true if such an eigenvalue is proved.
 bool warn_of_indefinite(const SmoothFlags& options, const SmoothingOptions& smoothing, const TriangleMesh& mesh) {
     const LaplaceBeltrami laplacian = laplace_operator(mesh, smoothing.laplacian);
     const Definiteness found = definiteness(laplacian, assembly_of(smoothing.laplacian));
@@ -73,7 +72,7 @@ bool warn_of_indefinite(const SmoothFlags& options, const SmoothingOptions& smoo
     return true;
 }
 
-/// The step in model units. The largest stable one is computed only where it is needed.
+/// Returns the step in model units. Computes the largest stable step only if it is needed.
 double step_of(const SmoothFlags& options, const SmoothingOptions& smoothing, const PreparedMesh& prepared) {
     const StepUnit unit = step_unit_named(options.unit);
     const bool is_explicit = smoothing.scheme == SmoothingScheme::explicit_euler;
@@ -90,13 +89,6 @@ double step_of(const SmoothFlags& options, const SmoothingOptions& smoothing, co
              "; the highest modes will grow");
     }
     return step;
-}
-
-void warn_of_taubin(const SmoothingOptions& smoothing, const TriangleMesh& mesh) {
-    const TaubinGrowth growth = taubin_growth(laplace_operator(mesh, smoothing.laplacian), smoothing);
-    const std::string text = growth.warning(smoothing.iterations);
-    if (text.empty()) return;
-    warn(text + (growth.of_highest_mode ? "; take a smaller --lambda" : "; take fewer --iterations, or --mu nearer to minus lambda"));
 }
 
 /// Warns if a rebuilt operator made the step unstable, or if steps were cut.
@@ -121,12 +113,18 @@ ExitCode run_smooth(const SmoothFlags& options, const Backend& backend) {
     const Smoothed result = about_mesh(options.mesh, [&] {
         smoothing.lambda = step_of(options, smoothing, prepared);
         indefinite = warn_of_indefinite(options, smoothing, prepared.mesh);
-        if (smoothing.scheme == SmoothingScheme::taubin) warn_of_taubin(smoothing, prepared.mesh);
+        if (smoothing.scheme == SmoothingScheme::taubin) {
+            const TaubinGrowth growth = taubin_growth(laplace_operator(prepared.mesh, smoothing.laplacian), smoothing);
+            const std::string text = growth.warning(smoothing.iterations);
+            const char* remedy =
+                growth.of_highest_mode ? "; take a smaller --lambda" : "; take fewer --iterations, or --mu nearer to -lambda";
+            if (!text.empty()) warn(text + remedy);
+        }
         return smooth(prepared.mesh, smoothing);
     });
     if (result.solver == LinearSolver::conjugate_gradients) {
         warn("a factor would not fit into memory; " + std::to_string(result.solver_iterations) +
-             " iterations of conjugate gradients made " + "the " + std::to_string(result.iterations) + " steps instead");
+             " iterations of conjugate gradients made the " + std::to_string(result.iterations) + " steps instead");
     }
     write_mesh_to(options.output, moved_to(prepared.mesh, result.X), prepared.attributes);
     warn_of_limit(smoothing, result);

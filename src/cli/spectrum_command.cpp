@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/in_quotes.h"
+#include "base/joined.h"
 #include "base/lower_case.h"
 #include "base/number_text.h"
 #include "cli/commands.h"
@@ -22,7 +23,7 @@ namespace meshfolio::cli {
 
 namespace {
 
-/// NumPy's .npy format 1.0: a padded text header, then the entries row by row.
+/// Returns the matrix in NumPy's .npy format 1.0: a padded text header, then the entries row by row.
 std::string npy_of(const DenseMatrix& matrix) {
     static_assert(std::endian::native == std::endian::little, "the header says '<f8'");
     std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(matrix.rows()) + ", " +
@@ -87,7 +88,7 @@ std::string in_words(const SpectrumCertificate& c, OperatorKind kind) {
            std::to_string(c.components) + (c.zeros_undecided ? " (rounding hides which of the smallest are 0)" : "");
 }
 
-/// Begins like the PLY files that we write.
+/// True if the bytes begin like our PLY files.
 bool is_our_ply(const std::string& bytes) { return bytes.starts_with("ply\nformat binary_little_endian 1.0\nelement vertex "); }
 
 void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options, const std::vector<int>& counts, const TriangleMesh& mesh,
@@ -146,13 +147,14 @@ Command spectrum_command(CLI::App& parent) {
     CommandOptions app(parent, "spectrum", "The smallest eigenpairs of a Laplace-Beltrami operator");
     app.required("MESH", options->mesh, formats_read);
     app.required("-k", options->k, "how many eigenpairs, 1 to 100000");
-    app.choice("--area", options->area, {"barycentric", "voronoi", "mixed"}, "of a vertex");
+    app.choice("--area", options->area, area_choices(), "of a vertex");
     app.choice("--operator", options->laplacian, operator_choices(), "whose eigenpairs");
     app.choice("--backend", options->backend, backend_choices(), "who factors; slepc: all ranks of mpirun together");
     app.text("--csv FILE", options->csv, "index, eigenvalue, residual; - for standard output");
     app.text("--vectors FILE", options->vectors,
              "eigenvectors: .npy, n x K float64; .csv, a row a vertex with mode_1, mode_2, …; - for .npy on standard output");
-    app.text("--ply FILE", options->ply, "the mesh with its eigenvectors as properties mode_1, mode_2, …: .ply, .vtp or .glb");
+    app.text("--ply FILE", options->ply,
+             "the mesh with its eigenvectors as properties mode_1, mode_2, …: " + joined(column_endings(), ", "));
     app.text("--reconstruct NUMBERS", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");
     app.text("--out DIR", options->out, "folder for <mesh>_k<k>.ply");
     app.footer(

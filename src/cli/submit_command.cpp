@@ -16,11 +16,6 @@ struct SubmitFlags {
     bool without_pdf = false, with_images = false;
 };
 
-std::string megabytes(std::size_t bytes) {
-    const std::size_t tenths = (bytes + 50000) / 100000;
-    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " MB";
-}
-
 ExitCode run_submit(SubmitFlags options) {
     options.submission.pdf = !options.without_pdf;
     options.submission.images = options.with_images;
@@ -33,7 +28,9 @@ ExitCode run_submit(SubmitFlags options) {
         warn("not packed, for the report does not list it: " + report.others.front() +
              (report.others.size() > 1 ? " and " + std::to_string(report.others.size() - 1) + " more" : ""));
     for (const std::string& warning : submission.warnings) warn(warning);
-    complain(std::to_string(submission.files) + " files, " + megabytes(submission.zip.size()) + ", checked and packed");
+    const std::size_t tenths = (submission.zip.size() + 50000) / 100000;   // of a megabyte
+    complain(std::to_string(submission.files) + " files, " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
+             " MB, checked and packed");
     print_path(report.path / "submission.zip");
     return ExitCode::ok;
 }

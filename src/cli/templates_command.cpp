@@ -18,7 +18,7 @@ struct TemplatesFlags {
     bool tags = false, force = false;
 };
 
-/// Writes all templates or none: existing files are found before anything is written.
+/// Writes all templates, or none if a file exists already.
 void export_templates(const fs::path& folder, bool force) {
     const report::Templates templates;
     for (const std::string& name : templates.names()) {
@@ -36,15 +36,6 @@ void export_templates(const fs::path& folder, bool force) {
     for (const std::string& name : templates.names()) print_path(folder / name);
 }
 
-ExitCode run_templates(const TemplatesFlags& flags) {
-    if (flags.tags == !flags.folder.empty()) throw UsageError("name either a folder or --tags", "see meshfolio templates --help");
-    if (flags.tags)
-        print(report::tag_documentation());
-    else
-        export_templates(flags.folder, flags.force);
-    return ExitCode::ok;
-}
-
 }   // namespace
 
 Command templates_command(CLI::App& parent) {
@@ -54,7 +45,15 @@ Command templates_command(CLI::App& parent) {
     app.flag("--tags", flags->tags, "what every tag in them stands for");
     app.flag("--force", flags->force, "replace files that are there");
     app.footer("Example: meshfolio templates mine && meshfolio report --templates mine");
-    return {app, [flags] { return run_templates(*flags); }};
+    return {app, [flags] {
+                if (flags->tags == !flags->folder.empty())
+                    throw UsageError("name either a folder or --tags", "see meshfolio templates --help");
+                if (flags->tags)
+                    print(report::tag_documentation());
+                else
+                    export_templates(flags->folder, flags->force);
+                return ExitCode::ok;
+            }};
 }
 
 }   // namespace meshfolio::cli

@@ -20,7 +20,7 @@ namespace meshfolio::python {
 
 inline std::atomic<int> works_running = 0;
 
-/// Abandoned work may still compute when the process ends: exits without destructors that it could crash on, and without waiting.
+/// Makes the process exit without destructors, and without waiting, if abandoned work still computes then: destructors could crash it.
 inline void leave_works_at_exit() {
 #ifdef __GLIBC__
     ::on_exit(
@@ -30,15 +30,15 @@ inline void leave_works_at_exit() {
             ::_exit(status);
         },
         nullptr);
-#else   // who is called does not know the status
+#else   // the function is not told the status
     std::atexit([] {
         while (works_running > 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     });
 #endif
 }
 
-/// work(stop) in a thread of its own, while this one listens to signals. On Ctrl-C the work is told to stop and left to itself, so it must
-/// own all it needs, and no object of Python. @throws what the work throws, or KeyboardInterrupt
+/// Runs work(stop) in a thread of its own while this thread listens to signals. After Ctrl-C the work is asked to stop and abandoned, so it
+/// must own all its data and no Python object. @throws what the work throws, or KeyboardInterrupt
 template <class Work>
 auto interruptible(Work work) {
     using Result = decltype(work(std::declval<const Stop&>()));
@@ -60,7 +60,7 @@ auto interruptible(Work work) {
         }
         if (!done && PyErr_CheckSignals() != 0) {
             stop->ask();
-            leave_works_at_exit();   // once more: before what the work began meanwhile is taken down
+            leave_works_at_exit();   // again: it must run before exit functions that the work has registered meanwhile
             throw pybind11::error_already_set();
         }
     }

@@ -1,6 +1,6 @@
 /// @file
-/// A mesh of Python, and its arrays and pictures as NumPy knows them. Results are handed over without a copy, and a mesh shows its own
-/// memory, read-only. What comes in is copied once, into the mesh.
+/// Meshes, attributes and pictures as NumPy arrays. Results are handed over without a copy, and a mesh shows its own memory, read-only;
+/// input is copied once, into the mesh.
 #pragma once
 
 #include <pybind11/eigen.h>
@@ -13,26 +13,83 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "mesh/io/mesh_encoders.h"
 #include "mesh/mesh_checks.h"
 #include "png/png.h"
 #include "python/interruptible.h"
-#include "python/vertex_attributes.h"
 #include "run/one_mesh/mesh_pictures.h"
 
 namespace meshfolio::python {
 
+namespace py = pybind11;
 using namespace py::literals;
 
-/// Its surface is never changed: what is computed from it makes a new one.
+// ---- attributes ------------------------------------------------------------------------------------------------------------
+
+/// Copies columns into arrays of their type in the file, or of float64 for integers with undefined values. Leaves out normals.
+inline py::dict dict_of(const std::vector<VertexColumn>& columns) {
+    py::dict arrays;
+    for (const VertexColumn& column : columns) {
+        if (is_normal(column)) continue;
+        const bool undefined = is_integer(column.type) && column.values.array().isNaN().any();
+        arrays[column.name.c_str()] = with_zero_of(undefined ? ScalarType::float64 : column.type, [&](auto zero) -> py::object {
+            using Number = decltype(zero);
+            py::array_t<Number> array(column.values.size());
+            for (Eigen::Index v = 0; v < column.values.size(); ++v) array.mutable_data()[v] = static_cast<Number>(column.values[v]);
+            return array;
+        });
+    }
+    return arrays;
+}
+
+/// Returns the type of a column in a file. Files have no 8-byte integers: these become int32 if all fit, else float64.
+inline ScalarType type_in_files(const py::dtype& type, const DenseMatrix& values) {
+    if (type.kind() == 'b') return ScalarType::uint8;
+    if (type.kind() == 'f') return type.itemsize() <= 4 ? ScalarType::float32 : ScalarType::float64;
+    const bool is_signed = type.kind() == 'i';
+    switch (type.itemsize()) {
+        case 1:
+            return is_signed ? ScalarType::int8 : ScalarType::uint8;
+        case 2:
+            return is_signed ? ScalarType::int16 : ScalarType::uint16;
+        case 4:
+            return is_signed ? ScalarType::int32 : ScalarType::uint32;
+        default:
+            return values.size() == 0 || values.cwiseAbs().maxCoeff() < 0x1p31 ? ScalarType::int32 : ScalarType::float64;
+    }
+}
+
+/// Converts arrays to columns; an n × k array becomes the columns NAME_0, NAME_1, …
+/// @throws MeshError for an array that is not of numbers or has not n rows
+inline std::vector<VertexColumn> columns_of(const py::dict& arrays, Eigen::Index n) {
+    std::vector<VertexColumn> columns;
+    for (const auto& [key, value] : arrays) {
+        const std::string name = py::str(key), about = "attribute '" + printable(name) + "'";
+        const py::array array = py::array::ensure(value);
+        if (!array || std::string("biuf").find(array.dtype().kind()) == std::string::npos) throw MeshError(about + " holds no numbers");
+        if (array.ndim() < 1 || array.ndim() > 2) throw MeshError(about + " has neither one axis nor two", "give n numbers or n x k");
+        if (array.shape(0) != n)
+            throw MeshError(about + " has " + std::to_string(array.shape(0)) + " values, the mesh has " + std::to_string(n) + " vertices");
+        const auto values = array.cast<DenseMatrix>();
+        const ScalarType type = type_in_files(array.dtype(), values);
+        for (Eigen::Index k = 0; k < values.cols(); ++k)
+            columns.push_back({array.ndim() == 1 ? name : name + '_' + std::to_string(k), values.col(k), type});
+    }
+    return columns;
+}
+
+// ---- meshes ----------------------------------------------------------------------------------------------------------------
+
+/// A mesh of Python. Its surface never changes: functions return new meshes.
 struct Mesh {
-    std::shared_ptr<const PreparedMesh> prepared;   // whose columns are the file's normals alone
-    py::dict attributes;                            // the user's to change
-    bool moved = false;                             // not what the preflight saw
+    std::shared_ptr<const PreparedMesh> prepared;   // its only columns are the normals of the file
+    py::dict attributes;                            // may be changed by the user
+    bool moved = false;                             // its positions are not those of the preflight
 
     const TriangleMesh& triangles() const { return prepared->mesh; }
 };
 
-/// A dict that refuses arrays of other than n rows when they are set. @throws MeshError where one of these has another number
+/// Returns a dict of these arrays that refuses arrays without n rows. @throws MeshError if one of these has not n rows
 inline py::dict checked(const py::dict& arrays, Eigen::Index n) { return py::module_::import("meshfolio").attr("_Attributes")(n, arrays); }
 
 inline Mesh mesh_of(PreparedMesh prepared) {
@@ -41,17 +98,17 @@ inline Mesh mesh_of(PreparedMesh prepared) {
     return {std::make_shared<const PreparedMesh>(std::move(prepared)), std::move(attributes)};
 }
 
-/// With arrays of its own.
+/// Copies a dict with its arrays.
 inline py::dict copy_of(const py::dict& arrays) { return py::module_::import("copy").attr("deepcopy")(arrays); }
 
-/// The same triangles, with their orientation, over other positions.
+/// Returns the mesh with other positions. Keeps the orientation of its triangles.
 inline Mesh moved_to(const Mesh& mesh, Positions X) {
     PreparedMesh moved = *mesh.prepared;
     moved.mesh.X = std::move(X);
     return {std::make_shared<const PreparedMesh>(std::move(moved)), copy_of(mesh.attributes), true};
 }
 
-/// Everything a file stores besides the triangles.
+/// Returns everything that a file stores besides the triangles.
 inline Attributes attributes_of(const Mesh& mesh) {
     Attributes all = mesh.prepared->attributes;
     for (VertexColumn& column : columns_of(mesh.attributes, mesh.triangles().X.rows())) all.columns.push_back(std::move(column));
@@ -60,7 +117,7 @@ inline Attributes attributes_of(const Mesh& mesh) {
 
 // ---- arrays in -------------------------------------------------------------------------------------------------------------
 
-/// Rows of three numbers, of what NumPy takes for an array. @param kinds  of its numbers: i, u, f
+/// Converts to an n x 3 array. @param kinds  that its numbers may have: i, u, f @throws MeshError for another shape or kind
 inline py::array rows_of_three(const py::object& rows, const std::string& name, const std::string& kinds) {
     const py::array array = py::array::ensure(rows);
     if (!array || kinds.find(array.dtype().kind()) == std::string::npos)
@@ -88,12 +145,12 @@ inline TriangleMesh triangles_of(const py::object& vertices, const py::object& f
     return mesh;
 }
 
-/// N or (width, height).
+/// Converts N or (width, height). @throws UsageError
 inline std::pair<int, int> picture_size(const py::object& size) {
     std::pair<int, int> sides;
     try {
         sides = PyIndex_Check(size.ptr()) != 0 ? std::pair{size.cast<int>(), size.cast<int>()} : size.cast<std::pair<int, int>>();
-    } catch (const py::cast_error&) {   // no numbers: refused below
+    } catch (const py::cast_error&) {   // not numbers: refused below
     }
     const auto [width, height] = sides;
     if (std::min(width, height) < 1 || std::max(width, height) > run::largest_side)
@@ -103,7 +160,7 @@ inline std::pair<int, int> picture_size(const py::object& size) {
 
 // ---- arrays out ------------------------------------------------------------------------------------------------------------
 
-/// Memory of `owner` as an array that keeps it.
+/// Returns memory of `owner` as an array, which keeps the owner alive.
 template <class Number, class Owner>
 py::array_t<Number> array_over(const Number* numbers, std::vector<py::ssize_t> shape, Owner owner) {
     const py::capsule base(new Owner(std::move(owner)), [](void* kept) { delete static_cast<Owner*>(kept); });

@@ -1,5 +1,5 @@
 /// @file
-/// The class Mesh of the Python module, with names that users of trimesh and PyVista know.
+/// The class Mesh of the Python module, with names known from trimesh and PyVista.
 #pragma once
 
 #include <pybind11/stl.h>
@@ -24,13 +24,13 @@ inline Mesh new_mesh(const py::object& vertices, const py::object& faces, const 
     return mesh;
 }
 
-/// Every edge lies between two triangles.
+/// True if every edge lies between two triangles.
 inline bool is_watertight(const Mesh& mesh) {
     const std::vector<Edge>& edges = mesh.prepared->topology.edges;
     return std::ranges::all_of(edges, [](const Edge& edge) { return edge.faces == 2; });
 }
 
-/// Vertices in use − edges + triangles.
+/// Returns vertices in use − edges + triangles.
 inline int euler_number(const Mesh& mesh) {
     const MeshTopology& topology = mesh.prepared->topology;
     int count = mesh.triangles().face_count() - static_cast<int>(topology.edges.size());
@@ -53,7 +53,7 @@ inline py::list warnings_of(const Mesh& mesh) {
 
 inline Mesh copy_of(const Mesh& mesh) { return {mesh.prepared, copy_of(mesh.attributes), mesh.moved}; }
 
-/// The complete state for pickling: a moved mesh is not oriented again.
+/// Returns the complete state for pickling: a moved mesh is not oriented again.
 inline py::tuple state_of(const Mesh& mesh) {
     const Attributes& kept = mesh.prepared->attributes;
     return py::make_tuple(mesh.triangles().X, mesh.triangles().F, mesh.prepared->file, warnings_of(mesh), mesh.attributes,

@@ -10,12 +10,14 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "build_info.h"
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
+#include "geometry/spectrum/spectrum_certificate.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
@@ -23,9 +25,9 @@
 #include "output/publish/file_group.h"
 #include "python/interruptible.h"
 #include "python/mesh_class.h"
-#include "python/operators.h"
 #include "run/arguments.h"
 #include "run/one_mesh/difference_lines.h"
+#include "run/one_mesh/fields.h"
 #include "run/one_mesh/inspection.h"
 #include "run/one_mesh/mesh_pictures.h"
 #include "run/one_mesh/vertex_columns.h"
@@ -37,7 +39,21 @@ namespace {
 
 // ---- the functions behind the commands -------------------------------------------------------------------------------------
 
-/// @throws meshfolio.MissingFileError, which is a FileNotFoundError as well
+AreaForm area_of(const std::string& name) {
+    run::require_choice("area", name, run::area_choices());
+    return area_form_named(name);
+}
+
+OperatorKind operator_of(const std::string& name) {
+    run::require_choice("operator", name, run::operator_choices());
+    return operator_named(name);
+}
+
+void warn(const std::string& text) {
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+/// Reads a mesh. @throws meshfolio.MissingFileError, which is a FileNotFoundError as well
 Mesh load(const std::filesystem::path& path) {
     try {
         return mesh_of(interruptible([path](const Stop&) { return prepare_mesh(read_mesh(path, Keep::attributes)); }));
@@ -55,7 +71,7 @@ void save(const Mesh& mesh, const std::filesystem::path& path) {
     const std::string bytes = interruptible([of = mesh.prepared, attributes = attributes_of(mesh), path](const Stop&) {
         return encode_mesh(of->mesh, path.string(), attributes);
     });
-    const py::gil_scoped_release released;   // not to be left half done: this goes to its end
+    const py::gil_scoped_release released;   // cannot be interrupted
     output::replace_file(path, bytes);
 }
 
@@ -68,9 +84,40 @@ py::dict curvature(const Mesh& mesh, const std::string& area, const std::string&
     return arrays;
 }
 
+py::tuple laplacian_of(const Mesh& mesh, const std::string& laplacian, const std::string& area) {
+    const AreaForm form = area_of(area);
+    const OperatorKind kind = operator_of(laplacian);
+    auto found = interruptible([=, of = mesh.prepared](const Stop&) { return laplace_operator(of->mesh, kind, form); });
+    found.M = summed_at_first(found.copies, std::move(found.M));   // the mass is in the row of the matrix
+    return py::make_tuple(py::cast(std::move(found.C)), py::cast(std::move(found.M)));
+}
+
+struct CertifiedSpectrum : Spectrum {
+    std::string certificate;
+};
+
+CertifiedSpectrum spectrum(const Mesh& mesh, long long asked, const std::string& laplacian, const std::string& area) {
+    const AreaForm form = area_of(area);
+    const OperatorKind kind = operator_of(laplacian);
+    const auto k = static_cast<int>(run::integer_between("k", std::to_string(asked), 1, 100000));
+    CertifiedSpectrum spectrum = interruptible([=, of = mesh.prepared](const Stop& stop) {
+        const LaplaceBeltrami L = laplace_operator(of->mesh, kind, form);
+        SpectrumOptions options;
+        options.progress = [&stop](double) { stop.check(); };
+        CertifiedSpectrum found{smallest_eigenpairs(L, k, options), ""};
+        stop.check();
+        const Proof proof = certify_spectrum(of->mesh, L, found).verdict();
+        found.certificate = proof == Proof::proved ? "proved" : proof == Proof::refuted ? "refuted" : "undecided";
+        return found;
+    });
+    const auto modes = static_cast<int>(spectrum.eigenvalues.size());
+    if (modes < k) warn("the mesh has " + std::to_string(modes) + " modes, fewer than the " + std::to_string(k) + " asked for");
+    return spectrum;
+}
+
 struct ChosenStep {
     double lambda = 0;     // in model units
-    std::string warning;   // of what grows; empty: nothing
+    std::string warning;   // about modes that grow; empty: none
 };
 ChosenStep chosen_step(const TriangleMesh& mesh, SmoothingOptions options, std::optional<double> step, StepUnit unit) {
     const bool is_explicit = options.scheme == SmoothingScheme::explicit_euler, is_taubin = options.scheme == SmoothingScheme::taubin;
@@ -88,7 +135,7 @@ ChosenStep chosen_step(const TriangleMesh& mesh, SmoothingOptions options, std::
         const TaubinGrowth growth = taubin_growth(laplacian, options);
         chosen.warning = growth.warning(options.iterations);
         if (!chosen.warning.empty())
-            chosen.warning += growth.of_highest_mode ? "; take a smaller step" : "; take fewer iterations, or mu nearer to minus step";
+            chosen.warning += growth.of_highest_mode ? "; take a smaller step" : "; take fewer iterations, or mu nearer to -step";
     }
     return chosen;
 }
@@ -188,7 +235,28 @@ py::array draw(const Mesh& mesh, const std::string& field_name, const std::optio
     }));
 }
 
-/// A class for each type, with the words of the command line.
+void add_spectrum(py::module_& m) {
+    py::class_<CertifiedSpectrum>(m, "Spectrum", "The smallest eigenpairs of -C phi = mu M phi, ascending.")
+        .def_readonly("eigenvalues", &CertifiedSpectrum::eigenvalues, "k float64 [1/length^2]")
+        .def_readonly("eigenvectors", &CertifiedSpectrum::eigenvectors, "n x k float64, Phi^T M Phi = I [1/length]")
+        .def_readonly("residuals", &CertifiedSpectrum::residuals, "k float64, |-C phi - mu M phi| / (mu |M phi|)")
+        .def_readonly("certificate", &CertifiedSpectrum::certificate,
+                      "that the pairs are right and none is missing: proved, refuted or undecided")
+        .def(py::pickle(
+            [](const CertifiedSpectrum& found) {
+                return py::make_tuple(found.eigenvalues, found.eigenvectors, found.residuals, found.certificate);
+            },
+            [](const py::tuple& state) {
+                CertifiedSpectrum found;
+                found.eigenvalues = state[0].cast<Vector>();
+                found.eigenvectors = state[1].cast<DenseMatrix>();
+                found.residuals = state[2].cast<Vector>();
+                found.certificate = state[3].cast<std::string>();
+                return found;
+            }));
+}
+
+/// Adds an exception class for each type of error.
 void add_errors(py::module_& m) {
     const auto also = [&](const char* name) { return py::make_tuple(m.attr("Error"), py::module_::import("builtins").attr(name)); };
     py::register_exception<Error>(m, "Error");

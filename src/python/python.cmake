@@ -27,7 +27,7 @@ pybind11_add_module(meshfolio_python MODULE NO_EXTRAS src/python/module.cpp)
 set_target_properties(meshfolio_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${package_folder})
 target_link_libraries(meshfolio_python PRIVATE meshfolio_run meshfolio_warnings)
 optimise_less(meshfolio_python)
-# Only what is called: neither the libraries of the report nor our names, which a program with Python in it may have as well.
+# Links only libraries that are called, and hides our names, which a program with Python in it may have as well.
 target_link_options(meshfolio_python PRIVATE LINKER:--as-needed LINKER:--gc-sections LINKER:--exclude-libs,ALL)
 set(package_files __init__.py __init__.pyi py.typed)
 foreach(file IN LISTS package_files)
