@@ -5,7 +5,6 @@
 #include <locale.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <set>
 #include <vector>
@@ -14,16 +13,13 @@
 #include "base/file_bytes.h"
 #include "base/in_quotes.h"
 #include "base/lower_case.h"
+#include "mesh/io/mesh_files.h"
 
 namespace meshfolio::submission {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-using namespace std::string_view_literals;
-
-constexpr std::array read_endings{".csv"sv, ".toml"sv, ".obj"sv, ".off"sv, ".ply"sv, ".stl"sv};
 
 /// Returns why a path is malicious; empty if it is not. Any alphabet is allowed.
 std::string trick_in(std::string_view path) {
@@ -58,7 +54,8 @@ public:
         if (is_folder) return false;
         const std::string plain = normal(path);
         if (!paths_.insert(plain).second) refuse_entry(path, "stands twice");
-        return std::ranges::find(read_endings, lower_case_ending(plain)) != read_endings.end();
+        const std::string ending = lower_case_ending(plain);
+        return ending == ".csv" || ending == ".toml" || std::ranges::count(meshes_, ending) > 0;
     }
     /// To be called whenever `more` bytes of a file were read, `so_far` in all.
     void require_within_limits(const std::string& path, std::uintmax_t so_far, std::uintmax_t more) {
@@ -85,6 +82,7 @@ public:
 private:
     std::string file_;
     HandInLimits limits_;
+    std::vector<std::string> meshes_ = mesh_endings();
     HandedIn files_;
     std::set<std::string> paths_;
     int entries_ = 0;

@@ -19,8 +19,8 @@ struct HandInLimits {
     std::uintmax_t ratio_from = std::uintmax_t{8} << 20;
 };
 
-/// Path → bytes of all files that end in .csv, .toml, .obj, .off, .ply or .stl, in any case; of other files only the names are checked.
-/// If all files are in one folder, paths are relative to it.
+/// Path → bytes of all CSV, TOML and mesh files, by their endings in any case; of other files only the names are checked. If all files are
+/// in one folder, paths are relative to it.
 using HandedIn = std::map<std::string, std::string>;
 
 /// Reads a folder or a zip.

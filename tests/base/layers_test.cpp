@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"geometry", {"base", "mesh"}},
     {"report", {"base"}},
     {"output", {"base", "report", "mesh", "render"}},
-    {"submission", {"base", "output", "report"}},
+    {"submission", {"base", "output", "report", "mesh"}},   // the endings of meshes that are handed in
     {"questions", {"base", "output", "report", "geometry", "mesh"}},
     {"run", {"base", "submission", "questions", "output", "report", "geometry", "mesh", "render"}},
     {"python", {"base", "run", "output", "geometry", "mesh", "render"}},

@@ -1,4 +1,4 @@
-"""Readers of what meshfolio writes, independent of it."""
+"""Readers of the files that meshfolio writes, independent of its code."""
 
 import struct
 import zlib
@@ -10,7 +10,7 @@ def read(path):
 
 
 def obj(path):
-    """Vertices and triangles of an OBJ file of plain triangles."""
+    """Returns vertices and triangles of an OBJ file of plain triangles."""
     vertices, triangles = [], []
     for line in read(path).decode().splitlines():
         words = line.split()
@@ -22,7 +22,7 @@ def obj(path):
 
 
 def ply(path):
-    """Vertices and triangles of a binary little-endian PLY file with double coordinates."""
+    """Returns vertices and triangles of a binary little-endian PLY file with double coordinates."""
     data = read(path)
     end = data.index(b'end_header\n') + len(b'end_header\n')
     header = data[:end].decode().split('\n')
@@ -40,7 +40,7 @@ def ply(path):
 
 
 def png_size(path):
-    """Width and height of an 8-bit PNG whose chunks are whole and whose pixels inflate to what the header says."""
+    """Checks the chunks and the pixels of an 8-bit PNG. Returns its width and height."""
     data = read(path)
     assert data[:8] == b'\x89PNG\r\n\x1a\n', path
     at, pixels, header = 8, b'', None
@@ -60,7 +60,7 @@ def png_size(path):
 
 
 def png(path):
-    """Width, height and rows of (r, g, b) of an 8-bit PNG; alpha is dropped."""
+    """Returns width, height and rows of (r, g, b) of an 8-bit PNG, without alpha."""
     data = read(path)
     assert data[:8] == b'\x89PNG\r\n\x1a\n'
     at, packed = 8, b''

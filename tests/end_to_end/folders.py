@@ -1,4 +1,4 @@
-"""Folders that tests make: where, and what is in them."""
+"""Temporary folders of tests, and their contents."""
 
 import hashlib
 import os
@@ -7,8 +7,8 @@ from pathlib import Path
 
 
 def folder_in_memory():
-    """/dev/shm where it has room and may run programs, else None. meshfolio waits for the disk after each file that it writes: on a disk, half
-    the time of a test that makes reports. `tests/faults/run.py --whole` writes to the disk."""
+    """Returns /dev/shm if it has room and may run programs, else None. meshfolio waits for the disk after each file that it writes: on a disk
+    a test that makes reports takes twice the time. `tests/faults/run.py --whole` writes to the disk."""
     place = "/dev/shm"
     try:
         system = os.statvfs(place)
@@ -24,7 +24,7 @@ if not {"TMPDIR", "FAULTS_WHOLE"} & set(os.environ):
 
 
 def temporary_folder(test):
-    """A folder that is removed after the test case, or after all of them if `test` is their class."""
+    """Makes a folder that is removed after the test case, or after all of them if `test` is their class."""
     folder = tempfile.TemporaryDirectory(prefix="meshfolio-test-")
     (test.addClassCleanup if isinstance(test, type) else test.addCleanup)(folder.cleanup)
     return Path(folder.name)
@@ -35,6 +35,6 @@ def digest(path):
 
 
 def tree(folder):
-    """Relative path → SHA-256 of all files in the folder and below; None if there is no folder."""
+    """Returns relative path → SHA-256 of all files in the folder and below; None if there is no folder."""
     folder = Path(folder)
     return {str(path.relative_to(folder)): digest(path) for path in sorted(folder.rglob("*")) if path.is_file()} if folder.is_dir() else None

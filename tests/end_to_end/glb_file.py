@@ -1,4 +1,4 @@
-"""Reads binary glTF 2.0 with nothing but the standard library, and checks what the format demands of every file."""
+"""Reads binary glTF 2.0 with the standard library alone, and checks the requirements of the format."""
 
 import json
 import struct
@@ -46,7 +46,7 @@ class Glb:
         assert end <= self.json["buffers"][0]["byteLength"]
 
     def rows(self, number):
-        """As they are meant: normalised numbers between −1 and 1."""
+        """Returns the values of an accessor; normalised integers become numbers between −1 and 1."""
         accessor = self.json["accessors"][number]
         view = self.json["bufferViews"][accessor["bufferView"]]
         letter, size = SIZES[accessor["componentType"]]
@@ -72,7 +72,7 @@ class Glb:
         return [[t + s * x for t, s, x in zip(move, scale, row)] for row in self.attributes["POSITION"]]
 
     def bodies(self):
-        """Of each node of the scene, the corners of its triangles, one after the other."""
+        """Returns the corners of the triangles of each node of the scene."""
         assert self.json["scenes"][self.json["scene"]]["nodes"] == list(range(len(self.json["nodes"])))
         meshes = [self.json["meshes"][node["mesh"]] for node in self.json["nodes"]]
         return [[self.positions(number)[i] for i in self.indices_of(mesh)] for number, mesh in enumerate(meshes)]

@@ -23,18 +23,18 @@ class InFolder(unittest.TestCase):
         return path
 
     def run_here(self, *arguments, **environment):
-        """Exit code, stdout and stderr of a run in the folder."""
+        """Runs the program in the folder. Returns exit code, stdout and stderr."""
         process = run(*arguments, cwd=self.folder, **environment)
         return process.returncode, process.stdout, process.stderr
 
     def succeed(self, *arguments, **environment):
-        """The stdout of a run that must end well."""
+        """Returns the stdout of a run that must end with code 0."""
         code, out, err = self.run_here(*arguments, **environment)
         self.assertEqual(code, 0, err)
         return out
 
     def refuse(self, expected, *arguments, **environment):
-        """The run ends with this code and exactly one line that is not a warning; returns that line."""
+        """Requires a run to end with this code and exactly one line that is not a warning. Returns the line."""
         code, _, err = self.run_here(*arguments, **environment)
         self.assertEqual(code, expected, (arguments, err))
         lines = [line for line in err.splitlines() if not line.startswith('meshfolio: warning: ')]

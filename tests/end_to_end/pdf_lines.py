@@ -41,7 +41,7 @@ def lines_of(path):
 
 
 def running_text(lines):
-    """Those in the size of most letters: paragraphs, without captions, tables, names in figures and the words of formulas."""
+    """Returns the lines of paragraphs: those in the size of most letters, without captions, tables, names in figures and formulas."""
     letters = Counter()
     for line in lines:
         letters[line.height] += len(line.text)

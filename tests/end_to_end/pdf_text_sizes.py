@@ -1,4 +1,4 @@
-"""How large the words of a PDF are printed: its content streams, as qpdf writes them out, read by rules of our own."""
+"""Printed sizes of the words of a PDF, read from its content streams as qpdf writes them out."""
 
 import base64
 import json
@@ -15,7 +15,7 @@ TOKEN = re.compile(
 
 @dataclass
 class Shown:
-    """What one operator shows."""
+    """The text of one operator."""
 
     page: int       # from 1
     size: float     # [pt] on paper
@@ -23,7 +23,7 @@ class Shown:
 
 
 def times(a, b):
-    """The matrix (a, b, c, d, e, f) of PDF that does a, then b."""
+    """Returns the PDF matrix (a, b, c, d, e, f) that applies a, then b."""
     return (
         a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3],
         a[2] * b[0] + a[3] * b[2], a[2] * b[1] + a[3] * b[3],
@@ -45,7 +45,7 @@ class Reader:
             self.read(b"\n".join(map(self.content, streams)), self.inherited(page, "/Resources"), (1, 0, 0, 1, 0, 0))
 
     def value(self, name):
-        """The object itself where it is a reference."""
+        """Resolves a reference to its object."""
         if not (isinstance(name, str) and re.fullmatch(r"\d+ \d+ R", name)):
             return name
         found = self.objects["obj:" + name]
@@ -96,13 +96,13 @@ class Reader:
 
 
 def shown_in(path):
-    """All that is shown, in the order of the streams."""
+    """Returns all text of the PDF in the order of its streams."""
     return Reader(path).shown
 
 
 def too_small(shown, least, script, longest_script):
-    """What is smaller than `least`, apart from indices and exponents: at most `longest_script` glyphs in a row between words of full size on
-    the same page, none smaller than `script`. [(page, size, glyphs)]"""
+    """Returns [(page, size, glyphs)] of text smaller than `least`. Indices and exponents do not count: at most `longest_script` glyphs in a row
+    between words of full size on the same page, none smaller than `script`."""
     found, row = [], []
 
     def end_row():

@@ -12,8 +12,8 @@ SOURCE = Path(__file__).resolve().parents[2]
 
 
 def run(*arguments, cwd=None, **environment):
-    """One run; environment variables by name. Reports are not printed unless asked for. Returns the finished process with text streams.
-    Its cache is empty, and not the user's, unless XDG_CACHE_HOME is given: what a test runs twice is computed twice."""
+    """Runs the program; environment variables are keyword arguments. Reports are printed only on request. Returns the finished process with
+    text streams. The cache is empty unless XDG_CACHE_HOME is given, so that a second run computes everything again."""
     words = [PROGRAM, *map(str, arguments)]
     with tempfile.TemporaryDirectory(prefix="meshfolio-cache-") as cache:
         variables = {**os.environ, "MESHFOLIO_PDF": "off", "XDG_CACHE_HOME": cache, **{name: str(value) for name, value in environment.items()}}
@@ -23,7 +23,7 @@ def run(*arguments, cwd=None, **environment):
 
 
 def sample(folder, name, ending="obj", subdivide=0):
-    """A bundled mesh as a file in the folder."""
+    """Writes a bundled mesh into the folder."""
     path = folder / f"{name}.{ending}"
     process = run("sample", name, "-o", path, "--subdivide", subdivide)
     assert process.returncode == 0, process.stderr

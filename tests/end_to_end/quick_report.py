@@ -13,7 +13,7 @@ WORDS = ["report", "--quick", "--size", 64, "--no-timings"]
 
 
 def quick_report(folder):
-    """The finished process, the report, which is only to be read, and the cache that it filled; in `folder` where CTest has made none."""
+    """Returns the finished process, the report, which must not be changed, and its cache. Makes them in `folder` if CTest has not."""
     made = os.environ.get("QUICK_REPORT")
     if not made:
         return make(Path(folder) / "made")

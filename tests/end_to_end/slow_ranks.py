@@ -1,4 +1,4 @@
-"""`--backend slepc` by one process and by two beside the built-in one. Skipped (77) where the program was built without it, which it must say."""
+"""`--backend slepc` in one process and in two, compared with the built-in backend. Skipped (77) if the program was built without it."""
 
 import csv
 import os
@@ -31,7 +31,7 @@ class Ranks(InFolder):
             return file.read()
 
     def by_ranks(self, number, *arguments):
-        """Exit code, stdout and stderr of so many processes."""
+        """Runs the program in several processes. Returns exit code, stdout and stderr."""
         words = [*MPIRUN, '-n', str(number), PROGRAM, *arguments, '--backend', 'slepc']
         process = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, timeout=280)
         return process.returncode, process.stdout, process.stderr
@@ -68,7 +68,7 @@ class Ranks(InFolder):
                     for a, b in zip(own, ply(self.path('theirs.ply'))[0]):
                         self.assertLessEqual(max(abs(x - y) for x, y in zip(a, b)), 1e-9 * box, (mesh, number, more))
 
-    def test_what_one_rank_refuses_ends_all_with_one_line(self):
+    def test_an_error_of_one_rank_ends_all_with_one_line(self):
         self.write('bad.obj', 'v 0 0 zero\n')
         for expected, arguments in ((3, ['spectrum', 'none.obj', '-k', '3']), (3, ['spectrum', 'bad.obj', '-k', '3']),
                                     (2, ['spectrum', 'sphere.obj', '-k', '0']), (4, ['spectrum', 'sphere.obj', '-k', '3', '--csv', 'no/x.csv']),
@@ -80,7 +80,7 @@ class Ranks(InFolder):
 
 
 def missing():
-    """Why there is nothing to test; empty where there is."""
+    """Returns why there is nothing to test; empty if there is."""
     process = run('spectrum', 'none.obj', '-k', '1', '--backend', 'slepc', OMPI_ALLOW_RUN_AS_ROOT=1, OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
     if process.returncode == 5:
         assert re.fullmatch(r'meshfolio: .*-DMESHFOLIO_SLEPC=ON.*\n', process.stderr), process.stderr

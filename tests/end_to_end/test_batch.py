@@ -1,4 +1,4 @@
-"""`meshfolio batch`: a report a mesh, an index of all; what is finished is never made again, what fails costs its row."""
+"""`meshfolio batch`: a report for each mesh, and an index. Finished reports are never made again; a failure affects its own row only."""
 
 import csv
 import json
@@ -131,7 +131,7 @@ class Batches(unittest.TestCase):
             run("batch", *words, "--out", out, "--only", "q2", "--size", 64)
             self.assertEqual(list(rows(out)), ["sphere", "cube8"])
 
-    def test_what_is_not_there_is_refused_before_any_work(self):
+    def test_missing_meshes_are_refused_before_any_work(self):
         folder = temporary_folder(self)
         out = folder / "out"
         (folder / "list.txt").write_text("\nnone.obj\n")
@@ -146,7 +146,7 @@ class Batches(unittest.TestCase):
         self.ended(2, self.meshes)
         self.assertFalse(out.exists())
 
-    def test_a_folder_of_somebody_else_is_left_alone(self):
+    def test_a_foreign_folder_is_left_alone(self):
         folder = temporary_folder(self)
         (folder / "notes.txt").write_text("mine")
         self.ended(4, self.meshes, "--out", folder)
@@ -159,7 +159,7 @@ class Batches(unittest.TestCase):
 
     # ---- what fails
 
-    def test_a_broken_mesh_costs_its_row(self):
+    def test_a_broken_mesh_affects_only_its_row(self):
         folder = temporary_folder(self)
         (folder / "broken.obj").write_text("v 0 0 0\nv 1 0 0\nf 1 2 9\n")
         (folder / "empty.ply").write_text("")
@@ -185,7 +185,7 @@ class Batches(unittest.TestCase):
         self.assertEqual({name: row["status"] == "failed" for name, row in rows(out).items()}, {"broken": False, "sphere": False})
         self.assertEqual((out / "sphere" / "results.json").stat().st_ino, before)
 
-    def test_a_report_with_a_red_box_is_linked_to_and_made_again(self):
+    def test_a_report_with_a_failed_section_is_linked_and_made_again(self):
         out = temporary_folder(self) / "out"
         words = [self.meshes / "sphere.ply", "--out", out, *LIGHT]
         self.ended(1, *words, MESHFOLIO_FAIL="q5")
@@ -199,7 +199,7 @@ class Batches(unittest.TestCase):
     def inodes(self, out):
         return {name: (out / name / "results.json").stat().st_ino for name in rows(out) if (out / name / "results.json").exists()}
 
-    def test_the_same_again_makes_nothing_and_other_settings_make_all(self):
+    def test_a_second_run_makes_nothing_and_other_settings_make_all(self):
         folder = temporary_folder(self)
         mesh, out = sample(folder, "sphere", "ply"), folder / "out"
         run("batch", mesh, "--out", out, "--no-timings", *LIGHTEST)
@@ -219,7 +219,7 @@ class Batches(unittest.TestCase):
         self.assertNotEqual(self.inodes(out), third)
 
     def begun(self, out):
-        """A run with one job, once its first report is in its place."""
+        """Starts a run with one job and waits for its first report."""
         words = [PROGRAM, "batch", self.meshes, "--out", out, "--jobs", "1", "--no-timings", *LIGHT]
         environment = {**os.environ, "XDG_CACHE_HOME": str(out.parent / "cache")}
         process = subprocess.Popen([str(word) for word in words], env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -244,7 +244,7 @@ class Batches(unittest.TestCase):
         self.assertEqual(contents(out), contents(self.out))
         self.assertEqual(leftovers(out), [])
 
-    def test_killed_it_goes_on_where_it_was(self):
+    def test_after_a_kill_it_continues(self):
         out = temporary_folder(self) / "out"
         process = self.begun(out)
         process.kill()
@@ -252,7 +252,7 @@ class Batches(unittest.TestCase):
         self.require_all_ended(out)
         self.require_resumed(out)
 
-    def test_interrupted_it_ends_its_children_and_keeps_what_is_finished(self):
+    def test_an_interrupt_ends_its_children_and_keeps_finished_reports(self):
         out = temporary_folder(self) / "out"
         process = self.begun(out)
         process.send_signal(signal.SIGINT)
@@ -263,7 +263,7 @@ class Batches(unittest.TestCase):
         json.loads((out / "batch.json").read_text())
         self.require_resumed(out)
 
-    def test_two_at_once_do_not_mix(self):
+    def test_two_batches_at_once_do_not_mix(self):
         out = temporary_folder(self) / "out"
         process = self.begun(out)
         self.assertIn("busy", self.ended(4, self.meshes, "--out", out, *LIGHT).stderr)

@@ -1,4 +1,4 @@
-"""Answers are taken from the cache when nothing they depend on has changed, and only then; the report is the same to the byte."""
+"""Answers come from the cache if and only if nothing they depend on has changed; the report has the same bytes."""
 
 import json
 import unittest
@@ -8,7 +8,7 @@ from program import SOURCE, run, sample, temporary_folder
 
 
 def is_cached(process, question):
-    """Taken, and not answered once more after that, as for a picture that was not kept."""
+    """Returns true if the answer came from the cache and was not computed again."""
     return f"{question}: from the cache" in process.stderr and f"{question}: answered" not in process.stderr
 
 
@@ -20,7 +20,7 @@ class Cache(unittest.TestCase):
         self.number = 0
 
     def report(self, *options, only="q2,q5", size=64, expected=0, **environment):
-        """A small report into a new folder; its process and files."""
+        """Makes a small report in a new folder. Returns its process and files."""
         self.number += 1
         out = self.folder / f"out{self.number}"
         environment = {"XDG_CACHE_HOME": self.cache, **environment}
@@ -42,7 +42,7 @@ class Cache(unittest.TestCase):
         self.assertEqual(tree(out1), tree(out2))
         self.assertEqual(tree(out1), tree(out3))
 
-    def test_one_question_more_takes_the_others(self):
+    def test_one_question_more_takes_the_others_from_the_cache(self):
         self.report(only="q2")
         both, out = self.report()
         self.assertTrue(is_cached(both, "q2"))
@@ -53,7 +53,7 @@ class Cache(unittest.TestCase):
         only, _ = self.report(only="q2")
         self.assertTrue(is_cached(only, "q2"))
 
-    def test_every_setting_counts(self):
+    def test_every_setting_is_a_part_of_the_key(self):
         self.report(only="q5")
         self.assertTrue(is_cached(self.report(only="q5")[0], "q5"))
         config = self.folder / "my.toml"
@@ -68,7 +68,7 @@ class Cache(unittest.TestCase):
         self.assertFalse(is_cached(self.report(only="q5", size=65)[0], "q5"))
         self.assertTrue(is_cached(self.report(only="q5", size=65)[0], "q5"))
 
-    def test_words_on_the_page_do_not_count(self):
+    def test_words_on_the_page_are_no_part_of_the_key(self):
         self.report(only="q2")
         config = self.folder / "my.toml"
         config.write_text('[report]\ntitle = "Another"\nauthor = "Someone"')
@@ -147,7 +147,7 @@ class Cache(unittest.TestCase):
         self.assertEqual(self.objects(), [])
         self.assertEqual(run("report", "--out", self.folder / "no", MESHFOLIO_CACHE_LIMIT="much").returncode, 2)
 
-    def test_timings_say_what_was_taken(self):
+    def test_timings_name_the_cached_answers(self):
         for name in ["one", "two"]:
             process = run("report", "--quick", "--size", 64, "--only", "q2", "--out", self.folder / name, XDG_CACHE_HOME=self.cache)
             self.assertEqual(process.returncode, 0, process.stderr)

@@ -154,14 +154,14 @@ class Usage(InFolder):
 
 class Manners(InFolder):
 
-    def test_without_arguments_it_says_what_it_can_do_and_how_to_begin(self):
+    def test_without_arguments_it_prints_its_help(self):
         told = self.succeed()
         self.assertEqual(told, self.succeed('--help'))
         for words in ('meshfolio report --quick', *COMMANDS):
             self.assertIn(words, told)
         self.assertEqual(os.listdir(self.folder), [])
 
-    def test_help_and_version_are_words_too(self):
+    def test_help_and_version_are_also_commands(self):
         self.assertEqual(self.succeed('help'), self.succeed('--help'))
         self.assertEqual(self.succeed('version'), self.succeed('--version'))
         for command in COMMANDS:
@@ -218,7 +218,7 @@ class Inspect(InFolder):
             self.succeed('noise', hollow, '-o', f'kept.{ending}', '--sigma', '0')
             self.assertAlmostEqual(json.loads(self.succeed('inspect', f'kept.{ending}', '--json'))['volume'], 40, 4)
 
-    def test_a_wall_inside_leaves_no_volume_and_says_why(self):
+    def test_a_mesh_with_a_wall_inside_has_no_volume_and_the_reason_is_given(self):
         walled = self.write('walled.obj', BOX + 'f 1 2 8\nf 1 8 7\n')
         facts = json.loads(self.run_here('inspect', walled, '--json')[1])
         self.assertEqual((facts['volume'], facts['encloses_volume']), (None, False))
@@ -226,7 +226,7 @@ class Inspect(InFolder):
         self.assertIn('volume                    undefined: ', self.run_here('inspect', walled)[1])
         self.assertIsNone(json.loads(self.run_here('compare', walled, walled, '--json')[1])['volume_ratio'])
 
-    def test_repairs_are_said_once_and_counted(self):
+    def test_repairs_are_reported_once_and_counted(self):
         mesh = self.write('twice.obj', BOX + 'f 1 2 4\nf 1 1 2\n')
         code, out, err = self.run_here('inspect', mesh)
         self.assertEqual(code, 0)
@@ -345,7 +345,7 @@ class Spectrum(InFolder):
         # The coordinates of a sphere are its first three modes that are not constant.
         self.assertLess(max(math.dist(p, q) for p, q in zip(four, vertices)), 0.02)
 
-    def test_more_modes_than_vertices_is_said(self):
+    def test_more_modes_than_vertices_are_reported(self):
         code, out, err = self.run_here('spectrum', self.sample('cube8'), '-k', '50')
         self.assertEqual(code, 0)
         self.assertEqual(len(table(out)), 8)
@@ -422,7 +422,7 @@ class MeshesOut(InFolder):
             self.assertRegex(err, "is the input itself|cannot be written as '.(obj|csv)'")
         self.assertEqual([read(self.path(name)) for name in (mesh, 'values.csv')], before)
 
-    def test_compare_sees_past_a_surface_that_turned_inside_out(self):
+    def test_compare_recognises_a_surface_that_turned_inside_out(self):
         self.write('a.obj', BOX)
         vertices, triangles = obj(self.path('a.obj'))
         self.write('mirrored.obj', ''.join('v %r %r %r\n' % (-x, y, z) for x, y, z in vertices) +
@@ -483,7 +483,7 @@ class OtherFormats(InFolder):
         self.assertIn("did you mean 'h_cotan", self.refuse(3, 'render', 'torus.obj', '--values', 'h.ply:h_cotam'))
         self.assertIn('.ply, .vtp, .glb', self.refuse(2, 'curvature', 'torus.obj', '--ply', 'h.obj'))
 
-    def test_what_a_format_cannot_hold_is_said(self):
+    def test_losses_of_a_format_are_reported(self):
         self.sample('lily')
         undefined = [sum(row[name] == '' for row in table(self.succeed('curvature', 'lily.obj'))) for name in ('h_uniform', 'k_gauss')]
         code, _, err = self.run_here('curvature', 'lily.obj', '--ply', 'h.glb')
@@ -526,7 +526,7 @@ class OtherFormats(InFolder):
 class Smooth(InFolder):
 
     def error_after(self, *options):
-        """Of the smoothed mesh against the clean one."""
+        """Compares a smoothed mesh with the clean one."""
         self.succeed('smooth', 'noisy.ply', '-o', 'out.ply', *options)
         return json.loads(self.succeed('compare', 'bumpy_cube.obj', 'out.ply', '--json'))
 
@@ -560,7 +560,7 @@ class Smooth(InFolder):
         self.succeed('smooth', 'noisy.ply', '-o', 'out.ply', '--lambda', '1', '--iterations', '0', '--scheme', 'implicit')
         self.assertEqual(read(self.path('out.ply')), read(self.path('noisy.ply')))
 
-    def test_beyond_the_limit_it_blows_up_in_the_open_and_implicit_does_not(self):
+    def test_explicit_steps_beyond_the_limit_blow_up_and_implicit_ones_do_not(self):
         options = ['--lambda', '3', '--unit', 'tau', '--iterations', '200']
         self.assertIn('blew up', self.refuse(1, 'smooth', 'noisy.ply', '-o', 'out.ply', *options))
         self.assertTrue(all(math.isfinite(c) for p in ply(self.path('out.ply'))[0] for c in p))
@@ -584,7 +584,7 @@ class Render(InFolder):
         self.assertEqual(sorted(os.listdir(self.path('two'))), ['+z.png', '-x.png', 'sheet.png'])
         self.assertEqual(png(self.path('two', '-x.png'))[:2], (32, 32))
 
-    def test_without_a_folder_it_makes_one_and_says_where_pictures_are(self):
+    def test_without_a_folder_it_makes_one_and_prints_the_paths(self):
         mesh = self.write('box.obj', BOX)
         paths = self.succeed('render', 'box.obj', '--size', '32').splitlines()
         self.assertEqual(paths, [f'box/{name}.png' for name in (*VIEWS, 'sheet')])

@@ -57,8 +57,8 @@ class Compare(InFolder):
             other = key.replace('a_to_b', 'b_to_a') if 'a_to_b' in key else key.replace('b_to_a', 'a_to_b')
             self.assertAlmostEqual(back[other], facts[key], delta=1e-9)
 
-    def test_a_gap_that_no_vertex_sees(self):
-        """A needle with a gap in it, over a plate: the middle of the gap is as far from the needle's halves as from the plate, or nearer."""
+    def test_a_gap_between_vertices_is_found(self):
+        """A needle with a gap, over a plate: the middle of the gap is as far from the halves of the needle as from the plate, or nearer."""
         plate = ''.join(f'v {x} {y} DEPTH\n' for x, y in ((0, 0), (1000, 0), (1000, 1000), (0, 1000)))
         whole = plate + 'v 0 0 0\nv 1000 0 0\nv 1000 .001 0\nf 1 2 3\nf 1 3 4\nf 5 6 7\n'
         parts = (plate + 'v 0 0 0\nv 400 0 0\nv 400 .0004 0\nv 600 0 0\nv 600 .0006 0\nv 1000 0 0\nv 1000 .001 0\n'
@@ -73,7 +73,7 @@ class Compare(InFolder):
                     self.assertGreaterEqual(facts['hausdorff_bound'], far)
                     self.assertLessEqual(facts['hausdorff_bound'], facts['hausdorff'] * (1 + accuracy))
 
-    def test_what_accuracy_takes(self):
+    def test_accuracy_has_limits(self):
         for value in ('0', '-1', '1e-10', '2', 'nan', 'inf', 'x', ''):
             self.assertIn('--accuracy', self.refuse(2, 'compare', 'tile.obj', 'ground.obj', '--accuracy', value))
         self.assertIn('no more than this', self.succeed('compare', 'tile.obj', 'ground.obj', '--accuracy', '1e-9'))
@@ -96,7 +96,7 @@ class Compare(InFolder):
         self.assertEqual(self.numbers('tile.obj', 'tile.ply')['max'], 0)   # and it is the same mesh
         self.refuse(2, 'compare', 'tile.obj', 'ground.obj', '--ply', 'tile.off')
 
-    def test_a_page_that_needs_nothing_else(self):
+    def test_the_page_is_self_contained(self):
         os.rename(self.path('tile.obj'), self.path('<b>&.obj'))
         for b in ('ground.obj', '<b>&.obj'):   # also of two that do not differ
             self.succeed('compare', '<b>&.obj', b, '--html', 'page.html')
@@ -124,7 +124,7 @@ class Compare(InFolder):
             self.assertRegex(self.succeed('compare', 'tile.obj', 'tile.obj', *options), r'volume_ratio +undefined')
             self.assertIsNone(json.loads(self.succeed('compare', 'tile.obj', 'tile.obj', '--json', *options))['volume_ratio'])
 
-    def test_what_cannot_be_compared_or_written(self):
+    def test_bad_inputs_and_outputs_are_refused(self):
         self.assertIn('none.obj', self.refuse(3, 'compare', 'tile.obj', 'none.obj'))
         self.refuse(2, 'compare', 'tile.obj', 'ground.obj', '--csv', 'ground.obj')
         self.refuse(4, 'compare', 'tile.obj', 'ground.obj', '--html', 'no/page.html')
@@ -142,7 +142,7 @@ class Pair(InFolder):
             self.assertEqual(os.listdir(self.path(field)), ['sheet.png'])
             self.assertGreater(png(self.path(field, 'sheet.png'))[0], 4 * 64)
 
-    def test_what_does_not_go_with_a_pair(self):
+    def test_options_that_do_not_fit_a_pair_are_refused(self):
         self.write('box.obj', BOX)
         for words in (['--plain'], ['--field', 'id'], ['--glb', 'x.glb'], ['--values', 'v.csv:x'], ['--isolines', '1']):
             self.refuse(2, 'render', 'box.obj', '--pair', 'box.obj', *words)
@@ -190,7 +190,7 @@ class Action(InFolder):
                           'GITHUB_OUTPUT': self.path('outputs')}
 
     def compared(self, **variables):
-        """The summary, and the names and values that the step hands on."""
+        """Returns the summary, and the outputs of the step by name."""
         done = subprocess.run([SOURCE / '.github/actions/compare/compare.sh'], cwd=self.path('tree'), capture_output=True, text=True,
                               env={**os.environ, **self.variables, **variables})
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -1,4 +1,4 @@
-"""`report --from results.json` makes the same report again from its own files, in other words where they are given."""
+"""`report --from results.json` makes the same report from its own files, with other words if they are given."""
 
 import json
 import unittest
@@ -84,14 +84,14 @@ class From(unittest.TestCase):
         _, process = self.again(source=copy / "results.json", expected=3)
         self.assertRegex(process.stderr, r"results\.json:\d+: questions\[0\]\.title is the integer 5, not a text")
 
-    def test_the_environment_counts_and_is_checked(self):
+    def test_the_environment_is_read_and_checked(self):
         folder = temporary_folder(self)
         process = run("report", "--from", self.out / "results.json", MESHFOLIO_OUT=folder / "elsewhere")
         self.assertEqual(process.returncode, 0, process.stderr)
         self.assertEqual(tree(folder / "elsewhere"), tree(self.out))
         self.again("--threads", "abc", expected=2)
 
-    def test_what_failed_has_still_failed(self):
+    def test_a_failed_section_stays_failed(self):
         folder = temporary_folder(self)
         words = ["report", "--quick", "--size", 64, "--only", "q2", "--no-cache", "--out", folder / "failed"]
         self.assertEqual(run(*words, MESHFOLIO_FAIL="q2").returncode, 1)
@@ -142,7 +142,7 @@ class Templates(unittest.TestCase):
             self.assertEqual(run(*words, *options, XDG_CACHE_HOME=folder / "cache").returncode, 0)
         self.assertEqual(tree(folder / "a"), tree(folder / "b"))
 
-    def test_nothing_is_replaced_unasked(self):
+    def test_existing_templates_are_not_replaced(self):
         folder = temporary_folder(self)
         (folder / "report.md").write_text("mine")
         process = run("templates", folder)

@@ -1,5 +1,5 @@
-"""Names, titles and settings are data: a report made with hostile ones is parsed in each of its formats, and compared with one whose names
-are plain. Whatever is markup, link or program in the one is so in the other; whatever came in stands there as text."""
+"""Names, titles and settings are data: a report with hostile ones is parsed in each of its formats and compared with a report with plain
+names. Both have the same markup, links and programs; hostile names appear as text."""
 
 import csv
 import html.parser
@@ -45,7 +45,7 @@ MATHEMATICS = {"math", "mi", "mn", "mo", "mrow", "mspace", "mtext", "msub", "msu
 
 
 class Page(html.parser.HTMLParser):
-    """Elements with their attributes, links and programs of a page."""
+    """Collects the elements with their attributes, the links and the programs of a page."""
 
     def __init__(self, text):
         super().__init__(convert_charrefs=True)
@@ -77,7 +77,7 @@ class Page(html.parser.HTMLParser):
 
 
 def shown(text):
-    """As safe text stands in a page: on one line, with what cannot be shown as visible escapes."""
+    """Returns text as a page shows it: on one line, with visible escapes for characters that cannot be shown."""
     line = re.sub("[\n\r\t]", " ", text)
     return re.sub("[\0-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]", lambda m: "".join(f"\\x{b:02x}" for b in m[0].encode()), line)
 
@@ -103,7 +103,7 @@ class HostileNames(unittest.TestCase):
 
     @classmethod
     def report(cls, name, meshes, title, author, course, said):
-        """A report of a question and of an experiment, and one of a question that fails for its mesh."""
+        """Makes a report of a question and an experiment, and a report of a question that fails for its mesh."""
         folder = cls.folder / name
         folder.mkdir()
         good = sample(folder, "sphere").read_bytes()
@@ -197,7 +197,7 @@ class HostileNames(unittest.TestCase):
                 self.walk(item, raw, links)
 
     def judge_cell(self, word, value):
-        """The cell is the text, or what no spreadsheet runs and no terminal obeys, with the same letters and digits."""
+        """Requires the cell to be the text, or a harmless form of it with the same letters and digits."""
         if re.fullmatch(r"[\w.]?[ \w./…()%·°]*", value):
             self.assertEqual(word, value)
         self.assertNotRegex(word, "[\0-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
@@ -245,7 +245,7 @@ class HostileNames(unittest.TestCase):
         for name in listed:
             self.assertFalse(name.startswith("/") or ".." in name.split("/"), name)
 
-    def test_nothing_undefined_is_written_as_a_number(self):
+    def test_undefined_values_are_not_written_as_numbers(self):
         markdown = [self.out / name for name in ("report.md", "appendix.md", "summary.md")]
         for path in [*self.out.glob("tables/*.csv"), *self.out.glob("images/*.svg"), self.out / "results.json", *markdown]:
             self.assertIsNone(re.search(r"(?<![a-z])-?(nan|inf|infinity)(?![a-z])", path.read_text(), re.I), path)

@@ -1,4 +1,4 @@
-"""Nothing good is lost: every input that is named is opened before any work, and a run that fails takes no good report's place."""
+"""Inputs are opened before any work, and a failed run never replaces a good report."""
 
 import json
 import shutil
@@ -26,7 +26,7 @@ class NamedInputs(InFolder):
         return tree(Path(self.folder))
 
     def refused(self, *words):
-        """Exit 3, one line, and nothing is written or removed."""
+        """Requires exit code 3, one line, and an unchanged folder."""
         before = self.files()
         code, out, err = self.run_here(*words, MESHFOLIO_PDF="auto")
         self.assertEqual((code, out, len(err.splitlines())), (3, "", 1), err)

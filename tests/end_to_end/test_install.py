@@ -1,4 +1,4 @@
-"""What `cmake --install` leaves in a prefix, and what is in it that was made from the program's own definitions."""
+"""The files that `cmake --install` puts into a prefix, among them man pages and completions made by the program."""
 
 import gzip
 import json

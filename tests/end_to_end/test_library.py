@@ -1,4 +1,4 @@
-"""meshfolio as a library: tests/library_example, a program of somebody else, on an installed prefix and beside the source."""
+"""meshfolio as a library: builds tests/library_example with an installed prefix and beside the source."""
 
 import json
 import re

@@ -1,4 +1,4 @@
-"""A class is marked: right answers lose nothing, every planted mistake is named, hostile submissions are refused by name."""
+"""A class is marked: right answers keep all points, planted mistakes are recognised, hostile submissions are refused by name."""
 
 import concurrent.futures
 import csv
@@ -75,7 +75,7 @@ ITEMS = 7
 
 
 def column_times(text, column, factor):
-    """The CSV with a column changed by a number or a function of row and value."""
+    """Returns the CSV with a column multiplied by a number, or changed by a function of row and value."""
     rows = list(csv.DictReader(io.StringIO(text)))
     change = factor if callable(factor) else lambda row, value: factor * value
     for i, row in enumerate(rows):
@@ -89,7 +89,7 @@ def column_times(text, column, factor):
 
 
 def renamed(text, column, others):
-    """The CSV with the column of that name in place of another."""
+    """Returns the CSV with one column replaced by another."""
     header, rest = text.split("\n", 1)
     names = ["was_" + name if name in others else name for name in header.split(",")]
     return ",".join(others[0] if name == column else name for name in names) + "\n" + rest
@@ -123,7 +123,7 @@ class Mark(unittest.TestCase):
 
     @classmethod
     def spectrum(cls, k, *options):
-        """The CSV, and the file rebuilt from all k modes."""
+        """Returns the CSV, and the mesh rebuilt from all k modes."""
         out = cls.folder / ("modes" + "_".join([str(k), *options]).replace("-", ""))
         table = cls.made("spectrum", "saddle.obj", "-k", k, "--csv", "-", "--reconstruct", k, "--out", out, *options)
         return table, out / f"saddle_k{k}.ply"
@@ -136,7 +136,7 @@ class Mark(unittest.TestCase):
 
     @classmethod
     def answers(cls):
-        """A submission without a fault, made by the program's own commands."""
+        """Makes a submission without mistakes, by the program's own commands."""
         table, rebuilt = cls.spectrum(15)
         cls.rebuilt = rebuilt
         curvature = cls.curvature()
@@ -145,7 +145,7 @@ class Mark(unittest.TestCase):
 
     @classmethod
     def mistakes(cls):
-        """(item, conventions that must be among those named, what of the submission is another)"""
+        """Returns [(item, conventions that must be recognised, changed files of the submission)]."""
         plain, voronoi = cls.right["q1_lily.csv"], cls.curvature("--area", "voronoi")
         mixed, table = cls.curvature("--area", "mixed"), cls.right["q4_saddle.csv"]
         edge = cls.curvature("--operator", "edge-normalised")
@@ -220,7 +220,7 @@ class Mark(unittest.TestCase):
     # ---- what is right and what is known
 
     def test_a_class_of_a_hundred(self):
-        """Every mistake alone, those without one between them; folders and zips."""
+        """A student with each mistake, and students without mistakes between them; folders and zips."""
         folder, plan = temporary_folder(self), []
         for i in range(100):
             mistake = self.wrong[i // 2 % len(self.wrong)] if i % 2 else None
@@ -258,7 +258,7 @@ class Mark(unittest.TestCase):
         self.assertTrue(all(f'href="{name}/index.html"' in table for name, _, _ in plan))
         self.assertEqual({row["score"] for row, (_, _, mistake) in zip(rows, plan) if mistake is None}, {"70"})
 
-    def test_all_mistakes_in_all_items_are_told_apart_from_noise(self):
+    def test_all_mistakes_in_all_items_are_recognised_with_rounding(self):
         noisy = column_times(self.right["q3_lily.csv"], "h_cotan", lambda i, x: x * (1 + 0.1 * (i % 7)))
         path = self.zipped(temporary_folder(self) / "noisy.zip", {**self.right, "q3_lily.csv": noisy})
         out, _ = self.marked(0, [path])
@@ -292,7 +292,7 @@ class Mark(unittest.TestCase):
         for item, test in self.results_of(out, "own").items():
             self.assertEqual(test["score"], 10, (item, test["output"]))
 
-    def test_what_is_missing_or_damaged_costs_its_item_alone(self):
+    def test_missing_and_damaged_files_affect_only_their_item(self):
         files = {**self.right, "q1_lily.csv": None, "q3_lily.csv": "H\nabc\n", "q5_lily.ply": b"ply\nformat ascii 1.0\nelement vertex 900000000\n",
                  "answers.toml": "kappa = \n"}
         out, _ = self.marked(0, [self.zipped(temporary_folder(self) / "holes.zip", files)])
@@ -303,7 +303,7 @@ class Mark(unittest.TestCase):
     # ---- what is not to be trusted
 
     def hostile(self, folder):
-        """(file, what is said of it)"""
+        """Returns [(file, words of the message about it)]."""
         def one(name, entry, data="x"):
             with zipfile.ZipFile(folder / name, "w", zipfile.ZIP_DEFLATED) as archive:
                 archive.writestr(entry, data)
@@ -353,7 +353,7 @@ class Mark(unittest.TestCase):
         self.assertFalse([value for row in rows for value in row.values() if value.startswith("=")])
 
     def test_no_submission_delays_the_class(self):
-        """Each within the limits of what is read; long ago each took hours."""
+        """Submissions within the limits that once took hours."""
         folder = temporary_folder(self)
         many = lambda text, n=7 << 20: (text * (n // len(text)))[:n]
         plans = [{"q1_lily.csv": "H" + many(",")}, {"q1_lily.csv": "H\n" + many("1,")}, {"q1_lily.csv": many("0123456789,.")},
@@ -385,8 +385,8 @@ class Mark(unittest.TestCase):
         self.assertIn("notes.txt", process.stderr)
         self.assertEqual((marks / "ada" / "notes.txt").read_text(), "mine")
 
-    def test_of_runs_at_once_none_loses_a_student(self):
-        """Each marks another student into one new folder: one comes first, the others are refused. The same student may be marked by all."""
+    def test_concurrent_runs_lose_no_student(self):
+        """Several runs mark different students into one new folder: the first succeeds, the others are refused. All may mark the same student."""
         folder = temporary_folder(self)
         for names, codes in ((("ada", "bob", "eve"), [0, 4, 4]), (("ada", "ada", "ada"), [0, 0, 0])):
             out = folder / "-".join(names)
@@ -400,7 +400,7 @@ class Mark(unittest.TestCase):
             for end in ends:
                 self.assertTrue(end.returncode == 0 or "who is not among these submissions" in end.stderr, end.stderr)
 
-    def test_remarks_without_end_fill_no_cell(self):
+    def test_remarks_are_limited(self):
         folder = temporary_folder(self)
         keys = "".join(f"key{i} = 1\n" for i in range(60000))
         out, _ = self.marked(0, [self.zipped(folder / "ada.zip", {**self.right, "answers.toml": keys})])

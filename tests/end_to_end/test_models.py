@@ -1,4 +1,4 @@
-"""Models to turn: `render --glb`, and those of a report inside its page and beside it, read by readers that are not ours."""
+"""Models that readers can turn: `render --glb`, and the models of a report in its page and beside it, read by independent readers."""
 
 import base64
 import csv
@@ -102,7 +102,7 @@ def shifted(obj, shift):
 
 
 class MeshesAsGlb(unittest.TestCase):
-    """What commands write as GLB, read by a reader that is not ours."""
+    """GLB files of commands, read by an independent reader."""
 
     def written(self, text, name="mesh.obj"):
         folder = temporary_folder(self)
@@ -125,7 +125,7 @@ class MeshesAsGlb(unittest.TestCase):
             for a, b in zip(*(curvature(folder / f"{name}.csv", "h_cotan") for name in ("mesh.obj", "out.glb")), strict=True):
                 self.assertAlmostEqual(a, b, delta=2e-5)
 
-    def test_bodies_that_touch_are_nodes_of_their_own_and_said_for_stl(self):
+    def test_touching_bodies_are_separate_nodes_and_reported_for_stl(self):
         square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
         text = square + shifted(square, (1, 0, 0)) + "f 1 2 3\nf 1 3 4\nf 5 6 7\nf 5 7 8\n"
         glb, folder, said = self.written(text)
@@ -152,7 +152,7 @@ class MeshesAsGlb(unittest.TestCase):
 
 
 class Scripts(html.parser.HTMLParser):
-    """Scripts of a page: [(attributes, content)], and its policy."""
+    """Collects the scripts of a page as [(attributes, content)], and its policy."""
 
     def __init__(self, text):
         super().__init__()
@@ -200,7 +200,7 @@ class ReportModels(unittest.TestCase):
             self.assertEqual(glb.extras["value"]["unit"], units[file.removesuffix(".glb").rsplit("_", 1)[-1]], file)
 
     def test_the_page_holds_the_same_models_or_no_viewer_at_all(self):
-        """But for normals and colours, which its viewer works out itself."""
+        """Normals and colours are not compared: the viewer computes them."""
 
         def content(glb):
             return glb.json, {name: rows for name, rows in glb.attributes.items() if name not in ("NORMAL", "COLOR_0")}, glb.indices_of(glb.mesh)

@@ -1,4 +1,4 @@
-"""What is handed in, held against its limits: one report of the bundled meshes as it is by default, in its full size."""
+"""The limits of the report that is handed in, checked on a default report of the bundled meshes."""
 
 import html
 import json
@@ -33,21 +33,21 @@ SHOWS_RESULT_MESHES = ("q1", "q3", "q4", "q5", "q6", "q7")
 
 
 def figures_of(section):
-    """Those of a question that stand in the report."""
+    """Returns the figures of a question that are in the report, not in the appendix."""
     blocks = section["blocks"][: section.get("appendix_from")]
     shown = {block["id"] for block in blocks if block["kind"] == "figure"}
     return [figure for figure in section["figures"] if figure["id"] in shown]
 
 
 def six_sided(section):
-    """[(figure, panel)] in the report whose panel has all six directions, or of a flat mesh the one that shows something."""
+    """Returns [(figure, panel)] of the panels in the report with all six directions, or, for a flat mesh, with one."""
     panels = [(figure, panel) for figure in figures_of(section) for panel in figure["panels"]]
     return [(figure, panel) for figure, panel in panels
             if SIX <= {picture.get("view") for picture in panel["pictures"]} or "its other views are edge-on" in panel["label"]]
 
 
 def bare(words):
-    """Letters and digits alone, whatever lines, hyphens, indices and the letters of formulas are set like."""
+    """Returns letters and digits alone, independent of line breaks, hyphens, indices and mathematical letters."""
     return re.sub(r"[\W_]", "", unicodedata.normalize("NFKC", words))
 
 
@@ -125,7 +125,7 @@ class Paper(unittest.TestCase):
                     self.assertGreater((below.top - above.top) * POINTS, 9, (place, above.text, below.text))
 
     def test_columns_are_full(self):
-        """Text or a figure reaches the foot of both columns, but for a heading that would stand there alone."""
+        """Text or a figure reaches the foot of both columns, unless a heading would stand there alone."""
         foot = {}
         for line in lines_of(self.pdf()):
             for i, (left, right) in enumerate(COLUMNS):
@@ -135,7 +135,7 @@ class Paper(unittest.TestCase):
         short = {place: bottom for place, bottom in foot.items() if place[0] < last and bottom < 215}
         self.assertEqual(short, {})
 
-    def test_few_lines_are_loose(self):
+    def test_few_lines_are_loosely_spaced(self):
         loose, full = [], 0
         for line in self.running_text():
             if len(line.words) < 4 or line.right - line.left < 80:
@@ -167,7 +167,7 @@ class Paper(unittest.TestCase):
 
     # ---- words ----------------------------------------------------------------------------------------------------------
 
-    def test_nothing_leads_to_the_page(self):
+    def test_paper_has_no_link_to_the_page(self):
         self.assertNotIn("index.html", self.words())
 
     def test_no_other_report_is_named(self):
@@ -185,7 +185,7 @@ class Paper(unittest.TestCase):
     # ---- pictures -------------------------------------------------------------------------------------------------------
 
     def test_every_mesh_is_shown_from_six_directions(self):
-        """The assignment asks for it: in each question at least one panel, and one for each of its meshes."""
+        """The assignment requires a panel in each question, and one for each of its meshes."""
         for name in SHOWS_RESULT_MESHES:
             shown = [f"{figure['id']} {panel['label']}" for figure, panel in six_sided(self.questions[name])]
             self.assertTrue(shown, name)
@@ -225,8 +225,8 @@ class Paper(unittest.TestCase):
         self.assertEqual(process.returncode, 0, process.stderr)
         self.assertLessEqual((out / "submission.zip").stat().st_size / MEGABYTE, 30)
 
-    def test_the_page_is_no_scroll(self):
-        """A copy of the page, without the policy that lets no other script run, says how tall it is."""
+    def test_the_page_is_not_too_long(self):
+        """Measures the height with a script in a copy of the page without its policy."""
         if self.why:
             self.skipTest(self.why)
         browser = json.loads(run("doctor", "--json").stdout)["pdf_engine"]["program"]

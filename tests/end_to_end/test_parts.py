@@ -1,4 +1,4 @@
-"""Parts add up: sections renewed one at a time, or made apart and merged, are the report that one run makes, to the byte."""
+"""Sections that are renewed one at a time, or made apart and merged, give the same bytes as one run."""
 
 import json
 import shutil
@@ -57,7 +57,7 @@ class Parts(unittest.TestCase):
         self.assertEqual(process.stderr.count(": answered in "), 2, process.stderr)
         self.assertNotIn("only what was asked for", process.stderr)
 
-    def test_alone_it_is_a_part(self):
+    def test_with_alone_it_is_a_part(self):
         out = self.copy()
         self.ended(0, *QUICK, "--only", "q2", "--alone", "--out", out)
         self.assertEqual({s for s, state in status(out).items() if state != "skipped"}, {"q2"})
@@ -91,7 +91,7 @@ class Parts(unittest.TestCase):
         self.assertIn("another cube8.obj", self.ended(0, *small, "q2", "--size", 64, "--out", out, mesh).stderr)
 
     def test_a_report_that_is_scaled_down_is_renewed_and_merged(self):
-        """Renewed in part and made in parts it is the same; what it leaves out is there once it is named."""
+        """It is the same if renewed in part or made in parts; a section that it leaves out is there once it is named."""
         folder = temporary_folder(self)
         words = ["report", sample(folder, "creature"), "--quick", "--size", 64, "--time", 2]
         whole, renewed = folder / "whole", folder / "renewed"
@@ -112,7 +112,7 @@ class Parts(unittest.TestCase):
         self.assertEqual({s for s, state in status(merged).items() if state == "ok"}, {"q2", "q5"})   # as the whole of it leaves out
         self.assertEqual(sections(merged)[4], sections(whole)[4])
 
-    def test_a_mesh_that_a_data_folder_now_has_counts(self):
+    def test_a_mesh_that_appears_in_a_data_folder_is_another_input(self):
         data, out = temporary_folder(self), temporary_folder(self) / "out"
         (data / "curvatures").mkdir()
         shutil.move(sample(data, "plane", "obj", 1), data / "curvatures" / "plane.obj")
@@ -134,12 +134,12 @@ class Parts(unittest.TestCase):
 
     # ---- report --part and merge
 
-    def test_parts_are_the_whole(self):
+    def test_merged_parts_are_the_whole_report(self):
         for parts in (self.parts, self.parts[::-1], [*self.parts, *self.parts]):   # twice: what is undefined agrees with itself
             out, _ = self.merge(0, *parts)
             self.assertEqual(tree(out), tree(self.whole))
 
-    def test_some_parts_are_a_run_of_these_sections(self):
+    def test_some_merged_parts_are_a_report_of_these_sections(self):
         out, _ = self.merge(0, self.parts[2], self.parts[1])
         other = temporary_folder(self) / "out"
         ids = [s for s, state in status(out).items() if state == "ok"]
@@ -181,7 +181,7 @@ class Parts(unittest.TestCase):
         self.merge(2)
         self.ended(2, *base, "--part", one, "--out", two)
 
-    def test_a_section_that_two_parts_do_not_agree_on(self):
+    def test_a_section_that_differs_in_two_parts_is_refused(self):
         part = temporary_folder(self) / "part"
         shutil.copytree(self.parts[1], part)
         results = (part / "results.json").read_text()

@@ -27,7 +27,7 @@ def output_of(*words):
 
 
 def engine():
-    """The version of the engine that meshfolio finds; None: none."""
+    """Returns the version of the engine that meshfolio finds; None if there is none."""
     found = json.loads(run("doctor", "--json").stdout)["pdf_engine"]
     return found["version"] if found else None
 
@@ -47,7 +47,7 @@ def report(out, *arguments, only="q1,q2,q5,certificates", cwd=None, **environmen
 
 
 class Printed(unittest.TestCase):
-    """One small report printed once, looked at from all sides."""
+    """One small report, printed once for all tests."""
 
     @classmethod
     def setUpClass(cls):
@@ -74,7 +74,7 @@ class Printed(unittest.TestCase):
             pages = int(re.search(r"Pages: +(\d+)", output_of("pdfinfo", path))[1])
             self.assertTrue(1 <= pages <= MOST_PAGES, pages)
 
-    def test_says_what_it_is(self):
+    def test_has_title_author_and_language(self):
         for name, path in self.pdfs.items():
             said = output_of("pdfinfo", path)
             self.assertRegex(said, r"Tagged: +yes")
@@ -131,7 +131,7 @@ class Printed(unittest.TestCase):
         return output_of("pdftotext", "-layout", path, "-").split("\f")[:-1]
 
     def contents_of(self, folder):
-        """The opening table of the report, and the contents of the appendix."""
+        """Returns the text of the first page of the report and of the contents of the appendix."""
         contents = next(page for page in self.pages_of(folder / "appendix.pdf") if re.search(r"^ *Contents", page, re.M))
         return self.pages_of(folder / "report.pdf")[0], contents
 
@@ -163,7 +163,7 @@ class Printed(unittest.TestCase):
                 self.assertRegex(page, rf"\b{number} ?/ ?{len(pages)}\b")
 
     def test_no_figure_is_cut(self):
-        """Every picture is placed once, whole: a cut one is on two pages. And its caption is on its page."""
+        """Every picture is on one page, with its caption: a cut picture would be on two."""
         for name, path in self.pdfs.items():
             placed = {}
             for line in output_of("pdfimages", "-list", path).splitlines()[2:]:
@@ -180,7 +180,7 @@ class Printed(unittest.TestCase):
                     self.assertRegex(text[pages[0] - 1], r"Figure [0-9A-Z]+\.\d+\.")
 
     def test_every_link_leads_somewhere(self):
-        """Within its volume, that is: what is in the other one is named, and is no link."""
+        """Links stay within their volume: references to the other one are text."""
         for _, path in self.pdfs.items():
             objects = json.loads(output_of("qpdf", "--json=2", "--json-key=qpdf", path))["qpdf"][1]
             values = [found["value"] for found in objects.values() if isinstance(found.get("value"), dict)]
@@ -195,7 +195,7 @@ class Printed(unittest.TestCase):
                     self.assertIn(link["/Dest"], places)
 
     def test_words_of_figures_are_seven_points_high_at_least(self):
-        """Names of views and notes of legends: they are text, and a box around a word is at least as high as its font is large."""
+        """Checks names of views and notes of legends: the box around a word is at least as high as its font size."""
         heights = [(float(match["bottom"]) - float(match["top"]), match["word"]) for match in re.finditer(
             r'<word xMin="[^"]*" yMin="(?P<top>[^"]*)" xMax="[^"]*" yMax="(?P<bottom>[^"]*)">(?P<word>[+−][xyz]|above|below|undefined)</word>',
             output_of("pdftotext", "-bbox-layout", self.pdf, "-"))]
@@ -242,7 +242,7 @@ class Again(unittest.TestCase):
 
 
 class Engines(unittest.TestCase):
-    """What happens without one, or with one that does not do its work."""
+    """Runs without an engine, or with one that does not work."""
 
     def setUp(self):
         self.folder = temporary_folder(self)
@@ -272,13 +272,13 @@ class Engines(unittest.TestCase):
         self.assertTrue((self.folder / "out" / "index.html").exists())
         self.assertEqual(list((self.folder / "out").glob("*.pdf")), [])
 
-    def test_off_asks_for_none(self):
+    def test_off_looks_for_no_engine(self):
         process = self.report("--pdf", "off", "--pdf-browser", self.browser("exit 1"))
         self.assertEqual(process.returncode, 0)
         self.assertNotIn("warning", process.stderr)
         self.assertEqual(list((self.folder / "out").glob("*.pdf")), [])
 
-    def test_one_that_prints_nothing_is_not_believed(self):
+    def test_an_engine_that_prints_nothing_is_an_error(self):
         for script in ("exit 0", "echo crashed >&2; kill -SEGV $$", "echo no PDF > page.pdf", "echo not today >&2; exit 3"):
             with self.subTest(script=script):
                 process = self.report("--pdf", "auto", "--pdf-browser", self.browser(script))

@@ -1,4 +1,4 @@
-"""`report --plan` and `--time`: what is said is what is done, and replayed with the same bytes."""
+"""`report --plan` and `--time`: the report does what the plan says, and gives the same bytes again."""
 
 import json
 import resource
@@ -18,7 +18,7 @@ class Plans(unittest.TestCase):
         self.assertEqual(process.returncode, 0, process.stderr)
         return json.loads(process.stdout)
 
-    def test_a_plan_works_on_nothing_and_is_the_same_again(self):
+    def test_a_plan_computes_nothing_and_is_reproducible(self):
         out = self.folder / "out"
         for words in ([], [self.mesh], [self.mesh, "--time", 5], [self.mesh, "--quick", "--only", "q4,stability"]):
             plan = self.plan("--out", out, *words)
@@ -29,7 +29,7 @@ class Plans(unittest.TestCase):
         self.assertFalse(out.exists())
         self.assertEqual([s["id"] for s in plan["sections"]], ["q4", "stability"])
 
-    def test_a_report_does_what_is_planned_and_again(self):
+    def test_a_report_does_what_is_planned_reproducibly(self):
         words = [self.mesh, "--time", 4, "--only", "q5,stability,certificates", "--alone", "--no-timings", "--size", 64]
         planned = {s["id"]: s for s in self.plan(*words)["sections"]}
         trees = []

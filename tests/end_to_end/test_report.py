@@ -1,4 +1,4 @@
-"""A quick report, end to end: every promised file, well-formed, linked, the same bytes again; failures shown and told."""
+"""A quick report from end to end: all files, well-formed, linked, with the same bytes again; failures are shown."""
 
 import csv
 import html.parser
@@ -19,7 +19,7 @@ QUESTIONS = re.findall(r"^  (q\d+) ", run("list").stdout, re.MULTILINE)
 
 
 class Page(html.parser.HTMLParser):
-    """Links, pictures and ids of an HTML page."""
+    """Collects the links, pictures and ids of an HTML page."""
 
     def __init__(self, text):
         super().__init__()
@@ -108,7 +108,7 @@ class QuickReport(unittest.TestCase):
                 self.assertFalse(re.match(r"(https?:)?//", target) and "doi.org" not in target, target)
 
     def test_each_block_stands_in_one_volume(self):
-        """Blocks of a question up to `appendix_from` in the report, the others and whole supporting sections in the appendix."""
+        """Blocks of a question before `appendix_from` are in the report; all others, and supporting sections, are in the appendix."""
         report, appendix = (Page((self.out / name).read_text()).ids for name in PAGES)
         for section in self.results["questions"] + self.results["supporting"]:
             first = len(section["blocks"]) if "appendix_from" not in section else section["appendix_from"]
@@ -144,11 +144,11 @@ class QuickReport(unittest.TestCase):
             if anchor:
                 self.assertIn(anchor, anchors[file or source], f"{source}: {target}")
 
-    def test_nothing_undefined_is_written_as_a_number(self):
+    def test_undefined_values_are_not_written_as_numbers(self):
         for path in [*self.out.glob("tables/*.csv"), self.out / "results.json", self.out / "summary.md"]:
             self.assertIsNone(re.search(r"(?<![a-z])-?(nan|inf|infinity)(?![a-z])", path.read_text(), re.I), path)
 
-    def test_no_mark_of_the_templates_is_left(self):
+    def test_no_template_tag_is_left(self):
         for words in words_in(self.results):
             self.assertIsNone(re.search(r"\[\[|\{\{", words), words)
 
@@ -262,8 +262,8 @@ class OwnMesh(unittest.TestCase):
         self.assertEqual(tree(folder / "elsewhere" / "again"), tree(folder / "out"))
 
     def require_apart(self, out, results, mesh):
-        """An id is question, mesh, what. Where one `what`, or one id of no mesh, ends in another `what`, two meshes could share an id:
-        "mistake_errors" of cube would be "errors" of cube_mistake."""
+        """An id is question, mesh and subject. If a subject ended in another one, two meshes could share an id: "mistake_errors" of cube would be
+        "errors" of cube_mistake."""
         ids = {p.stem for p in out.rglob("*")} | set(ids_in(results))
         for question in {q["id"] for q in results["questions"] + results["supporting"]}:
             here = {i.removeprefix(question + "_") for i in ids if i.startswith(question + "_")}

@@ -1,4 +1,4 @@
-"""A quick report handed in: what the archive holds, that it can be checked, and each reason to refuse one."""
+"""A quick report is submitted: the contents of the archive, its checks, and each reason to refuse a report."""
 
 import json
 import re
@@ -21,7 +21,7 @@ PAPERS = ("report.pdf", "appendix.pdf")
 
 
 def renew_sums(out):
-    """SHA256SUMS as if the report had been written so."""
+    """Renews SHA256SUMS after a change to the report."""
     (out / "SHA256SUMS").write_text("".join(f"{value}  {path}\n" for path, value in sorted(tree(out).items()) if path != "SHA256SUMS"))
 
 
@@ -30,7 +30,7 @@ REPORT = Path(KEPT.name) / "out"
 
 
 def setUpModule():
-    """One quick report for all tests; each works on a copy."""
+    """Makes one quick report for all tests; each works on a copy."""
     global MADE
     MADE = quick_report(KEPT.name)[1]
     shutil.copytree(MADE, REPORT)
@@ -229,7 +229,7 @@ class Again(Reported):
 
 class Refusals(Reported):
     def refuse(self, code, expected, out, *options, pdf=False, author=AUTHOR):
-        """Ends with this code and one line that says `expected`; nothing on disk has changed."""
+        """Requires this exit code, one line with `expected`, and no change on the disk."""
         before = tree(out) if out.is_dir() else None
         named = ("--author", author) if author else ()
         process = run("submit", "--out", out, *named, *(() if pdf else ("--without-pdf",)), *options)
@@ -329,7 +329,7 @@ class Refusals(Reported):
         (out / "SHA256SUMS").unlink()
         self.refuse(3, "SHA256SUMS: is not there", out)
 
-    def test_results_that_are_none(self):
+    def test_results_that_cannot_be_read(self):
         out = self.copy()
         (out / "results.json").write_text('{"title": 7}')
         renew_sums(out)

@@ -1,4 +1,4 @@
-"""What a person sees on a terminal, and what a program or a log gets instead."""
+"""Output on a terminal, and output to a program or a log."""
 
 import fcntl
 import json
@@ -21,7 +21,7 @@ COLOUR = re.compile(r'\x1b\[[0-9;]+m')
 class Terminal(InFolder):
 
     def seen(self, *words, columns=80, **variables):
-        """Exit code, and what a terminal of so many columns is sent by stdout and stderr."""
+        """Runs the program on a terminal of this width. Returns exit code and output."""
         ours, theirs = pty.openpty()
         fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack('HHHH', 24, columns, 0, 0))
         environment = {name: value for name, value in os.environ.items() if name not in ('NO_COLOR', 'CLICOLOR', 'CLICOLOR_FORCE', 'COLUMNS')}
@@ -38,7 +38,7 @@ class Terminal(InFolder):
         return process.wait(), sent.decode().replace('\r\n', '\n')
 
     def require_narrow(self, text, columns, words):
-        """No line is wider, but for a word that is."""
+        """Requires that no line is wider, except for a single long word."""
         for line in re.split(r'[\n\r]', ESCAPE.sub('', text)):
             if len(line) > columns:
                 self.assertLessEqual(len(line.split()), 1, (words, columns, line))

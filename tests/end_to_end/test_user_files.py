@@ -1,4 +1,4 @@
-"""A folder that a command replaces keeps what is in it and not ours. One table of commands, one rule."""
+"""Commands that replace a folder keep the user's files in it."""
 
 import os
 import shutil
@@ -24,7 +24,7 @@ def git(folder, *words):
 
 
 def put_user_files(folder, edited):
-    """What a user may have in a folder of ours."""
+    """Puts files of the user into a folder that a command has made."""
     (folder / "thesis.tex").write_text("months of work")
     (folder / "thesis.tex").chmod(0o640)
     os.utime(folder / "thesis.tex", (1, 1_000_000_000))
@@ -46,7 +46,7 @@ def put_user_files(folder, edited):
 
 
 class Commands(unittest.TestCase):
-    """Each gives its words, the folder that it replaces, and a file of ours in it."""
+    """Each command: its words, the folder that it replaces, and one of its files."""
 
     @classmethod
     def setUpClass(cls):
@@ -93,7 +93,7 @@ class Commands(unittest.TestCase):
             git(out, "fsck", "--strict")
             self.assertEqual([line for line in git(out, "status", "--porcelain").splitlines() if not line.startswith("??")], [])
 
-    def test_each_command_keeps_what_is_the_users(self):
+    def test_each_command_keeps_the_users_files(self):
         for name, (words, out, edited) in self.commands().items():
             with self.subTest(name):
                 first = run(*words)
@@ -132,7 +132,7 @@ class Commands(unittest.TestCase):
         self.assertEqual(run("submit", "--out", out, "--author", "Ada", "--without-pdf").returncode, 3)
         self.assertEqual((out / "report.md").read_text(), "edited by hand")
 
-    def test_what_has_no_mark_of_ours_is_refused(self):
+    def test_a_folder_without_a_marker_is_refused(self):
         marks = {".meshfolio", ".meshfolio-marks", ".meshfolio-batch"}
         spoil = {
             "a folder": lambda path: path.mkdir(),
@@ -193,7 +193,7 @@ class Commands(unittest.TestCase):
         self.assertFalse((failed / "results.json").exists())
         self.assertIn("out.failed", process.stderr)
 
-    def test_pictures_that_are_not_ours(self):
+    def test_foreign_pictures_are_kept(self):
         words, out, _ = self.commands()["render"]
         self.assertEqual(run(*words).returncode, 0)
         ours = (out / "sheet.png").read_bytes()
@@ -208,7 +208,7 @@ class Commands(unittest.TestCase):
         self.assertEqual((out / "sheet.png.edited").read_bytes(), photo)
         self.assertEqual(((out / "photo.jpg").read_text(), os.readlink(out / "+x.png.edited")), ("a photo", "photo.jpg"))
 
-    def test_batch_believes_the_sums_alone(self):
+    def test_batch_trusts_only_the_sums(self):
         words, out, _ = self.commands()["batch"]
         first = run(*words)
         self.assertIn("done before", run(*words).stderr)

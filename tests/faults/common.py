@@ -1,5 +1,5 @@
-"""What the parts of the harness share: the program, folders of their own, reports old and new, system calls seen and made to fail.
-The program's path comes from the environment variable MESHFOLIO; with FAULTS_WHOLE every moment is tried instead of some."""
+"""Shared by the parts of the harness: runs of the program, folders, old and new reports, tracing and injecting system calls.
+The program's path comes from the environment variable MESHFOLIO; with FAULTS_WHOLE every moment is tried instead of a selection."""
 
 import collections
 import json
@@ -43,14 +43,14 @@ End = collections.namedtuple("End", "code out err seconds")
 
 
 def some(items, number):
-    """All of them with FAULTS_WHOLE, else so many, evenly spread, the first and the last among them."""
+    """Returns all with FAULTS_WHOLE, else `count` evenly spread ones, with the first and the last."""
     if WHOLE or len(items) <= number:
         return list(items)
     return [items[round(i * (len(items) - 1) / (number - 1))] for i in range(number)]
 
 
 def of_each_kind(calls):
-    """All of them with FAULTS_WHOLE, else the middle one of each name, two renames and the last of all: where what is on the disk changes."""
+    """Returns all with FAULTS_WHOLE, else the middle call of each name, two renames and the last call."""
     if WHOLE:
         return list(calls)
     kinds = {}
@@ -61,7 +61,7 @@ def of_each_kind(calls):
 
 
 def below(files, folder):
-    """Of a tree, what is in that folder."""
+    """Returns the part of a tree below a folder."""
     return {name.removeprefix(folder + "/"): value for name, value in files.items() if name.startswith(folder + "/")}
 
 
@@ -69,7 +69,7 @@ EDITED = {".meshfolio": "report.md", ".meshfolio-marks": "class.csv"}   # by the
 
 
 def add_user_files(folder):
-    """A file, a folder with an empty one, a link, and an edit of one of ours: a command that replaces the folder must keep them."""
+    """Adds a file, a folder with an empty one and a link, and edits one of our files: a command that replaces the folder must keep all."""
     (folder / "thesis.tex").write_text("months of work")
     (folder / "thesis.tex").chmod(0o640)
     (folder / "docs" / "empty").mkdir(parents=True)
@@ -81,7 +81,7 @@ def add_user_files(folder):
 
 
 def user_files_are_kept(folder):
-    """Those of add_user_files(), as they are or, what was edited, beside."""
+    """Returns the files of add_user_files(); an edited file may have its other name."""
     edited = next(name for mark, name in EDITED.items() if (folder / mark).exists())
     return ((folder / "thesis.tex").read_text() == "months of work" and (folder / "thesis.tex").stat().st_mode & 0o777 == 0o640 and
             (folder / "docs" / "empty").is_dir() and (folder / "docs" / "a").read_text() == "a" and os.readlink(folder / "link") == "/nowhere/at/all" and
@@ -93,12 +93,12 @@ def is_user_file(name):
 
 
 def ours(files):
-    """Of a tree, what a command put there."""
+    """Returns the files of a tree without those of the user."""
     return None if files is None else {name: value for name, value in files.items() if not is_user_file(name)}
 
 
 def sums_hold(folder):
-    """What `sha256sum -c SHA256SUMS` would say but for what the user edited, and that no file of ours is missing there."""
+    """True if SHA256SUMS lists all our files with their digests; files that the user edited do not count."""
     listed = dict(reversed(line.split("  ", 1)) for line in (folder / "SHA256SUMS").read_text().splitlines())
     found = {name: value for name, value in tree(folder).items() if name not in ("SHA256SUMS", ".gitignore") and not is_user_file(name)}
     listed.pop(".gitignore", None)
@@ -112,7 +112,7 @@ MADE = tempfile.TemporaryDirectory(prefix="meshfolio-faults-")   # reports that 
 
 
 class Faults(unittest.TestCase):
-    """A test in an empty folder, with a cache and a folder for temporary files of its own."""
+    """A test in an empty folder, with its own cache and folder for temporary files."""
 
     def setUp(self):
         self.folder = temporary_folder(self).resolve()
@@ -145,7 +145,7 @@ class Faults(unittest.TestCase):
         self.assertEqual(self.run_program("sample", name, "-o", path, *options).code, 0)
         return path
 
-    # ---- a report whose pictures have `size` pixels: so the old one is told from the new one
+    # ---- reports: old and new differ in the size of their pictures
 
     def report_words(self, out=None, size=64, threads=1, cached=False):
         words = ["report", "--quick", "--only", "q2", "--pdf", "off", "--no-timings", "--size", size, "--threads", threads]
@@ -155,7 +155,7 @@ class Faults(unittest.TestCase):
         return Path(MADE.name) / f"made-{size}" / "out"
 
     def report_tree(self, size):
-        """The files of such a report."""
+        """Makes such a report and returns its tree."""
         out = self.report_of(size)
         if not out.exists():
             end = self.run_program(*self.report_words(out, size))
@@ -164,14 +164,14 @@ class Faults(unittest.TestCase):
         return tree(out)
 
     def with_old_and_new(self):
-        """The trees of the old report, which is put in place, and of the new one, which report_words() makes."""
+        """Puts an old report in place. Returns its tree and the tree of the new report that report_words() makes."""
         old, new = self.report_tree(72), self.report_tree(64)
         self.assertNotEqual(old, new)
         self.restore_old()
         return old, new
 
     def with_renewal(self):
-        """The trees of a report of question 2, which is put in place, and of one that has a section more; the words that add it."""
+        """Puts a report of question 2 in place. Returns its tree, the tree with one section more, and the words that add it."""
         self.old_folder = self.report_of(64)
         old = self.report_tree(64)
         self.restore_old()
@@ -182,7 +182,7 @@ class Faults(unittest.TestCase):
         return old, new, words
 
     def with_parts(self):
-        """The trees of an old report, which is put in place, and of what two parts give; the words that merge them."""
+        """Puts an old report in place. Returns its tree, the tree of two merged parts, and the words that merge them."""
         self.old_folder = self.report_of(72)
         old, parts = self.report_tree(72), [self.folder / "certificates", self.folder / "q2"]
         for part in parts:
@@ -196,7 +196,7 @@ class Faults(unittest.TestCase):
         return old, new, words
 
     def with_marks(self):
-        """The trees of old marks, which are put in place, and of those for a better answer; the words that mark it."""
+        """Puts old marks in place. Returns their tree, the tree of the marks of a better answer, and the words that mark it."""
         self.old_folder = self.folder / "made-marks" / "out"
         rubric, student = self.folder / "rubric.toml", self.folder / "ada"
         rubric.write_text('[[item]]\nid = "kappa"\nwhat = "number"\nvalue = 2.0\npoints = 3\n')
@@ -213,7 +213,7 @@ class Faults(unittest.TestCase):
         return *trees, words
 
     def with_batch(self):
-        """The trees of an old batch, which is put in place, and of one with pictures of another size; the words that make it, and their exit code."""
+        """Puts an old batch in place. Returns its tree, the tree with pictures of another size, the words that make it, and their exit code."""
         self.old_folder = self.folder / "made-batch" / "out"
         words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "certificates", "--pdf", "off", "--no-timings", "--no-cache", "--jobs", 1, "--size"]
         trees = []
@@ -225,7 +225,7 @@ class Faults(unittest.TestCase):
         return *trees, [*words, 64, "--out", self.out], end.code
 
     def require_batch_of(self, old, new, when):
-        """Each report and each file of the index is the old one or the new one, whole; or, of what a kill left, has a name that is swept."""
+        """Requires each report and each file of the index to be the old or the new one, whole, or a leftover that will be swept."""
         now = tree(self.out)
         index = {name: value for name, value in now.items() if "/" not in name and not name.startswith(".")}
         for name, value in index.items():
@@ -249,7 +249,7 @@ class Faults(unittest.TestCase):
             add_user_files(self.out)
 
     def beside(self):
-        """Names beside the output, in the folder for temporary files and in the root of the cache."""
+        """Returns the names beside the output, in the folder for temporary files and in the root of the cache."""
         cache = self.folder / "cache" / "meshfolio"
         return ([p.name for p in self.place.iterdir() if p != self.out] + [p.name for p in (self.folder / "tmp").iterdir()] +
                 [p.name for p in (cache.iterdir() if cache.is_dir() else []) if p.name not in ("entries", "objects")])
@@ -261,7 +261,7 @@ class Faults(unittest.TestCase):
     # ---- system calls
 
     def calls(self, names, *arguments, within=None, code=0, **options):
-        """The calls of these names that touch the folder `within` (default: where outputs are), in a run that must end with `code`."""
+        """Returns the calls of these names that touch the folder `within` (default: that of outputs), in a run that must end with `code`."""
         log = self.folder / "trace"
         wrap = [*ONE_CPU, STRACE, "-f", "-y", "-qq", "-e", "signal=none", "-o", log, "-e", "trace=" + ",".join(names)]
         end = self.run_program(*arguments, wrap=wrap, **options)
@@ -272,7 +272,7 @@ class Faults(unittest.TestCase):
         return found
 
     def run_with(self, call, what, *arguments, limit=120):
-        """A run in which that call is tampered with ("error=ENOSPC", "signal=KILL"). @return its end, and whether the call came"""
+        """Runs the program and tampers with one call ("error=ENOSPC", "signal=KILL"). Returns its end, and whether the call was made."""
         log = self.folder / "trace"
         wrap = [*ONE_CPU, STRACE, "-f", "-qq", "-e", "signal=none", "-o", log, "-e", f"trace={call.name}", "-e", f"inject={call.name}:{what}:when={call.number}"]
         end = self.end(self.start(*arguments, wrap=wrap), limit)
@@ -280,7 +280,7 @@ class Faults(unittest.TestCase):
 
 
 def parsed_calls(log):
-    """Every call once per number: those of different threads that have the same number are met together."""
+    """Returns each number once: calls of different threads with the same number are tampered with together."""
     counts, seen, calls = collections.Counter(), set(), []
     for line in log.splitlines():
         match = re.match(r"(\d+) +([a-z0-9_]+)\((.*)", line)

@@ -1,5 +1,5 @@
-"""The same bytes whatever the time zone, date, locale, number of threads, working directory, output path, umask, other variables and state of
-memory. With --whole also: of programs built in differently named folders, with -O2 and with -O3."""
+"""Output has the same bytes for any time zone, date, locale, number of threads, working directory, output path, umask, environment and state
+of memory. With --whole also for programs built in differently named folders, with -O2 and with -O3."""
 
 import os
 import shutil
@@ -34,7 +34,7 @@ class Determinism(Faults):
         self.assertEqual(differing, [], what)
 
     def german(self):
-        """Variables of a locale with a decimal comma, made here; None where that cannot be."""
+        """Makes a locale with a decimal comma. Returns its variables; None if that is impossible."""
         locales = self.folder / "locales"
         locales.mkdir(exist_ok=True)
         if not shutil.which("localedef"):
@@ -88,7 +88,7 @@ class Determinism(Faults):
                 self.require_same(expected, self.made(name, words=words, **change), name)
 
     def large_mesh(self):
-        """30,324 vertices, 103,092 with --whole: two creatures side by side, irregular enough for threads to meet in one factor."""
+        """Writes a mesh of 30,324 vertices, 103,092 with --whole: two creatures, irregular enough for threads to share one factor."""
         path, points, faces = self.folder / "large.obj", [], []
         for shift, subdivide in ((0, 2 if WHOLE else 1), (10, 0)):
             end = self.run_program("sample", "creature", "--subdivide", subdivide, "-o", path)
@@ -118,7 +118,7 @@ class Determinism(Faults):
             self.require_same(expected, self.made("a", words=words, threads=threads), f"{threads} threads")
 
     def test_the_order_of_folders(self):
-        """Files made in another order are listed in another order."""
+        """The order in which files were made must not matter."""
         outs = []
         for order in (1, -1):
             data = self.folder / f"data{order}" / "meshes"

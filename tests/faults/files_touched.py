@@ -1,5 +1,5 @@
-"""Which files a run reads, writes and runs, on names made to mislead: only its inputs, the system's libraries, its outputs and its cache; no
-other program, no shell."""
+"""A run with misleading names touches only its inputs, the system's libraries, its outputs and its cache, and starts no other program and no
+shell."""
 
 import os
 import re
@@ -24,7 +24,7 @@ def unescaped(text):
 @needs_strace
 class FilesTouched(Faults):
     def touched(self, *words, **options):
-        """(call, paths, whether it is for writing, whether it succeeded) of the whole run."""
+        """Runs the program. Returns its end and [(call, paths, is for writing, has succeeded)]."""
         log = self.folder / "trace"
         wrap = [STRACE, "-f", "-y", "-qq", "-s", "4096", "-e", "signal=none", "-o", log, "-e", "trace=" + ",".join("?" + n for n in READING + CHANGING + RUNNING)]
         end = self.run_program(*words, wrap=wrap, **options)

@@ -1,4 +1,4 @@
-"""Killed at any moment (SIGKILL): the old report or the new one, whole; the next run works and removes what was left."""
+"""After SIGKILL at any moment the old or the new report is there, whole; the next run works and removes leftovers."""
 
 import json
 import os
@@ -17,7 +17,7 @@ STEPS = CHANGES if WHOLE else ["write", "rename", "renameat2", "unlinkat"]   # a
 
 
 def runs_into(folder):
-    """The command lines that name the folder."""
+    """Returns the command lines of processes that name the folder."""
     found = []
     for process in Path("/proc").glob("[0-9]*/cmdline"):
         try:
@@ -38,12 +38,12 @@ class Kill(Faults):
             self.assertTrue(user_files_are_kept(self.out), when)
 
     def edited(self, old):
-        """The tree of the old folder as add_user_files() leaves it."""
+        """Returns the tree of the old folder with the user's files."""
         name = EDITED[".meshfolio" if ".meshfolio" in old else ".meshfolio-marks"]
         return {**old, name: sha256(b"edited by hand").hexdigest()} if self.user_files else old
 
     def require_next_run(self, new, *words):
-        """From what the kill left, without restoring."""
+        """Requires the next run to succeed on the leftovers of the kill."""
         end = self.run_program(*words)
         self.assertEqual(end.code, 0, end.err)
         self.assertEqual(ours(tree(self.out)), new)
@@ -91,8 +91,8 @@ class Kill(Faults):
 
     @needs_strace
     def test_without_hard_links_the_next_run_finds_what_is_the_users(self):
-        """As on a file system without them: they are moved after the exchange, and a kill in between leaves them where the next run looks.
-        The same without an exchange of names, where two renames take its place."""
+        """Without hard links, files are moved after the exchange; after a kill in between the next run finds them. The same without an exchange of
+        names, which two renames replace."""
         _, new = self.with_old_and_new()
         self.user_files = True
         words = self.report_words()
@@ -177,7 +177,7 @@ class Kill(Faults):
         self.require_next_run(good, *words)
 
     def test_a_batch_at_random_moments(self):
-        """Every report that is there is whole, no process goes on alone, and in the end all is as by one run."""
+        """Every report is whole, no process goes on alone, and in the end all is like after one run."""
         words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "certificates", "--size", 64, "--no-timings", "--jobs", 2]
         straight = self.run_program(*words, "--out", self.folder / "straight")
         for _ in range(40 if WHOLE else 3):
@@ -196,7 +196,7 @@ class Kill(Faults):
 
     @needs_strace
     def test_before_system_calls_of_a_batch(self):
-        """Of the batch or of one of its reports, which costs its row: what is finished is not made again by the next run."""
+        """Kills the batch or one of its reports, which affects its row only: the next run does not make finished reports again."""
         old, new, words, code = self.with_batch()
         points = self.calls(STEPS, *words, code=code)
         of_index = [c for c in points if any(Path(path).parent == self.out for path in c.paths)]
@@ -218,7 +218,7 @@ class Kill(Faults):
         self.assertEqual(runs_into(self.out), [])
 
     def test_folders_of_a_dead_printer_are_swept(self):
-        """A browser's folder, left by a run that was killed while printing; that of a living one stays."""
+        """The folder of a browser is removed after its run was killed while printing; that of a running one stays."""
         gone = self.start("--version")
         self.end(gone)
         dead = self.folder / "tmp" / f"meshfolio-print-{gone.pid}-abcdef"

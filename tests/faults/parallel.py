@@ -1,4 +1,4 @@
-"""Several runs into one place: one of them wins whole."""
+"""Of several runs into one folder, one leaves its whole output."""
 
 import shutil
 import unittest

@@ -1,4 +1,4 @@
-"""Interrupted: exit code 128 + signal, soon, nothing left behind; also while a browser prints, and by the key of a terminal."""
+"""An interrupted run ends soon with exit code 128 + signal and leaves nothing; also while a browser prints, and by Ctrl-C on a terminal."""
 
 import fcntl
 import os
@@ -41,7 +41,7 @@ def is_alive(pid):
 
 
 def stopped_child(strace):
-    """The number of the traced program once its first thread stands still; None when it ended before."""
+    """Returns the process number of the traced program once its first thread stands still; None if it has ended."""
     still, limit = 0, time.monotonic() + 60
     while strace.poll() is None and time.monotonic() < limit:
         try:
@@ -146,7 +146,7 @@ class Signals(Faults):
 
     @unittest.skipUnless(shutil.which("c++"), "no compiler for a library that begins a thread")
     def test_a_thread_that_a_library_began(self):
-        """Begun before main(), it blocks no signal."""
+        """A thread that begins before main() blocks no signal."""
         source, library = self.folder / "thread.c", self.folder / "thread.so"
         source.write_text(THREAD_BEFORE_MAIN)
         subprocess.run(["c++", "-x", "c", "-shared", "-fPIC", "-pthread", "-o", library, source], check=True)
@@ -170,7 +170,7 @@ class Signals(Faults):
         self.assertEqual(tree(self.out), new)
 
     def test_a_reader_that_does_not_read(self):
-        """The writer waits for ever; a signal ends it nevertheless, although its last words would have to wait as well."""
+        """The writer waits for ever; a signal ends it although its message cannot be written."""
         mesh = self.mesh("torus", "--subdivide", 1)
         reading, writing = os.pipe()
         process = self.start("curvature", mesh, "--csv", "-", stdout=writing, stderr=writing)
@@ -194,7 +194,7 @@ class Signals(Faults):
 
 
 def shown_on(terminal):
-    """All that waits there; it comes in as many pieces as were written."""
+    """Reads everything that is available."""
     shown = b""
     while select.select([terminal], [], [], 1)[0]:
         try:
@@ -205,7 +205,7 @@ def shown_on(terminal):
 
 
 class Printing(Faults):
-    """While a browser prints that would never end."""
+    """Interrupted runs with a browser that never ends."""
 
     def start_printing(self, **options):
         browser, pids = self.folder / "browser", self.folder / "pids"
@@ -237,7 +237,7 @@ class Printing(Faults):
             (self.folder / "pids").unlink()
 
     def test_by_the_key_of_a_terminal(self):
-        """Ctrl-C goes to the group in the foreground, which the browser is not in."""
+        """Ctrl-C goes to the foreground group, to which the browser does not belong."""
         master, slave = pty.openpty()
         self.addCleanup(os.close, master)
         self.environment["TERM"] = "xterm"

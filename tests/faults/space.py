@@ -1,5 +1,5 @@
-"""Disks that are full, read-only or broken, files that may not grow: exit 4, one line that names the path and the system's reason, the old
-output as it was."""
+"""With a full, read-only or broken disk, or a limit on file size, a run ends with code 4 and one line that names the path and the reason; the
+old output stays."""
 
 import json
 import os
@@ -15,7 +15,7 @@ REASONS = {"ENOSPC": "No space left on device", "EIO": "Input/output error", "ED
 
 
 def writing(calls):
-    """Those whose error is one of the output: not of what is opened, read and closed again."""
+    """Returns the calls that write output, without files that are only read."""
     created = {}
     for call in calls:
         if call.name == "openat":
@@ -66,9 +66,9 @@ class Space(Faults):
 
     @needs_strace
     def test_each_failing_call_of_a_batch(self):
-        """Of the batch, which ends, or of its reports, each of which has a line; the next run makes what is missing."""
+        """Tampers with the batch, which ends, or with its reports, each of which has a line; the next run makes the missing reports."""
         old, new, words, code = self.with_batch()
-        # Each process has a call of that number: what is opened and closed as one begins is no output.
+        # Each process has a call of that number; files that it opens and closes at its beginning are no output.
         points = self.calls([name for name in WRITES if name not in ("openat", "close")], *words, code=code)
         of_index = [c for c in points if any(path.rsplit("/", 1)[0] == str(self.out) for path in c.paths)]
         for call in [*some(points, 3), *of_each_kind(of_index)]:
@@ -104,7 +104,7 @@ class Space(Faults):
     @needs_strace
     @unittest.skipUnless(WHOLE, "with --whole only: tests/base/parallel_tasks_test.cpp asks for the same in little time")
     def test_a_failing_call_while_other_threads_work(self):
-        """strace counts for each thread: which file has the number differs from run to run, and where none has it all is well."""
+        """strace counts per thread: the file with the number differs from run to run; if no call has it, the run succeeds."""
         old, _ = self.with_old_and_new()
         words, whole = (["q2,q4" if word == "q2" else word for word in self.report_words(out, threads=2)] for out in (self.out, self.folder / "whole"))
         self.assertEqual(self.run_program(*whole).code, 0)
@@ -213,10 +213,10 @@ class Space(Faults):
 
 @needs_mount
 class Mounted(Faults):
-    """Each in a mount namespace of its own, which takes its mounts with it."""
+    """Each test has its own mount namespace, which ends with its mounts."""
 
     def in_mount(self, options, script, **environment):
-        """Runs the shell script with a new tmpfs at $M; it ends with what it found."""
+        """Runs the shell script with a new tmpfs at $M. Returns the finished process."""
         mount = self.folder / "mount"
         mount.mkdir(exist_ok=True)
         words = f"mount -t tmpfs -o {options} tmpfs \"$M\" && {{ {script}\n}}"
@@ -238,7 +238,7 @@ class Mounted(Faults):
             self.assertIn("No space left on device", process.stderr)
 
     def test_a_small_disk_under_a_batch(self):
-        """A mesh more than the disk holds: the report that is there stays, the other costs its row, until there is room."""
+        """If the disk has no room for a report, the other reports stay; the next run makes it once there is room."""
         options = ["--only", "certificates", "--pdf", "off", "--no-timings", "--no-cache", "--size", 64, "--out"]
         torus, cube = self.mesh(), self.mesh("cube8")
         self.assertIn(self.run_program("batch", torus, *options, self.out).code, (0, 1))
@@ -259,7 +259,7 @@ class Mounted(Faults):
         self.assertEqual(process.returncode, 0, process.stderr)
 
     def test_a_mount_point_leaves_the_users_files_alone(self):
-        """At a kill between two files as well, after which the next run keeps nothing of ours as edited."""
+        """Also after a kill between two files: the next run does not take our own files for edited ones."""
         report = self.REPORT.replace("$M/out", "$M")
         kept = '[ "$(cat "$M/thesis.tex")" = months ] && [ "$(cat "$M/docs/a")" = a ] && [ "$(readlink "$M/link")" = /nowhere ] && [ -d "$M/docs/empty" ]'
         put = 'mkdir -p "$M/docs/empty"; echo months > "$M/thesis.tex"; echo a > "$M/docs/a"; ln -s /nowhere "$M/link"; mkdir -p "$M/images"; echo mine > "$M/images/mine.txt"'

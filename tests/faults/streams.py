@@ -1,5 +1,5 @@
-"""Standard streams that are closed or full, in all combinations: the exit code is not 0 only where words were lost, and no output file ever
-takes a stream's number, so that nothing else is in it."""
+"""Closed and full standard streams in all combinations: the exit code is not 0 only if output was lost, and no output file gets the number
+of a stream."""
 
 import itertools
 import os
@@ -12,7 +12,7 @@ STATES = ["open", "closed", "full"]
 
 class Streams(Faults):
     def run_with_streams(self, states, *words):
-        """@return exit code"""
+        """Returns the exit code."""
         def prepare():
             for descriptor, state in enumerate(states):
                 if state == "closed":
@@ -32,7 +32,7 @@ class Streams(Faults):
             self.assertEqual(self.run_with_streams(states, "inspect", mesh), 0 if states[1] == "open" else 4, states)
 
     def test_a_command_that_writes_a_file_and_warns(self):
-        """Without --lambda it warns; its result is what it is with streams."""
+        """Without --lambda smooth warns; its result is the same as with streams."""
         mesh, result = self.mesh(), self.place / "x.ply"
         words = ["smooth", mesh, "-o", result]
         self.assertEqual(self.run_program(*words).code, 0)

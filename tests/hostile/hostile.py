@@ -31,7 +31,7 @@ NAMES = [
 
 
 def good_meshes():
-    """A tetrahedron in every format that is read."""
+    """Returns a tetrahedron in every format that is read."""
     points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
     text = "".join("%g %g %g\n" % p for p in points)
@@ -94,7 +94,7 @@ class Names(Hostile):
 
 
     def test_paths_on_a_terminal(self):
-        """What is printed for programs is the path itself; a terminal is not steered by it."""
+        """Output for programs has the path itself; on a terminal it is harmless."""
         cache = os.path.join(os.fsencode(self.folder), b"\x1b]0;title\x07\xff")
         out = subprocess.run([PROGRAM, "cache"], env={"XDG_CACHE_HOME": cache}, capture_output=True, check=True).stdout
         self.assertTrue(out.startswith(cache + b"/meshfolio\n"), out)
@@ -108,7 +108,7 @@ class Names(Hostile):
 
 
 class Nodes(Hostile):
-    """What is no regular file, for every option that names a file to read."""
+    """Files that are not regular, given to every option that names an input."""
 
     def nodes(self):
         folder = self.folder
@@ -358,7 +358,7 @@ class Numbers(Hostile):
                     self.judge(code, "inspect", self.write(name, text), says=name if code else None)
 
     def test_scales(self):
-        """All that is written is finite, or empty, at the edges of what is taken."""
+        """At the limits of accepted numbers, all output is finite or empty."""
         for scale in ("1e100", "1e-100", "1e-300", "5e-324", "1e-160", "1e75"):
             mesh = self.write("m.obj", TETRAHEDRON.replace("1 0 0", f"{scale} 0 0").replace("0 1 0", f"0 {scale} 0").replace("0 0 1", f"0 0 {scale}"))
             for words in (["curvature", mesh, "--jets"], ["inspect", mesh, "--json"], ["inspect", mesh], ["spectrum", mesh, "-k", "3"]):
@@ -390,7 +390,7 @@ class Numbers(Hostile):
 
 
 class Corpus(Hostile):
-    """Where MESHFOLIO_BAD_MESHES names a folder with a manifest.tsv: nothing undefined is written of what is taken."""
+    """Meshes of MESHFOLIO_BAD_MESHES, a folder with a manifest.tsv: output for accepted ones has no undefined numbers."""
 
     def test_numbers(self):
         folder = os.environ.get("MESHFOLIO_BAD_MESHES")

@@ -42,7 +42,7 @@ def limits(as_nobody, seconds=SECONDS):
 
 
 class Hostile(unittest.TestCase):
-    """A test in an empty folder of its own, in which nothing may appear that was not asked for."""
+    """A test in an empty folder, in which no unexpected file may appear."""
 
     def setUp(self):
         self.folder = temporary_folder(self)
@@ -61,13 +61,13 @@ class Hostile(unittest.TestCase):
                               preexec_fn=limits(as_nobody))
 
     def copy_of_the_program(self):
-        """One that everybody may run: the folders above the build may be closed."""
+        """Copies the program to a folder where every user may run it."""
         folder = temporary_folder(self)
         os.chmod(folder, 0o755)
         return shutil.copy(PROGRAM, folder)
 
     def judge(self, codes, *words, says=None, as_nobody=False):
-        """The run ends with one of the exit codes and tells of it in a few harmless lines, one if it is an error of a single file."""
+        """Requires a run to end with one of the exit codes and a few harmless lines, one if a single file is wrong."""
         codes = codes if isinstance(codes, tuple) else (codes,)
         outcome = Outcome(self.start(*words, as_nobody=as_nobody))
         told = f"{words!r:.300} ended with {outcome.code}: {outcome.err[:600]}"

@@ -58,7 +58,7 @@ def equal_triangles(n):
 
 
 def nearly_equal_triangles(n):
-    """Large triangles on planes that differ little, each seen somewhere."""
+    """Returns large triangles on nearly equal planes, each visible somewhere."""
     points, faces = [], []
     for i in range(n):
         turn = 2 * math.pi * i / n
@@ -72,14 +72,14 @@ def on_one_edge(n):
 
 
 def shells(n):
-    """Tetrahedra within one another."""
+    """Returns nested tetrahedra."""
     corners = [(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)]
     faces = [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)]
     return obj([[(1 + i) * x for x in p] for i in range(n) for p in corners], [[4 * i + v for v in f] for i in range(n) for f in faces])
 
 
 def comb(n):
-    """Equal cubes side by side, which have one spectrum many times."""
+    """Returns equal cubes side by side, which repeat one spectrum."""
     corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
     quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     return obj([(2 * i + x, y, z) for i in range(n) for x, y, z in corners], [[8 * i + v for v in q] for i in range(n) for q in quads])
@@ -91,23 +91,23 @@ def needles(n):
 
 
 def one_point(n):
-    """Triangles whose corners all coincide but for one."""
+    """Returns triangles with coincident corners except for one."""
     return obj([(0, 0, 0)] * (2 * n) + [(1, 0, 0), (0, 1, 0)], [(2 * i, 2 * i + 1, 2 * n + i % 2) for i in range(n)])
 
 
 def polygon(n):
-    """A star of n corners, not convex."""
+    """Returns a star polygon with n corners, not convex."""
     return obj([(r * math.cos(math.pi * i / n), r * math.sin(math.pi * i / n), 0) for i in range(2 * n) for r in [1 if i % 2 else 0.1]], [range(2 * n)])
 
 
 def sizes(n):
-    """Triangles of every size that is read."""
+    """Returns triangles of every accepted size."""
     return obj([(s * x, s * y, s) for i in range(n) for s in [10.0 ** (i % 199 - 99)] for x, y in ((0, 0), (1, 0), (0, 1))],
                [(3 * i, 3 * i + 1, 3 * i + 2) for i in range(n)])
 
 
 def instances(n):
-    """A GLB of a tetrahedron of triangles that touch in a corner, put on a sphere by n nodes: every part is as near to the centre."""
+    """Returns a GLB in which n nodes place a tetrahedron on a sphere, so that all parts have the same distance from the centre."""
     corners = [(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)]
     faces = [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)]
     data = b"".join(struct.pack("<3f", *p) for p in corners) + b"".join(struct.pack("<3H", *f) for f in faces)
@@ -142,7 +142,7 @@ def groups(n):
 
 
 def properties(n):
-    """A PLY of n values a vertex."""
+    """Returns a PLY with n values per vertex."""
     header = ["ply", "format ascii 1.0", "element vertex 3"] + [f"property double {x}" for x in "xyz"] + [f"property float p{i}" for i in range(n)]
     header += ["element face 1", "property list uchar int vertex_indices", "end_header"]
     rows = [p + " 0" * n for p in ("0 0 0", "1 0 0", "0 1 0")]

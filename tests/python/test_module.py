@@ -1,4 +1,4 @@
-"""The Python module against what NumPy and SciPy compute of the same meshes. Skipped (77) where NumPy or SciPy is missing."""
+"""Compares the Python module with NumPy and SciPy on the same meshes. Skipped (77) if NumPy or SciPy is missing."""
 
 import ast
 import copy
@@ -30,7 +30,7 @@ SOURCE = Path(__file__).resolve().parents[2]
 
 
 def triangle_geometry(mesh):
-    """Corners (m x 3 x 3), angles and cotangents (m x 3, of corner k), areas (m)."""
+    """Returns corners (m x 3 x 3), angles and cotangents (m x 3, of corner k) and areas (m)."""
     corners = mesh.vertices[mesh.faces]
     u, v = np.roll(corners, -1, axis=1) - corners, np.roll(corners, -2, axis=1) - corners
     dots, crosses = np.einsum("tki,tki->tk", u, v), np.linalg.norm(np.cross(u, v), axis=2)
@@ -38,7 +38,7 @@ def triangle_geometry(mesh):
 
 
 def cotangent_laplacian(mesh):
-    """C_ij = (cot alpha + cot beta)/2 off the diagonal, rows summing to 0; M a third of the areas around."""
+    """Returns C with C_ij = (cot alpha + cot beta)/2 and rows that sum to 0, and M with a third of the areas around each vertex."""
     _, _, cotangents, areas = triangle_geometry(mesh)
     n = len(mesh.vertices)
     C = scipy.sparse.csc_matrix((n, n))
@@ -86,7 +86,7 @@ class Arrays(unittest.TestCase):
                 np.testing.assert_array_equal(read.vertices, mesh.vertices)
                 np.testing.assert_array_equal(read.faces, mesh.faces)
 
-    def test_lists_are_taken_and_repairs_are_told(self):
+    def test_lists_are_accepted_and_repairs_are_reported(self):
         square = meshfolio.Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 3, 2], [0, 1, 2]])
         self.assertEqual(len(square.faces), 2)
         self.assertGreaterEqual(len(square.warnings), 2, square.warnings)
@@ -100,7 +100,7 @@ class Attributes(unittest.TestCase):
             "flow": np.arange(16, dtype=np.float32).reshape(8, 2), "inside": np.arange(8) % 2 == 0,
         }  # fmt: skip
 
-    def test_what_is_set_is_saved_read_again_and_kept_by_new_positions(self):
+    def test_attributes_are_saved_read_again_and_kept_by_new_positions(self):
         self.mesh.attributes.update(self.given)
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "cube.ply"
@@ -134,7 +134,7 @@ class Attributes(unittest.TestCase):
                     meshfolio.save(other, path)
                     self.assertIn(words, path.read_bytes())
 
-    def test_what_fits_no_mesh_is_refused(self):
+    def test_arrays_that_do_not_fit_are_refused(self):
         for values, words in (([1.0] * 7, "7 values, the mesh has 8 vertices"), (["a"] * 8, "no numbers"), (np.zeros((8, 1, 1)), "axis")):
             for setting in (lambda a: a.__setitem__("wrong", values), lambda a: a.update(wrong=values), lambda a: a.setdefault("wrong", values)):
                 with self.subTest(words=words), self.assertRaisesRegex(meshfolio.MeshError, f"'wrong'.*{words}"):
@@ -143,7 +143,7 @@ class Attributes(unittest.TestCase):
             with self.assertRaisesRegex(meshfolio.MeshError, words):
                 meshfolio.Mesh(self.mesh.vertices, self.mesh.faces, attributes={"wrong": values})
 
-    def test_copies_are_alike_and_apart(self):
+    def test_copies_are_equal_and_independent(self):
         mesh = meshfolio.noise(meshfolio.Mesh(self.mesh.vertices, self.mesh.faces, "named", self.given), 0.01)
         copies = [mesh.copy(), copy.copy(mesh), copy.deepcopy(mesh), pickle.loads(pickle.dumps(mesh))]
         for other in copies:
@@ -162,7 +162,7 @@ class Attributes(unittest.TestCase):
 
 
 class Measures(unittest.TestCase):
-    def test_they_are_those_of_a_cube_and_of_an_open_sheet(self):
+    def test_measures_of_a_cube_and_of_an_open_sheet_are_right(self):
         cube = meshfolio.sample("cube8")
         self.assertEqual((cube.n_points, cube.n_cells, cube.euler_number, cube.is_watertight), (8, 12, 2, True))
         np.testing.assert_array_equal(cube.bounds, [cube.vertices.min(axis=0), cube.vertices.max(axis=0)])
@@ -225,7 +225,7 @@ class Errors(unittest.TestCase):
             meshfolio.load(Path("no") / "mesh.ply")
         self.assertEqual(caught.exception.errno, errno.ENOENT)
 
-    def test_what_is_cut_or_grows_is_warned_of(self):
+    def test_truncated_spectra_and_growing_modes_are_warned_of(self):
         mesh = meshfolio.sample("cube8")
         with self.assertWarnsRegex(RuntimeWarning, "has 8 modes, fewer than the 9 asked for"):
             self.assertEqual(len(meshfolio.spectrum(mesh, 9).eigenvalues), 8)
@@ -276,7 +276,7 @@ class Numbers(unittest.TestCase):
         self.assertEqual((facts["vertices"], facts["euler_characteristic"]), (len(self.mesh.vertices), 2))
         self.assertAlmostEqual(facts["area"], triangle_geometry(self.mesh)[3].sum(), delta=1e-12)
 
-    def test_curvatures_are_those_of_their_formulas(self):
+    def test_curvatures_agree_with_their_formulas(self):
         mesh = meshfolio.sample("torus")
         columns = meshfolio.curvature(mesh, jets=True)
         self.assertLessEqual({"area", "h_uniform", "k_gauss", "h_cotan", "h_uniform_scaled", "h_jet", "k_jet"}, set(columns))
@@ -289,7 +289,7 @@ class Numbers(unittest.TestCase):
         np.testing.assert_allclose(columns["k_gauss"], deficits / M, atol=1e-9)
         self.assertTrue(np.isnan(meshfolio.curvature(meshfolio.sample("lily"))["k_gauss"]).any(), "undefined on the boundary")
 
-    def test_steps_are_those_of_their_formulas(self):
+    def test_smoothing_steps_agree_with_their_formulas(self):
         C, M = cotangent_laplacian(self.mesh)
         X, limit = self.mesh.vertices, 2 / all_eigenvalues(self.mesh)[-1]
         explicit = meshfolio.smooth(self.mesh, 0.3 * limit)
@@ -405,7 +405,7 @@ class LongCalls(unittest.TestCase):
 
 
 class Stubs(unittest.TestCase):
-    def test_stubs_name_all_that_is_there_and_everything_is_explained(self):
+    def test_stubs_and_docstrings_are_complete(self):
         stubs = ast.parse((SOURCE / "src/python/meshfolio/__init__.pyi").read_text(encoding="utf-8"))
         named = {node.name: node for node in stubs.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
         self.assertEqual(set(named), set(meshfolio.__all__))

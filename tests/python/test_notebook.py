@@ -1,4 +1,4 @@
-"""The example notebook, executed: every cell runs, and what it shows is there. Skipped (77) where nbclient is missing."""
+"""Executes the example notebook and checks its outputs. Skipped (77) if nbclient is missing."""
 
 import sys
 import unittest
@@ -17,7 +17,7 @@ NOTEBOOK = Path(__file__).resolve().parents[2] / "data/notebooks/refinement.ipyn
 
 
 class Notebook(unittest.TestCase):
-    def test_it_is_kept_without_outputs_runs_and_shows_mesh_pictures_and_plot(self):
+    def test_it_has_no_stored_outputs_runs_and_shows_pictures_and_a_plot(self):
         notebook = nbformat.read(NOTEBOOK, as_version=4)
         code = [cell for cell in notebook.cells if cell.cell_type == "code"]
         self.assertTrue(all(not cell.outputs and cell.execution_count is None for cell in code))

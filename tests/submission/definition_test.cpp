@@ -7,7 +7,7 @@
 namespace meshfolio::submission {
 namespace {
 
-/// Everything that is not the definition comes before it.
+/// Text in which calls, declarations and comments come before each definition.
 const std::string cpp_text = R"text(#include "area.h"
 // double area(double r) { in a comment }
 /* double area(double r) {
@@ -59,7 +59,7 @@ inline constexpr bool operator==(const Disk& a, const Disk& b) { return true; }
 }   // namespace shapes
 )text";
 
-/// The line itself.
+/// Returns the text of the line that defines a name.
 std::string found(const std::string& name) {
     long line = definition_line(cpp_text, name);
     if (line == 0) return "";
@@ -70,12 +70,12 @@ std::string found(const std::string& name) {
 
 }   // namespace
 
-TEST(Definition, IsNeitherCallNorDeclarationNorMemberNorComment) {
+TEST(Definition, IsNoCallDeclarationMemberOrComment) {
     EXPECT_EQ(found("area"), "area(const Number& r, const Options& options = {}) {") << "the line with the name, not that of its type";
     EXPECT_EQ(found("twice"), "double twice(double r) {");
 }
 
-TEST(Definition, OfTypesAndMembers) {
+TEST(Definition, OfATypeOrMemberIsFound) {
     EXPECT_EQ(found("Kind"), "enum class Kind { one, two };");
     EXPECT_EQ(found("Disk"), "class Disk final : public Wrapper, Shape<int> {") << "not its declaration, not its constructor";
     EXPECT_EQ(found("Disk::Part"), "struct Disk::Part {");
@@ -83,7 +83,7 @@ TEST(Definition, OfTypesAndMembers) {
     EXPECT_EQ(found("size"), "double Disk::size() const try {") << "no function has this name alone";
 }
 
-TEST(Definition, OfUndefinedNamesIsNotFound) {
+TEST(Definition, OfAnUndefinedNameIsNotFound) {
     for (const char* name : {"", "volume", "words", "unit", "are", "rea", "shapes", "other_", "third_", "MAKE", "if", "Wrapper::area"})
         EXPECT_EQ(definition_line(cpp_text, name), 0) << name;
     EXPECT_EQ(definition_line("double area(double r);\ndouble s = area(2);\n", "area"), 0);

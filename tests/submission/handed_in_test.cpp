@@ -39,9 +39,9 @@ std::uint32_t crc_of(const std::string& bytes) {
     return ~crc;
 }
 
-/// A zip of one stored file, by the format's own description. @param mode  of Unix, in the upper half of the external attributes
+/// Returns a zip of one stored file, made by the specification of the format. @param mode  of Unix, in the external attributes
 std::string zip_of(const std::string& name, const std::string& bytes, std::uint32_t mode = 0100644) {
-    std::string common;   // what both headers share, from "version needed" on
+    std::string common;   // fields of both headers, from "version needed" on
     append_number(common, 20, 2);
     append_number(common, 0, 2 + 2);
     append_number(common, 0x00210000, 4);   // 1 January 1980
@@ -86,7 +86,7 @@ TEST(HandedIn, AFolderAndAZipGiveTheSameFiles) {
     EXPECT_TRUE(read_handed_in(folder.write("d.zip", zip_of("run.sh", "#!"))).empty());
 }
 
-TEST(HandedIn, TricksInPathsAreNamed) {
+TEST(HandedIn, MaliciousPathsAreRefusedWithTheReason) {
     EXPECT_NE(refusal_of_zip(zip_of("../h.csv", "1")).find("leads outside"), std::string::npos);
     EXPECT_NE(refusal_of_zip(zip_of("a/../../h.csv", "1")).find("leads outside"), std::string::npos);
     EXPECT_NE(refusal_of_zip(zip_of("/etc/h.csv", "1")).find("absolute"), std::string::npos);
@@ -103,7 +103,7 @@ TEST(HandedIn, LinksInAFolderAreRefused) {
     EXPECT_NE(refusal_of(folder.path()).find("is a link"), std::string::npos);
 }
 
-TEST(HandedIn, LimitsHold) {
+TEST(HandedIn, FilesBeyondALimitAreRefused) {
     const std::string zip = zip_of("h.csv", std::string(1000, '1'));
     EXPECT_EQ(refusal_of_zip(zip), "");
     EXPECT_NE(refusal_of_zip(zip, {.largest_file = 999}).find("is larger"), std::string::npos);
@@ -111,7 +111,7 @@ TEST(HandedIn, LimitsHold) {
     EXPECT_NE(refusal_of_zip(zip, {.most_entries = 0}).find("entries"), std::string::npos);
 }
 
-TEST(HandedIn, WhatIsNoZipIsRefusedAndNamed) {
+TEST(HandedIn, AFileThatIsNoZipIsRefusedByName) {
     EXPECT_NE(refusal_of_zip("no zip at all").find("ada.zip"), std::string::npos);
     EXPECT_NE(refusal_of_zip(zip_of("h.csv", "12345").substr(0, 30)).find("ada.zip"), std::string::npos);
 }

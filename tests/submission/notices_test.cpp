@@ -1,4 +1,4 @@
-// NOTICES.md against what is installed to build the program and what CMake links.
+// NOTICES.md names the packages that the build installs and the libraries that CMake links.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ const std::string& notices() {
     return text;
 }
 
-/// Row of the tables that names a package and a licence.
+/// True if a row of the tables names the package and a licence.
 bool has_row(const std::string& package) {
     const std::size_t at = notices().find("`" + package + "`");
     if (at == std::string::npos) return false;
@@ -32,15 +32,15 @@ bool has_row(const std::string& package) {
 
 }   // namespace
 
-TEST(Notices, NameEveryPackageThatBuildingTakes) {
+TEST(Notices, NameEveryPackageThatTheBuildNeeds) {
     const auto packages = build_packages(read_file(source + "/tests/setup.sh"));
     EXPECT_GT(packages.size(), 15u);
     for (const std::string& package : packages) EXPECT_TRUE(has_row(package)) << package << " has no row in src/submission/NOTICES.md";
     EXPECT_FALSE(has_row("libnothing-dev"));
 }
 
-/// Every library that CMakeLists.txt looks for, and every font, is of a package that the notices name.
-TEST(Notices, NameEveryLibraryAndFontThatIsLookedFor) {
+// Every library that CMakeLists.txt looks for, and every font, belongs to a package that the notices name.
+TEST(Notices, NameEveryLibraryAndFontOfTheBuild) {
     const std::map<std::string, std::string> packages{{"Eigen3", "libeigen3-dev"},
                                                       {"spectra", "libspectra-dev"},
                                                       {"tinyobjloader", "libtinyobjloader-dev"},

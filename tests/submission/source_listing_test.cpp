@@ -30,7 +30,7 @@ const std::vector<SourceFile> tree = {
 const std::vector<CitingSection> index = {
     {"Q1", "Areas", {{"area", "src/geometry/area.cpp", "π r²"}, {"gone", "src/geometry/area.cpp", ""}}}};
 
-/// Without the numbers, which are checked.
+/// Checks the numbers of the lines and returns the lines without them.
 std::vector<std::string> plain_lines(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream stream(text);
@@ -43,7 +43,7 @@ std::vector<std::string> plain_lines(const std::string& text) {
     return lines;
 }
 
-/// What stands below each banner, as many lines as the banner says, by path.
+/// Returns path → the text below the banner of each file, as many lines as the banner says.
 std::map<std::string, std::string> texts_below_banners(const std::vector<std::string>& lines) {
     std::map<std::string, std::string> texts;
     for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
@@ -98,7 +98,7 @@ TEST(SourceListing, FindsDefinitionsByTheirLines) {
     EXPECT_TRUE(named->starts_with("  L" + std::to_string(line) + " ")) << *named;
 }
 
-TEST(SourceListing, WhatTheAnswersNeedComesFirstAndHeadersBeforeWhatTheyDeclare) {
+TEST(SourceListing, AnsweringFilesComeFirstAndHeadersBeforeTheirImplementation) {
     const std::string text = SourceListing("own", tree, index).text();
     std::size_t at = 0;
     for (const char* path : {"src/geometry/area.h   (", "src/geometry/area.cpp   (", "src/questions/q1_areas.cpp   (",
@@ -118,8 +118,8 @@ TEST(SourceListing, TheOrderOfTheFilesDoesNotMatter) {
     EXPECT_EQ(SourceListing("own", tree, index).text(), SourceListing("own", reversed, index).text());
 }
 
-// The nearest to the questions first, a module whole or not at all.
-TEST(ReadingOrder, AnsweringFilesAreThoseIncludedAndCitedWithinTheLimit) {
+// The modules nearest to the questions come first; a module is taken as a whole or not at all.
+TEST(ReadingOrder, AnsweringFilesAreIncludedOrCitedWithinTheLimit) {
     const std::vector<SourceFile> files{
         {"src/questions/q1_areas/chapter.cpp", "#include \"geometry/area.h\"\n#include \"report/document.h\"\n"},
         {"src/geometry/area.h", "\n"},
@@ -151,12 +151,12 @@ TEST(SourceTree, HoldsEachFileOnceAndTheMeshesToo) {
     for (const std::string& path : paths) EXPECT_FALSE(path.starts_with("build/") || path.starts_with("/")) << path;
 }
 
-TEST(SourceTree, PackagesAreThoseOfTheSetupScript) {
+TEST(SourceTree, BuildPackagesAreReadFromTheSetupScript) {
     EXPECT_EQ(build_packages("x=1\nbuild_packages=\"cmake g++\n    ninja\"\ny=\"z\""), (std::vector<std::string>{"cmake", "g++", "ninja"}));
     EXPECT_THROW((void)build_packages("packages=\"cmake\""), std::logic_error);
 }
 
-TEST(Citations, EnterTheLineOrWarn) {
+TEST(Citations, GetALineOrAWarning) {
     const SourceListing listing("own", tree, {});
     report::Document document;
     document.sections.resize(2);

@@ -8,7 +8,7 @@ namespace meshfolio::submission {
 
 using namespace std::string_view_literals;
 
-TEST(SuspiciousFile, KnowsProgramsByTheirFirstBytes) {
+TEST(SuspiciousFile, ProgramsAreKnownByTheirFirstBytes) {
     EXPECT_EQ(program_kind(read_file("/proc/self/exe")), "an ELF program or library");
     for (const std::string_view bytes :
          {"\177ELF\2"sv, "MZ\x90"sv, "\xcf\xfa\xed\xfe\7"sv, "\xca\xfe\xba\xbe"sv, "\0asm\1"sv, "!<arch>\nx"sv, "#!/bin/sh"sv})
@@ -18,7 +18,7 @@ TEST(SuspiciousFile, KnowsProgramsByTheirFirstBytes) {
         EXPECT_EQ(program_kind(bytes), "") << bytes;
 }
 
-TEST(SuspiciousFile, PathsStayInsideAndOutOfBuildFolders) {
+TEST(SuspiciousFile, PathsOutsideOrInBuildFoldersAreRefused) {
     for (const char* path :
          {"report.pdf", "meshes/q4_lily_k5.ply", ".meshfolio", "source/.ci/run", "a/..b/c..", "building/x.txt", "tables/build.csv"})
         EXPECT_EQ(path_problem(path), "") << path;

@@ -17,6 +17,8 @@ namespace {
 constexpr double equal_eigenvalues = 1e-6;   // relative difference below which eigenvalues count as equal
 constexpr std::size_t most_variants = 64;    // sets of wrong answers in memory, each some 25 times the positions of a mesh
 
+Vector ones_where_positive(const Vector& M) { return (M.array() > 0).select(Vector::Ones(M.size()), 0); }
+
 /// Calls use(wrong, operator) for each wrong operator; skips operators without an answer on this mesh.
 template <class Use>
 void for_each_wrong_laplacian(const TriangleMesh& mesh, const AnswerSettings& s, const Use& use) {
@@ -52,15 +54,6 @@ std::vector<Variant> gaussian_variants(const PreparedMesh& prepared, AreaForm fo
         if (other != form) with("area_" + std::string(name_of(other)), vertex_areas(prepared.mesh, other));
     with("without_area", Vector::Ones(prepared.mesh.vertex_count()));
     with("whole_ring", 3 * vertex_areas(prepared.mesh, form));
-    return variants;
-}
-
-std::vector<Variant> curvature_variants(const PreparedMesh& prepared, const AnswerSettings& s) {
-    std::vector<Variant> variants;
-    for_each_wrong_laplacian(prepared.mesh, s, [&](const WrongLaplacian& wrong, const LaplaceBeltrami& L) {
-        const Vector H = mean_curvature_by(prepared, wrong.kind, L);
-        variants.push_back({wrong.key, wrong.key == "valence_sum" ? summed(H, prepared.topology) : H});
-    });
     return variants;
 }
 
@@ -142,17 +135,55 @@ RightValues right_values(const RubricItem& item, const AnswerSettings& s, const 
 
 std::vector<Variant> computed_variants(const RubricItem& item, const AnswerSettings& s, const Reference& reference) {
     const PreparedMesh& prepared = *reference.mesh->prepared;
-    if (item.what == MarkedThing::H) return curvature_variants(prepared, s);
     if (item.what == MarkedThing::H_uniform)
         return {{"valence_sum", summed(reference.right.values, prepared.topology)},
                 {"scaled", uniform_mean_curvature_scaled(prepared.mesh, prepared.topology)}};
     if (item.what == MarkedThing::K) return gaussian_variants(prepared, s.area);
     if (item.what == MarkedThing::eigenvalues) return spectrum_variants(prepared, s);
     if (item.what == MarkedThing::reconstruction) return reconstruction_variants(prepared, s);
-    return smoothing_variants(prepared, s);
+    if (item.what == MarkedThing::smoothed) return smoothing_variants(prepared, s);
+    std::vector<Variant> variants;   // of H
+    for_each_wrong_laplacian(prepared.mesh, s, [&](const WrongLaplacian& wrong, const LaplaceBeltrami& L) {
+        const Vector H = mean_curvature_by(prepared, wrong.kind, L);
+        variants.push_back({wrong.key, wrong.key == "valence_sum" ? summed(H, prepared.topology) : H});
+    });
+    return variants;
 }
 
 }   // namespace
+
+std::vector<WrongLaplacian> wrong_laplacians(const AnswerSettings& s) {
+    std::vector<WrongLaplacian> all;
+    const auto named = [&](const std::string& key, OperatorKind kind, AreaForm area) {
+        all.push_back({key, kind, [=](const TriangleMesh& mesh) { return laplace_operator(mesh, kind, area); }});
+    };
+    const auto with_masses = [&](const std::string& key, auto masses) {
+        all.push_back({key, s.laplacian, [=](const TriangleMesh& mesh) {
+                           const LaplaceBeltrami right = laplace_operator(mesh, s.laplacian, s.area);
+                           return LaplaceBeltrami{right.C, masses(right.M), right.copies};
+                       }});
+    };
+    const auto by_two_areas = [&](const std::string& key, double factor, bool clamp_negative) {
+        all.push_back({key, OperatorKind::edge_normalised, [=](const TriangleMesh& mesh) {
+                           return LaplaceBeltrami{factor * edge_normalised_laplacian(mesh, clamp_negative),
+                                                  ones_where_positive(vertex_areas(mesh, AreaForm::barycentric))};
+                       }});
+    };
+    for (const OperatorEntry& entry : operator_list())
+        if (entry.kind != s.laplacian) named("operator_" + std::string(entry.name), entry.kind, s.area);
+    if (is_dimensionless(s.laplacian)) {   // it has no areas: its masses are the valences
+        with_masses("valence_sum", ones_where_positive);
+        return all;
+    }
+    for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed})
+        if (form != s.area) named("area_" + std::string(name_of(form)), s.laplacian, form);
+    with_masses("without_area", ones_where_positive);
+    with_masses("whole_ring", [](const Vector& M) -> Vector { return 3 * M; });
+    by_two_areas("unclamped", 1, false);
+    by_two_areas("half_kept", 0.5, true);
+    by_two_areas("half_kept", 0.5, false);
+    return all;
+}
 
 // A choice projects all coefficients c to ĉ = Pc by a projector P of rank `taken`. Such a P exists if ĉᵀ(c − ĉ) = 0 and the ranks of ĉ and
 // c − ĉ are not larger than those of P and I − P.

@@ -17,7 +17,7 @@ using testing_tools::entries_in;
 using testing_tools::TemporaryFolder;
 namespace fs = std::filesystem;
 
-TEST(FileGroup, NothingShowsBeforeAllAreWritten) {
+TEST(FileGroup, NoFileAppearsBeforeAllAreWritten) {
     const TemporaryFolder folder;
     replace_file(folder.path() / "a", "old");
     FileGroup files;
@@ -60,7 +60,7 @@ TEST(FileGroup, ProtectedInputsAreNotReplacedUnderAnyName) {
     EXPECT_EQ(entries_in(folder.path()), 3);
 }
 
-TEST(ReplaceFile, IsAsPrivateOrAsOpenAsWhatItReplaces) {
+TEST(ReplaceFile, KeepsThePermissionsOfTheOldFile) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "file";
     for (const fs::perms permissions : {fs::perms{0600}, fs::perms{0666}, fs::perms{0444}}) {   // the umask would take bits of the second
@@ -72,7 +72,7 @@ TEST(ReplaceFile, IsAsPrivateOrAsOpenAsWhatItReplaces) {
     }
 }
 
-TEST(FileGroup, WithoutPublishingNothingIsLeft) {
+TEST(FileGroup, LeavesNothingIfItIsNotPublished) {
     const TemporaryFolder folder;
     {
         FileGroup files;
@@ -82,7 +82,7 @@ TEST(FileGroup, WithoutPublishingNothingIsLeft) {
 }
 
 // The folder comes between writing and publishing; exchanging the two names would work, and then remove it.
-TEST(FileGroup, WhereOneCannotTakeItsPlaceTheOthersAreTakenBack) {
+TEST(FileGroup, RestoresAllFilesIfOneCannotBeRenamed) {
     const TemporaryFolder folder;
     replace_file(folder.path() / "a", "old");
     {
@@ -107,7 +107,7 @@ TEST(ReplaceFile, CreatesAndReplacesAndLeavesNothingElse) {
     EXPECT_EQ(entries_in(folder.path()), 1);
 }
 
-TEST(ReplaceFile, SeveralThreadsInOneFolder) {
+TEST(ReplaceFile, WorksInSeveralThreadsInOneFolder) {
     const TemporaryFolder folder;
     {
         std::vector<std::jthread> threads;
@@ -150,7 +150,7 @@ TEST(ReplaceFile, ReplacesADanglingLink) {
     EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder.path() / "x")) || fs::exists(folder.path() / "nowhere"));
 }
 
-TEST(ReplaceFile, WritesWhatALinkNames) {
+TEST(ReplaceFile, WritesTheTargetOfALink) {
     const TemporaryFolder folder;
     replace_file(folder.path() / "file", "old");
     fs::create_symlink("file", folder.path() / "x");

@@ -44,7 +44,7 @@ TEST(FolderMarks, AreRegularFilesWithOurContents) {
     for (const FolderKind& other : {marks_folder, batch_folder}) EXPECT_THROW(require_ours(folder, other), OutputError) << other.words;
 }
 
-TEST(FolderMarks, PartsOfARunThatWasKilledAreNobodysFiles) {
+TEST(FolderMarks, LeftoversOfAKilledRunDoNotCountAsFiles) {
     const TemporaryFolder place;
     write_file(place.path() / ".meshfolio.part-999999999-0", "half an index\n");
     EXPECT_NO_THROW(require_ours(place.path(), batch_folder));
@@ -52,7 +52,7 @@ TEST(FolderMarks, PartsOfARunThatWasKilledAreNobodysFiles) {
     EXPECT_THROW(require_ours(place.path(), batch_folder), OutputError);
 }
 
-TEST(FolderMarks, AHomeIsNeverReplaced) {
+TEST(FolderMarks, AHomeFolderIsNeverReplaced) {
     const TemporaryFolder home;
     const std::string before = std::getenv("HOME") == nullptr ? "" : std::getenv("HOME");
     ::setenv("HOME", home.path().c_str(), 1);
@@ -63,7 +63,7 @@ TEST(FolderMarks, AHomeIsNeverReplaced) {
     EXPECT_NO_THROW(require_ours(home.path(), report_folder));
 }
 
-TEST(FolderMarks, AFolderUnderVersionControlThatWeDidNotMakeIsRefused) {
+TEST(FolderMarks, AForeignFolderUnderVersionControlIsRefused) {
     const TemporaryFolder place;
     const fs::path folder = place.path() / "out";
     fs::create_directories(folder / ".git");

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Relative path → bytes of everything below.
+/// Returns relative path → bytes of every file below a folder.
 std::map<std::string, std::string> contents(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -78,7 +78,7 @@ TEST(Publication, ReplacesTheEarlierReportAsAWhole) {
     EXPECT_EQ(entries_in(folder.path()), 1);
 }
 
-TEST(Publication, AFailedReportStandsBesideTheGoodOneUntilTheNextGoodOne) {
+TEST(Publication, AFailedReportStaysBesideTheGoodOneUntilTheNextGoodOne) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "out", failed = folder.path() / "out.failed";
     EXPECT_EQ(failed_beside(target), failed);
@@ -106,7 +106,7 @@ TEST(Publication, AFailedReportStandsBesideTheGoodOneUntilTheNextGoodOne) {
     EXPECT_THROW(bad.step_aside(), OutputError);
 }
 
-TEST(Publication, WithoutPublishingTheOldOneStaysByteForByte) {
+TEST(Publication, LeavesTheOldFolderUnchangedIfItIsNotPublished) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "out";
     publish(target, {{"index.html", "old"}});
@@ -153,7 +153,7 @@ TEST(Publication, KeepsTheGitignore) {
     EXPECT_EQ(contents(target).at(".gitignore"), "*\n!.gitignore\n");
 }
 
-TEST(Publication, RefusesAFolderThatIsNotOurs) {
+TEST(Publication, RefusesAForeignFolder) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "thesis";
     fs::create_directory(target);
@@ -163,7 +163,7 @@ TEST(Publication, RefusesAFolderThatIsNotOurs) {
     EXPECT_EQ(entries_in(folder.path()), 1);
 }
 
-TEST(Publication, RefusesWhatBecameForeignMeanwhile) {
+TEST(Publication, RefusesAFolderThatBecameForeignMeanwhile) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "out";
     Publication publication(target);
@@ -173,7 +173,7 @@ TEST(Publication, RefusesWhatBecameForeignMeanwhile) {
     EXPECT_EQ(read_file(target / "mine.txt"), "mine");
 }
 
-TEST(Publication, RefusesAFileInItsPlaceAndAParentThatIsOne) {
+TEST(Publication, RefusesAFileAsTargetOrParent) {
     const TemporaryFolder folder;
     write_file(folder.path() / "file", "x");
     EXPECT_THROW(Publication{folder.path() / "file"}, OutputError);
@@ -181,7 +181,7 @@ TEST(Publication, RefusesAFileInItsPlaceAndAParentThatIsOne) {
     EXPECT_EQ(read_file(folder.path() / "file"), "x");
 }
 
-TEST(Publication, ALinkStandsForItsFolder) {
+TEST(Publication, FollowsALinkToAFolder) {
     const TemporaryFolder folder;
     publish(folder.path() / "real", {{"index.html", "old"}});
     fs::create_directory_symlink("real", folder.path() / "link");
@@ -196,7 +196,7 @@ TEST(Publication, TrailingSlashAndDotsNameTheSameFolder) {
     EXPECT_EQ(read_file(folder.path() / "out" / "index.html"), "here");
 }
 
-TEST(Publication, OfTwoConcurrentRunsOneIsPublishedWhole) {
+TEST(Publication, TwoConcurrentRunsLeaveOneWholeReport) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "out";
     std::vector<pid_t> children;
@@ -225,7 +225,7 @@ TEST(Publication, OfTwoConcurrentRunsOneIsPublishedWhole) {
     EXPECT_EQ(entries_in(folder.path()), 1);
 }
 
-TEST(Leftovers, OfDeadRunsAreSweptOthersStay) {
+TEST(Leftovers, OfDeadRunsAreRemovedAndOthersStay) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "out";
     const auto make = [&](const std::string& name, const std::string& file) {
@@ -267,7 +267,7 @@ TEST(Leftovers, AReplacedFolderIsRestoredIfItsSuccessorIsMissing) {
     EXPECT_EQ(entries_in(folder.path()), 1);
 }
 
-TEST(AbandonPublications, RemovesWhatIsUnfinishedAndLetsNothingMoreBePublished) {
+TEST(AbandonPublications, RemovesUnfinishedFilesAndStopsPublishing) {
     const TemporaryFolder folder;
     const fs::path target = folder.path() / "out";
     publish(target, {{"index.html", "old"}});

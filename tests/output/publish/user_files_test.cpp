@@ -27,7 +27,7 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-/// A folder of ours that is published again and again.
+/// A folder that is published repeatedly.
 class CarriedOver : public testing::Test {
 protected:
     TemporaryFolder place;
@@ -102,7 +102,7 @@ TEST_F(CarriedOver, FilesFoldersLinksModesAndTimesStay) {
     ::chmod((out / "notes").c_str(), 0755);
 }
 
-TEST_F(CarriedOver, WhatWasEditedIsKeptBesideOnceForEachVersion) {
+TEST_F(CarriedOver, EachEditedVersionIsKeptOnceUnderAnotherName) {
     write("report.md", "edited");
     EXPECT_NE(publish({{"report.md", "new"}}).kept.at(0).find("report.md.edited"), std::string::npos);
     EXPECT_EQ(text("report.md"), "new");
@@ -121,7 +121,7 @@ TEST_F(CarriedOver, WhatWasEditedIsKeptBesideOnceForEachVersion) {
     EXPECT_FALSE(fs::exists(out / "report.md"));
 }
 
-TEST_F(CarriedOver, NamesThatTheNewFolderTakesAsWell) {
+TEST_F(CarriedOver, FilesWithNamesOfTheNewFolderAreRenamed) {
     write("appendix.md", "mine");
     write("same.md", "same");
     write("x/file", "a folder where a file comes");
@@ -138,7 +138,7 @@ TEST_F(CarriedOver, NamesThatTheNewFolderTakesAsWell) {
     EXPECT_EQ(text("tables/a.csv"), "2");
 }
 
-TEST_F(CarriedOver, WithoutSumsEverythingIsTheUsers) {
+TEST_F(CarriedOver, WithoutSumsEveryFileCountsAsTheUsers) {
     for (const char* how : {"missing", "damaged", "link"}) {
         publish({{"report.md", how}, {"only/old", how}});
         fs::remove(out / sums_file);
@@ -164,7 +164,7 @@ TEST_F(CarriedOver, SumsDoNotLeadOutside) {
     EXPECT_EQ(read_file(place.path() / "precious"), "x");
 }
 
-TEST_F(CarriedOver, AFailedReportGoesButForTheUsersFiles) {
+TEST_F(CarriedOver, RemovingAFailedReportLeavesTheUsersFiles) {
     const fs::path failed = failed_beside(out);
     publish({{"report.md", "bad"}}, failed);
     write_file(failed / "notes.txt", "mine");
@@ -184,7 +184,7 @@ TEST_F(CarriedOver, AFailedReportGoesButForTheUsersFiles) {
     EXPECT_FALSE(fs::exists(failed));
 }
 
-TEST_F(CarriedOver, LeftoversGiveBackWhatTheUserPutThere) {
+TEST_F(CarriedOver, SweepingLeftoversRestoresTheUsersFiles) {
     const std::string dead = std::to_string(dead_process());
     for (const char* name : {".tmp-", ".old-"}) {
         const fs::path leftover = out.string() + name + dead;
@@ -200,7 +200,7 @@ TEST_F(CarriedOver, LeftoversGiveBackWhatTheUserPutThere) {
     EXPECT_EQ(text("report.md"), "old") << "a finished folder becomes the missing one";
 }
 
-TEST_F(CarriedOver, OfConcurrentRunsNoneLosesAFile) {
+TEST_F(CarriedOver, ConcurrentRunsLoseNoFile) {
     for (int i = 0; i < 20; ++i) write("mine" + std::to_string(i), std::to_string(i));
     write("report.md", "edited");
     std::vector<pid_t> children;
@@ -234,14 +234,14 @@ TEST_F(CarriedOver, OfConcurrentRunsNoneLosesAFile) {
     EXPECT_EQ(entries_in(place.path()), 1);
 }
 
-TEST_F(CarriedOver, ALastCheckSeesWhatAnotherRunPublished) {
+TEST_F(CarriedOver, TheLastCheckSeesTheReportOfAnotherRun) {
     Publication publication(out);
     publish({{"report.md", "another"}});
     EXPECT_THROW(publication.publish({}, [&] { throw OutputError("out", read_file(out / "report.md")); }), OutputError);
     EXPECT_EQ(text("report.md"), "another");
 }
 
-TEST(ReplaceListed, KeepsWhatIsNotAsListed) {
+TEST(ReplaceListed, KeepsFilesThatDifferFromTheList) {
     const TemporaryFolder place;
     write_file(place.path() / "b", "the user's");
     EXPECT_EQ(replace_listed(place.path(), {{"a", "1"}, {"b", "1"}}), std::vector<std::string>{"b.edited"});
@@ -259,7 +259,7 @@ TEST(ReplaceListed, KeepsWhatIsNotAsListed) {
     EXPECT_EQ(replace_listed(place.path(), {{"a", "3"}, {"b", "3"}}), std::vector<std::string>{"SHA256SUMS.edited"});
 }
 
-TEST(FirstChanged, NamesTheFile) {
+TEST(FirstChanged, NamesTheChangedFile) {
     const TemporaryFolder place;
     const fs::path out = place.path() / "out";
     {

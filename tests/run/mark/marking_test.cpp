@@ -1,4 +1,4 @@
-// Laws of marking: right answers get all points, and each known convention, applied to the right answer, is recognised and named.
+// Right answers get all points. Each known convention, applied to the right answer, is recognised and named.
 #include "run/mark/marking.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using namespace meshfolio::run;
 
 namespace {
 
-/// One item on a bundled mesh with an irregular surface and a boundary.
+/// Returns a rubric of one item on a bundled mesh with an irregular surface and a boundary.
 Rubric rubric_of(const std::string& keys, const std::string& mesh = "lily.obj") {
     return parse_rubric("[[item]]\nid = \"a\"\npoints = 8\nmesh = \"" + mesh + "\"\ncolumn = \"v\"\nvalue = 3\ntolerance = 1e-6\n" +
                             std::string(keys.find("file = ") == std::string::npos ? "file = \"*\"\n" : "") + keys,
@@ -43,7 +43,7 @@ const std::vector<std::string> marked_things{"what = \"H\"",
 
 bool names(const std::vector<ConventionKeys>& found, const ConventionKeys& keys) { return std::ranges::find(found, keys) != found.end(); }
 
-/// The files of a student whose values are these.
+/// Returns a student's files with these values.
 submission::HandedIn files_with(const Vector& values, const Reference& reference, MarkedThing what) {
     if (is_of_mesh(what)) {
         const Positions X = Eigen::Map<const Positions>(values.data(), values.size() / 3, 3);
@@ -54,7 +54,7 @@ submission::HandedIn files_with(const Vector& values, const Reference& reference
     return {{"a.csv", csv}};
 }
 
-/// A rubric of one item with its right answer, and what students get by it.
+/// A rubric of one item with its right answer, and the marks of students.
 struct OneItem {
     explicit OneItem(const std::string& keys, const std::string& mesh = "lily.obj") : rubric(rubric_of(keys, mesh)), references(rubric) {}
     const Rubric rubric;
@@ -81,7 +81,7 @@ TEST(Marking, RightAnswersHaveAllPoints) {
     }
 }
 
-TEST(Marking, EveryConventionIsNamedWhereItCanBeMade) {
+TEST(Marking, EveryPossibleConventionIsRecognised) {
     for (const std::string& thing : marked_things) {
         OneItem one(thing);
         const RubricItem& item = one.item;
@@ -96,7 +96,7 @@ TEST(Marking, EveryConventionIsNamedWhereItCanBeMade) {
                 EXPECT_TRUE(can_be_made(key)) << thing << ": " << key;
         }
         const auto expect_named = [&](const Vector& values, const ConventionKeys& keys) {
-            if (agreement_of({values}, one.reference.right, item.tolerance).worst <= 2 * item.tolerance) return;   // none on this mesh
+            if (agreement_of({values}, one.reference.right, item.tolerance).worst <= 2 * item.tolerance) return;   // no difference on this mesh
             const ItemMark mark = one.mark(values);
             EXPECT_EQ(mark.verdict, Verdict::recognised) << thing << ": " << keys.front();
             EXPECT_TRUE(names(mark.conventions, keys)) << thing << ": " << keys.front() << ": " << explanation_of(mark);
@@ -110,7 +110,7 @@ TEST(Marking, EveryConventionIsNamedWhereItCanBeMade) {
     }
 }
 
-TEST(Marking, AWrongSignIsNamedThoughItMakesTheImplicitStepIndefinite) {
+TEST(Marking, AWrongSignOfAnImplicitStepIsRecognised) {
     OneItem one("what = \"smoothed\"\nscheme = \"implicit\"\nlambda = 5\niterations = 3");
     const TriangleMesh& mesh = one.reference.mesh->mesh();
     const LaplaceBeltrami L = laplace_operator(mesh, OperatorKind::cotan);
@@ -122,7 +122,7 @@ TEST(Marking, AWrongSignIsNamedThoughItMakesTheImplicitStepIndefinite) {
     EXPECT_TRUE(names(one.mark(flat(X)).conventions, {"lambda_negated"}));
 }
 
-TEST(Marking, RoundedDigitsCostNothing) {
+TEST(Marking, RoundedDigitsCostNoPoints) {
     OneItem one("what = \"H_uniform\"\naccept = \"negated\"");
     const auto mark_with = [&](double factor, int decimals) {
         std::ostringstream csv;
@@ -148,7 +148,7 @@ TEST(Marking, FilesAreFoundInAnyCaseAndTooLargeOnesAreUnusable) {
 }
 
 TEST(Marking, AnotherChoiceOfEqualModesIsRight) {
-    for (const int k : {2, 3}) {   // of the three modes with the eigenvalue in places 1 to 3: nearly the coordinates
+    for (const int k : {2, 3}) {   // of three modes with equal eigenvalues, which are nearly the coordinates
         OneItem one("what = \"reconstruction\"\narea = \"voronoi\"\nk = " + std::to_string(k) + "\n", "cube8.obj");
         ASSERT_TRUE(one.reference.equal.has_value());
         const EqualModes& equal = *one.reference.equal;
@@ -164,7 +164,7 @@ TEST(Marking, AnotherChoiceOfEqualModesIsRight) {
     }
 }
 
-TEST(Marking, RowsMayComeInAnyOrderWhereTheyNameTheirVertex) {
+TEST(Marking, RowsWithVertexNumbersMayComeInAnyOrder) {
     OneItem one("what = \"K\"");
     const auto verdict_with = [&](int first, bool twice) {
         std::string csv = "vertex,v\n";
@@ -188,7 +188,7 @@ TEST(Marking, WrongAnswersAreNotRecognised) {
     }
 }
 
-TEST(Marking, ReversedTrianglesAreNamed) {
+TEST(Marking, ReversedTrianglesAreRecognised) {
     OneItem one("what = \"reconstruction\"\nk = 6");
     if (one.reference.mesh->prepared->preflight.flipped_faces > 0) GTEST_SKIP() << "the file itself is turned";
     TriangleMesh turned = one.reference.mesh->mesh();
@@ -248,14 +248,14 @@ TEST(Marking, PagesAndTablesShowTheMarks) {
               "eve,,0,8,0,wrong,\nada,\"'=ada<u>\",8,8,8,right,\nbob,,0,8,0,refused,is a link\n");
 }
 
-TEST(Marking, AWrongNumberIsSaidBesideTheRightOne) {
-    OneItem one("what = \"number\"");   // whose value is 3
+TEST(Marking, AWrongNumberIsShownBesideTheRightOne) {
+    OneItem one("what = \"number\"");   // its value is 3
     const auto said = [&](const std::string& answers) { return explanation_of(one.mark({{answers_file, answers}})); };
     EXPECT_EQ(said("a = 2.85"), "You wrote 2.85; right is 3 (5\u202f% off).");
     EXPECT_EQ(said("a = 4.5"), "You wrote 4.5; right is 3 (50\u202f% off).");
 }
 
-TEST(Marking, WhatIsRightIsFoldedAndBehindWhatIsWrong) {
+TEST(Marking, RightItemsAreFoldedAndWrongItemsOpen) {
     OneItem one("what = \"K\"");
     const std::string right = student_page(one.marks(one.right), one.rubric, report::Templates());
     const std::string wrong = student_page(one.marks(3 * one.right), one.rubric, report::Templates());
@@ -264,7 +264,7 @@ TEST(Marking, WhatIsRightIsFoldedAndBehindWhatIsWrong) {
     EXPECT_NE(wrong.find("<details class=\"item-of-marks lost\" id=\"a\" open=\"open\">"), std::string::npos);
 }
 
-TEST(Marking, TheClassHasACellAStudentAndItemAndNamesTheCommonMistake) {
+TEST(Marking, TheClassPageHasACellPerItemAndNamesTheCommonMistake) {
     OneItem one("what = \"K\"");
     std::vector<StudentMarks> students{one.marks(2 * one.right), one.marks(one.right), one.marks(-one.right), one.marks(2 * one.right), {}};
     students.back().refused = "is a link";
@@ -280,7 +280,7 @@ TEST(Marking, TheClassHasACellAStudentAndItemAndNamesTheCommonMistake) {
     EXPECT_EQ(count("2 of 5: all values are twice the right ones"), 1) << page;
 }
 
-TEST(Rubrics, TheBundledOneIsGoodAndItsMeshesAreThere) {
+TEST(Rubrics, TheBundledRubricIsValidAndItsMeshesExist) {
     const Rubric rubric = read_rubric("");
     EXPECT_GT(rubric.items.size(), 5u);
     EXPECT_NO_THROW(References{rubric});
@@ -297,7 +297,7 @@ TEST(Rubrics, EveryProblemIsReportedWithItsLine) {
     EXPECT_THROW(parse_rubric("", "r.toml"), SettingsErrors);
 }
 
-TEST(Rubrics, StudentsChooseOnlyWhatIsFree) {
+TEST(Rubrics, StudentsChooseOnlyFreeSettings) {
     const Rubric rubric = rubric_of("what = \"smoothed\"\nfree = \"iterations\"");
     std::vector<std::string> problems;
     const auto answers = parse_answers("[a]\niterations = 7\nlambda = 9\n", rubric, problems);

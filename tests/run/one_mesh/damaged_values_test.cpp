@@ -15,7 +15,7 @@ using namespace meshfolio::run;
 using testing_tools::for_each_damage;
 using testing_tools::is_one_line_about;
 
-TEST(DamagedValues, AreReadOrRefusedWithTheirLine) {
+TEST(DamagedValues, AreReadOrRefusedWithALine) {
     const PreparedMesh mesh = prepare_mesh({meshfolio::testing::tetrahedron(), "m.obj", {}, {}});
     const testing_tools::TemporaryFolder folder;
     const std::string file = (folder.path() / "v.csv").string();
@@ -40,7 +40,7 @@ TEST(DamagedValues, AreReadOrRefusedWithTheirLine) {
 TEST(DamagedValues, ColumnsAreFoundByTheirWholeName) {
     const PreparedMesh mesh = prepare_mesh({meshfolio::testing::tetrahedron(), "m.obj", {}, {}});
     const testing_tools::TemporaryFolder folder;
-    const std::string file = (folder.path() / "v:1.csv").string();   // the last colon parts the column off
+    const std::string file = (folder.path() / "v:1.csv").string();   // the last colon separates the column
     write_file(file, "\xef\xbb\xbfh,hh,\r\n1,5,9\r\n2,6,9\r\n3,,9\r\n4,8,9\r\n");
     EXPECT_EQ(field_from_file(mesh, file + ":h").values, Vector((Vector(4) << 1, 2, 3, 4).finished()));
     EXPECT_TRUE(std::isnan(field_from_file(mesh, file + ":hh").values[2]));

@@ -1,4 +1,4 @@
-// What commands and the Python module share: tables, pictures and the object that `inspect --json` prints.
+// Functions that commands and the Python module share: tables, pictures and the JSON of `inspect`.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ PreparedMesh prepared_tetrahedron() { return prepare_mesh({meshfolio::testing::t
 
 }   // namespace
 
-TEST(OneMesh, ComparedWithItselfEveryDifferenceIsZero) {
+TEST(OneMesh, DiffersFromItselfByZero) {
     const TriangleMesh mesh = meshfolio::testing::tetrahedron();
     const Difference difference = difference_of(mesh, mesh);
     EXPECT_TRUE(difference.same_triangles);
@@ -35,7 +35,7 @@ TEST(OneMesh, ComparedWithItselfEveryDifferenceIsZero) {
     }
 }
 
-TEST(OneMesh, DiffersFromAnotherAsItDidWhereTheirTrianglesAreTheSame) {
+TEST(OneMesh, IsComparedVertexByVertexIfTheTrianglesAreTheSame) {
     const TriangleMesh a = meshfolio::testing::tetrahedron(), b{a.X.array() * 1.25 + 0.5, a.F};
     const MeshDifference by_vertices = compare_meshes(a, b);
     const auto json = nlohmann::json::parse(difference_json(difference_of(a, b)));
@@ -54,7 +54,7 @@ TEST(OneMesh, DiffersFromAnotherAsItDidWhereTheirTrianglesAreTheSame) {
     EXPECT_LT(surfaces.at("rms").get<double>(), json.at("rms").get<double>());
 }
 
-TEST(OneMesh, MeshesWithOtherTrianglesAreComparedAsSurfaces) {
+TEST(OneMesh, IsComparedAsASurfaceIfTheTrianglesDiffer) {
     const TriangleMesh a = meshfolio::testing::tetrahedron();
     TriangleMesh open = a;
     open.F.conservativeResize(3, 3);
@@ -69,7 +69,7 @@ TEST(OneMesh, MeshesWithOtherTrianglesAreComparedAsSurfaces) {
     EXPECT_FALSE(difference_of({a.X, Faces(0, 3)}, {a.X, Faces(0, 3)}).distances.has_value());
 }
 
-TEST(OneMesh, IsolinesThatWouldHideTheColoursAreRefused) {
+TEST(OneMesh, RefusesIsolinesThatWouldHideTheColours) {
     const PreparedMesh mesh = prepared_tetrahedron();
     const Field field = field_of(mesh, "x");
     const double width = field.values.maxCoeff() - field.values.minCoeff();
@@ -82,7 +82,7 @@ TEST(OneMesh, IsolinesThatWouldHideTheColoursAreRefused) {
     EXPECT_THROW(draw_pictures(mesh, field, request), UsageError);
 }
 
-TEST(OneMesh, EdgesThatWouldBeAVeilAreLeftOutAndThatIsSaid) {
+TEST(OneMesh, LeavesOutDenseEdgesAndSaysSo) {
     const PreparedMesh mesh = prepared_tetrahedron();
     PictureRequest request{.views = views_named("+z")};
     request.draw.edges = true;
@@ -94,8 +94,8 @@ TEST(OneMesh, EdgesThatWouldBeAVeilAreLeftOutAndThatIsSaid) {
     EXPECT_NE(subtitle_at(2).find("edges left out"), std::string::npos) << subtitle_at(2);
 }
 
-// The half-sized copy beside the mesh is as small as it is, and has the colours of the common range.
-TEST(OneMesh, APairIsDrawnAtOneScaleAndInOneColourRange) {
+// A copy of half the size is drawn at half the size, in the colours of the common range.
+TEST(OneMesh, IsDrawnInAPairAtOneScaleAndInOneColourRange) {
     const PreparedMesh whole = prepared_tetrahedron(), half = prepare_mesh({moved_to(whole.mesh, 0.5 * whole.mesh.X), "half.obj", {}, {}});
     const Field of_whole = field_of(whole, "x"), of_half = field_of(half, "x");
     PictureRequest request{.views = views_named("+z,hero")};
@@ -116,7 +116,7 @@ TEST(OneMesh, APairIsDrawnAtOneScaleAndInOneColourRange) {
     EXPECT_GT(render::compose(pair.sheet).width, 4 * 60);
 }
 
-TEST(OneMesh, HasAColumnForEachCurvatureAskedFor) {
+TEST(OneMesh, HasAColumnForEachRequestedCurvature) {
     const PreparedMesh mesh = prepared_tetrahedron();
     const auto names = [&](OperatorKind kind, bool with_jets) {
         std::set<std::string> found;
@@ -131,22 +131,22 @@ TEST(OneMesh, HasAColumnForEachCurvatureAskedFor) {
     EXPECT_TRUE(names(OperatorKind::idt_original_mass, false).contains("h_idt_original_mass"));
 }
 
-TEST(OneMesh, InspectionEndsWhenProgressThrows) {
-    std::vector<std::string> told;
+TEST(OneMesh, InspectionStopsWhenProgressThrows) {
+    std::vector<std::string> steps;
     const Inspection inspection =
-        inspect_mesh(prepared_tetrahedron(), OperatorKind::cotan, [&](std::string_view what) { told.emplace_back(what); });
+        inspect_mesh(prepared_tetrahedron(), OperatorKind::cotan, [&](std::string_view what) { steps.emplace_back(what); });
     const auto json = nlohmann::json::parse(inspection_json(inspection));
     EXPECT_EQ(json.at("euler_characteristic"), 2);
     EXPECT_GT(json.at("lambda_crit").get<double>(), 0);
     EXPECT_LE(json.at("lambda_crit_proved").at(0), json.at("lambda_crit_proved").at(1));
     EXPECT_TRUE(json.at("lambda_crit_with_zero_area_faces").is_null());
-    EXPECT_FALSE(told.empty());
+    EXPECT_FALSE(steps.empty());
     struct Enough {};
     EXPECT_THROW(inspect_mesh(prepared_tetrahedron(), OperatorKind::cotan, [](std::string_view) { throw Enough{}; }), Enough);
 }
 
-// Triangles of joined vertices have no cotangents to count; one of three vertices on a line has.
-TEST(OneMesh, InspectionTellsJoinedVerticesFromOtherTrianglesWithoutArea) {
+// A triangle of joined vertices has no cotangents; a triangle of three vertices on a line has.
+TEST(OneMesh, InspectionDistinguishesJoinedVerticesFromTrianglesOfZeroArea) {
     const auto inspected = [](const Vector3& last) {
         TriangleMesh mesh{Positions(5, 3), Faces(6, 3)};
         mesh.X << 1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1, last.transpose();
@@ -162,7 +162,7 @@ TEST(OneMesh, InspectionTellsJoinedVerticesFromOtherTrianglesWithoutArea) {
     EXPECT_TRUE(line.floored.has_value());
 }
 
-TEST(OneMesh, IsDrawnFromEverySideThatIsNamed) {
+TEST(OneMesh, IsDrawnFromEveryNamedSide) {
     const PreparedMesh mesh = prepared_tetrahedron();
     PictureRequest request{.views = views_named(""), .range = std::pair{-1.0, 1.0}};
     request.draw.width = request.draw.height = 10;

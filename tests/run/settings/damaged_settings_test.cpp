@@ -9,7 +9,7 @@ using namespace meshfolio::run;
 using testing_tools::for_each_damage;
 using testing_tools::is_one_line_about;
 
-TEST(DamagedSettings, AreReadOrRefusedWithLines) {
+TEST(DamagedSettings, AreReadOrRefusedWithALine) {
     const std::string text = R"(seed = 3
 threads = 1 # all
 [report]

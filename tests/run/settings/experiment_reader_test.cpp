@@ -88,7 +88,7 @@ brief = true
     EXPECT_TRUE(parse_settings(experiment(smoothing + "search = true"), "my.toml").experiments.front().search);
 }
 
-TEST(Experiments, WhatIsLeftOutKeepsItsDefault) {
+TEST(Experiments, MissingKeysKeepTheirDefault) {
     const Experiment e = parse_settings(experiment(smoothing), "my.toml").experiments.at(0);
     EXPECT_EQ(e.methods, std::vector<SmoothingMethod>(1));
     EXPECT_EQ(e.operators, std::vector{OperatorKind::cotan});
@@ -111,7 +111,7 @@ TEST(Experiments, UnknownWordsNameTheNearest) {
     expect_problem("[original]\nb = { stand_in = \"cube.obj\", lambdacrit = 1 }", 2, {"'lambdacrit'", "'lambda_crit'"});
 }
 
-TEST(Experiments, WrongTypesAndRanges) {
+TEST(Experiments, WrongTypesAndRangesAreRefused) {
     expect_problem("experiment = 1", 1, {"[[experiment]]"});
     expect_problem("original = 1", 1, {"[original]"});
     expect_problem("[original]\nbunny = 1", 2, {"bunny", "stand_in"});
@@ -152,7 +152,7 @@ TEST(BundledReports, ParseAndCoverEveryRow) {
     }
     EXPECT_EQ(uncovered_rows(all), std::vector<int>{});
     EXPECT_NE(uncovered_rows({}), std::vector<int>{}) << "sections alone do not cover all rows";
-    // Row 19 and 24 are the assignment's, answered by questions; every row that is a report's own has an experiment of that report.
+    // Rows 19 and 24 belong to the assignment and are answered by questions; every other row has an experiment of its report.
     const std::map<std::string, std::vector<int>> own{
         {"S0", {8, 20, 25, 29}}, {"S1", {14, 21, 26, 30, 31, 32}}, {"S2", {22, 27, 33}}, {"S3", {11, 12, 15, 17, 23, 28, 34}}};
     for (const auto& [report, rows] : own) {
@@ -166,7 +166,7 @@ TEST(BundledReports, ParseAndCoverEveryRow) {
     }
 }
 
-TEST(BundledReports, HaveTheReportsOwnParameters) {
+TEST(BundledReports, HaveTheParametersOfTheReport) {
     const auto of_row = [](const std::string& name, int row, std::size_t index) {
         std::vector<Experiment> found;
         for (const Experiment& e : read_settings(bundled_path(name)).experiments) {
@@ -192,8 +192,8 @@ std::vector<std::string> ids_of(const std::vector<const Chapter*>& chapters) {
     return ids;
 }
 
-// A report is about earlier ones only if it is asked to be: by their settings, by experiments, or by naming the chapters.
-TEST(BundledReports, EarlierReportsAreInNoneThatDoesNotAsk) {
+// Chapters about earlier reports are included only by their settings, by experiments, or by name.
+TEST(BundledReports, ChaptersOnRequestAreLeftOutByDefault) {
     const auto with = [](const std::string& config, const std::string& only) {
         ReportFlags flags;
         flags.config = config;
@@ -218,7 +218,7 @@ TEST(BundledReports, EarlierReportsAreInNoneThatDoesNotAsk) {
     EXPECT_TRUE(is_asked_for(named, "claims") && is_asked_for(named, "q2") && !is_asked_for(named, "q1"));
 }
 
-TEST(BundledReports, AllSectionsNamedAreAll) {
+TEST(BundledReports, NamingAllSectionsMeansAll) {
     std::vector<std::string> all = section_ids(), default_ones = ids_of(chapters_of({}));
     EXPECT_TRUE(sections_in_order(all, true).empty());
     EXPECT_TRUE(sections_in_order(default_ones, false).empty());
@@ -236,7 +236,7 @@ TEST(BundledReports, AreFoundByName) {
     EXPECT_THROW(report_settings(flags), UsageError);
 }
 
-TEST(BundledReports, BriefOnesStandInForSettingsWithout) {
+TEST(BundledReports, BriefExperimentsAreTheDefault) {
     const QuestionSettings brief = question_settings(report_settings({}), "reproductions");
     EXPECT_FALSE(brief.own_experiments);
     ASSERT_FALSE(brief.experiments.empty());

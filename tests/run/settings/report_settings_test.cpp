@@ -14,7 +14,7 @@ using testing_tools::TemporaryFolder;
 
 namespace {
 
-/// An environment variable for the length of a test.
+/// Sets an environment variable during its lifetime.
 class Environment {
 public:
     Environment(const char* name, const char* value) : name_(name) { ::setenv(name, value, 1); }
@@ -110,8 +110,8 @@ TEST(ReportSettings, AllProblemsAreReportedAtOnce) {
         EXPECT_NE(told.find(name), std::string::npos) << name << " in\n" << told;
 }
 
-// The report takes the place of the earlier one as a whole: what is read from there would be lost.
-TEST(ReportSettings, InputsOutsideOfTheFolderThatIsReplaced) {
+// Publishing a report removes the earlier one, and with it inputs in its folder.
+TEST(ReportSettings, InputsInTheFolderThatIsReplacedAreRefused) {
     const TemporaryFolder folder;
     const auto out = folder.path() / "out";
     std::filesystem::create_directories(out / "data");
@@ -152,7 +152,7 @@ TEST(ReportSettings, InputsOutsideOfTheFolderThatIsReplaced) {
     EXPECT_THROW(report_settings(flags), UsageError);
 }
 
-TEST(ReportSettings, InputsNamedInSettingsOutsideOfTheFolderThatIsReplaced) {
+TEST(ReportSettings, InputsOfSettingsInTheFolderThatIsReplacedAreRefused) {
     const TemporaryFolder folder;
     const auto out = folder.path() / "out";
     std::filesystem::create_directories(out);
@@ -194,7 +194,7 @@ TEST(ReportSettings, OnlyListsQuestions) {
         EXPECT_THROW(asked(none), UsageError) << none;
 }
 
-TEST(ReportSettings, AQuestionGetsItsTableAndTheRest) {
+TEST(ReportSettings, AQuestionGetsItsTableAndTheGeneralSettings) {
     const TemporaryFolder folder;
     ReportFlags flags;
     flags.config = settings_in(folder, "seed = 5\n[[question]]\nid = \"q4\"\nmesh = \"torus\"\nk = 7\nseed = 6\n");
@@ -225,7 +225,7 @@ TEST(ReportSettings, ProvenanceHasNeitherThreadsNorPaths) {
     EXPECT_EQ(values.at("q4 k"), "3, 4");
 }
 
-TEST(ReportSettings, SectionsOfTheFileAreTakenUnlessOnlyIsGiven) {
+TEST(ReportSettings, OnlyReplacesTheSectionsOfTheFile) {
     const TemporaryFolder folder;
     ReportFlags flags;
     flags.config = settings_in(folder, "[report]\nsections = [\"q2\", \"truth\"]\n");

@@ -45,7 +45,7 @@ std::multiset<std::string> names_of() {
 
 }   // namespace
 
-TEST(SettingList, EverySettingIsDocumentedWhereItIsGiven) {
+TEST(SettingList, EverySettingIsDocumented) {
     expect_documented<ReportSettings>();
     expect_documented<QuestionTable>();
 }
@@ -56,7 +56,7 @@ TEST(SettingList, NoTwoSettingsShareAName) {
     }
 }
 
-TEST(SettingList, AnAnswerIsStoredUnderAllThatShapesIt) {
+TEST(SettingList, TheKeyOfAnAnswerHasAllSettingsThatShapeIt) {
     const ReportSettings before = report_settings({});
     const auto identity = identity_of(before, "q4");
     const std::string q4 = "[[question]]\nid = \"q4\"\n";

@@ -20,13 +20,13 @@ std::string question(const std::string& keys) { return "[[question]]\nid = \"q4\
 
 }   // namespace
 
-TEST(SettingsFile, EmptyIsGoodAndSetsNothing) {
+TEST(SettingsFile, AnEmptyFileIsValidAndSetsNothing) {
     const ReportSettings settings = parse_settings("# nothing\n", "my.toml");
     EXPECT_EQ(described(settings), described({}));
     EXPECT_TRUE(settings.title.empty() && settings.seed == 0 && settings.threads == 0 && settings.questions.empty());
 }
 
-TEST(SettingsFile, KeysItDoesNotGiveKeepTheirValueButQuestionsSectionsAndExperimentsStartAnew) {
+TEST(SettingsFile, MissingKeysKeepTheirValueButQuestionsSectionsAndExperimentsAreReplaced) {
     const ReportSettings before = parse_settings("seed = 7\n[report]\nsections = \"q4\"\n" + question("k = 5"), "my.toml");
     const ReportSettings after = parse_settings("threads = 2", "other.toml", before);
     EXPECT_EQ(after.seed, 7u);
@@ -86,13 +86,13 @@ noise = [0, 0.5]
     EXPECT_EQ(settings.questions.at("q7").noise, (std::vector{0.0, 0.5}));
 }
 
-TEST(SettingsFile, OneNumberIsBothSides) {
+TEST(SettingsFile, OneNumberIsWidthAndHeight) {
     const ReportSettings settings = parse_settings("[render]\nsize = 640\n", "my.toml");
     EXPECT_EQ(settings.size.width, 640);
     EXPECT_EQ(settings.size.height, 640);
 }
 
-TEST(SettingsFile, SectionsAreAListOrOne) {
+TEST(SettingsFile, SectionsMayBeAListOrOneName) {
     EXPECT_EQ(parse_settings("[report]\nsections = [\"q1\", \"truth\"]\n", "my.toml").only, (std::vector<std::string>{"q1", "truth"}));
     EXPECT_EQ(parse_settings("[report]\nsections = \"q4\"\n", "my.toml").only, std::vector<std::string>{"q4"});
 }
@@ -118,7 +118,7 @@ TEST(SettingsFile, TheDesignIsChosenByItsName) {
     EXPECT_FALSE(file.page.file);
 }
 
-TEST(SettingsFile, AllProblemsAtOnceInTheOrderOfTheirLines) {
+TEST(SettingsFile, AllProblemsAreReportedInTheOrderOfTheirLines) {
     const auto problems = problems_of(R"(seed = -1
 sead = 2
 [render]
@@ -168,7 +168,7 @@ TEST(SettingsFile, AFolderNamedAsBundledSettingsDoesNotHideThem) {
 }
 
 // The program accepts everything that data/report.toml documents.
-TEST(DefaultSettings, AreValidAndSoAreTheirCommentedExamples) {
+TEST(DefaultSettings, AndTheirCommentedExamplesAreValid) {
     const std::string text = read_file(std::filesystem::path(MESHFOLIO_SOURCE_DIR) / "data" / "report.toml");
     const ReportSettings plain = parse_settings(text, "report.toml");
     EXPECT_FALSE(plain.title.empty() || plain.course.empty() || plain.colormap.empty() || plain.size.width == 0 || plain.seed == 0);

@@ -1,5 +1,5 @@
 /// @file
-/// What is wrong with the text of a settings file.
+/// Problems of the text of a settings file.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace meshfolio::testing_tools {
 
-/// The messages about a text, in order; empty when it is good.
+/// Returns the messages about a text, in order; empty if it is valid.
 inline std::vector<std::string> problems_of(const std::string& text, const std::string& file = "my.toml") {
     try {
         run::parse_settings(text, file);
@@ -24,7 +24,7 @@ inline std::vector<std::string> problems_of(const std::string& text, const std::
     }
 }
 
-/// Exactly one problem, at that line, whose message has every one of the words.
+/// Expects exactly one problem, at this line, with all these words in its message.
 inline void expect_problem(const std::string& text, long line, const std::vector<std::string>& words) {
     const std::vector<std::string> problems = problems_of(text);
     ASSERT_EQ(problems.size(), 1u) << text << (problems.size() > 1 ? problems[1] : "");

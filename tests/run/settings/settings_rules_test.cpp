@@ -1,5 +1,5 @@
-// The rules of settings files, one row each: a text, and every message about it. If there is any message, the exit code is that of wrong
-// usage and no setting is taken.
+// The rules of settings files, a row for each: a text and all messages about it. A text with any message sets nothing, and the exit code
+// is that of wrong usage.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,22 +15,22 @@ using namespace meshfolio::run;
 
 namespace {
 
-/// Each message without the file's name: "12: what is wrong; what to do".
-std::vector<std::string> said_of(const std::string& text) {
+/// Returns the messages without the name of the file: "12: problem; remedy".
+std::vector<std::string> lines_of(const std::string& text) {
     constexpr std::string_view file = "my.toml:";
-    std::vector<std::string> said = testing_tools::problems_of(text);
-    for (std::string& line : said) {
+    std::vector<std::string> lines = testing_tools::problems_of(text);
+    for (std::string& line : lines) {
         EXPECT_TRUE(line.starts_with(file)) << line;
         EXPECT_EQ(line.find_first_of("\n\x1b"), std::string::npos) << line;
         line.erase(0, file.size());
     }
-    return said;
+    return lines;
 }
 
 struct Rule {
     const char* name;
     std::string text;
-    std::vector<std::string> said;   // the beginning of each line, in order
+    std::vector<std::string> lines;   // the beginning of each line, in order
 };
 
 std::string times(int count, std::string_view part) {
@@ -41,7 +41,7 @@ std::string times(int count, std::string_view part) {
 
 const std::string q4 = "[[question]]\nid = \"q4\"\n";
 
-/// Values of `output` that are refused, with the reason.
+/// Adds values of `output` that are refused.
 void add_outputs(std::vector<Rule>& rules) {
     for (const std::string name : {"..", "../x", "/tmp/x", "a/b", ".hidden", "", "a b", "-o", "x\\\\y"})
         rules.push_back({"output", q4 + "output = \"" + name + "\"", {"3: [[question]] output '" + name.substr(0, 2)}});
@@ -198,18 +198,18 @@ std::vector<Rule> rules() {
 
 TEST(SettingsRules, EachTextHasExactlyTheseProblems) {
     for (const Rule& rule : rules()) {
-        const std::vector<std::string> said = said_of(rule.text);
+        const std::vector<std::string> lines = lines_of(rule.text);
         std::string all;
-        for (const std::string& line : said) all += "\n  " + line;
-        EXPECT_EQ(said.size(), rule.said.size()) << rule.name << all;
-        for (std::size_t i = 0; i < std::min(said.size(), rule.said.size()); ++i)
-            EXPECT_TRUE(said[i].starts_with(rule.said[i])) << rule.name << ": " << said[i];
+        for (const std::string& line : lines) all += "\n  " + line;
+        EXPECT_EQ(lines.size(), rule.lines.size()) << rule.name << all;
+        for (std::size_t i = 0; i < std::min(lines.size(), rule.lines.size()); ++i)
+            EXPECT_TRUE(lines[i].starts_with(rule.lines[i])) << rule.name << ": " << lines[i];
     }
 }
 
 TEST(SettingsRules, EveryProblemHasARemedy) {
     for (const Rule& rule : rules()) {
-        for (const std::string& line : said_of(rule.text)) {
+        for (const std::string& line : lines_of(rule.text)) {
             EXPECT_TRUE(line.find("; ") != std::string::npos || line.find("cannot be read") != std::string::npos)
                 << rule.name << ": " << line;
         }
@@ -258,8 +258,8 @@ TEST(SettingsRules, ProblemsOfTheCommandLineAndTheFileAreReportedTogether) {
     }
 }
 
-// The smallest and the largest value of each number are accepted, their neighbours are not.
-TEST(SettingsRules, LimitsAreThoseOfTheMessages) {
+// The smallest and the largest value of each number are accepted, values beyond them are not.
+TEST(SettingsRules, LimitsAgreeWithTheMessages) {
     const std::vector<std::pair<std::string, std::pair<std::vector<std::string>, std::vector<std::string>>>> keys{
         {"threads = ", {{"0", "1024"}, {"-1", "1025"}}},
         {"seed = ", {{"0", "9223372036854775807"}, {"-1"}}},
@@ -270,7 +270,7 @@ TEST(SettingsRules, LimitsAreThoseOfTheMessages) {
         {q4 + "noise = ", {{"0", "-0.0", "10"}, {"-5e-324", "10.000001", "-nan", "inf"}}},
     };
     for (const auto& [key, values] : keys) {
-        for (const std::string& good : values.first) EXPECT_EQ(said_of(key + good).size(), 0u) << key << good;
-        for (const std::string& bad : values.second) EXPECT_EQ(said_of(key + bad).size(), 1u) << key << bad;
+        for (const std::string& good : values.first) EXPECT_EQ(lines_of(key + good).size(), 0u) << key << good;
+        for (const std::string& bad : values.second) EXPECT_EQ(lines_of(key + bad).size(), 1u) << key << bad;
     }
 }
