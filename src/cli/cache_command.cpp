@@ -9,10 +9,11 @@ namespace meshfolio::cli {
 
 Command cache_command(CLI::App& parent) {
     const auto action = std::make_shared<std::string>("show");
-    CommandOptions app(parent, "cache", "Where answers of earlier reports are kept, and how large that is");
+    CommandOptions app(parent, "cache", "Folder and size of the cache, which keeps answers of earlier reports");
     app.choice("ACTION", *action, {"show", "clear"}, "show, or clear: remove them all");
     app.footer(
-        "It is $XDG_CACHE_HOME/meshfolio, of at most MESHFOLIO_CACHE_LIMIT megabytes (2048); what was used longest ago goes first.\n"
+        "The cache is $XDG_CACHE_HOME/meshfolio, of at most MESHFOLIO_CACHE_LIMIT megabytes (2048); the least recently used answers go "
+        "first.\n"
         "Example: meshfolio cache clear");
     return {app, [action] {
                 const auto store = usable_cache();

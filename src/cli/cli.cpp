@@ -68,15 +68,14 @@ UsageError usage_error(const CLI::App& command, const std::string& name_called, 
     return UsageError(error.what(), help);
 }
 
-/// Splits "--out DIR" into the names of an option and the type of its value, NUMBER by default. Positional arguments have no type.
-struct Named {
-    explicit Named(const std::string& text)
-        : names(text.substr(0, text.find(' '))),
-          type(names.size() < text.size() ? text.substr(names.size() + 1)
-               : names.starts_with('-')   ? "NUMBER"
-                                          : "") {}
-    std::string names, type;
-};
+/// Adds an option such as "--out DIR": its names, and the type of its value, NUMBER by default. Positional arguments have no type.
+template <class Value>
+CLI::Option* added(CLI::App& app, const std::string& names, Value& value, const std::string& help) {
+    const std::size_t blank = std::min(names.find(' '), names.size());
+    const std::string type = blank < names.size() ? names.substr(blank + 1) : names.starts_with('-') ? "NUMBER" : "";
+    CLI::Option* option = app.add_option(names.substr(0, blank), value, help)->type_name(type);
+    return value.empty() ? option : option->capture_default_str();
+}
 
 ExitCode parse_and_run(int argc, const char* const* argv) {
     CLI::App app("Answers the questions of the curvature-and-smoothing coursework on real meshes and writes the report.", "meshfolio");
@@ -138,15 +137,10 @@ void print_problems(const std::vector<UsageError>& problems) {
 CommandOptions::CommandOptions(CLI::App& parent, const std::string& command, const std::string& purpose)
     : app_(parent.add_subcommand(command, purpose)) {}
 
-void CommandOptions::text(const std::string& names, std::string& value, const std::string& help) {
-    const Named named(names);
-    CLI::Option* option = app_->add_option(named.names, value, help)->type_name(named.type);
-    if (!value.empty()) option->capture_default_str();
-}
+void CommandOptions::text(const std::string& names, std::string& value, const std::string& help) { added(*app_, names, value, help); }
 
 void CommandOptions::required(const std::string& names, std::string& value, const std::string& help) {
-    const Named named(names);
-    app_->add_option(named.names, value, help)->type_name(named.type)->required();
+    added(*app_, names, value, help)->required();
 }
 
 void CommandOptions::choice(const std::string& names, std::string& value, const std::vector<std::string>& choices,
@@ -155,18 +149,15 @@ void CommandOptions::choice(const std::string& names, std::string& value, const 
         require_choice(names, word, choices);
         return std::string();
     };
-    CLI::Option* option = app_->add_option(names, value, help)->type_name(joined(choices, "|"))->check(check);
-    if (!value.empty()) option->capture_default_str();
+    added(*app_, names, value, help)->type_name(joined(choices, "|"))->check(check);
 }
 
 void CommandOptions::texts(const std::string& names, std::vector<std::string>& values, const std::string& help) {
-    const Named named(names);
-    app_->add_option(named.names, values, help)->type_name(named.type)->allow_extra_args(!names.starts_with('-'));
+    added(*app_, names, values, help)->allow_extra_args(!names.starts_with('-'));
 }
 
 void CommandOptions::required_texts(const std::string& names, std::vector<std::string>& values, const std::string& help) {
-    const Named named(names);
-    app_->add_option(named.names, values, help)->type_name(named.type)->required();
+    added(*app_, names, values, help)->required();
 }
 
 void CommandOptions::flag(const std::string& names, bool& value, const std::string& help) { app_->add_flag(names, value, help); }

@@ -7,7 +7,7 @@
 #include "run/arguments.h"
 #include "run/console.h"
 #include "run/one_mesh/difference_lines.h"
-#include "run/one_mesh/vertex_columns.h"
+#include "run/one_mesh/fields.h"
 
 namespace meshfolio::cli {
 
@@ -78,9 +78,9 @@ Command compare_command(CLI::App& parent) {
     const auto options = std::make_shared<CompareFlags>();
     CommandOptions app(parent, "compare", "Distances, normals, areas, volumes of two meshes, in model units");
     app.required("A", options->a, "the reference");
-    app.required("B", options->b, "the other, with the same triangles or any");
-    app.flag("--surfaces", options->surfaces, "from surface to surface also where the triangles are the same and vertices correspond");
-    app.text("--accuracy X", options->accuracy, "by which share hausdorff_bound may exceed hausdorff, from 1e-9 to 1");
+    app.required("B", options->b, "the other mesh, with the same triangles or others");
+    app.flag("--surfaces", options->surfaces, "compare surfaces, even if the triangles are the same and vertices correspond");
+    app.text("--accuracy X", options->accuracy, "largest share by which hausdorff_bound exceeds hausdorff, from 1e-9 to 1");
     app.flag("--json", options->json, "for programs");
     app.text("--csv FILE", options->csv, "the distance of every vertex of A to the surface of B: file, or - for standard output");
     app.text("--ply FILE", options->ply, "A, with this distance as a property of its vertices");

@@ -7,7 +7,6 @@
 #include "mesh/io/mesh_files.h"
 #include "run/console.h"
 #include "run/one_mesh/fields.h"
-#include "run/one_mesh/vertex_columns.h"
 
 namespace meshfolio::cli {
 
@@ -41,10 +40,10 @@ Command curvature_command(CLI::App& parent) {
     const auto options = std::make_shared<Options>();
     CommandOptions app(parent, "curvature", "Areas and curvatures of every vertex as CSV");
     app.required("MESH", options->mesh, formats_read);
-    app.choice("--area", options->area, area_choices(), "of a vertex");
+    app.choice("--area", options->area, area_choices(), "area of a vertex");
     app.choice("--operator", options->laplacian, operator_choices(), "adds the mean curvature by another operator, as h_<its name>");
     app.flag("--jets", options->jets, "also h_jet and k_jet, of degree-3 polynomials fitted to two rings");
-    app.text("--csv FILE", options->csv, "file, or - for standard output; default: - where there is no --ply");
+    app.text("--csv FILE", options->csv, "file, or - for standard output; default: - without --ply");
     app.text("--ply FILE", options->ply,
              "the mesh with all of these beside the values its vertices have: " + joined(column_endings(), ", "));
     app.footer("Example: meshfolio curvature bunny.off --area mixed --csv bunny.csv");

@@ -95,7 +95,7 @@ Command inspect_command(CLI::App& parent) {
     const auto options = std::make_shared<Options>();
     CommandOptions app(parent, "inspect", "Preflight: counts, defects, Gauss-Bonnet, largest stable step");
     app.required("MESH", options->mesh, formats_read);
-    app.choice("--operator", options->laplacian, operator_choices(), "whose largest stable step");
+    app.choice("--operator", options->laplacian, operator_choices(), "operator for the largest stable step");
     app.flag("--json", options->json, "for programs");
     app.footer("Example: meshfolio inspect bunny.off --json");
     return {app, [options] {

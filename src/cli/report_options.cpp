@@ -5,7 +5,7 @@
 namespace meshfolio::cli {
 
 void add_paper_options(CommandOptions& app, ReportFlags& flags) {
-    app.text("--author NAME", flags.author, "whose work it is");
+    app.text("--author NAME", flags.author, "author of the work");
     app.text("--config SETTINGS", flags.config,
              "settings file (TOML; data/report.toml documents every key), or where no file has that name, bundled settings");
     app.text("--templates DIR", flags.templates, "folder of templates that replace those of the same name; links may not lead out of it");

@@ -19,7 +19,7 @@ Command sample_command(CLI::App& parent) {
     app.text("NAME", options->name, "see --list");
     app.text("-o,--output FILE", options->output, formats_written);
     app.text("--subdivide", options->subdivide, "extra 1-to-4 subdivisions, 0 to " + std::to_string(most_subdivisions));
-    app.flag("--list", options->list, "names and what they are");
+    app.flag("--list", options->list, "print names and descriptions");
     app.footer("Example: meshfolio sample creature -o creature.ply --subdivide 1");
     return {app, [options] {
                 if (options->list) {

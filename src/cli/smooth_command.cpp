@@ -149,15 +149,16 @@ Command smooth_command(CLI::App& parent) {
     CommandOptions app(parent, "smooth", "One Laplacian smoothing run");
     app.required("MESH", options->mesh, formats_read);
     app.required("-o,--output FILE", options->output, formats_written);
-    app.choice("--scheme", options->scheme, {"explicit", "implicit", "taubin"}, "how a step is made");
-    app.choice("--operator", options->laplacian, operator_choices(), "of the Laplacian");
-    app.choice("--backend", options->backend, backend_choices(), "who factors implicit steps; slepc: all ranks of mpirun together");
+    app.choice("--scheme", options->scheme, {"explicit", "implicit", "taubin"}, "scheme of a step");
+    app.choice("--operator", options->laplacian, operator_choices(), "Laplace-Beltrami operator");
+    app.choice("--backend", options->backend, backend_choices(),
+               "library that factors implicit steps; slepc: all ranks of mpirun together");
     app.text("--lambda", options->lambda, "step; default: half the largest stable one");
     app.choice("--unit", options->unit, {"raw", "tau", "h2"},
                "of the step: raw (an area), tau (1 is the largest stable step), h2 (mean edge squared)");
     app.text("--mu", options->mu, "Taubin's negative step, in model units; default: from pass-band 0.1");
-    app.text("--iterations", options->iterations, "how many");
-    app.flag("--rebuild", options->rebuild, "operator of the current positions at every step; default: of the input");
+    app.text("--iterations", options->iterations, "number of steps");
+    app.flag("--rebuild", options->rebuild, "assemble the operator at every step; default: once, of the input");
     app.flag("--adaptive", options->adaptive, "cut explicit steps below 2 over a proved bound of mu_max");
     app.footer(std::string(attributes_are_kept) +
                "Example: meshfolio smooth fandisk.obj -o fair.ply --scheme implicit --lambda 5 --unit tau --iterations 10");

@@ -17,7 +17,6 @@
 #include "run/arguments.h"
 #include "run/console.h"
 #include "run/one_mesh/fields.h"
-#include "run/one_mesh/vertex_columns.h"
 
 namespace meshfolio::cli {
 
@@ -147,19 +146,19 @@ Command spectrum_command(CLI::App& parent) {
     CommandOptions app(parent, "spectrum", "The smallest eigenpairs of a Laplace-Beltrami operator");
     app.required("MESH", options->mesh, formats_read);
     app.required("-k", options->k, "how many eigenpairs, 1 to 100000");
-    app.choice("--area", options->area, area_choices(), "of a vertex");
-    app.choice("--operator", options->laplacian, operator_choices(), "whose eigenpairs");
-    app.choice("--backend", options->backend, backend_choices(), "who factors; slepc: all ranks of mpirun together");
+    app.choice("--area", options->area, area_choices(), "area of a vertex");
+    app.choice("--operator", options->laplacian, operator_choices(), "Laplace-Beltrami operator");
+    app.choice("--backend", options->backend, backend_choices(), "library that factors; slepc: all ranks of mpirun together");
     app.text("--csv FILE", options->csv, "index, eigenvalue, residual; - for standard output");
     app.text("--vectors FILE", options->vectors,
-             "eigenvectors: .npy, n x K float64; .csv, a row a vertex with mode_1, mode_2, …; - for .npy on standard output");
+             "eigenvectors: .npy, n x K float64; .csv, a row per vertex with mode_1, mode_2, …; - for .npy on standard output");
     app.text("--ply FILE", options->ply,
              "the mesh with its eigenvectors as properties mode_1, mode_2, …: " + joined(column_endings(), ", "));
     app.text("--reconstruct NUMBERS", options->reconstruct, "numbers of modes to rebuild the mesh from: 5,15,30");
     app.text("--out DIR", options->out, "folder for <mesh>_k<k>.ply");
     app.footer(
-        "Prints a certificate of the eigenpairs on stderr: that none is missing is proved, refuted, or cannot be proved here because\n"
-        "rounding of the count exceeds the gap. Exit code 1 when something is refuted or beyond its limit.\n"
+        "Prints a certificate on stderr: that no eigenpair is missing is proved, refuted, or undecided because rounding exceeds the gap.\n"
+        "Exit code 1 if something is refuted or beyond its limit.\n"
         "Example: meshfolio spectrum armadillo.obj -k 30 --csv - --reconstruct 5,15,30 --out modes");
     return {app,
             [options] { return with_backend(options->backend, [&](const Backend& backend) { return run_spectrum(*options, backend); }); }};

@@ -41,12 +41,13 @@ Command submit_command(CLI::App& parent) {
     const auto options = std::make_shared<SubmitFlags>();
     CommandOptions app(parent, "submit", "submission.zip from a built report, checked");
     app.text("--out DIR", options->out, "folder of the report; the archive is put into it");
-    app.text("--author NAME", options->submission.author, "whose work it is; default: the author the report names");
+    app.text("--author NAME", options->submission.author, "author; default: the author that the report names");
     app.flag("--without-pdf", options->without_pdf, "hand in without report.pdf and appendix.pdf");
-    app.flag("--with-images", options->with_images, "pack images/ and the Markdown too: the pages are whole without them");
+    app.flag("--with-images", options->with_images, "pack images/ and the Markdown too, which the pages do not need");
     app.footer(
-        "Refuses, and changes nothing, when a question is missing, a citation does not resolve, the report is of another version,\n"
-        "something in its folder was changed, or a program is among its files.\n"
+        "Refuses the report, and changes nothing, if a question is missing, a citation does not resolve, the report is of another "
+        "version,\n"
+        "a file was changed, or a file is a program.\n"
         "Example: meshfolio submit --out out --author 'Ada Lovelace'");
     return {app, [options] { return run_submit(*options); }};
 }

@@ -42,8 +42,8 @@ Command templates_command(CLI::App& parent) {
     const auto flags = std::make_shared<TemplatesFlags>();
     CommandOptions app(parent, "templates", "The templates of the report, to be changed and used");
     app.text("DIR", flags->folder, "folder to write them into");
-    app.flag("--tags", flags->tags, "what every tag in them stands for");
-    app.flag("--force", flags->force, "replace files that are there");
+    app.flag("--tags", flags->tags, "print the meaning of every tag");
+    app.flag("--force", flags->force, "replace existing files");
     app.footer("Example: meshfolio templates mine && meshfolio report --templates mine");
     return {app, [flags] {
                 if (flags->tags == !flags->folder.empty())

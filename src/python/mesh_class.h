@@ -125,7 +125,7 @@ inline void add_mesh(py::module_& m) {
     m.def("_check_attribute", [](const py::str& name, const py::object& values, Eigen::Index n) {
         py::dict one;
         one[name] = values;
-        columns_of(one, n);   // refuses what cannot be saved
+        columns_of(one, n);   // throws for an array that cannot be saved
     });
     mesh_class.def("copy", copied, "The same surface, with attributes of its own.")
         .def("__copy__", copied)

@@ -30,7 +30,6 @@
 #include "run/one_mesh/fields.h"
 #include "run/one_mesh/inspection.h"
 #include "run/one_mesh/mesh_pictures.h"
-#include "run/one_mesh/vertex_columns.h"
 #include "run/settings/setting_list.h"
 
 namespace meshfolio::python {

@@ -1,4 +1,4 @@
-// The order in which src.txt is read: what the answers are computed by first, the formulas before the chapters that use them.
+// The order of src.txt: the files that compute the answers come first, formulas before the chapters that use them.
 #include <algorithm>
 #include <map>
 

@@ -17,7 +17,7 @@ struct SourceFile {
     std::string_view bytes;   // compiled in
 };
 
-/// Returns every file of the source tree, sorted by path: what git holds, meshes and pictures too.
+/// Returns every file that git holds, sorted by path: also meshes and pictures.
 std::vector<SourceFile> source_tree();
 
 /// Returns the words of `build_packages` in tests/setup.sh: the Debian packages that the build needs.

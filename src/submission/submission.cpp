@@ -17,7 +17,6 @@
 #include "report/numbering.h"
 #include "report/page/template_render.h"
 #include "report/writers.h"
-#include "submission/suspicious_file.h"
 
 namespace meshfolio::submission {
 
@@ -69,7 +68,7 @@ std::string zip_of(const Contents& contents) {
     return zip;
 }
 
-/// Renders templates/instructions.md: what the archive holds, how to build and run it, where each question is answered.
+/// Renders templates/instructions.md: the contents of the archive, its build, and the place of each answer.
 std::string instructions(const ReadyReport& ready, const SourceListing& listing, const std::vector<SourceFile>& tree,
                          const SubmissionOptions& options) {
     const auto setup = std::ranges::find(tree, "tests/setup.sh", &SourceFile::path);

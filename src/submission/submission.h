@@ -1,5 +1,5 @@
 /// @file
-/// submission.zip: what the assignment asks for, in one archive that describes itself and can be checked.
+/// submission.zip: everything that the assignment asks for, in an archive that describes itself and can be checked.
 #pragma once
 
 #include <string>
@@ -39,7 +39,7 @@ struct Submission {
 
 /// Packs the report's files, the source tree below source/, INSTRUCTIONS.md, NOTICES.md and a MANIFEST.sha256 of all of them. The same
 /// report and author give the same bytes.
-/// @throws what require_ready() throws
+/// @throws like require_ready()
 Submission pack(const ReportFolder& report, const SourceListing& listing, const SubmissionOptions& options);
 
 /// Replaces the report's folder in one step by itself with submission.zip in it and its sums renewed. @throws OutputError

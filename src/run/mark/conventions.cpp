@@ -8,30 +8,6 @@ namespace meshfolio::run {
 
 namespace {
 
-std::function<Vector(const Vector&)> times(double factor) {
-    return [factor](const Vector& right) -> Vector { return factor * right; };
-}
-std::function<Vector(const Vector&)> magnitude_times(double factor) {
-    return [factor](const Vector& right) -> Vector { return factor * right.cwiseAbs(); };
-}
-
-namespace of_values {
-
-const ValueConvention as_it_is{{}, times(1)};
-const ValueConvention doubled{{"doubled"}, times(2)};
-const ValueConvention halved{{"halved"}, times(0.5)};
-const ValueConvention negated{{"negated"}, times(-1)};
-const ValueConvention magnitude{{"magnitude"}, magnitude_times(1)};
-const ValueConvention doubled_negated{{"doubled", "negated"}, times(-2)};
-const ValueConvention halved_negated{{"halved", "negated"}, times(-0.5)};
-const ValueConvention doubled_magnitude{{"doubled", "magnitude"}, magnitude_times(2)};
-const ValueConvention root{{"square_root"}, [](const Vector& right) -> Vector { return right.cwiseMax(0).cwiseSqrt(); }};
-const ValueConvention descending{{"descending"}, [](const Vector& right) -> Vector { return right.reverse(); }};
-const ValueConvention negated_descending{{"descending", "negated"}, [](const Vector& right) -> Vector { return -right.reverse(); }};
-const ValueConvention inverse{{"inverse"}, [](const Vector& right) -> Vector { return right.cwiseInverse(); }};
-
-}   // namespace of_values
-
 constexpr double coarsest_rounding = 0.005;   // relative to the typical size; beyond, too few digits are left to judge by
 
 double median_magnitude(const Vector& values) {
@@ -62,13 +38,29 @@ const std::vector<std::string>& convention_keys() {
 }
 
 const std::vector<ValueConvention>& value_conventions(MarkedThing what) {
-    using namespace of_values;
-    static const std::vector<ValueConvention> curvature{as_it_is,  doubled,         halved,         negated,
-                                                        magnitude, doubled_negated, halved_negated, doubled_magnitude};
-    static const std::vector<ValueConvention> spectrum{as_it_is,   doubled,         halved,         negated,           root,
-                                                       descending, doubled_negated, halved_negated, negated_descending};
-    static const std::vector<ValueConvention> number{as_it_is, doubled, halved, negated, inverse, doubled_negated, halved_negated};
-    static const std::vector<ValueConvention> positions{as_it_is};
+    using List = std::vector<ValueConvention>;
+    const auto times = [](double factor) { return [factor](const Vector& right) -> Vector { return factor * right; }; };
+    const auto magnitude_times = [](double factor) {
+        return [factor](const Vector& right) -> Vector { return factor * right.cwiseAbs(); };
+    };
+    const auto root = [](const Vector& right) -> Vector { return right.cwiseMax(0).cwiseSqrt(); };
+    const auto inverse = [](const Vector& right) -> Vector { return right.cwiseInverse(); };
+    const auto reverse_times = [](double factor) { return [factor](const Vector& right) -> Vector { return factor * right.reverse(); }; };
+    const auto factors_and = [&](List more) {
+        const List factors{{{}, times(1)},
+                           {{"doubled"}, times(2)},
+                           {{"halved"}, times(0.5)},
+                           {{"negated"}, times(-1)},
+                           {{"doubled", "negated"}, times(-2)},
+                           {{"halved", "negated"}, times(-0.5)}};
+        more.insert(more.begin(), factors.begin(), factors.end());
+        return more;
+    };
+    static const List positions{{{}, times(1)}};
+    static const List curvature = factors_and({{{"magnitude"}, magnitude_times(1)}, {{"doubled", "magnitude"}, magnitude_times(2)}});
+    static const List spectrum =
+        factors_and({{{"square_root"}, root}, {{"descending"}, reverse_times(1)}, {{"descending", "negated"}, reverse_times(-1)}});
+    static const List number = factors_and({{{"inverse"}, inverse}});
     if (is_of_mesh(what)) return positions;
     return what == MarkedThing::eigenvalues ? spectrum : what == MarkedThing::number ? number : curvature;
 }

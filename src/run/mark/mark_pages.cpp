@@ -34,7 +34,7 @@ std::string sentence_of(const std::string& key) {
     const auto after = [&](std::string_view start) { return key.substr(start.size()); };
     if (key.starts_with("operator_")) {
         const OperatorEntry& entry = operator_entry(operator_named(after("operator_")));
-        std::string description(entry.description);   // a sentence, which goes on here
+        std::string description(entry.description);   // a sentence, which continues here
         description.erase(description.find_last_not_of('.') + 1);
         return words.line("convention.operator", "operator"_a = entry.title, "description"_a = description);
     }

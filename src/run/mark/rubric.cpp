@@ -56,60 +56,40 @@ void read_settings_of_answer(const TableReader& reader, AnswerSettings& settings
     settings.rebuild = reader.truth("rebuild").value_or(settings.rebuild);
 }
 
-class RubricReader {
-public:
-    RubricReader(Rubric& rubric, Problems& problems) : rubric_(rubric), problems_(problems) {}
-
-    void read(const toml::table& root) {
-        const TableReader reader(root, "", {"title"}, problems_, {"item"});
-        rubric_.title = reader.text("title").value_or("Coursework");
-        if (const toml::node* node = root.get("item")) {
-            for_each_table(*node, "item", problems_, [&](const toml::table& table) { rubric_.items.push_back(item_of(table)); });
-        } else {
-            problems_.add(root, "the rubric has no item", "write [[item]] above each");
-        }
+/// @param ids  of the items before
+RubricItem item_of(const toml::table& table, std::set<std::string>& ids, Problems& problems) {
+    static const Keys known{"id",     "title", "what",       "mesh",    "file", "column", "operator", "area",      "k",      "scheme",
+                            "lambda", "unit",  "iterations", "rebuild", "free", "accept", "value",    "tolerance", "points", "recognised"};
+    const TableReader reader(table, "[[item]]", known, problems);
+    RubricItem item;
+    item.id = reader.text("id").value_or("");
+    if (!output::is_safe_name(item.id) || !ids.insert(item.id).second)
+        problems.add(table, "[[item]] has no id of its own", "add id = \"q3-h\", say: letters, digits, '_', '-' and '.'");
+    item.title = reader.text("title").value_or(item.id);
+    Keys things_known;
+    for (const ThingEntry& thing : things()) things_known.emplace_back(thing.name);
+    if (const auto word = reader.word("what", things_known)) item.what = std::ranges::find(things(), *word, &ThingEntry::name)->what;
+    item.mesh = reader.text("mesh").value_or("");
+    item.file = reader.text("file").value_or("");
+    item.columns = reader.texts("column");
+    read_settings_of_answer(reader, item.settings);
+    item.free = reader.words("free", entry_of(item.what).settings);
+    item.accept = reader.words("accept", convention_keys());
+    item.value = reader.number("value", -1e100, 1e100, false, item.value);
+    item.tolerance = reader.number("tolerance", 0, 1, true, item.tolerance);
+    item.points = reader.number("points", 0, largest_points, false, item.points);
+    item.recognised = reader.number("recognised", 0, 1, false, item.recognised);
+    Keys must{"id", "what", "points"};
+    if (item.what == MarkedThing::number) {
+        must.emplace_back("value");
+    } else {
+        must.insert(must.end(), {"mesh", "file"});
+        if (!is_of_mesh(item.what)) must.emplace_back("column");
     }
-
-private:
-    Rubric& rubric_;
-    Problems& problems_;
-    std::set<std::string> ids_;
-
-    RubricItem item_of(const toml::table& table) {
-        static const Keys known{"id",   "title",  "what",   "mesh",      "file",   "column",     "operator",
-                                "area", "k",      "scheme", "lambda",    "unit",   "iterations", "rebuild",
-                                "free", "accept", "value",  "tolerance", "points", "recognised"};
-        const TableReader reader(table, "[[item]]", known, problems_);
-        RubricItem item;
-        item.id = reader.text("id").value_or("");
-        if (!output::is_safe_name(item.id) || !ids_.insert(item.id).second)
-            problems_.add(table, "[[item]] has no id of its own", "add id = \"q3-h\", say: letters, digits, '_', '-' and '.'");
-        item.title = reader.text("title").value_or(item.id);
-        Keys things_known;
-        for (const ThingEntry& thing : things()) things_known.emplace_back(thing.name);
-        if (const auto word = reader.word("what", things_known)) item.what = std::ranges::find(things(), *word, &ThingEntry::name)->what;
-        item.mesh = reader.text("mesh").value_or("");
-        item.file = reader.text("file").value_or("");
-        item.columns = reader.texts("column");
-        read_settings_of_answer(reader, item.settings);
-        item.free = reader.words("free", entry_of(item.what).settings);
-        item.accept = reader.words("accept", convention_keys());
-        item.value = reader.number("value", -1e100, 1e100, false, item.value);
-        item.tolerance = reader.number("tolerance", 0, 1, true, item.tolerance);
-        item.points = reader.number("points", 0, largest_points, false, item.points);
-        item.recognised = reader.number("recognised", 0, 1, false, item.recognised);
-        Keys must{"id", "what", "points"};
-        if (item.what == MarkedThing::number) {
-            must.emplace_back("value");
-        } else {
-            must.insert(must.end(), {"mesh", "file"});
-            if (!is_of_mesh(item.what)) must.emplace_back("column");
-        }
-        for (const std::string& key : must)
-            if (reader.node(key) == nullptr) problems_.add(table, "[[item]] has no " + key, "data/rubric.toml shows one");
-        return item;
-    }
-};
+    for (const std::string& key : must)
+        if (reader.node(key) == nullptr) problems.add(table, "[[item]] has no " + key, "data/rubric.toml shows one");
+    return item;
+}
 
 StudentAnswer answer_of(const toml::table& table, const RubricItem& item, Problems& problems) {
     Keys known = item.free;
@@ -151,7 +131,16 @@ Rubric parse_rubric(std::string_view text, const std::string& file) {
     Problems problems(file);
     Rubric rubric;
     rubric.base = std::filesystem::path(file).parent_path();
-    if (const auto table = parsed_toml(text, file, problems)) RubricReader(rubric, problems).read(*table);
+    if (const auto root = parsed_toml(text, file, problems)) {
+        const TableReader reader(*root, "", {"title"}, problems, {"item"});
+        rubric.title = reader.text("title").value_or("Coursework");
+        std::set<std::string> ids;
+        const auto read = [&](const toml::table& table) { rubric.items.push_back(item_of(table, ids, problems)); };
+        if (const toml::node* node = root->get("item"))
+            for_each_table(*node, "item", problems, read);
+        else
+            problems.add(*root, "the rubric has no item", "write [[item]] above each");
+    }
     problems.raise();
     return rubric;
 }

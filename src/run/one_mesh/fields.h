@@ -1,10 +1,12 @@
 /// @file
-/// Per-vertex quantities by name, for `render --field` and the Python module.
+/// Values per vertex: fields by name, which are drawn, and the columns of `curvature`.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "geometry/operators/laplace_operator.h"
+#include "mesh/io/scalar_type.h"
 #include "mesh/mesh_checks.h"
 #include "mesh/triangle_mesh.h"
 
@@ -31,5 +33,17 @@ Field field_from_file(const PreparedMesh& mesh, const std::string& file_and_colu
 
 /// Makes a field of n values, NaN where undefined. It is signed if the values are on both sides of 0.
 Field field_of_values(Vector values, const std::string& quantity);
+
+// ---- columns -------------------------------------------------------------------------------------------------------------
+
+/// Computes area [length²], h_uniform [length], k_gauss [1/length²], h_cotan and h_uniform_scaled [1/length], with `with_jets` also h_jet
+/// and k_jet, and h_<operator> if `kind` is another operator.
+std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets);
+
+/// Adds columns to the attributes of the mesh's file; they replace columns of the same name.
+Attributes beside_attributes(const PreparedMesh& prepared, std::vector<VertexColumn> columns);
+
+/// Returns a CSV with a row per vertex: vertex, x, y, z, boundary and the columns.
+std::string vertex_table(const PreparedMesh& prepared, const std::vector<VertexColumn>& columns);
 
 }   // namespace meshfolio::run

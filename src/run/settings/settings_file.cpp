@@ -163,7 +163,7 @@ private:
         });
     }
 
-    /// Takes a plain name that neither leaves the report's folder nor is used there.
+    /// Takes a plain file name that no part of the report uses.
     void take(const TableReader& reader, const Setting& setting, std::optional<std::string>& value) {
         value = reader.text(setting.key);
         if (!value) return;

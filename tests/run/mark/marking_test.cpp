@@ -96,7 +96,8 @@ TEST(Marking, EveryPossibleConventionIsRecognised) {
                 EXPECT_TRUE(can_be_made(key)) << thing << ": " << key;
         }
         const auto expect_named = [&](const Vector& values, const ConventionKeys& keys) {
-            if (agreement_of({values}, one.reference.right, item.tolerance).worst <= 2 * item.tolerance) return;   // no difference on this mesh
+            if (agreement_of({values}, one.reference.right, item.tolerance).worst <= 2 * item.tolerance)
+                return;   // no difference on this mesh
             const ItemMark mark = one.mark(values);
             EXPECT_EQ(mark.verdict, Verdict::recognised) << thing << ": " << keys.front();
             EXPECT_TRUE(names(mark.conventions, keys)) << thing << ": " << keys.front() << ": " << explanation_of(mark);

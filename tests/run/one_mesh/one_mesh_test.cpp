@@ -12,7 +12,7 @@
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/inspection.h"
 #include "run/one_mesh/mesh_pictures.h"
-#include "run/one_mesh/vertex_columns.h"
+#include "run/one_mesh/fields.h"
 
 using namespace meshfolio;
 using namespace meshfolio::run;

@@ -18,7 +18,8 @@ std::string source(const char* file) { return read_file(std::filesystem::path(ME
 
 template <class Settings>
 void expect_documented() {
-    const std::string toml = source("data/report.toml"), command = source("src/cli/report_command.cpp") + source("src/cli/report_options.cpp");
+    const std::string toml = source("data/report.toml"),
+                      command = source("src/cli/report_command.cpp") + source("src/cli/report_options.cpp");
     Settings settings;
     for_each_setting(settings, [&](const Setting& setting, const auto&) {
         const std::string key = setting.key, flag = setting.flag, variable = setting.variable;

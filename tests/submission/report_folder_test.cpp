@@ -1,4 +1,4 @@
-#include "submission/suspicious_file.h"
+#include "submission/report_folder.h"
 
 #include <gtest/gtest.h>
 
