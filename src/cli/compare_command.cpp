@@ -43,7 +43,7 @@ void add_files(output::FileGroup& files, const CompareFlags& options, const Prep
     if (options.csv.empty() && options.ply.empty() && options.html.empty()) return;
     const SurfaceDistances distances = difference.distances ? *difference.distances : surface_distances(a.mesh, b.mesh, most_accuracy);
     const std::vector<VertexColumn> columns{{"distance", distances.a_to_b.of_vertices, ScalarType::float32}};
-    if (!options.ply.empty()) add_mesh(files, options.ply, a.mesh, beside_attributes(a, columns));
+    if (!options.ply.empty()) add_mesh(files, options.ply, a.mesh, attributes_with(a, columns));
     if (!options.html.empty()) files.add(options.html, difference_page(a, b, difference, distances));
     if (!options.csv.empty()) print_to(files, options.csv, vertex_table(a, columns));
 }

@@ -58,7 +58,7 @@ Command curvature_command(CLI::App& parent) {
                 files.keep(options->mesh);
                 const std::vector<VertexColumn> columns = curvature_columns(prepared, form, kind, options->jets);
                 if (options->jets) warn_of_missing_jets(prepared, columns, shown(options->mesh));
-                if (!options->ply.empty()) add_mesh(files, options->ply, prepared.mesh, beside_attributes(prepared, columns));
+                if (!options->ply.empty()) add_mesh(files, options->ply, prepared.mesh, attributes_with(prepared, columns));
                 if (!options->csv.empty() || options->ply.empty())
                     print_to(files, options->csv.empty() ? "-" : options->csv, vertex_table(prepared, columns));
                 files.publish();

@@ -132,7 +132,7 @@ ExitCode run_spectrum(const SpectrumFlags& options, const Backend& backend) {
         const bool is_table = lower_case_ending(options.vectors) == ".csv";
         print_to(files, options.vectors, is_table ? vertex_table(prepared, mode_columns(spectrum)) : npy_of(spectrum.eigenvectors));
     }
-    if (!options.ply.empty()) add_mesh(files, options.ply, prepared.mesh, beside_attributes(prepared, mode_columns(spectrum)));
+    if (!options.ply.empty()) add_mesh(files, options.ply, prepared.mesh, attributes_with(prepared, mode_columns(spectrum)));
     if (!options.csv.empty() || (options.vectors.empty() && options.ply.empty() && options.out.empty()))
         print_to(files, options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
     files.publish();

@@ -11,6 +11,7 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/joined.h"
 #include "base/linux_only.h"
 #include "base/sha256.h"
 #include "output/publish/file_group.h"
@@ -52,18 +53,6 @@ std::string digest_of(const fs::path& file) try {
     return fs::is_regular_file(fs::symlink_status(file)) ? sha256_of_file(file) : "";
 } catch (const std::exception&) {
     return "";
-}
-
-/// Returns "a, b, c, d, e and 4 more".
-std::string named(const std::set<std::string>& names) {
-    constexpr std::size_t most = 5, longest = 60;
-    std::string text;
-    std::size_t number = 0;
-    for (const std::string& name : names) {
-        if (++number > most) break;
-        text += (text.empty() ? "" : ", ") + (name.size() > longest ? name.substr(0, longest) + "…" : name);
-    }
-    return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more" : text;
 }
 
 }   // namespace
@@ -304,6 +293,7 @@ void UserFiles::remove_ours(const std::set<std::string>& incoming) const {
 std::vector<std::string> UserFiles::notes(const fs::path& where) const {
     std::vector<std::string> lines;
     const auto files = [](std::size_t count) { return std::to_string(count) + (count == 1 ? " file" : " files"); };
+    const auto named = [](const std::set<std::string>& names) { return first_of_many({names.begin(), names.end()}); };
     if (!kept_.empty()) lines.push_back(where.string() + ": kept " + files(counted_.size()) + " of yours: " + named(kept_));
     if (!renamed_.empty())
         lines.push_back(where.string() + ": kept " + files(renamed_.size()) + " that you changed, beside the new: " + named(renamed_));

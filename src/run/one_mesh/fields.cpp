@@ -126,7 +126,7 @@ std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaFo
     return columns;
 }
 
-Attributes beside_attributes(const PreparedMesh& prepared, std::vector<VertexColumn> columns) {
+Attributes attributes_with(const PreparedMesh& prepared, std::vector<VertexColumn> columns) {
     Attributes all = prepared.attributes;
     std::erase_if(all.columns,
                   [&](const VertexColumn& old) { return std::ranges::find(columns, old.name, &VertexColumn::name) != columns.end(); });

@@ -41,7 +41,7 @@ Field field_of_values(Vector values, const std::string& quantity);
 std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets);
 
 /// Adds columns to the attributes of the mesh's file; they replace columns of the same name.
-Attributes beside_attributes(const PreparedMesh& prepared, std::vector<VertexColumn> columns);
+Attributes attributes_with(const PreparedMesh& prepared, std::vector<VertexColumn> columns);
 
 /// Returns a CSV with a row per vertex: vertex, x, y, z, boundary and the columns.
 std::string vertex_table(const PreparedMesh& prepared, const std::vector<VertexColumn>& columns);

@@ -114,7 +114,7 @@ std::vector<render::Image> pictures_of(const PreparedMesh& prepared, const Field
 }
 
 /// Replaces each view "hero" by the direction that shows this mesh best.
-std::vector<render::View> directed(std::vector<render::View> views, const TriangleMesh& mesh) {
+std::vector<render::View> with_hero_direction(std::vector<render::View> views, const TriangleMesh& mesh) {
     for (render::View& view : views)
         if (!view.is_along_axis()) view = render::hero_view(output::surface_of(mesh));
     return views;
@@ -167,7 +167,7 @@ MeshPictures draw_pictures(const PreparedMesh& prepared, const Field& field, con
     refuse_dense_isolines(prepared, field, request.draw);
     render::DrawOptions draw = request.draw;
     drawn.sheet.subtitle = counts_of(prepared) + leave_out_dense_edges(prepared, draw);
-    drawn.sheet.pictures = pictures_of(prepared, field, drawn, draw, directed(request.views, prepared.mesh));
+    drawn.sheet.pictures = pictures_of(prepared, field, drawn, draw, with_hero_direction(request.views, prepared.mesh));
     for (const render::View& view : request.views) drawn.sheet.view_names.emplace_back(view.name);
     return drawn;
 }
@@ -184,7 +184,7 @@ MeshPictures draw_pair(const PairedMesh& left, const PairedMesh& right, const Pi
         drawn.sheet.subheads.push_back(one->field.values.size() == 0 ? counts_of(one->prepared) : rms_of(one->prepared, one->field));
     }
     const TriangleMesh whole = both_meshes(left.prepared.mesh, right.prepared.mesh);
-    for (const render::View& view : directed(request.views, left.prepared.mesh)) {
+    for (const render::View& view : with_hero_direction(request.views, left.prepared.mesh)) {
         render::DrawOptions draw = request.draw;
         draw.frame = frame_of(whole, view, draw);
         leave_out_dense_edges(left.prepared, draw);
