@@ -17,10 +17,13 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_sums = std::uintmax_t{256} << 20;   // bytes
 
-std::map<std::string, FileSum> parse_sums(const std::string& text, const std::filesystem::path& file) {
+namespace {
+
+/// Calls visit(path, sum) for each line of a list. @throws InputError like parse_sums()
+template <class Visit>
+void for_each_sum(const std::string& text, const fs::path& file, const Visit& visit) {
     constexpr std::size_t digits = 64, gap = 2;
     const auto is_digest = [](std::string_view word) { return word.find_first_not_of("0123456789abcdef") == std::string_view::npos; };
-    std::map<std::string, FileSum> sums;
     long number = 0;
     for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
         end = std::min(text.find('\n', at), text.size());
@@ -28,8 +31,15 @@ std::map<std::string, FileSum> parse_sums(const std::string& text, const std::fi
         ++number;
         if (line.size() <= digits + gap || line.compare(digits, gap, "  ") != 0 || !is_digest(std::string_view(line).substr(0, digits)))
             throw InputError({file.string(), number}, "is no line of sha256sum", "make the report again with meshfolio report");
-        sums[line.substr(digits + gap)] = {line.substr(0, digits), number};
+        visit(line.substr(digits + gap), FileSum{line.substr(0, digits), number});
     }
+}
+
+}   // namespace
+
+std::map<std::string, FileSum> parse_sums(const std::string& text, const std::filesystem::path& file) {
+    std::map<std::string, FileSum> sums;
+    for_each_sum(text, file, [&](const std::string& path, const FileSum& sum) { sums[path] = sum; });
     return sums;
 }
 
@@ -67,13 +77,11 @@ SumsList sums_of(const fs::path& folder) try {
     const fs::path file = folder / sums_file;
     std::error_code error;
     if (!fs::is_regular_file(fs::symlink_status(file, error))) return {};
-    const std::string text = read_file(file, largest_sums);
     SumsList list{true, {}, {}};
-    for (const auto& [path, sum] : parse_sums(text, file)) list.paths.insert(path);
-    for (std::size_t at = 0, end = 0; at < text.size(); at = end + 1) {
-        end = std::min(text.find('\n', at), text.size());
-        list.lines.insert(text.substr(at, end - at));
-    }
+    for_each_sum(read_file(file, largest_sums), file, [&](const std::string& path, const FileSum& sum) {
+        list.paths.insert(path);
+        list.lines.insert(sum.digest + "  " + path);
+    });
     return list;
 } catch (const InputError&) {
     return {};

@@ -93,7 +93,7 @@ std::vector<std::string> replace_listed(const fs::path& folder, const std::map<s
     std::vector<std::string> kept;
     std::string before, after;
     for (const auto& [name, bytes] : files) after += sha256(bytes) + "  " + name + "\n";
-    for (const std::string& line : listed.lines) before += line.empty() ? "" : line + "\n";
+    for (const std::string& line : listed.lines) before += line + "\n";
     const auto keep = [&](const std::string& name) { kept.push_back(keep_beside(folder / name, true)); };
     if (!listed.is_there && may_be_there(folder / sums_file)) keep(sums_file);
     for (const auto& [name, bytes] : files) {

@@ -40,24 +40,16 @@ Words words_of(const std::vector<Value>& values) {
     return words;
 }
 
-/// Omits folders: a report must not depend on the place of its inputs.
-template <class Value>
-Words words_without_folders(const Value& value) {
-    return words_of(value);
-}
-Words words_without_folders(const std::vector<std::filesystem::path>& files) {
-    Words words;
-    for (const std::filesystem::path& file : files) words.push_back(file.filename().string());
-    return words;
-}
-
 }   // namespace
 
 std::map<std::string, std::string> described(const ReportSettings& settings) {
     std::map<std::string, std::string> values;
     const auto enter_as = [&values](const std::string& prefix) {
         return [&values, prefix](const Setting& setting, const auto& value) {
-            const std::string text = joined(words_without_folders(value), ", ");
+            Words words = words_of(value);
+            if constexpr (std::is_same_v<decltype(value), const std::vector<std::filesystem::path>&>)   // without their folders
+                for (std::string& word : words) word = std::filesystem::path(word).filename().string();
+            const std::string text = joined(words, ", ");
             if (*setting.name != '\0' && !text.empty()) values[prefix + setting.name] = text;
         };
     };
