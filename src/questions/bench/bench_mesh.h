@@ -4,14 +4,18 @@
 
 #include <any>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/linear/sparse_types.h"
 #include "mesh/mesh_topology.h"
-#include "questions/bench/known_surfaces.h"
 
 namespace meshfolio {
+
+struct KnownSurface;
 
 enum class MeshKind {
     regular,      // of known_surfaces(): icospheres, and grids cut along one diagonal

@@ -12,6 +12,7 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/measures/mesh_laws.h"
+#include "questions/bench/estimators.h"
 
 namespace meshfolio {
 

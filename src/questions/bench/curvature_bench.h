@@ -3,10 +3,12 @@
 /// and the claims are views of it.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
-#include "questions/bench/estimators.h"
+#include "questions/bench/bench_mesh.h"
 #include "questions/core/section_tools.h"
 
 namespace meshfolio {

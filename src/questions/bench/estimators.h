@@ -9,6 +9,7 @@
 
 #include "geometry/operators/vertex_areas.h"
 #include "questions/bench/bench_mesh.h"
+#include "questions/bench/known_surfaces.h"
 
 namespace meshfolio {
 

@@ -7,9 +7,11 @@
 
 #include "geometry/curvature/curvature.h"
 #include "geometry/denoising/component_size.h"
+#include "geometry/linear/sparse_factor.h"
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/smoothing/implicit_solver.h"
+#include "geometry/spectrum/laplace_spectrum.h"
 #include "output/draw/surface_of.h"
 
 namespace meshfolio {

@@ -2,15 +2,16 @@
 /// One smoothing run and what is measured along the way; shared by the questions on smoothing.
 #pragma once
 
-#include "geometry/linear/sparse_factor.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/definiteness.h"
-#include "geometry/spectrum/laplace_spectrum.h"
 #include "geometry/spectrum/stability.h"
 #include "questions/core/section_tools.h"
 
 namespace meshfolio {
+
+struct FactorOperations;
+struct Spectrum;
 
 inline constexpr report::Words smoothing_words("smoothing");
 

@@ -1,6 +1,7 @@
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/curvature_subject.h"
+#include "questions/bench/estimators.h"
 #include "questions/bench/mesh_class.h"
 #include "questions/claims/parts.h"
 

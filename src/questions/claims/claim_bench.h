@@ -10,6 +10,7 @@
 #include "questions/bench/smoothing_study.h"
 #include "questions/bench/spectral_study.h"
 #include "questions/claims/claim.h"
+#include "questions/core/experiment.h"
 #include "questions/core/stand_ins.h"
 
 namespace meshfolio::claims {

@@ -13,10 +13,13 @@
 #include "questions/core/mesh_library.h"
 #include "questions/core/settings.h"
 #include "report/document.h"
-#include "report/numbering.h"
 #include "report/words.h"
 
 namespace meshfolio {
+
+namespace report {
+bool is_question(std::string_view section_id);   // numbering.h
+}
 
 struct Answer {
     report::Section section;

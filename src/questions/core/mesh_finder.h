@@ -11,10 +11,11 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "questions/core/mesh_roles.h"
 #include "report/document.h"
 
 namespace meshfolio {
+
+struct MeshRole;
 
 /// A request for a mesh, before its file is known.
 struct MeshLookup {

@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
+#include "questions/core/experiment.h"
 #include "embedded_data.h"
 #include "embedded_reports.h"
 

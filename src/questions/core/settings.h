@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "questions/core/experiment.h"
-
 namespace meshfolio {
+
+struct Experiment;   // experiment.h; needed to make settings, not to read them
 
 /// The settings of one question; empty lists mean the question's own choice.
 struct QuestionSettings {

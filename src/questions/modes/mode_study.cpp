@@ -5,6 +5,7 @@
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/diffusion_step.h"
 #include "geometry/smoothing/dirichlet_energy.h"
+#include "geometry/spectrum/laplace_spectrum.h"
 
 namespace meshfolio::modes {
 

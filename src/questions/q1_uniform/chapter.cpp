@@ -52,20 +52,6 @@ report::Table error_table(const BenchRuns& runs) {
         .column("K mixed", {.unit = "%", .digits = 2}, error("K.mixed"));
 }
 
-/// L∞ errors of K on the finest meshes, one row an area form.
-report::Table area_table(const BenchRuns& runs) {
-    const bool all_defined = std::ranges::all_of(area_forms, [&](AreaForm form) { return without_K(runs, form) == 0; });
-    const std::string caption = words.line("area_forms") + (all_defined ? "" : " " + words.line("area_forms.undefined"));
-    auto errors = table("q1_area_forms", caption, area_forms);
-    errors.column("area form", area_name);
-    for (const BenchRun& run : runs)
-        errors.column(run.title(), {.unit = "%", .best = Best::smallest},
-                      [&](AreaForm form) { return 100 * run.finest().error(K_with(form)).linf; });
-    if (!all_defined)
-        errors.column("without K", {.unit = "vertices", .best = Best::smallest}, [&](AreaForm form) { return without_K(runs, form); });
-    return errors;
-}
-
 report::Table gauss_bonnet_table(const AngleSums& sums) {
     return table("q1_gauss_bonnet", words.line("gauss_bonnet"), sums)
         .column("mesh", &AngleSum::mesh)
@@ -98,16 +84,6 @@ void add_checks(report::Section& section, const AngleSums& sums, const std::vect
 
 }   // namespace
 
-int without_K(const BenchRuns& runs, AreaForm form) {
-    int without = 0;
-    for (const BenchRun& run : runs) without += run.finest().error(K_with(form)).undefined;
-    return without;
-}
-
-double euler_gap(const AngleSums& sums) {
-    return largest_of(sums, [](const AngleSum& s) { return s.applies ? std::abs(s.measured - s.euler) : 0; });
-}
-
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("q1")};
     report::Section& section = answer.section;
@@ -124,8 +100,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     for (const MeshCurvature& c : meshes)
         if (c.subject.plane_normal) flat.push_back(flat_mesh(c));
 
-    section.answer = answer_of(runs);
-    add_paragraphs(section, {lead_of(runs)});
+    add_answer(section, runs);
     add_words(section, words, "method");
     add(section, sign_diagram());
     add_words(section, words, "method.laplacian");
@@ -141,7 +116,10 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "appendix");
     add(section, convergence_plot("q1_convergence", words, runs, {{uniform_H, "convergence.h"}, {deficit_K, "convergence.k"}}),
         statistics_table(meshes), area_table(runs), gauss_bonnet_table(sums));
-    add_flat_boundaries(section, flat);
+    for (const FlatMesh& f : flat)
+        if (f.boundary_vertices > 0)
+            add_words(section, words, "flat.boundary", "mesh"_a = f.curvature->name(), "length"_a = readable(f.boundary_length, 2),
+                      "turning"_a = readable(f.turning, 4));
 
     const std::size_t levels = runs.front().levels.size();
     section.parameters = {{"area form", "barycentric"},

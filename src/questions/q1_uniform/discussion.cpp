@@ -1,5 +1,6 @@
 #include <set>
 
+#include "questions/bench/estimators.h"
 #include "questions/q1_uniform/parts.h"
 
 namespace meshfolio::q1_uniform {
@@ -9,7 +10,7 @@ namespace {
 /// Meshes with fewer vertices are too small to describe their picture.
 constexpr int fewest_to_read = 20;
 
-/// The worst error at the finest level over the three surfaces.
+/// Returns the largest error on the finest meshes of a kind.
 double worst(const BenchRuns& runs, MeshKind kind, std::string_view estimator, Norm norm = &EstimateError::l2) {
     return largest_of(of_kind(runs, kind), [&](const BenchRun& run) { return run.finest().error(estimator).*norm; });
 }
@@ -20,15 +21,6 @@ int drifting_runs(const BenchRuns& runs) {
         runs, [](const BenchRun& run) { return run.finest().error(normal_H).l2 < 0.5 * run.finest().error(uniform_H).l2; }));
 }
 
-/// The regular mesh with the worst vertex, if that is far worse than the rest and hardly improves with refinement.
-const BenchRun* stuck_at_a_vertex(const BenchRuns& runs) {
-    const auto error = [](const BenchLevel& level) { return level.error(deficit_K).linf; };
-    const auto regular = of_kind(runs, MeshKind::regular);
-    const BenchRun& run = *std::ranges::max_element(regular, {}, [&](const BenchRun& r) { return error(r.finest()); });
-    const bool stuck = error(run.finest()) > 5 * run.finest().error(deficit_K).l2 && error(run.finest()) > 0.8 * error(run.levels.front());
-    return stuck ? &run : nullptr;
-}
-
 int closed_rings(const MeshCurvature& c) { return summary_of(c.H).count; }
 bool is_flat(const MeshCurvature& c) { return c.subject.plane_normal.has_value(); }
 
@@ -37,8 +29,8 @@ std::string on_mesh(const MeshCurvature& c, const std::string& value) {
 }
 std::string share_on(const MeshCurvature& c, double share) { return on_mesh(c, readable_percent(share, 2)); }
 
-/// Uniform H beside cotangent H on the curved meshes.
-report::Facts about_pictures(const Meshes& meshes) {
+/// Uniform H beside cotangent H on the curved meshes, and the meshes too small for that.
+void add_picture_facts(report::Facts& facts, const Meshes& meshes) {
     Names correlations;
     report::FactList uneven;
     for (const MeshCurvature& c : meshes) {
@@ -53,10 +45,13 @@ report::Facts about_pictures(const Meshes& meshes) {
                           "cotangent"_a = readable_percent(p.cotangent_spread - 1, 2),
                           "drift"_a = drift.most > drift.least + 0.05 ? readable_percent(drift.most, 2) : ""});
     }
-    return {"correlations"_a = listed(correlations), "uneven"_a = uneven};
+    const Names few = names_where(meshes, [](auto& c) { return !is_flat(c) && closed_rings(c) > 0 && closed_rings(c) < fewest_to_read; });
+    facts.insert(facts.end(),
+                 {"correlations"_a = listed(correlations), "uneven"_a = uneven, "few"_a = listed(few), "few_meshes"_a = few.size(),
+                  "nothing"_a = listed(names_where(meshes, [](auto& c) { return closed_rings(c) == 0; }))});
 }
 
-report::Facts about_flat_meshes(const std::vector<FlatMesh>& flat) {
+void add_flat_mesh_facts(report::Facts& facts, const std::vector<FlatMesh>& flat) {
     Names symmetric;
     report::FactList asymmetric;
     bool rounded = false;
@@ -68,111 +63,104 @@ report::Facts about_flat_meshes(const std::vector<FlatMesh>& flat) {
         else
             symmetric.push_back(s.name()), rounded = rounded || s.is_rounding(f.drift * s.mean_edge);
     }
-    return {"symmetric"_a = listed(symmetric), "symmetric_meshes"_a = symmetric.size(), "rounded"_a = rounded, "asymmetric"_a = asymmetric};
+    facts.insert(facts.end(), {"symmetric"_a = listed(symmetric), "symmetric_meshes"_a = symmetric.size(), "rounded"_a = rounded,
+                               "asymmetric"_a = asymmetric});
 }
 
-report::Facts about_small_meshes(const Meshes& meshes) {
-    const Names few = names_where(meshes, [](auto& c) { return !is_flat(c) && closed_rings(c) > 0 && closed_rings(c) < fewest_to_read; });
-    return {"few"_a = listed(few), "few_meshes"_a = few.size(),
-            "nothing"_a = listed(names_where(meshes, [](auto& c) { return closed_rings(c) == 0; }))};
-}
-
-/// The curved mesh with the largest flat part that misleads.
-std::pair<const MeshCurvature*, FlatParts> flattest_of(const Meshes& meshes) {
-    std::pair<const MeshCurvature*, FlatParts> most{};
-    for (const MeshCurvature& c : meshes) {
-        if (is_flat(c)) continue;
-        if (const FlatParts flat = flat_parts(c); flat.mislead() && flat.share > most.second.share) most = {&c, flat};
-    }
-    return most;
-}
-
-report::Facts about_drift(const Meshes& meshes, const std::optional<Drifting>& drifting) {
-    if (!drifting) return {"drifting"_a = ""};
+void add_drift_facts(report::Facts& facts, const Meshes& meshes, const std::optional<Drifting>& drifting) {
+    if (!drifting) return facts.push_back("drifting"_a = "");
     const TangentialPart& part = drifting->part;
     const bool is_known = std::isfinite(part.normal_gap) && part.share > 1e-3;
-    const auto [flattest, flat] = flattest_of(meshes);
-    return {"drifting"_a = drifting->mesh->name(),
-            "share"_a = readable_percent(part.share, 2),
-            "nearer"_a = is_known && part.explains(),
-            "no_nearer"_a = is_known && !part.explains(),
-            "times"_a = readable(part.gap / part.normal_gap, 2),
-            "flattest"_a = flattest ? flattest->name() : "",
-            "flat"_a = readable_percent(flat.share, 2),
-            "coloured"_a = readable_percent(flat.coloured, 2),
-            "flat_drift"_a = readable_percent(flat.drift, 2)};
+    const MeshCurvature* flattest = nullptr;   // with the largest flat part that misleads
+    FlatParts flat;
+    for (const MeshCurvature& c : meshes) {
+        if (is_flat(c)) continue;
+        if (const FlatParts parts = flat_parts(c); parts.mislead() && parts.share > flat.share) flattest = &c, flat = parts;
+    }
+    facts.insert(facts.end(), {"drifting"_a = drifting->mesh->name(), "share"_a = readable_percent(part.share, 2),
+                               "nearer"_a = is_known && part.explains(), "no_nearer"_a = is_known && !part.explains(),
+                               "times"_a = readable(part.gap / part.normal_gap, 2), "flattest"_a = flattest ? flattest->name() : "",
+                               "flat"_a = readable_percent(flat.share, 2), "coloured"_a = readable_percent(flat.coloured, 2),
+                               "flat_drift"_a = readable_percent(flat.drift, 2)});
 }
 
-report::FactList ringed_vertices(const Meshes& meshes) {
+void add_K_facts(report::Facts& facts, const Meshes& meshes) {
+    Names caps, negative, outer, white, positive;
     report::FactList ringed;
     for (const MeshCurvature& c : meshes) {
-        const IrregularVertices odd = irregular_vertices(c);
-        if (!odd.ringed()) continue;
-        ringed.push_back({"mesh"_a = c.name(), "vertices"_a = odd.vertices.size(), "faint"_a = !odd.seen(),
-                          "off"_a = readable_percent(odd.off, 2), "elsewhere"_a = readable_percent(odd.off_elsewhere, 2),
-                          "area"_a = odd.area_is_why(), "voronoi"_a = readable_percent(odd.off_with_voronoi, 2)});
-    }
-    return ringed;
-}
-
-report::Facts about_K(const Meshes& meshes) {
-    Names caps, negative, outer, white, positive;
-    for (const MeshCurvature& c : meshes) {
         const SignsOfK seen = signs_of_K(c);
+        const IrregularVertices odd = irregular_vertices(c);
+        if (odd.ringed())
+            ringed.push_back({"mesh"_a = c.name(), "vertices"_a = odd.vertices.size(), "faint"_a = !odd.seen(),
+                              "off"_a = readable_percent(odd.off, 2), "elsewhere"_a = readable_percent(odd.off_elsewhere, 2),
+                              "area"_a = odd.area_is_why(), "voronoi"_a = readable_percent(odd.off_with_voronoi, 2)});
         if (is_flat(c) || closed_rings(c) == 0) continue;
         if (seen.all.negative > 0) negative.push_back(share_on(c, seen.all.negative));
-        if (seen.all.positive == 1 && !irregular_vertices(c).ringed()) positive.push_back(c.name());
+        if (seen.all.positive == 1 && !odd.ringed()) positive.push_back(c.name());
         if (seen.all.caps_outside()) outer.push_back(share_on(c, seen.all.outer_positive));
         if (seen.all.caps_outside() && seen.all.inner_negative > 0.5) caps.push_back(c.name());
         if (seen.all.negative > 0 && seen.white > 0.2) white.push_back(share_on(c, seen.white));
     }
-    return {"caps"_a = listed(caps),
-            "negative"_a = listed(negative),
-            "outer"_a = listed(outer),
-            "white"_a = listed(white),
-            "positive"_a = listed(positive),
-            "ringed"_a = ringed_vertices(meshes),
-            "plane"_a = listed(names_where(meshes, [](auto& c) { return is_flat(c) && c.subject.interior > 0; }))};
+    facts.insert(facts.end(), {"caps"_a = listed(caps), "negative"_a = listed(negative), "outer"_a = listed(outer),
+                               "white"_a = listed(white), "positive"_a = listed(positive), "ringed"_a = ringed,
+                               "plane"_a = listed(names_where(meshes, [](auto& c) { return is_flat(c) && c.subject.interior > 0; }))});
 }
 
-report::Facts about_errors(const BenchRuns& runs, const BenchRuns& panel) {
+void add_error_facts(report::Facts& facts, const BenchRuns& runs, const BenchRuns& panel) {
     const auto converges = [](std::string_view estimator) {
         return [=](const BenchRun& run) { return run.errors(estimator).order().converges(); };
     };
     const auto worse = std::ranges::count_if(runs, [](const BenchRun& run) { return run.errors(uniform_H).order().exponent < -0.5; });
-    return {"K_converges"_a = std::ranges::any_of(of_kind(runs, MeshKind::jittered), converges(deficit_K)),
-            "drifting_runs"_a = drifting_runs(runs),
-            "runs"_a = runs.size(),
-            "rest"_a = readable_percent(largest_of(runs, [](auto& run) { return run.finest().error(normal_H).l2; }), 2),
-            "worse"_a = worse,
-            "panel"_a = panel.size(),
-            "converging"_a = std::ranges::count_if(panel, converges(uniform_H))};
+    facts.insert(facts.end(),
+                 {"K_converges"_a = std::ranges::any_of(of_kind(runs, MeshKind::jittered), converges(deficit_K)),
+                  "drifting_runs"_a = drifting_runs(runs), "runs"_a = runs.size(),
+                  "rest"_a = readable_percent(largest_of(runs, [](auto& run) { return run.finest().error(normal_H).l2; }), 2),
+                  "worse"_a = worse, "panel"_a = panel.size(), "converging"_a = std::ranges::count_if(panel, converges(uniform_H))});
 }
 
-/// The area form with the smallest error of K on each jittered surface, and what barycentric areas cost [percentage points].
-report::Facts about_areas(const BenchRuns& runs, const AngleSums& sums) {
+/// Counts the vertices without K, whose area is not positive, on all finest meshes.
+int without_K(const BenchRuns& runs, AreaForm form) {
+    int without = 0;
+    for (const BenchRun& run : runs) without += run.finest().error(K_with(form)).undefined;
+    return without;
+}
+
+/// The area form with the smallest error of K on each jittered surface, and the cost of barycentric areas [percentage points].
+void add_area_facts(report::Facts& facts, const BenchRuns& runs, const AngleSums& sums) {
     const auto error = [](const BenchRun& run, AreaForm form) { return run.finest().error(K_with(form)).l2; };
-    Names told;
+    Names best_on;
     std::set<AreaForm> winners;
     for (const BenchRun& run : of_kind(runs, MeshKind::jittered)) {
         const AreaForm best = std::ranges::min(area_forms, {}, [&](AreaForm form) { return error(run, form); });
         winners.insert(best);
-        told.push_back(words.line("areas.best", "best"_a = area_name(best), "surface"_a = run.surface));
+        best_on.push_back(words.line("areas.best", "best"_a = area_name(best), "surface"_a = run.surface));
     }
     const double price = largest_of(runs, [&](const BenchRun& run) {
         return error(run, AreaForm::barycentric) - std::min(error(run, AreaForm::voronoi), error(run, AreaForm::mixed));
     });
     const BenchRun& sphere = run_on(runs, "sphere", MeshKind::jittered);
-    return {"one"_a = winners.size() == 1,
-            "best"_a = winners.size() == 1 ? area_name(*winners.begin()) : listed(told),
-            "price"_a = readable(rounded_up(100 * price, 2), 2),
-            "sphere"_a = error(sphere, AreaForm::voronoi) < 0.1 * error(sphere, AreaForm::barycentric),
-            "without"_a = without_K(runs, AreaForm::voronoi),
-            "sums"_a = std::ranges::count_if(sums, &AngleSum::applies),
-            "gap"_a = readable(euler_gap(sums), 2)};
+    facts.insert(facts.end(),
+                 {"one"_a = winners.size() == 1, "best"_a = winners.size() == 1 ? area_name(*winners.begin()) : listed(best_on),
+                  "price"_a = readable(rounded_up(100 * price, 2), 2),
+                  "sphere"_a = error(sphere, AreaForm::voronoi) < 0.1 * error(sphere, AreaForm::barycentric),
+                  "without"_a = without_K(runs, AreaForm::voronoi), "sums"_a = std::ranges::count_if(sums, &AngleSum::applies),
+                  "gap"_a = readable(largest_of(sums, [](auto& s) { return s.applies ? std::abs(s.measured - s.euler) : 0; }), 2)});
 }
 
 }   // namespace
+
+report::Table area_table(const BenchRuns& runs) {
+    const bool all_defined = std::ranges::all_of(area_forms, [&](AreaForm form) { return without_K(runs, form) == 0; });
+    const std::string caption = words.line("area_forms") + (all_defined ? "" : " " + words.line("area_forms.undefined"));
+    auto errors = table("q1_area_forms", caption, area_forms);
+    errors.column("area form", area_name);
+    for (const BenchRun& run : runs)
+        errors.column(run.title(), {.unit = "%", .best = Best::smallest},
+                      [&](AreaForm form) { return 100 * run.finest().error(K_with(form)).linf; });
+    if (!all_defined)
+        errors.column("without K", {.unit = "vertices", .best = Best::smallest}, [&](AreaForm form) { return without_K(runs, form); });
+    return errors;
+}
 
 std::optional<Drifting> most_drifting(const Meshes& meshes) {
     std::optional<Drifting> most;
@@ -184,35 +172,33 @@ std::optional<Drifting> most_drifting(const Meshes& meshes) {
     return most;
 }
 
-report::Text answer_of(const BenchRuns& runs) {
-    const auto error = [&](MeshKind kind, std::string_view estimator) { return readable_percent(worst(runs, kind, estimator), 2); };
+void add_answer(report::Section& section, const BenchRuns& runs) {
     using enum MeshKind;
-    return words.say("answer", "K_regular"_a = error(regular, deficit_K), "K_jittered"_a = error(jittered, deficit_K),
-                     "H_regular"_a = error(regular, uniform_H), "H_jittered"_a = error(jittered, uniform_H),
-                     "drift"_a = 2 * drifting_runs(runs) > std::ssize(runs));
-}
-
-report::Text lead_of(const BenchRuns& runs) {
-    const auto largest = [](const BenchRun& run) { return run.finest().error(deficit_K).linf; };
-    const BenchRun* stuck = stuck_at_a_vertex(runs);
-    return words.say("lead", "jittered"_a = readable_percent(worst(runs, MeshKind::jittered, deficit_K, &EstimateError::linf), 2),
-                     "stuck"_a = stuck ? stuck->surface : "", "stuck_error"_a = stuck ? readable_percent(largest(*stuck), 2) : "");
+    const auto error = [&](MeshKind kind, std::string_view estimator) { return readable_percent(worst(runs, kind, estimator), 2); };
+    section.answer = words.say("answer", "K_regular"_a = error(regular, deficit_K), "K_jittered"_a = error(jittered, deficit_K),
+                               "H_regular"_a = error(regular, uniform_H), "H_jittered"_a = error(jittered, uniform_H),
+                               "drift"_a = 2 * drifting_runs(runs) > std::ssize(runs));
+    const auto largest = [](const BenchLevel& level) { return level.error(deficit_K).linf; };
+    const auto regular_runs = of_kind(runs, regular);
+    const BenchRun& run = *std::ranges::max_element(regular_runs, {}, [&](const BenchRun& r) { return largest(r.finest()); });
+    const double at_worst_vertex = largest(run.finest());
+    // One vertex is far worse than the rest, and refinement hardly improves it.
+    const bool stuck = at_worst_vertex > 5 * run.finest().error(deficit_K).l2 && at_worst_vertex > 0.8 * largest(run.levels.front());
+    add_paragraphs(section,
+                   {words.say("lead", "jittered"_a = readable_percent(worst(runs, jittered, deficit_K, &EstimateError::linf), 2),
+                              "stuck"_a = stuck ? run.surface : "", "stuck_error"_a = stuck ? readable_percent(at_worst_vertex, 2) : "")});
 }
 
 void add_discussion(report::Section& section, const Meshes& meshes, const std::vector<FlatMesh>& flat, const BenchRuns& runs,
                     const BenchRuns& panel, const AngleSums& sums, const std::optional<Drifting>& drifting) {
     report::Facts facts;
-    for (const report::Facts& part : {about_pictures(meshes), about_flat_meshes(flat), about_small_meshes(meshes),
-                                      about_drift(meshes, drifting), about_K(meshes), about_errors(runs, panel), about_areas(runs, sums)})
-        facts.insert(facts.end(), part.begin(), part.end());
+    add_picture_facts(facts, meshes);
+    add_flat_mesh_facts(facts, flat);
+    add_drift_facts(facts, meshes, drifting);
+    add_K_facts(facts, meshes);
+    add_error_facts(facts, runs, panel);
+    add_area_facts(facts, runs, sums);
     add_words(section, words, "discussion", facts);
-}
-
-void add_flat_boundaries(report::Section& section, const std::vector<FlatMesh>& flat) {
-    for (const FlatMesh& f : flat)
-        if (f.boundary_vertices > 0)
-            add_words(section, words, "flat.boundary", "mesh"_a = f.curvature->name(), "length"_a = readable(f.boundary_length, 2),
-                      "turning"_a = readable(f.turning, 4));
 }
 
 }   // namespace meshfolio::q1_uniform

@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "geometry/operators/uniform_laplacian.h"
+#include "questions/bench/estimators.h"
 #include "questions/bench/one_ring.h"
 #include "questions/core/diagram_names.h"
 #include "questions/q1_uniform/parts.h"
@@ -14,7 +15,7 @@ using namespace diagram_names;
 
 constexpr double drawn_normal = 0.9;   // length of n, on the unit sphere
 
-/// A view from aside in which the drift of Δx along the surface shows its whole length.
+/// A parallel projection from aside: directions along `right` keep their length.
 class SideView {
 public:
     /// @param elevation  of the eye over the tangent plane [rad]
@@ -27,7 +28,7 @@ private:
     Vector3 origin_, right_, up_;
 };
 
-/// A ring on a sphere, the mean of its neighbours, and Δx with its parts along the normal and along the surface.
+/// Draws a ring on a sphere, and Δx with its parts along the normal and along the surface.
 Diagram::Panel laplacian_panel() {
     const SampleRing sample = ring_on_a_sphere();
     const auto point = [&](int v) -> Vector3 { return sample.mesh.X.row(v).transpose(); };
@@ -61,7 +62,7 @@ Diagram::Panel laplacian_panel() {
     return panel;
 }
 
-/// The same ring cut open and laid flat.
+/// Draws the ring of laplacian_panel() cut open and laid flat.
 Diagram::Panel deficit_panel() {
     const SampleRing sample = ring_on_a_sphere();
     // The gap opens downwards.
@@ -90,6 +91,7 @@ Diagram::Panel deficit_panel() {
     return panel;
 }
 
+/// Draws the cell of a flat ring for one form of area; obtuse triangles are shaded.
 Diagram::Panel area_panel(const FlatRing& ring, AreaForm form) {
     Diagram::Panel panel{.title = area_name(form)};
     const auto corner = ring.corners.begin();
@@ -107,8 +109,8 @@ struct Shown {
     std::string key;   // the end of its panel's name, and the beginning of its label
     std::string quantity, unit;
     Vector values;
-    double floor;   // of the range
-    double least;   // below it all is 0 but for rounding
+    double floor;   // least width of the colour range
+    double least;   // values below are rounding
 };
 
 std::array<Shown, 2> H_and_K_of(const MeshCurvature& c) {
@@ -117,16 +119,7 @@ std::array<Shown, 2> H_and_K_of(const MeshCurvature& c) {
              {"k", "K", "1/length²", c.K, 0.1 / area, 0.01 / area}}};
 }
 
-output::Panel panel_of(const Shown& shown, const MeshCurvature& c) {
-    const double most = largest_magnitude(shown.values);
-    const std::string label =
-        words.line(shown.key + (most > shown.least ? ".label" : ".label.zero"), "mesh"_a = c.name(), "most"_a = readable(most, 2));
-    output::Panel panel = unit_ball_panel(c.subject, "q1_" + c.name() + "_" + shown.key, label, shown.values);
-    set_own_range(panel, diverging_range(shown.values, shown.floor), shown.quantity, shown.unit);
-    return panel;
-}
-
-/// H and K of these meshes side by side. Irregular vertices that the text speaks of are ringed.
+/// Adds a figure of H and K of these meshes side by side. Irregular vertices that the text mentions are ringed.
 void add_H_and_K(Answer& answer, const std::vector<const MeshCurvature*>& meshes, const std::string& id, const std::string& key,
                  output::Layout layout) {
     output::FigureRequest figure{.id = id,
@@ -140,7 +133,13 @@ void add_H_and_K(Answer& answer, const std::vector<const MeshCurvature*>& meshes
     UndefinedVertices masked;
     Names ringed;
     for (const MeshCurvature* c : meshes) {
-        for (const Shown& shown : H_and_K_of(*c)) figure.panels.push_back(panel_of(shown, *c));
+        for (const Shown& shown : H_and_K_of(*c)) {
+            const double most = largest_magnitude(shown.values);
+            const std::string label =
+                words.line(shown.key + (most > shown.least ? ".label" : ".label.zero"), "mesh"_a = c->name(), "most"_a = readable(most, 2));
+            figure.panels.push_back(unit_ball_panel(c->subject, "q1_" + c->name() + "_" + shown.key, label, shown.values));
+            set_own_range(figure.panels.back(), diverging_range(shown.values, shown.floor), shown.quantity, shown.unit);
+        }
         masked += undefined_vertices(c->subject);
         if (const IrregularVertices odd = irregular_vertices(*c); odd.ringed()) {
             figure.panels.back().marked_vertices = odd.vertices;
@@ -151,7 +150,7 @@ void add_H_and_K(Answer& answer, const std::vector<const MeshCurvature*>& meshes
     add_figure(answer, std::move(figure), words.line(key + ".caption", "marked"_a = marked, "undefined"_a = undefined_words(masked)));
 }
 
-/// A square patch of z = −½(κ₁y² + κ₂x²), seen along y and from above, with the curves of κ₁ and κ₂.
+/// Draws a square patch of z = −½(κ₁y² + κ₂x²), seen along y and from above, with the curves of κ₁ and κ₂.
 Diagram::Panel patch_panel(double kappa_1, double kappa_2, const std::string& title) {
     constexpr double turn = 0.45, elevation = 0.75, reach = 1, line_spacing = 0.25;
     constexpr int steps = 24;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double deficit_rounding = 1e-12;   // [rad]
 
-/// 98th over 2nd percentile of the magnitudes; 0 where there is more than one sign, or none.
+/// Returns the 98th over the 2nd percentile of the magnitudes; 0 unless all values have one sign.
 double spread_of(const Vector& values) {
     const std::vector<double> sorted = sorted_finite(values);
     if (sorted.empty() || !(sorted.front() * sorted.back() > 0)) return 0;
@@ -58,7 +58,6 @@ TangentialPart tangential_part(const MeshCurvature& c) {
     TangentialPart part;
     part.shares = tangential_shares(s.mesh(), s.topology());
     double whole = 0, normal = 0, truth = 0, gap = 0, normal_gap = 0;
-    int vertices = 0, dark = 0;
     for (int i = 0; i < s.mesh().vertex_count(); ++i) {
         if (!std::isfinite(c.H[i]) || !std::isfinite(c.cotangent[i])) continue;
         whole += s.uniform.row(i).squaredNorm();
@@ -66,11 +65,8 @@ TangentialPart tangential_part(const MeshCurvature& c) {
         truth += c.cotangent[i] * c.cotangent[i];
         gap += std::pow(c.H[i] - c.cotangent[i], 2);
         normal_gap += std::pow(-2 * along[i] / scale[i] - c.cotangent[i], 2);
-        ++vertices;
-        dark += part.shares[i] > 0.9 ? 1 : 0;
     }
     if (whole > 0) part.share = 1 - normal / whole;
-    part.dark = vertices > 0 ? double(dark) / vertices : 0;
     part.gap = std::sqrt(gap / truth);
     part.normal_gap = std::sqrt(normal_gap / truth);
     part.length = contrast(part.shares, c.length.cwiseAbs());
@@ -131,8 +127,8 @@ IrregularVertices irregular_vertices(const MeshCurvature& c) {
     return 20 * found.vertices.size() <= static_cast<std::size_t>(K.count) ? found : IrregularVertices{};
 }
 
-std::vector<AngleSum> angle_sums(const std::vector<MeshCurvature>& meshes, const BenchRuns& runs) {
-    std::vector<AngleSum> sums;
+AngleSums angle_sums(const Meshes& meshes, const BenchRuns& runs) {
+    AngleSums sums;
     for (const MeshCurvature& c : meshes) {
         const Preflight& p = c.subject.preflight();
         sums.push_back({c.name(), p.vertices_in_use, p.triangles, p.euler_characteristic, total_deficit(c.deficit) / (2 * pi),
@@ -156,13 +152,10 @@ FlatMesh flat_mesh(const MeshCurvature& c) {
     f.drift = largest_magnitude(lengths, inside);
     f.deficit = largest_magnitude(c.deficit, inside);
     f.boundary_length = largest_magnitude(lengths, boundary);
-    f.largest_turning = largest_magnitude(c.deficit, boundary);
     for (int i = 0; i < c.deficit.size(); ++i) {
         if (!boundary(i)) continue;
         ++f.boundary_vertices;
         f.turning += c.deficit[i] / (2 * pi);
-        // π − Σθ is stored there; the interior formula would have 2π − Σθ.
-        if (c.areas[i] > 0) f.boundary_K = std::max(f.boundary_K, std::abs(c.deficit[i] + pi) / c.areas[i] * s.diagonal * s.diagonal);
     }
     return f;
 }

@@ -11,34 +11,35 @@ report::Text about_tip(const Tip& tip) {
                      "least"_a = readable(k.minimum, 2), "largest"_a = readable(k.maximum, 2));
 }
 
-report::Text about_readings(const Tip& tip) {
+void add_discussion(report::Section& section, const Tip& tip, const Oracles& oracles, const PoleSteps& steps, const DiscreteTips& tips) {
     const Ellipsoid& e = tip.ellipsoid;
     const auto [gap, degrees] = largest_gap(e);
-    return words.say("readings", "gap"_a = readable(gap, 2), "degrees"_a = degrees, "angle"_a = readable(tip.at_45_angle, 2),
-                     "parameters"_a = readable(tip.at_45_parameters, 2));
-}
-
-report::Text about_sign(const Tip& tip) {
     const double x = tip.forms.normal.x();   // the tip is at +x
-    return words.say("sign", "where"_a = x < 0 ? "inwards" : "outwards", "normal_x"_a = readable(x), "K"_a = readable(tip.K, 2));
-}
-
-report::Text about_oracles(const Oracles& oracles) {
     double forms = 0, curvature = 0;
-    for (const OracleErrors& e : oracles) {
-        forms = std::max({forms, e.I, e.II});
-        curvature = std::max({curvature, e.K, e.H});
+    for (const OracleErrors& errors : oracles) {
+        forms = std::max({forms, errors.I, errors.II});
+        curvature = std::max({curvature, errors.K, errors.H});
     }
-    return words.say("against_oracles", "points"_a = total_points(oracles), "ellipsoids"_a = oracles.size(), "forms"_a = readable(forms, 2),
-                     "curvature"_a = readable(curvature, 2));
-}
-
-report::Text about_poles(const Ellipsoid& e, const PoleSteps& steps) {
     const PoleStep& last = steps.back();
-    return words.say("poles", "distance"_a = readable(last.distance, 2), "off"_a = readable(std::abs(last.K / pole_limit(e) - 1), 2));
+    const DiscreteTip &grid = tips.grid.back(), &icosphere = tips.icosphere.back();
+    const bool stalls = icosphere.K_error >= tips.icosphere.front().K_error;
+    add_paragraphs(section,
+                   {about_tip(tip),
+                    words.say("readings", "gap"_a = readable(gap, 2), "degrees"_a = degrees, "angle"_a = readable(tip.at_45_angle, 2),
+                              "parameters"_a = readable(tip.at_45_parameters, 2)),
+                    words.say("sign", "where"_a = x < 0 ? "inwards" : "outwards", "normal_x"_a = readable(x), "K"_a = readable(tip.K, 2)),
+                    paragraph_of({words.say("against_oracles", "points"_a = total_points(oracles), "ellipsoids"_a = oracles.size(),
+                                            "forms"_a = readable(forms, 2), "curvature"_a = readable(curvature, 2)),
+                                  words.say("poles", "distance"_a = readable(last.distance, 2),
+                                            "off"_a = readable(std::abs(last.K / pole_limit(e) - 1), 2)),
+                                  words.say("on_meshes", "grid_vertices"_a = grid.vertices, "H_error"_a = readable_percent(grid.H_error, 2),
+                                            "K_error"_a = readable_percent(grid.K_error, 2), "icosphere_vertices"_a = icosphere.vertices,
+                                            "icosphere_H_error"_a = readable_percent(icosphere.H_error, 2),
+                                            "icosphere_K_error"_a = readable_percent(icosphere.K_error, 2)),
+                                  stalls ? words.say("on_meshes.stall") : report::Text()})});
 }
 
-/// What earlier reports had at the tip: (u, v) = (0, π), E = a² and e = abc.
+/// Two mistakes of earlier reports at the tip: (u, v) = (0, π), and E = a² with e = abc.
 report::Text about_mistakes(const Tip& tip) {
     const Ellipsoid& e = tip.ellipsoid;
     const Vector3 there = ellipsoid_point(e, 0, pi);
@@ -51,59 +52,32 @@ report::Text about_mistakes(const Tip& tip) {
                      "off"_a = readable_percent(std::abs(wrong / right - 1)));
 }
 
-report::Text about_meshes(const DiscreteTips& tips) {
-    const DiscreteTip &grid = tips.grid.back(), &icosphere = tips.icosphere.back();
-    report::Text t = words.say("on_meshes", "grid_vertices"_a = grid.vertices, "H_error"_a = readable_percent(grid.H_error, 2),
-                               "K_error"_a = readable_percent(grid.K_error, 2), "icosphere_vertices"_a = icosphere.vertices,
-                               "icosphere_H_error"_a = readable_percent(icosphere.H_error, 2),
-                               "icosphere_K_error"_a = readable_percent(icosphere.K_error, 2));
-    if (icosphere.K_error >= tips.icosphere.front().K_error) go_on(t, words.say("on_meshes.stall"));
-    return t;
-}
-
-report::Text lead_of(const Tip& tip) {
-    const PrincipalCurvatures& k = tip.principal;
-    return words.say("lead", "axes"_a = axes_text(tip.ellipsoid), "least"_a = readable(k.minimum, 2),
-                     "least_along"_a = direction_text(k.minimum_direction), "largest"_a = readable(k.maximum, 2),
-                     "largest_along"_a = direction_text(k.maximum_direction));
-}
-
-void check_tip(report::Section& section, const Tip& tip) {
-    const auto [a, b, c] = tip.ellipsoid;
-    const auto name = [&](const char* key) { return words.line(key, "axes"_a = axes_text(tip.ellipsoid)); };
-    const auto [smaller, larger] = std::minmax({a / (b * b), a / (c * c)});
-    append_checks(section, {check_near(name("check.tip.smaller"), smaller, tip.principal.minimum, 1e-12),
-                            check_near(name("check.tip.larger"), larger, tip.principal.maximum, 1e-12),
-                            check_near(name("check.tip.gaussian"), a * a / (b * b * c * c), tip.K, 1e-11),
-                            check_at_most(name("check.tip.euler"), 0, tip.worst_euler, 1e-12),
-                            check_at_most(name("check.tip.parameters"), 0, tip.worst_parameters, 1e-12)});
-}
-
-/// Checks that κ_n is 1/r in every direction on a sphere.
-void check_sphere(report::Section& section, double r) {
-    const Tip tip = tip_of({r, r, r});
-    append_checks(section, {check_near(words.line("check.sphere.smaller"), 1 / r, tip.principal.minimum, 1e-12),
-                            check_near(words.line("check.sphere.larger"), 1 / r, tip.principal.maximum, 1e-12)});
-}
-
-void check_oracles(report::Section& section, const OracleErrors& e) {
-    const auto name = [&](const char* key) { return words.line(key, "axes"_a = axes_text(e.ellipsoid)); };
-    append_checks(section,
-                  {check_at_most(name("check.oracle.first"), 0, e.I, 1e-8), check_at_most(name("check.oracle.second"), 0, e.II, 1e-8),
-                   check_at_most(name("check.oracle.gaussian"), 0, e.K, 1e-11), check_at_most(name("check.oracle.mean"), 0, e.H, 1e-11)});
-}
-
 void add_checks(report::Section& section, const std::vector<Tip>& tips, const Oracles& oracles, const PoleSteps& pole,
                 const DiscreteTips& discrete) {
-    for (const Tip& tip : tips) check_tip(section, tip);
-    check_sphere(section, 0.8);
-    for (const OracleErrors& e : oracles) check_oracles(section, e);
+    const auto line = [](const char* key, const Ellipsoid& e) { return words.line(key, "axes"_a = axes_text(e)); };
+    for (const Tip& tip : tips) {
+        const auto [a, b, c] = tip.ellipsoid;
+        const auto name = [&](const char* key) { return line(key, tip.ellipsoid); };
+        const auto [smaller, larger] = std::minmax({a / (b * b), a / (c * c)});
+        add(section, check_near(name("check.tip.smaller"), smaller, tip.principal.minimum, 1e-12),
+            check_near(name("check.tip.larger"), larger, tip.principal.maximum, 1e-12),
+            check_near(name("check.tip.gaussian"), a * a / (b * b * c * c), tip.K, 1e-11),
+            check_at_most(name("check.tip.euler"), 0, tip.worst_euler, 1e-12),
+            check_at_most(name("check.tip.parameters"), 0, tip.worst_parameters, 1e-12));
+    }
+    constexpr double r = 0.8;
+    const Tip sphere = tip_of({r, r, r});   // κ_n is 1/r in every direction
+    add(section, check_near(words.line("check.sphere.smaller"), 1 / r, sphere.principal.minimum, 1e-12),
+        check_near(words.line("check.sphere.larger"), 1 / r, sphere.principal.maximum, 1e-12));
+    for (const OracleErrors& e : oracles) {
+        const auto name = [&](const char* key) { return line(key, e.ellipsoid); };
+        add(section, check_at_most(name("check.oracle.first"), 0, e.I, 1e-8), check_at_most(name("check.oracle.second"), 0, e.II, 1e-8),
+            check_at_most(name("check.oracle.gaussian"), 0, e.K, 1e-11), check_at_most(name("check.oracle.mean"), 0, e.H, 1e-11));
+    }
     const double limit = pole_limit(tips.front().ellipsoid);
-    append_checks(
-        section,
-        {check_near(words.line("check.pole"), limit, pole.back().K, 1e-6 * limit),
-         check_near(words.line("check.discrete.mean"), 2, errors_of(discrete.grid, &DiscreteTip::H_error).order().exponent, 0.2),
-         check_near(words.line("check.discrete.gaussian"), 2, errors_of(discrete.grid, &DiscreteTip::K_error).order().exponent, 0.2)});
+    add(section, check_near(words.line("check.pole"), limit, pole.back().K, 1e-6 * limit),
+        check_near(words.line("check.discrete.mean"), 2, errors_of(discrete.grid, &DiscreteTip::H_error).order().exponent, 0.2),
+        check_near(words.line("check.discrete.gaussian"), 2, errors_of(discrete.grid, &DiscreteTip::K_error).order().exponent, 0.2));
 }
 
 }   // namespace
@@ -138,13 +112,15 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     const DiscreteTips discrete = discrete_tips(flat_ellipsoid, settings.quick);
 
     section.answer = words.say("answer");
-    add_paragraphs(section, {lead_of(tip)});
+    const PrincipalCurvatures& k = tip.principal;
+    add_paragraphs(section, {words.say("lead", "axes"_a = axes_text(tip.ellipsoid), "least"_a = readable(k.minimum, 2),
+                                       "least_along"_a = direction_text(k.minimum_direction), "largest"_a = readable(k.maximum, 2),
+                                       "largest_along"_a = direction_text(k.maximum_direction))});
     add_words(section, words, "method");
     add(section, angle_diagram(tip));
     add_words(section, words, {"method.tip", "results"});
     add(section, tip_table(tips), tip_plot(tip, "q2_tip_b_above_c"));
-    add_paragraphs(section, {about_tip(tip), about_readings(tip), about_sign(tip),
-                             paragraph_of({about_oracles(oracles), about_poles(tip.ellipsoid, pole), about_meshes(discrete)})});
+    add_discussion(section, tip, oracles, pole, discrete);
     add_checks(section, tips, oracles, pole, discrete);
 
     begin_appendix(section);

@@ -10,6 +10,7 @@ using namespace diagram_names;
 
 constexpr double drawn_angle = 0.7;   // θ of the drawing [rad]
 
+/// Returns 120 points of an ellipse about the origin.
 std::vector<DiagramPoint> ellipse(double half_width, double half_height) {
     std::vector<DiagramPoint> points;
     for (int i = 0; i < 120; ++i) {
@@ -19,14 +20,14 @@ std::vector<DiagramPoint> ellipse(double half_width, double half_height) {
     return points;
 }
 
-/// An arrow from the origin, named at its head, where it may say along which axis it is.
+/// Adds an arrow from the origin with its name, and perhaps its axis, at the head.
 void add_arrow(Diagram::Panel& panel, DiagramPoint head, const char* name, Side side, Style style, const char* axis = "") {
     panel.paths.push_back(path_through({{0, 0}, head}, style));
     panel.paths.back().arrow = true;
     panel.labels.push_back({.x = head[0], .y = head[1], .words = text(math(name), axis), .side = side, .accent = style == Style::accent});
 }
 
-/// The tangent plane at the tip, seen along −n: p_u to the right, −p_v upwards. The outline is that of the ellipsoid.
+/// Draws the tangent plane at the tip, seen along −n with the outline of the ellipsoid: p_u to the right, −p_v upwards.
 Diagram::Panel tangent_plane(const Tip& tip) {
     const double b = tip.forms.p_u.norm(), c = tip.forms.p_v.norm();
     Diagram::Panel panel{.title = words.line("diagram.tangent_plane")};
@@ -45,7 +46,7 @@ Diagram::Panel tangent_plane(const Tip& tip) {
     return panel;
 }
 
-/// The section by the plane of the normal and a tangent, and the circle that osculates it at the tip.
+/// Draws the section by the plane of the normal and a tangent, and its osculating circle at the tip.
 Diagram::Panel normal_section(const Tip& tip, const Eigen::Vector2d& du_dv, const char* title, const char* radius_name) {
     const double a = tip.ellipsoid.a, reach = (du_dv[0] * tip.forms.p_u + du_dv[1] * tip.forms.p_v).norm();
     const double radius = 1 / normal_curvature(tip.forms, du_dv);

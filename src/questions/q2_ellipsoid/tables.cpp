@@ -4,24 +4,7 @@ namespace meshfolio::q2_ellipsoid {
 
 namespace {
 
-struct Place {
-    double u, v;   // over π
-    Vector3 p = {};
-    FundamentalForms forms = {};
-    PrincipalCurvatures principal = {};
-};
-
-std::vector<Place> places_on(const Ellipsoid& ellipsoid) {
-    std::vector<Place> places{{0, 0.5}, {0.5, 0.5}, {1, 0.5}, {0.25, 0.5}, {0, 0.25}, {0.25, 0.25}, {0.7, 0.8}};
-    for (Place& place : places) {
-        place.p = ellipsoid_point(ellipsoid, pi * place.u, pi * place.v);
-        place.forms = ellipsoid_forms(ellipsoid, pi * place.u, pi * place.v);
-        place.principal = principal_curvatures(place.forms);
-    }
-    return places;
-}
-
-/// The columns a, b and c, of rows that have an ellipsoid.
+/// Adds the columns a, b and c to a table; its rows have a field `ellipsoid`.
 template <class Builder>
 void add_axes(Builder& table) {
     table.column("a", {.unit = "length"}, [](auto& row) { return row.ellipsoid.a; })
@@ -29,6 +12,7 @@ void add_axes(Builder& table) {
         .column("c", {.unit = "length"}, [](auto& row) { return row.ellipsoid.c; });
 }
 
+/// Samples a curvature over a full turn of the direction.
 report::Series curve_of(const Ellipsoid& ellipsoid, double (*curvature)(const Ellipsoid&, double), std::string name,
                         report::Series::Style style) {
     report::Series series{.name = std::move(name), .style = style};
@@ -36,18 +20,18 @@ report::Series curve_of(const Ellipsoid& ellipsoid, double (*curvature)(const El
     return series;
 }
 
-/// The places of the extrema are those of the sampled curve, not of the formula. The first maximum and the first minimum have a label.
+/// Marks the extrema of a sampled closed curve. The first maximum and the first minimum have a label.
 std::vector<report::Marker> extrema_of(const report::Series& curve) {
     std::vector<report::Marker> extrema;
     const std::size_t n = curve.y.size() - 1;   // the last point repeats the first
-    bool maximum_told = false, minimum_told = false;
+    bool has_maximum = false, has_minimum = false;
     for (std::size_t i = 0; i <= n; ++i) {
         const double before = curve.y[(i + n - 1) % n], here = curve.y[i], after = curve.y[(i + 1) % n];
         const bool maximum = here > before && here > after, minimum = here < before && here < after;
         if (!maximum && !minimum) continue;
-        bool& told = maximum ? maximum_told : minimum_told;
+        bool& has_label = maximum ? has_maximum : has_minimum;
         const char* key = maximum ? "tip_curves.maximum" : "tip_curves.minimum";
-        extrema.push_back({curve.x[i], here, std::exchange(told, true) ? "" : words.line(key, "value"_a = readable(here, 4))});
+        extrema.push_back({curve.x[i], here, std::exchange(has_label, true) ? "" : words.line(key, "value"_a = readable(here, 4))});
     }
     return extrema;
 }
@@ -55,11 +39,23 @@ std::vector<report::Marker> extrema_of(const report::Series& curve) {
 }   // namespace
 
 report::Table forms_table(const Ellipsoid& ellipsoid) {
+    struct Place {
+        double u, v;   // over π
+        Vector3 p = {};
+        FundamentalForms forms = {};
+        PrincipalCurvatures principal = {};
+    };
+    std::vector<Place> places{{0, 0.5}, {0.5, 0.5}, {1, 0.5}, {0.25, 0.5}, {0, 0.25}, {0.25, 0.25}, {0.7, 0.8}};
+    for (Place& place : places) {
+        place.p = ellipsoid_point(ellipsoid, pi * place.u, pi * place.v);
+        place.forms = ellipsoid_forms(ellipsoid, pi * place.u, pi * place.v);
+        place.principal = principal_curvatures(place.forms);
+    }
     using Form = Eigen::Matrix2d FundamentalForms::*;
     const auto entry = [](Form form, int i, int j) { return [=](const Place& place) { return (place.forms.*form)(i, j); }; };
     const auto rounded = [](auto number_of) { return [=](const Place& place) { return without_rounding(number_of(place)); }; };
     const auto coordinate = [=](int i) { return rounded([=](const Place& place) { return place.p[i]; }); };
-    return table("q2_forms", words.line("forms", "axes"_a = axes_text(ellipsoid)), places_on(ellipsoid))
+    return table("q2_forms", words.line("forms", "axes"_a = axes_text(ellipsoid)), places)
         .column("u/π", &Place::u)
         .column("v/π", &Place::v)
         .column("x", {.unit = "length"}, coordinate(0))

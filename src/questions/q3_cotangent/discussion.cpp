@@ -1,5 +1,6 @@
 #include <set>
 
+#include "questions/bench/estimators.h"
 #include "questions/bench/one_ring.h"
 #include "questions/q3_cotangent/parts.h"
 
@@ -9,7 +10,7 @@ namespace {
 
 /// A triangle with a smaller angle is called thin [rad].
 constexpr double thin = 5 * pi / 180;
-/// Curvature × mean edge below it is rounding.
+/// Curvature × mean edge below this is rounding.
 constexpr double rounding = 1e-9;
 
 double cotangent_error(const BenchRun& run, AreaForm form = areas_used) { return run.finest().error(H_with(form)).l2; }
@@ -22,13 +23,13 @@ double worst_error(const BenchRuns& runs, MeshKind kind) {
     return largest_of(of_kind(runs, kind), [](const BenchRun& run) { return cotangent_error(run); });
 }
 
-/// How many jittered surfaces cotangent H converges on.
+/// Counts the jittered surfaces where cotangent H converges, and all jittered surfaces.
 std::pair<std::ptrdiff_t, std::ptrdiff_t> converging_of_jittered(const BenchRuns& runs) {
     const auto jittered = of_kind(runs, MeshKind::jittered);
     return {std::ranges::count_if(jittered, converges), std::ssize(jittered)};
 }
 
-/// The L2 error on the ellipsoid with random points, a mesh that comes from no regular one.
+/// Returns the L2 error of an estimator on random points of the ellipsoid, on the finest mesh.
 double on_random_points(const BenchRuns& panel, const std::string& estimator) {
     return run_on(panel, "ellipsoid", MeshKind::random).finest().error(estimator).l2;
 }
@@ -40,17 +41,7 @@ std::string share_on(const CotangentComparison& c, double share) { return on_mes
 
 // ---- what the pictures show
 
-/// The vertex with a thin triangle, if its value is far beyond all others.
-report::FactList outlier_of(const CotangentComparison& c) {
-    Eigen::Index vertex = 0;
-    const double largest = c.cotangent.array().isFinite().select(c.cotangent.array().abs(), 0).maxCoeff(&vertex) * c.subject.mean_edge;
-    const double times = largest / cotangent_range(c);
-    const double angle = smallest_angle_around(c.subject.mesh(), c.subject.topology(), static_cast<int>(vertex));
-    if (!(times > 10 && angle < thin)) return {};
-    return {{"mesh"_a = c.name(), "times"_a = readable(times, 2), "angle"_a = readable(angle * 180 / pi, 2)}};
-}
-
-report::Facts about_curved_meshes(const Comparisons& meshes, const Disagreements& with_jets) {
+void add_curved_mesh_facts(report::Facts& facts, const Comparisons& meshes, const Disagreements& with_jets) {
     Names beyond, rough, bumps, opposite, jet, jet_uniform;
     report::FactList outliers;
     bool curved = false;
@@ -70,21 +61,21 @@ report::Facts about_curved_meshes(const Comparisons& meshes, const Disagreements
             jet.push_back(share_on(c, d.rms));
             jet_uniform.push_back(share_on(c, d.rms_uniform));
         }
-        std::ranges::move(outlier_of(c), std::back_inserter(outliers));
+        // A vertex with a thin triangle and a value far beyond all others.
+        Eigen::Index vertex = 0;
+        const double largest = c.cotangent.array().isFinite().select(c.cotangent.array().abs(), 0).maxCoeff(&vertex) * c.subject.mean_edge;
+        const double times = largest / cotangent_range(c);
+        const double angle = smallest_angle_around(c.subject.mesh(), c.subject.topology(), static_cast<int>(vertex));
+        if (times > 10 && angle < thin)
+            outliers.push_back({"mesh"_a = c.name(), "times"_a = readable(times, 2), "angle"_a = readable(angle * 180 / pi, 2)});
     }
-    const auto has_nothing = [](const CotangentComparison& c) { return summary_of(c.difference).count == 0; };
-    return {"curved"_a = curved,
-            "beyond"_a = listed(beyond),
-            "rough"_a = listed(rough),
-            "bumps"_a = listed(bumps),
-            "opposite"_a = listed(opposite),
-            "jet"_a = listed(jet),
-            "jet_uniform"_a = listed(jet_uniform),
-            "outliers"_a = outliers,
-            "nothing"_a = listed(names_where(meshes, has_nothing))};
+    facts.insert(facts.end(),
+                 {"curved"_a = curved, "beyond"_a = listed(beyond), "rough"_a = listed(rough), "bumps"_a = listed(bumps),
+                  "opposite"_a = listed(opposite), "jet"_a = listed(jet), "jet_uniform"_a = listed(jet_uniform), "outliers"_a = outliers,
+                  "nothing"_a = listed(names_where(meshes, [](auto& c) { return summary_of(c.difference).count == 0; }))});
 }
 
-report::Facts about_flat_meshes(const Comparisons& meshes, const PlaneTest& square) {
+void add_flat_mesh_facts(report::Facts& facts, const Comparisons& meshes, const PlaneTest& square) {
     Names symmetric;
     report::FactList improved, as_bad;
     double most = 0;
@@ -101,38 +92,31 @@ report::Facts about_flat_meshes(const Comparisons& meshes, const PlaneTest& squa
                 .push_back({"mesh"_a = c.name(), "drift"_a = readable(c.drift, 2), "precision"_a = readable(c.precision, 2)});
         }
     }
-    return {"symmetric"_a = listed(symmetric),
-            "precise"_a = most > 0 ? readable(most, 2) : "",
-            "rounded"_a = rounded,
-            "improved"_a = improved,
-            "as_bad"_a = as_bad,
-            "square_uniform"_a = readable(square.uniform, 2),
-            "square_cotangent"_a = readable(square.cotangent, 2)};
+    facts.insert(facts.end(), {"symmetric"_a = listed(symmetric), "precise"_a = most > 0 ? readable(most, 2) : "", "rounded"_a = rounded,
+                               "improved"_a = improved, "as_bad"_a = as_bad, "square_uniform"_a = readable(square.uniform, 2),
+                               "square_cotangent"_a = readable(square.cotangent, 2)});
 }
 
 // ---- what the errors say
 
-report::Facts about_errors(const BenchRuns& runs) {
+void add_error_facts(report::Facts& facts, const BenchRuns& runs) {
     const BenchRun& least = *std::ranges::min_element(runs, {}, gain);
     const auto [converging, surfaces] = converging_of_jittered(runs);
     const auto mixed = [](const BenchRun& run) { return cotangent_error(run) - cotangent_error(run, AreaForm::mixed); };
     const BenchRun& sphere = run_on(runs, "sphere", MeshKind::jittered);
     const double special = cotangent_error(sphere, AreaForm::voronoi);
-    return {"least"_a = std::string(name_of(least.kind)) + " " + least.surface,
-            "least_error"_a = readable_percent(cotangent_error(least), 2),
-            "least_uniform"_a = readable_percent(uniform_error(least), 2),
-            "stalls"_a = converging < surfaces,
-            "some"_a = converging,
-            "surfaces"_a = surfaces,
-            "mixed"_a = std::ranges::count_if(
-                runs, [&](const BenchRun& run) { return mixed(run) > 0; }),
-            "runs"_a = runs.size(),
-            "gain"_a = readable(rounded_up(100 * largest_of(runs, mixed), 2), 2),
-            "special"_a = special < 0.1 * cotangent_error(sphere) ? readable_percent(special, 2) : ""};
+    facts.insert(facts.end(), {"least"_a = std::string(name_of(least.kind)) + " " + least.surface,
+                               "least_error"_a = readable_percent(cotangent_error(least), 2),
+                               "least_uniform"_a = readable_percent(uniform_error(least), 2), "stalls"_a = converging < surfaces,
+                               "some"_a = converging, "surfaces"_a = surfaces,
+                               "mixed"_a = std::ranges::count_if(
+                                   runs, [&](const BenchRun& run) { return mixed(run) > 0; }),
+                               "runs"_a = runs.size(), "gain"_a = readable(rounded_up(100 * largest_of(runs, mixed), 2), 2),
+                               "special"_a = special < 0.1 * cotangent_error(sphere) ? readable_percent(special, 2) : ""});
 }
 
 /// Cotangent against uniform H over every sequence of meshes of the ground-truth panel.
-report::Facts about_panel(const BenchRuns& panel) {
+void add_panel_facts(report::Facts& facts, const BenchRuns& panel) {
     std::set<MeshKind> lost;
     double least = infinity;   // error where the cotangent one is not better
     for (const BenchRun& run : panel) {
@@ -141,12 +125,12 @@ report::Facts about_panel(const BenchRuns& panel) {
         least = std::min(least, uniform_error(run));
     }
     const bool noisy = lost == std::set{MeshKind::noisy};
-    return {"panel"_a = panel.size(), "better"_a = std::ranges::count_if(panel, wins), "lost_noisy"_a = noisy,
-            "lost_error"_a = readable_percent(rounded_down(least, 2), 2),
-            "lost"_a = noisy ? "" : listed(each_of(lost, [](MeshKind kind) { return std::string(name_of(kind)); }))};
+    facts.insert(facts.end(), {"panel"_a = panel.size(), "better"_a = std::ranges::count_if(panel, wins), "lost_noisy"_a = noisy,
+                               "lost_error"_a = readable_percent(rounded_down(least, 2), 2),
+                               "lost"_a = noisy ? "" : listed(each_of(lost, [](MeshKind kind) { return std::string(name_of(kind)); }))});
 }
 
-report::Facts about_clamping(const Comparisons& meshes, const PlaneTest& plane, const BenchRuns& runs) {
+void add_clamping_facts(report::Facts& facts, const Comparisons& meshes, const PlaneTest& plane, const BenchRuns& runs) {
     const auto clamped = [](const BenchRun& run) { return run.finest().error("H.clamped").l2; };
     report::FactList regular;
     for (const BenchRun& run : of_kind(runs, MeshKind::regular))
@@ -163,13 +147,10 @@ report::Facts about_clamping(const Comparisons& meshes, const PlaneTest& plane, 
             words.line("edges_of", "negative"_a = negative, "edges"_a = c.subject.topology().edges.size(), "mesh"_a = c.name()));
         if (std::isfinite(c.variants[2].change)) change.push_back(share_on(c, c.variants[2].change));
     }
-    return {"costs"_a = plane.clamped > 1e3 * plane.cotangent,
-            "clamped"_a = readable(plane.clamped, 2),
-            "clamped_most"_a = readable_percent(largest_of(of_kind(runs, MeshKind::jittered), clamped), 2),
-            "regular"_a = regular,
-            "negative_edges"_a = listed(negative_edges),
-            "change"_a = listed(change),
-            "none"_a = listed(none)};
+    facts.insert(facts.end(),
+                 {"costs"_a = plane.clamped > 1e3 * plane.cotangent, "clamped"_a = readable(plane.clamped, 2),
+                  "clamped_most"_a = readable_percent(largest_of(of_kind(runs, MeshKind::jittered), clamped), 2), "regular"_a = regular,
+                  "negative_edges"_a = listed(negative_edges), "change"_a = listed(change), "none"_a = listed(none)});
 }
 
 }   // namespace
@@ -195,9 +176,11 @@ report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane, const BenchR
 void add_discussion(report::Section& section, const Comparisons& meshes, const Disagreements& with_jets, const BenchRuns& runs,
                     const PlaneTest& plane, const BenchRuns& panel) {
     report::Facts facts;
-    for (const report::Facts& part : {about_curved_meshes(meshes, with_jets), about_flat_meshes(meshes, plane), about_errors(runs),
-                                      about_panel(panel), about_clamping(meshes, plane, runs)})
-        facts.insert(facts.end(), part.begin(), part.end());
+    add_curved_mesh_facts(facts, meshes, with_jets);
+    add_flat_mesh_facts(facts, meshes, plane);
+    add_error_facts(facts, runs);
+    add_panel_facts(facts, panel);
+    add_clamping_facts(facts, meshes, plane, runs);
     add_words(section, words, "discussion", facts);
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 using namespace diagram_names;
 
-/// The ring in thin lines, its vertex marked.
+/// Draws the outline of a ring, with thin lines to its vertex.
 Diagram::Panel ring_panel(const FlatRing& ring, const char* title) {
     Diagram::Panel panel{.title = words.line(title)};
     const std::vector<DiagramPoint> outline{ring.corners.begin(), ring.corners.end() - 1};
@@ -22,6 +22,7 @@ void add_arrow(Diagram::Panel& panel, DiagramPoint from, DiagramPoint to) {
     panel.paths.back().arrow = true;
 }
 
+/// Returns the mean of the neighbours of the vertex at the origin.
 DiagramPoint ring_mean(const FlatRing& ring) {
     DiagramPoint mean{0, 0};
     for (int t = 0; t < ring.triangles(); ++t)
@@ -29,7 +30,7 @@ DiagramPoint ring_mean(const FlatRing& ring) {
     return mean;
 }
 
-/// The edge from the vertex to corner 1, and the angles opposite it.
+/// Draws the edge from the vertex to corner 1, and the angles opposite it.
 Diagram::Panel weight_panel(const FlatRing& ring) {
     Diagram::Panel panel = ring_panel(ring, "diagram.weight");
     const DiagramPoint before = ring.corners[0], end = ring.corners[1], behind = ring.corners[2];
@@ -47,7 +48,7 @@ Diagram::Panel weight_panel(const FlatRing& ring) {
     return panel;
 }
 
-/// The mean of the neighbours, and the pull towards it.
+/// Draws the pull of uniform weights, towards the mean of the neighbours.
 Diagram::Panel uniform_panel(const FlatRing& ring) {
     Diagram::Panel panel = ring_panel(ring, "diagram.uniform");
     const DiagramPoint mean = ring_mean(ring);
@@ -58,14 +59,14 @@ Diagram::Panel uniform_panel(const FlatRing& ring) {
     return panel;
 }
 
-/// The corners of the Voronoi cell: the circumcentres of the triangles.
+/// Returns the corners of the Voronoi cell, the circumcentres of the triangles.
 std::vector<DiagramPoint> circumcentres(const FlatRing& ring) {
     std::vector<DiagramPoint> centres;
     for (int t = 0; t < ring.triangles(); ++t) centres.push_back(cell_in_triangle(ring, t, AreaForm::voronoi)[2]);
     return centres;
 }
 
-/// w_ij (x_j − x_i) from the vertex on: each a side of the cell, a quarter turn back.
+/// Draws the pulls w_ij (x_j − x_i) at the vertex: each is a side of the Voronoi cell, turned back by a quarter turn.
 Diagram::Panel cotangent_panel(const FlatRing& ring) {
     Diagram::Panel panel = ring_panel(ring, "diagram.cotangent");
     const std::vector<DiagramPoint> centres = circumcentres(ring);
@@ -77,7 +78,7 @@ Diagram::Panel cotangent_panel(const FlatRing& ring) {
     return panel;
 }
 
-/// The same arrows a quarter turn on, each where it belongs.
+/// Draws the arrows of cotangent_panel() turned on by a quarter turn, around the Voronoi cell.
 Diagram::Panel cell_panel(const FlatRing& ring) {
     Diagram::Panel panel = ring_panel(ring, "diagram.cell");
     const std::vector<DiagramPoint> centres = circumcentres(ring);
@@ -107,7 +108,7 @@ double cotangent_range(const CotangentComparison& c) { return diverging_range(c.
 void add_comparison_figure(Answer& answer, const Comparisons& meshes, const Disagreements& with_jets) {
     output::FigureRequest figure{
         .id = "q3_h", .title = words.line("comparison.title"), .frame_panel = -1, .turnable = true, .view_files = true, .states = 2};
-    const bool is_short = std::ranges::count_if(meshes, is_curved) <= 2;   // so that it fits on a page
+    const bool is_short = std::ranges::count_if(meshes, is_curved) <= 2;   // fits on a page with further panels
     bool has_own = false;
     UndefinedVertices masked;
     for (std::size_t m = 0; m < meshes.size(); ++m) {
@@ -158,7 +159,7 @@ void add_plane_figure(Answer& answer, const Comparisons& meshes, const PlaneTest
                words.line("plane.caption", "vertices"_a = plane.mesh.vertex_count(), "undefined"_a = undefined_words(masked)));
 }
 
-void add_disagreement_figure(Answer& answer, const CotangentComparison& c, const Disagreement& d, const std::string& colormap) {
+void add_disagreement(Answer& answer, const CotangentComparison& c, const Disagreement& d, const std::string& colormap) {
     const CurvatureSubject& s = c.subject;
     const std::string id = "q3_" + s.name() + "_disagreement";
     output::FigureRequest figure{.id = id,
@@ -167,6 +168,9 @@ void add_disagreement_figure(Answer& answer, const CotangentComparison& c, const
                                  .panels = {panel_of(*s.source, id, s.name(), s.mean_edge * d.size)}};
     figure.range = range_from_zero(figure.panels, colormap, words.line("disagreement.quantity"), 0.001);
     add_figure(answer, std::move(figure), words.line("disagreement.caption", "mesh"_a = s.name(), "undefined"_a = undefined_words(s)));
+    add_words(answer.section, words, "trust.mesh", "mesh"_a = s.name(), "rms"_a = readable_percent(d.rms, 2),
+              "median"_a = readable_percent(rounded_up(d.median, 2), 2), "concentration"_a = readable_percent(d.concentration, 2),
+              "without_jet"_a = d.without_jet);
 }
 
 }   // namespace meshfolio::q3_cotangent

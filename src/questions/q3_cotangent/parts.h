@@ -2,6 +2,7 @@
 /// The parts of question 3.
 #pragma once
 
+#include "geometry/operators/vertex_areas.h"
 #include "questions/bench/cotangent_study.h"
 #include "questions/bench/curvature_bench.h"
 
@@ -9,51 +10,61 @@ namespace meshfolio::q3_cotangent {
 
 inline constexpr report::Words words("q3");
 
-/// The area form in all figures and their text; later questions use it in the mass matrix.
+/// The area form of all figures and their text; later questions use it in the mass matrix.
 inline constexpr AreaForm areas_used = AreaForm::barycentric;
 
 using Comparisons = std::vector<CotangentComparison>;
 
-// How far cotangent H is from that of a degree-3 jet: an indicator of its error where no closed form is known.
-/// The difference of two estimates on a mesh without closed form, over inner vertices where both exist.
+/// The difference of cotangent H from H of a degree-3 jet, over inner vertices where both exist: an indicator of the error of cotangent H.
 struct Disagreement {
     Vector jet;                 // n values [1/length]
     Vector size;                // n values |H_cotan − H_jet|, NaN elsewhere [1/length]
     double rms = 0;             // over the rms of H_cotan; NaN where that is rounding
-    double rms_uniform = 0;     // of |H_uniform − H_jet|, over the same
+    double rms_uniform = 0;     // of |H_uniform − H_jet|, over the rms of H_cotan
     double median = 0;          // over the rms of H_cotan
-    double concentration = 0;   // share of Σ size² that the hundredth of the vertices with the largest holds
-    int without_jet = 0;        // vertices inside whose two rings do not determine one
+    double concentration = 0;   // share of Σ size² at the hundredth of the vertices with the largest sizes
+    int without_jet = 0;        // vertices inside whose two rings do not determine a jet
 };
 Disagreement disagreement_with_jet(const CotangentComparison& c);
 using Disagreements = std::vector<Disagreement>;   // a mesh each
 
-/// What the indicator is worth on a mesh where the truth is known.
+/// The indicator on a mesh with known curvature.
 struct IndicatorTrial {
     std::string mesh;   // "jittered torus"
     ErrorIndicator indicator;
 };
-/// Tests the indicator on the finest regular and jittered known surfaces, and on random points of an ellipsoid.
+/// Tests the indicator on the finest regular and jittered known surfaces, and last on random points of an ellipsoid.
 std::vector<IndicatorTrial> indicator_trials(const BenchRuns& runs, const QuestionSettings& settings);
 
 inline bool is_curved(const CotangentComparison& c) { return !c.subject.plane_normal; }
-/// The end of the colour range of a mesh, set by its cotangent H.
+/// Returns the end of the colour range of a mesh, set by its cotangent H × mean edge.
 double cotangent_range(const CotangentComparison& comparison);
-/// The curved meshes by both operators, and where uniform H does not fit on the scale of cotangent H, on its own, and beside the jets.
-void add_comparison_figure(Answer& answer, const Comparisons& meshes, const Disagreements& with_jets);
-/// The flat meshes and the irregular square by both operators, on one scale.
-void add_plane_figure(Answer& answer, const Comparisons& meshes, const PlaneTest& plane, const std::string& colormap);
-void add_disagreement_figure(Answer& answer, const CotangentComparison& comparison, const Disagreement& disagreement,
-                             const std::string& colormap);
 
-/// The opposite angles, the pull of uniform weights, and why that of cotangents vanishes.
+/// Adds the curved meshes by both operators; where uniform H exceeds the scale of cotangent H, also on its own scale, and beside the jets.
+void add_comparison_figure(Answer& answer, const Comparisons& meshes, const Disagreements& with_jets);
+/// Adds the flat meshes and the irregular square by both operators, on one scale.
+void add_plane_figure(Answer& answer, const Comparisons& meshes, const PlaneTest& plane, const std::string& colormap);
+/// Adds a figure of a disagreement, and what it says of the mesh.
+void add_disagreement(Answer& answer, const CotangentComparison& comparison, const Disagreement& disagreement, const std::string& colormap);
+/// Draws the opposite angles of an edge, the pull of uniform weights, and why that of cotangent weights vanishes.
 report::Diagram weight_diagram();
+
+report::Table difference_table(const Comparisons& meshes);
+report::Table variant_table(const Comparisons& meshes);
+/// Errors on the finest meshes in one norm, one row a run. @param name  of the norm: "L2"
+report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name);
+report::Table order_table(const BenchRuns& runs);
+/// Plots the errors of uniform and of cotangent H over the mean edge.
+report::Plot error_curves(const BenchRuns& runs);
 
 report::Text answer_of(const BenchRuns& runs);
 report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane, const BenchRuns& panel);
 void add_discussion(report::Section& section, const Comparisons& meshes, const Disagreements& with_jets, const BenchRuns& runs,
                     const PlaneTest& plane, const BenchRuns& panel);
-/// Heads the appendix: boundaries, and the twelve pentagons of the icosphere.
+/// Adds the head of the appendix: boundaries, and the twelve pentagons of the icosphere.
 void add_limits(report::Section& section, const Comparisons& meshes, const BenchRuns& runs);
+/// Adds what the indicator is worth, with its table and check. @param trials  the last is that of random points
+void add_trust(report::Section& section, const std::vector<IndicatorTrial>& trials);
+void add_checks(report::Section& section, const BenchRuns& runs, const PlaneTest& plane, const Comparisons& meshes);
 
 }   // namespace meshfolio::q3_cotangent

@@ -20,28 +20,23 @@ void add_checks(report::Section& section, const SpectralStudy& study) {
     if (study.modes() == study.vertices()) of_diagonal("check.all_modes", study.reconstructions.back().difference.max);
 }
 
-/// The rebuilt meshes, written out. @return their k: "5, 15 and 60"
-report::Parameter add_meshes(Answer& answer, const SpectralStudy& study) {
-    Names counts;
-    std::vector<int> numbers;
-    for (const Reconstruction& r : study.reconstructions) {
-        numbers.push_back(r.k);
-        counts.push_back(std::to_string(r.k));
-        const std::string file = id_of(study, "k" + counts.back()) + ".ply";
-        answer.meshes.push_back({file, std::make_shared<const TriangleMesh>(r.mesh)});
-        answer.section.output_meshes.push_back("meshes/" + file);
-    }
-    return {listed(counts), numbers};
-}
-
+/// Adds the rebuilt meshes, and the parameters, timings and extent of the section.
 void add_record(Answer& answer, const Subjects& subjects) {
     report::Section& section = answer.section;
     Names done;
     for (const Subject& subject : subjects) {
         const SpectralStudy& study = subject.study;
-        const report::Parameter counts = add_meshes(answer, study);
-        done.push_back(words.line("extent.mesh", "mesh"_a = study.name(), "counts"_a = counts.text));
-        section.parameters["k on " + study.name()] = counts;
+        Names counts;
+        std::vector<int> numbers;
+        for (const Reconstruction& r : study.reconstructions) {
+            numbers.push_back(r.k);
+            counts.push_back(std::to_string(r.k));
+            const std::string file = id_of(study, "k" + counts.back()) + ".ply";
+            answer.meshes.push_back({file, std::make_shared<const TriangleMesh>(r.mesh)});
+            section.output_meshes.push_back("meshes/" + file);
+        }
+        done.push_back(words.line("extent.mesh", "mesh"_a = study.name(), "counts"_a = listed(counts)));
+        section.parameters["k on " + study.name()] = {listed(counts), numbers};
         section.parameters["solver on " + study.name()] = study.spectrum.dense ? "dense" : "shift-invert Lanczos";
         section.timings.push_back({"eigenpairs of " + study.name(), study.seconds});
     }
@@ -50,7 +45,7 @@ void add_record(Answer& answer, const Subjects& subjects) {
                                 "iterated"_a = std::ranges::any_of(subjects, [](const Subject& s) { return !s.study.spectrum.dense; }));
 }
 
-/// Puts each figure and table after the paragraph that explains it.
+/// Adds the results on one mesh, each figure and table after the paragraph that explains it.
 void add_results(Answer& answer, const Subject& subject, const report::Facts& facts) {
     report::Section& section = answer.section;
     const SpectralStudy& study = subject.study;
@@ -58,8 +53,7 @@ void add_results(Answer& answer, const Subject& subject, const report::Facts& fa
     add_reconstruction_figure(answer, study);
     add_words(section, words, "better", facts);
     add(section, error_table(subject), error_plot(study));
-    add_words(section, words, "rate", facts);
-    add_words(section, words, "modes", facts);
+    for (const char* key : {"rate", "modes"}) add_words(section, words, key, facts);
     add_eigenfunction_figure(answer, study);
     if (study.modes() > zero_modes(study) + 1) add(section, spectrum_plot(study));
     add_words(section, words, "thin", facts);

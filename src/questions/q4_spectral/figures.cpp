@@ -5,16 +5,10 @@ namespace meshfolio::q4_spectral {
 
 namespace {
 
-/// Range of the error colours [% of the box diagonal], the same in all pictures. Errors never reach the end, whose colour hides all form.
+/// Range of the error colours, the same in all pictures [% of the box diagonal]. Errors never reach the darkest colour, which hides form.
 constexpr double palest = 0.1, darkest = 100;
 
-output::Panel panel_of(const SpectralStudy& study, const Reconstruction& r) {
-    return meshfolio::panel_of(
-        r.mesh, id_of(study, "k" + std::to_string(r.k)),
-        words.line("reconstructions.label", "k"_a = r.k, "rms"_a = percent_of_box(study, r.difference.area_weighted_rms)),
-        percent_of(study) * r.distance);
-}
-
+/// Adds a figure of these reconstructions; `what` is the end of its id, and "reconstructions" includes the original.
 void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::string& what,
                          const std::vector<const Reconstruction*>& reconstructions) {
     const report::Fact mesh = "mesh"_a = study.name();
@@ -22,10 +16,13 @@ void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::
                                  .title = words.line("reconstructions.title", mesh),
                                  .subtitle = subtitle_of(*study.source),
                                  .view_files = true};
-    std::string original = words.line("reconstructions.original"), exact;   // one picture for both
+    std::string original = words.line("reconstructions.original"), exact;   // an exact one looks like the original
     for (const Reconstruction* r : reconstructions) {
         if (!is_exact(study, r->k)) {
-            figure.panels.push_back(panel_of(study, *r));
+            const std::string rms = percent_of_box(study, r->difference.area_weighted_rms);
+            figure.panels.push_back(panel_of(r->mesh, id_of(study, "k" + std::to_string(r->k)),
+                                             words.line("reconstructions.label", "k"_a = r->k, "rms"_a = rms),
+                                             percent_of(study) * r->distance));
             continue;
         }
         original = words.line("reconstructions.exact", "k"_a = r->k);
@@ -44,7 +41,7 @@ void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::
         caption = words.line(figure.panels.empty() ? "reconstructions.caption.exact" : "reconstructions.caption", mesh, "exact"_a = exact,
                              "first"_a = std::to_string(study.reconstructions.front().k),   // of file names
                              "last"_a = std::to_string(study.reconstructions.back().k));
-        figure.panels.insert(figure.panels.begin(), meshfolio::panel_of(*study.source, id_of(study, "original"), original));
+        figure.panels.insert(figure.panels.begin(), panel_of(*study.source, id_of(study, "original"), original));
         figure.turnable = true;
     }
     add_figure(answer, std::move(figure), std::move(caption));
@@ -53,14 +50,14 @@ void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::
 }   // namespace
 
 void add_reconstruction_figure(Answer& answer, const SpectralStudy& study) {
-    add_reconstructions(answer, study, "reconstructions", told_reconstructions(study));
+    add_reconstructions(answer, study, "reconstructions", shown_reconstructions(study));
 }
 
 void add_further_figure(Answer& answer, const SpectralStudy& study) {
-    const std::vector<const Reconstruction*> told = told_reconstructions(study);
+    const std::vector<const Reconstruction*> shown = shown_reconstructions(study);
     std::vector<const Reconstruction*> further;
     for (const Reconstruction& r : study.reconstructions)
-        if (std::ranges::find(told, &r) == told.end()) further.push_back(&r);
+        if (std::ranges::find(shown, &r) == shown.end()) further.push_back(&r);
     if (!further.empty()) add_reconstructions(answer, study, "further", further);
 }
 
@@ -75,8 +72,7 @@ void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study) {
     for (const int mode : drawn) {
         const Vector phi = study.spectrum.eigenvectors.col(mode - 1);
         const std::string number = std::to_string(mode);
-        request.panels.push_back(
-            meshfolio::panel_of(*study.source, id_of(study, "phi" + number), "φ" + number, phi / phi.cwiseAbs().maxCoeff()));
+        request.panels.push_back(panel_of(*study.source, id_of(study, "phi" + number), "φ" + number, phi / phi.cwiseAbs().maxCoeff()));
         request.columns.push_back(words.line("eigenfunctions.column", "mode"_a = mode,
                                              "wave"_a = percent_of_box(study, wavelength(study, mode)),
                                              "edges"_a = readable(wavelength(study, mode) / study.preflight().mean_edge, 2)));

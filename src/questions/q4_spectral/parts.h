@@ -2,7 +2,6 @@
 /// The parts of question 4.
 #pragma once
 
-#include "geometry/measures/hausdorff.h"
 #include "questions/bench/spectral_uses.h"
 
 namespace meshfolio::q4_spectral {
@@ -12,57 +11,57 @@ extern const LabOffer lab;
 
 /// Errors below this share of the box diagonal are rounding and count as 0.
 inline constexpr double rounding = 1e-9;
-/// Likewise: errors whose smallest k is marked.
-inline constexpr std::array target_shares{0.1, 0.01, 0.001};
 
-/// One mesh: its reconstructions, and why its thin parts suffer.
+/// One mesh: its reconstructions, and the errors of its thin and thick parts.
 struct Subject {
     SpectralStudy study;
-    LimbStudy limbs;
-    std::vector<HausdorffDistance> hausdorff = {};   // one a reconstruction
-    bool chosen_k = true;                            // by the question, not by the settings
+    LimbStudy limbs = {};
+    std::vector<double> hausdorff = {};   // distance to each reconstruction [length]
+    bool hausdorff_falls = false;         // for no k certainly above that of the k before
+    bool chosen_k = true;                 // by the question, not by the settings
 
     const std::string& name() const { return study.name(); }
 };
 using Subjects = std::vector<Subject>;
 Subject subject_of(SharedMesh mesh, const QuestionSettings& settings);
 
-/// The reconstructions that the answer is about: the first two k, the largest that leaves an error, and the largest.
-std::vector<const Reconstruction*> told_reconstructions(const SpectralStudy& study);
-/// The modes that are drawn, counted from 1: the first that is not constant on every component, and the last ones of k = 5, 15 and 60.
+/// Returns the reconstructions of the first two k, of the largest k that leaves an error, and of the largest k.
+std::vector<const Reconstruction*> shown_reconstructions(const SpectralStudy& study);
+/// Returns the modes to draw, counted from 1: the first that is not constant on every component, then the 5th, 15th and 60th.
 std::vector<int> drawn_modes(const SpectralStudy& study);
-/// The share of the area that is off by more than seen_error.
+/// Returns the share of the area that is off by more than seen_error.
 double share_seen(const SpectralStudy& study, const Reconstruction& r);
+/// True if the error of k modes is rounding.
 bool is_exact(const SpectralStudy& study, int k);
-/// The largest k that leaves an error; null: all are exact.
+/// Returns the reconstruction of the largest k that leaves an error; null if all are exact.
 const Reconstruction* last_erring(const SpectralStudy& study);
-/// How far the eigenvalues are from Weyl's law at most, relative: over the upper half of the modes that the mesh resolves with four mean
-/// edges a wave. NaN where fewer than ten are left.
+/// Returns the largest relative distance of the eigenvalues from Weyl's law, over the upper half of the modes that the mesh resolves with
+/// four mean edges a wave; NaN if it resolves fewer than 20.
 double distance_from_weyl(const SpectralStudy& study);
 
 inline std::string id_of(const SpectralStudy& study, const std::string& what) { return meshfolio::id_of("q4", study.name(), what); }
-/// Converts a length to % of the box diagonal by multiplication.
+/// Returns the factor from a length to % of the box diagonal.
 inline double percent_of(const SpectralStudy& study) { return 100 / study.diagonal; }
-/// "1.23 %" of the box diagonal.
+/// Returns a length in % of the box diagonal as text: "1.23 %".
 inline std::string percent_of_box(const SpectralStudy& study, double length, int digits = 2) {
     return readable_percent(length / study.diagonal, digits);
 }
 
-/// The original and the reconstructions that are told.
+/// Adds a figure of the original and shown_reconstructions().
 void add_reconstruction_figure(Answer& answer, const SpectralStudy& study);
-/// Shows the reconstructions that the first figure leaves out, if there are any.
+/// Adds a figure of all other reconstructions, if there are any.
 void add_further_figure(Answer& answer, const SpectralStudy& study);
-/// The modes that are drawn, with their nodal lines, from one view.
+/// Adds a figure of drawn_modes() with their nodal lines, from one view.
 void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study);
 
 report::Table error_table(const Subject& subject);
-/// The error for every k, with the coefficients that it is made of.
+/// Plots the error of every k, and the coefficients that add up to it.
 report::Plot error_plot(const SpectralStudy& study);
-/// The eigenvalues beside Weyl's law.
+/// Plots the eigenvalues beside Weyl's law.
 report::Plot spectrum_plot(const SpectralStudy& study);
 report::Table limb_table(const SpectralStudy& study, const LimbStudy& limbs);
 
-/// What the words say of one of the meshes. What holds for all is told with the first.
+/// Returns the facts about one of the meshes; common facts are true for the first mesh alone.
 report::Facts facts_of(const Subjects& subjects, std::size_t which);
 
 }   // namespace meshfolio::q4_spectral

@@ -8,7 +8,7 @@ using Style = report::Series::Style;
 
 constexpr auto count_digits = 6;
 
-/// A length of each element, as a share of the box.
+/// Returns a function from an element to a cell with a length of it, in % of the box diagonal.
 auto of_box(const SpectralStudy& study, auto length_of) {
     return [&study, length_of](auto& element) {
         const double length = std::invoke(length_of, element);
@@ -32,7 +32,7 @@ report::Table error_table(const Subject& subject) {
         .column("farther off", {.unit = "% of vertices", .digits = 2},
                 [&](auto& r) { return cell_of(place(r) == 0 ? NAN : 100 * share_made_worse(study, *(&r - 1), r)); })
         .column("maximum", share, of_box(study, [](auto& r) { return r.difference.max; }))
-        .column("Hausdorff", share, of_box(study, [&](auto& r) { return subject.hausdorff[place(r)].distance; }))
+        .column("Hausdorff", share, of_box(study, [&](auto& r) { return subject.hausdorff[place(r)]; }))
         .column("mean normal angle", {.unit = "°"},
                 [&](auto& r) { return cell_of(is_exact(study, r.k) ? 0 : r.difference.mean_normal_angle * 180 / pi); })
         .column("volume", {.unit = "% of original"}, [](auto& r) { return cell_of(100 * r.difference.volume_ratio); });
@@ -66,7 +66,7 @@ report::Plot error_plot(const SpectralStudy& study) {
         for (const int k : {law->first, law->last}) add_point(fitted, k, percent * law->at(k));
         plot.series.push_back(std::move(fitted));
     }
-    for (const double share : target_shares)
+    for (const double share : {0.1, 0.01, 0.001})   // the smallest k with such an error is marked
         if (const int k = smallest_k_below(study, share); k > 0)
             plot.markers.push_back({double(k), percent * study.rms[k], readable_percent(share, 1) + ": k = " + std::to_string(k)});
     return plot;

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "geometry/linear/sparse_factor.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/spectrum/laplace_spectrum.h"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "questions/bench/curvature_bench.h"
+#include "questions/bench/estimators.h"
 
 namespace meshfolio::truth {
 

@@ -17,6 +17,7 @@
 
 #include "base/errors.h"
 #include "questions/core/chapter.h"
+#include "questions/core/experiment.h"
 #include "questions/core/settings.h"
 
 namespace meshfolio::run {

@@ -7,6 +7,7 @@
 
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
+#include "questions/bench/known_surfaces.h"
 
 using namespace meshfolio;
 

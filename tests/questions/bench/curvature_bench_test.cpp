@@ -1,4 +1,5 @@
 #include "questions/bench/curvature_bench.h"
+#include "questions/bench/estimators.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include "mesh/mesh_topology.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/bench/curvature_bench.h"
+#include "questions/bench/estimators.h"
 #include "questions/core/study_laws.h"
 #include "questions/q3_cotangent/parts.h"
 
