@@ -3,6 +3,7 @@
 
 #include "geometry/measures/mesh_laws.h"
 #include "questions/certificates/parts.h"
+#include "questions/core/mesh_roles.h"
 
 namespace meshfolio::certificates {
 

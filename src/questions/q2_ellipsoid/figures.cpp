@@ -1,3 +1,4 @@
+#include "geometry/curvature/analytic_surfaces.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/diagram_names.h"
 #include "questions/q2_ellipsoid/parts.h"

@@ -6,45 +6,7 @@ namespace meshfolio::q5_explicit {
 
 namespace {
 
-/// The top mode starts a thousandth of an edge high: factors below 10⁻⁸ are rounding and count as 0.
-double above_rounding(double factor) { return factor < 1e-8 ? 0 : factor; }
-
-/// What is left of an energy or a size; below 10⁻¹² it is rounding and counts as 0. Where the mesh blew up nothing is told.
-report::Cell left_of(const SmoothingRun& run, double share) { return cell_of(std::abs(share) < 1e-12 ? 0 : share, !run.result.blew_up); }
-
-/// A row of the table of steps.
-struct Trial {
-    const ExplicitStudy& study;
-    const SmoothingRun& run;
-    const Amplification& growth;
-    std::string outcome;
-};
-
-std::string outcome_of(const ExplicitStudy& study, std::size_t i) {
-    const SmoothingRun& run = study.runs[i];
-    if (run.result.blew_up) return words.line("outcome.blew_up", "iteration"_a = run.result.blow_up_iteration);
-    if (!study.stable(i)) return words.line("outcome.growing");
-    if (!study.recommended || study.recommended->run != i) return words.line("outcome.stable");
-    return words.line("outcome.recommended");
-}
-
-std::vector<Trial> trials_of(std::span<const ExplicitStudy> studies) {
-    std::vector<Trial> trials;
-    for (const ExplicitStudy& study : studies)
-        for (std::size_t i = 0; i < study.runs.size(); ++i)
-            trials.push_back({study, study.runs[i], study.amplification[i], outcome_of(study, i)});
-    return trials;
-}
-
-/// Five at most, evenly through their order, with the smallest step and the largest.
-std::vector<const SmoothingRun*> shown_runs(const ExplicitStudy& study) {
-    const std::size_t count = study.runs.size(), most = 5;
-    std::vector<const SmoothingRun*> shown;
-    for (std::size_t i = 0; i < std::min(count, most); ++i) shown.push_back(&study.runs[count <= most ? i : i * (count - 1) / (most - 1)]);
-    return shown;
-}
-
-/// What a step multiplies a mode by, explicit and implicit; the band beyond λμ = 2, in which modes grow, is shaded.
+/// Plots the factors of a mode in one explicit and one implicit step; the band beyond λμ = 2, where modes grow, is shaded.
 report::Plot damping_plot() {
     constexpr double end = 2.4, low = 1 - end;
     report::Series explicit_factor{.name = "1 − λμ"}, implicit_factor{.name = "1/(1 + λμ)"};
@@ -65,7 +27,7 @@ report::Plot damping_plot() {
             .vertical_lines = {{1, "½ λ_crit"}, {2, "λ_crit"}}};
 }
 
-/// The limit of each mesh, and the step to take.
+/// The limit and the recommended step of each mesh.
 report::Table limit_table(const Studies& studies) {
     const auto of_best = [](auto value_of) {
         return [=](const ExplicitStudy& s) { return s.recommended ? cell_of(value_of(s, *s.recommended)) : report::Cell(); };
@@ -85,17 +47,39 @@ report::Table limit_table(const Studies& studies) {
 
 /// Every step tried on every mesh.
 report::Table steps_table(const Studies& studies) {
-    return table("q5_steps", words.line("steps", "iterations"_a = studies.front().runs.front().iterations), trials_of(studies))
+    struct Trial {
+        const ExplicitStudy& study;
+        const SmoothingRun& run;
+        const Amplification& growth;
+        std::string outcome;
+    };
+    std::vector<Trial> trials;
+    for (const ExplicitStudy& study : studies) {
+        for (std::size_t i = 0; i < study.runs.size(); ++i) {
+            const SmoothingRun& run = study.runs[i];
+            const bool recommended = study.recommended && study.recommended->run == i;
+            const char* key = run.result.blew_up ? "outcome.blew_up"
+                              : !study.stable(i) ? "outcome.growing"
+                              : recommended      ? "outcome.recommended"
+                                                 : "outcome.stable";
+            trials.push_back({study, run, study.amplification[i], words.line(key, "iteration"_a = run.result.blow_up_iteration)});
+        }
+    }
+    // The top mode starts a thousandth of an edge high: smaller factors are rounding.
+    const auto factor = [](double x) { return x < 1e-8 ? 0 : x; };
+    const auto unless_blown = [](const Trial& t, double x) { return cell_of(x, !t.run.result.blew_up); };
+    const auto left = [=](const Trial& t, double share) { return unless_blown(t, std::abs(share) < 1e-12 ? 0 : share); };
+    return table("q5_steps", words.line("steps", "iterations"_a = studies.front().runs.front().iterations), trials)
         .column("mesh", [](auto& t) { return t.study.name(); })
         .column("λ", {.unit = "length²"}, [](auto& t) { return t.run.lambda; })
         .column("λ/λ_crit", [](auto& t) { return t.run.lambda / t.study.subject.critical; })
-        .column("top mode ×, predicted", [](auto& t) { return above_rounding(t.growth.predicted); })
-        .column("measured", [](auto& t) { return above_rounding(t.growth.measured); })
-        .column("energy", {.unit = "of input"}, [](auto& t) { return left_of(t.run, t.run.energy.back()); })
-        .column("size", {.unit = "% of input"}, [](auto& t) { return left_of(t.run, 100 * t.run.size.back()); })
+        .column("top mode ×, predicted", [=](auto& t) { return factor(t.growth.predicted); })
+        .column("measured", [=](auto& t) { return factor(t.growth.measured); })
+        .column("energy", {.unit = "of input"}, [=](auto& t) { return left(t, t.run.energy.back()); })
+        .column("size", {.unit = "% of input"}, [=](auto& t) { return left(t, 100 * t.run.size.back()); })
         .column("rms moved", {.unit = "% of box"},
-                [](auto& t) { return cell_of(100 * t.run.moved.rms / t.study.subject.diagonal, !t.run.result.blew_up); })
-        .column("faces turned over", {.digits = 6}, [](auto& t) { return cell_of(t.run.moved.inverted_faces, !t.run.result.blew_up); })
+                [=](auto& t) { return unless_blown(t, 100 * t.run.moved.rms / t.study.subject.diagonal); })
+        .column("faces turned over", {.digits = 6}, [=](auto& t) { return unless_blown(t, t.run.moved.inverted_faces); })
         .column("outcome", &Trial::outcome);
 }
 
@@ -111,33 +95,27 @@ report::Table bounds_table(const Studies& studies) {
         .column("uniform λ_crit", {.digits = 4}, &ExplicitStudy::uniform_critical);
 }
 
-/// The energies of all meshes, a panel a mesh, a curve a step. Beyond five a curve has made its point and would flatten all others.
+/// Plots the energies over the iterations, a panel a mesh, for at most five steps; a curve ends beyond five times the input's energy.
 report::Plot energy_plot(const Studies& studies) {
     constexpr double shown = 5;
+    constexpr std::size_t most = 5;
     report::Plot plot{
         .id = "q5_energy", .caption = words.line("energy"), .x_label = "iteration", .y_label = words.line("energy.axis"), .log_y = true};
     for (const ExplicitStudy& study : studies) {
-        int color = 0;
-        for (const SmoothingRun* run : shown_runs(study)) {
+        const std::size_t count = study.runs.size();
+        for (std::size_t i = 0; i < std::min(count, most); ++i) {
+            // Evenly through the order of the steps, from the smallest to the largest.
+            const SmoothingRun& run = study.runs[count <= most ? i : i * (count - 1) / (most - 1)];
+            const int color = static_cast<int>(i);
             report::Series& series = plot.series.emplace_back(
-                report::Series{.name = words.line("energy.series", "limits"_a = in_limits(study.subject, run->lambda)),
+                report::Series{.name = words.line("energy.series", "limits"_a = in_limits(study.subject, run.lambda)),
                                .color = color,
                                .pattern = color,
                                .panel = studies.size() > 1 ? study.name() : ""});
-            for (std::size_t t = 0; t < run->energy.size() && run->energy[t] < shown; ++t) add_point(series, double(t), run->energy[t]);
-            ++color;
+            for (std::size_t t = 0; t < run.energy.size() && run.energy[t] < shown; ++t) add_point(series, double(t), run.energy[t]);
         }
     }
     return plot;
-}
-
-/// What triangles without area would do to the limit, on the meshes that have some.
-void add_faces_without_area(report::Section& section, const Studies& studies) {
-    for (const ExplicitStudy& study : studies) {
-        if (!(study.subject.critical_floored > 0)) continue;
-        add_words(section, words, "without_area", "triangles"_a = study.subject.preflight().zero_area_faces, "mesh"_a = study.name(),
-                  "critical"_a = readable(study.subject.critical, 4), "floored"_a = readable(study.subject.critical_floored, 4));
-    }
 }
 
 void add_checks(report::Section& section, const ExplicitStudy& study) {
@@ -164,6 +142,7 @@ void add_checks(report::Section& section, const ExplicitStudy& study) {
     }
 }
 
+/// Adds the parameters and the extent of the section.
 void add_record(report::Section& section, const Studies& studies) {
     for (const ExplicitStudy& study : studies)
         section.parameters[words.line("parameter.critical", "mesh"_a = study.name())] = {plain_text(study.subject.critical, 6),
@@ -172,13 +151,6 @@ void add_record(report::Section& section, const Studies& studies) {
     section.parameters["operator"] = smoothing_words.line("parameter.operator");
     const bool all = std::ranges::all_of(studies, [](const ExplicitStudy& study) { return study.recommended.has_value(); });
     section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)), "all"_a = all);
-}
-
-void add_appendix(report::Section& section, const Studies& studies, const report::Facts& facts) {
-    begin_appendix(section);
-    add_words(section, words, "units", facts);
-    add(section, steps_table(studies), bounds_table(studies));
-    add_faces_without_area(section, studies);
 }
 
 }   // namespace
@@ -203,7 +175,13 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "stop", facts);
     add_recommended_figure(answer, studies);
     for (const ExplicitStudy& study : studies) add_checks(section, study);
-    add_appendix(section, studies, facts);
+    begin_appendix(section);
+    add_words(section, words, "units", facts);
+    add(section, steps_table(studies), bounds_table(studies));
+    for (const ExplicitStudy& study : studies)
+        if (study.subject.critical_floored > 0)
+            add_words(section, words, "without_area", "triangles"_a = study.subject.preflight().zero_area_faces, "mesh"_a = study.name(),
+                      "critical"_a = readable(study.subject.critical, 4), "floored"_a = readable(study.subject.critical_floored, 4));
     add_record(section, studies);
     return answer;
 }

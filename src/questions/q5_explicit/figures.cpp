@@ -9,7 +9,7 @@ namespace meshfolio::q5_explicit {
 
 namespace {
 
-/// A column of the figure of frames: a strip at an iteration; the input if there is no strip.
+/// A column of the figure of frames: a strip and an iteration; no strip: the input.
 struct Column {
     std::optional<Strip> ExplicitStudy::*strip = nullptr;
     int t = 0;
@@ -17,7 +17,7 @@ struct Column {
 
 std::vector<Column> columns_of(const Studies& studies) {
     std::vector<Column> columns{{}};
-    int late = 0, seen = 4;   // the last iteration that shows all spikes of the far step on every mesh
+    int late = 0, seen = 4;   // seen: the last iteration that shows all spikes of the far step on every mesh
     bool far = false;
     for (const ExplicitStudy& study : studies) {
         if (study.near && !study.near->times.empty()) late = std::max(late, study.near->times.back());
@@ -31,19 +31,10 @@ std::vector<Column> columns_of(const Studies& studies) {
     return columns;
 }
 
-std::string head_of(const Column& column, const Studies& studies) {
-    if (column.strip == nullptr) return words.line("frames.input");
-    Names limits;
-    for (const ExplicitStudy& study : studies)
-        if (const auto& strip = study.*column.strip) limits.push_back(in_limits(study.subject, study.runs[strip->run].lambda));
-    limits = each_once(std::move(limits));
-    return words.line("frames.head", "limits"_a = limits.size() == 1 ? limits.front() : "", "t"_a = column.t);
-}
-
-/// A state of a run. If spikes would be cut off, it is drawn smaller, by `scale`.
+/// A state of a run.
 struct Frame {
     output::Panel panel;   // an empty cell once the mesh is blown up or too wide
-    double scale = 1;
+    double scale = 1;      // below 1 if the state is drawn smaller, so that no spike is cut off
 };
 
 Frame frame_of(const ExplicitStudy& study, const Column& column) {
@@ -67,7 +58,7 @@ Frame frame_of(const ExplicitStudy& study, const Column& column) {
     return frame;
 }
 
-/// The colours of all inputs, which the figures of this question share.
+/// Returns the colours of all inputs, which the figures of this question share.
 output::ColorRange range_of(const Studies& studies) {
     std::vector<output::Panel> inputs;
     for (const ExplicitStudy& study : studies)
@@ -75,7 +66,7 @@ output::ColorRange range_of(const Studies& studies) {
     return curvature_range(inputs);
 }
 
-/// What the captions of inputs and results add: rings, and creases.
+/// Returns the facts about rings and creases for the captions of inputs and results.
 report::Facts remarks_on(const Studies& studies) {
     const bool sharp = std::ranges::any_of(studies, [](const ExplicitStudy& s) { return s.recommended && s.recommended->on_features > 0; });
     const Names ringed = names_where(studies, [](auto& study) { return study.recommended && !limiting_spot(study).empty(); });
@@ -87,12 +78,12 @@ report::Facts facts_of(const ExplicitStudy& study) {
     return {"mesh"_a = study.name(), "iterations"_a = run.result.iterations, "limits"_a = in_limits(study.subject, run.lambda)};
 }
 
-/// Draws input and result of one mesh in one figure.
+/// Adds a figure of input and result of one mesh.
 void add_pair(Answer& answer, const Studies& studies, const std::string& id) {
     const ExplicitStudy& study = studies.front();
     const SmoothingRun& run = study.recommended->stopped;
-    report::Facts facts = facts_of(study), remarks = remarks_on(studies);
-    std::ranges::move(remarks, std::back_inserter(facts));
+    report::Facts facts = facts_of(study);
+    std::ranges::move(remarks_on(studies), std::back_inserter(facts));
     output::FigureRequest figure{
         .id = id,
         .title = words.line("recommended.title", facts),
@@ -106,13 +97,13 @@ void add_pair(Answer& answer, const Studies& studies, const std::string& id) {
     add_figure(answer, std::move(figure), words.line("recommended.caption", facts));
 }
 
-/// Scales the mesh so that all inputs have the same box diagonal.
+/// Returns a panel of positions X, scaled so that all inputs have the same box diagonal.
 output::Panel resized_panel(const ExplicitStudy& study, const Positions& X, const std::string& what, std::string label) {
     return panel_of(in_unit_box(study.subject.mesh(), X), id_of("q5", study.name(), what), std::move(label),
                     curvature_colours(study.subject, X));
 }
 
-/// Several meshes: each input beside its result.
+/// Adds a figure of several meshes, each input beside its result.
 void add_all(Answer& answer, const Studies& studies, const std::string& id) {
     output::FigureRequest figure{.id = id, .title = words.line("results.title"), .frame_panel = -1, .coarse_edges = true, .states = 2};
     for (const ExplicitStudy& study : studies) {
@@ -164,7 +155,7 @@ report::Diagram wave_diagram() {
             wave(std::pow(1 - product, t), Style::accent);
             panel.labels.push_back({.x = 0, .y = middle, .words = text("t = " + std::to_string(t)), .side = Side::left});
         }
-        panel.paths.push_back(path_through({{0, -1.5 * height - apart * steps}}, Style::thin));   // not seen: all panels have one scale
+        panel.paths.push_back(path_through({{0, -1.5 * height - apart * steps}}, Style::thin));   // invisible: gives all panels one scale
     }
     return diagram;
 }
@@ -182,7 +173,16 @@ void add_frames_figure(Answer& answer, const Studies& studies) {
                                   .layout = output::Layout::multiples,
                                   .coarse_edges = true,
                                   .states = static_cast<int>(columns.size())};
-    for (const Column& column : columns) request.columns.push_back(head_of(column, studies));
+    for (const Column& column : columns) {
+        Names limits;
+        for (const ExplicitStudy& study : studies)
+            if (column.strip && study.*column.strip)
+                limits.push_back(in_limits(study.subject, study.runs[(study.*column.strip)->run].lambda));
+        limits = each_once(std::move(limits));
+        request.columns.push_back(!column.strip
+                                      ? words.line("frames.input")
+                                      : words.line("frames.head", "limits"_a = limits.size() == 1 ? limits.front() : "", "t"_a = column.t));
+    }
     Names shrunk;
     std::string unseen;
     for (const ExplicitStudy& study : studies) {

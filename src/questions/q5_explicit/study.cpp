@@ -7,41 +7,35 @@ namespace meshfolio::q5_explicit {
 
 namespace {
 
-// ---- the step to take
-
-/// rms displacement of the flagged vertices over that of the others; 0 where there are none, or the others stay.
+/// Returns the rms displacement of the flagged vertices over that of the others; 0 if no vertex is flagged or the others stay.
 double moved_ratio(const Positions& before, const Positions& after, const std::vector<char>& flagged) {
     const FlaggedMeans squares = flagged_means((after - before).rowwise().squaredNorm(), flagged);
     return squares.count > 0 && squares.elsewhere > 0 ? std::sqrt(squares.there / squares.elsewhere) : 0;
 }
 
-/// What it does to the surface.
-void look_at(Recommendation& recommendation, const SmoothingSubject& subject) {
-    const MeshTopology& topology = subject.topology();
-    const TriangleMesh smoothed = moved_to(subject.mesh(), recommendation.stopped.result.X);
-    const MeshCharacter before = mesh_character(subject.mesh(), topology);
-    recommendation.roughness_before = median_face_angle(subject.mesh(), topology);
-    recommendation.roughness_after = median_face_angle(smoothed, topology);
-    if (before.kind() == MeshClass::sharp_edged)
-        recommendation.on_features = moved_ratio(subject.mesh().X, smoothed.X, feature_vertices(subject.mesh(), topology));
-    if (before.open) recommendation.on_boundary = moved_ratio(subject.mesh().X, smoothed.X, topology.on_boundary);
-}
-
-/// What the faces turned over are like, before and after: folds that smoothing has undone, or made.
-void count_folds(Recommendation& recommendation, const SmoothingSubject& subject) {
+/// Measures the surface of the recommended run against the input: roughness, features, boundary, and folds undone or made.
+void compare_with_input(Recommendation& recommendation, const SmoothingSubject& subject) {
     const TriangleMesh& mesh = subject.mesh();
     const MeshTopology& topology = subject.topology();
-    const Positions before = face_normals(mesh), after = face_normals(moved_to(mesh, recommendation.stopped.result.X));
+    const TriangleMesh smoothed = moved_to(mesh, recommendation.stopped.result.X);
+    const MeshCharacter before = mesh_character(mesh, topology);
+    recommendation.roughness_before = median_face_angle(mesh, topology);
+    recommendation.roughness_after = median_face_angle(smoothed, topology);
+    if (before.kind() == MeshClass::sharp_edged)
+        recommendation.on_features = moved_ratio(mesh.X, smoothed.X, feature_vertices(mesh, topology));
+    if (before.open) recommendation.on_boundary = moved_ratio(mesh.X, smoothed.X, topology.on_boundary);
+    const Positions normals = face_normals(mesh), smoothed_normals = face_normals(smoothed);
     for (int t = 0; t < mesh.face_count(); ++t) {
-        if (!(before.row(t).dot(after.row(t)) < 0)) continue;
-        recommendation.folded_before += is_folded(mesh, topology, before, t) ? 1 : 0;
-        recommendation.folded_after += is_folded(mesh, topology, after, t) ? 1 : 0;
+        if (!(normals.row(t).dot(smoothed_normals.row(t)) < 0)) continue;
+        recommendation.folded_before += is_folded(mesh, topology, normals, t) ? 1 : 0;
+        recommendation.folded_after += is_folded(mesh, topology, smoothed_normals, t) ? 1 : 0;
     }
 }
 
-constexpr int patience = 10;   // times the iterations of the other runs: where λ_crit is small, many steps are little smoothing
+/// Most iterations of a recommended run over those of the others: if λ_crit is small, many steps are little smoothing.
+constexpr int patience = 10;
 
-/// The run that goes on for as long as enough of the size is left.
+/// Runs a step for as long as enough of the size is left. @param kept  iterations that leave enough; negative: all of the run's
 Recommendation stopped_in_time(const ExplicitStudy& study, std::size_t index, int kept) {
     const SmoothingRun& run = study.runs[index];
     Recommendation recommendation{.run = index, .stopped = {}};
@@ -51,11 +45,11 @@ Recommendation stopped_in_time(const ExplicitStudy& study, std::size_t index, in
         recommendation.all_kept = kept < 0;
     }
     if (!recommendation.all_kept) recommendation.stopped = run_smoothing(study.subject, run.scheme, run.lambda, kept);
-    look_at(recommendation, study.subject);
-    count_folds(recommendation, study.subject);
+    compare_with_input(recommendation, study.subject);
     return recommendation;
 }
 
+/// Returns the recommended step, measured; none if no stable step leaves enough of the size.
 std::optional<Recommendation> recommended(const ExplicitStudy& study) {
     for (const double limit : {0.5, 1.0}) {
         for (std::size_t i = study.runs.size(); i-- > 0;) {
@@ -66,20 +60,6 @@ std::optional<Recommendation> recommended(const ExplicitStudy& study) {
         }
     }
     return {};
-}
-
-// ---- frames
-
-constexpr double far_beyond = 1.5;   // λ_crit: spikes are there at once
-
-/// Runs a step and keeps the states of these iterations in `strip`.
-SmoothingRun framed_run(const SmoothingSubject& subject, double lambda, int iterations, std::vector<int> times, Strip& strip) {
-    std::erase_if(times, [&](int t) { return t < 1 || t > iterations; });
-    SmoothingRun run = run_smoothing(subject, SmoothingScheme::explicit_euler, lambda, iterations, times);
-    strip.times = std::move(times);
-    strip.frames = std::move(run.snapshots);
-    run.snapshots.clear();
-    return run;
 }
 
 }   // namespace
@@ -102,20 +82,21 @@ ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings
     ExplicitStudy study;
     study.subject = smoothing_subject(std::move(source));
     study.uniform_top = largest_eigenvalue(uniform_operator(study.subject.mesh(), study.subject.topology())).value;
+    constexpr double far_beyond = 1.5;   // λ_crit: spikes are there at once
     const int iterations = iterations_of(settings);
     const double critical = study.subject.critical;
     const std::vector<double> steps = steps_of(settings, critical, own_steps);
     for (const double lambda : steps) {
-        Strip strip{.run = study.runs.size(), .times = {}, .frames = {}};
         const bool far = lambda == steps.back() && lambda > far_beyond * critical;
         const bool near = !far && !study.near && lambda > critical;
-        const std::vector<int> early{1, 2, 3, 4, 5}, late = each_once(std::vector{iterations / 2, iterations});
-        study.runs.push_back(framed_run(study.subject, lambda, iterations, far ? early : near ? late : std::vector<int>(), strip));
+        std::vector<int> times;
+        if (far) times = {1, 2, 3, 4, 5};
+        if (near) times = each_once(std::vector{iterations / 2, iterations});
+        std::erase_if(times, [&](int t) { return t < 1 || t > iterations; });
+        SmoothingRun run = run_smoothing(study.subject, SmoothingScheme::explicit_euler, lambda, iterations, times);
+        if (far || near) (far ? study.far : study.near) = Strip{study.runs.size(), times, std::exchange(run.snapshots, {})};
+        study.runs.push_back(std::move(run));
         study.amplification.push_back(top_mode_amplification(study.subject, lambda, 20));
-        if (far)
-            study.far = std::move(strip);
-        else if (near)
-            study.near = std::move(strip);
     }
     study.peaks = peaks_of(study.subject.top.mode);
     study.recommended = recommended(study);

@@ -1,5 +1,5 @@
 /// @file
-/// What question 5 measures: explicit smoothing with steps below and beyond its limit.
+/// The measurements of question 5: explicit smoothing with steps below and beyond its limit.
 #pragma once
 
 #include "questions/bench/smoothing_study.h"
@@ -12,9 +12,9 @@ struct Recommendation {
     std::size_t run = 0;   // of the study, with all iterations
     SmoothingRun stopped;
     bool all_kept = false;                              // 95 % would be left after more iterations too
-    double roughness_before = 0, roughness_after = 0;   // median angle between neighbouring faces, off feature edges [°]
-    double on_features = 0, on_boundary = 0;            // how far these vertices moved, rms, over how far the others did; 0: there are none
-    int folded_before = 0, folded_after = 0;            // of the faces turned over, how many face away from those around them
+    double roughness_before = 0, roughness_after = 0;   // median angle between neighbouring faces [°]
+    double on_features = 0, on_boundary = 0;            // rms motion of these vertices, over that of the others; 0: there are none
+    int folded_before = 0, folded_after = 0;            // faces that turned over and face away from those around them
 
     double time() const { return stopped.lambda * stopped.iterations; }   // λt [length²]
 };
@@ -25,7 +25,7 @@ struct Strip {
     std::vector<int> times;
     std::vector<Positions> frames;
 
-    /// The state after t iterations; null if it is not kept.
+    /// Returns the state after t iterations; null if it is not kept.
     const Positions* at(int t) const;
 };
 
@@ -34,42 +34,42 @@ struct ExplicitStudy {
     std::vector<SmoothingRun> runs;              // ascending λ
     std::vector<Amplification> amplification;    // of the top mode, for each run
     double uniform_top = 0;                      // μ_max of −Δ_uniform
-    std::vector<int> peaks;                      // vertices where the top mode is as large as anywhere, to a thousandth
+    std::vector<int> peaks;                      // vertices where the top mode is largest, to a thousandth
     std::optional<Recommendation> recommended;   // none: no step tried is stable
-    std::optional<Strip> near, far;              // of the first step beyond the limit; of the largest, if it exceeds 1.5 λ_crit
+    std::optional<Strip> near, far;              // of the first step beyond the limit; of the largest step if it exceeds 1.5 λ_crit
 
     const std::string& name() const { return subject.name(); }
     double critical_in_edges() const { return in_edges(subject.critical); }
-    /// An area, as λ and λt are, in squared mean edges.
+    /// Converts an area, such as λ or λt, to squared mean edges.
     double in_edges(double area) const { return area / (subject.mean_edge * subject.mean_edge); }
     double uniform_critical() const { return 2 / uniform_top; }
     bool stable(std::size_t run) const { return runs[run].lambda <= subject.critical; }
-    /// The first run beyond the limit; the number of runs if there is none.
+    /// Returns the index of the first run beyond the limit; the number of runs if there is none.
     std::size_t first_beyond() const;
 };
 
-/// Default steps over the limit: two without overshoot, one with overshoot but stable, one just beyond, one far beyond.
+/// Default steps, in multiples of the limit: two without overshoot, one with overshoot but stable, one just beyond, one far beyond.
 inline const std::vector<double> own_steps{0.05, 0.5, 0.95, 1.05, 2.0};
-/// The iterations of every run.
+/// Returns the number of iterations of every run.
 int iterations_of(const QuestionSettings& settings);
 
-/// Uses the steps of the settings, else own_steps.
+/// Smooths the mesh with the steps of the settings, else with own_steps.
 ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings);
 
-/// Does a step of λ leave the sign of every mode (λμ_max ≤ 1, half the limit)?
+/// True if a step of λ changes the sign of no mode: λμ_max ≤ 1, half the limit.
 bool keeps_signs(const SmoothingSubject& subject, double lambda);
 
-/// The share of the vertices that are rougher at X than in the input: the mean angle between the faces at their edges has grown by more
-/// than 1°.
+/// Returns the share of the vertices that are rougher at X than in the input, where the mean angle between the faces at their edges has
+/// grown by more than 1°.
 double share_rougher(const SmoothingSubject& subject, const Positions& X);
 
-/// Does the largest run end at a vertex where the top mode is largest, and is that mode most of its motion there?
+/// True if the run with the largest step blows up at one of the peaks, and the top mode is more than half of its motion.
 bool ends_by_top_mode(const ExplicitStudy& study);
 
-/// Does triangle t, of these unit normals, face away from the others at its vertices?
+/// True if triangle t faces away from the other triangles at its vertices. @param normals  unit, one a triangle
 bool is_folded(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals, int t);
 
-/// How far the barycentre of `X` is from that of the input, over the box diagonal.
+/// Returns the distance between the barycentres of X and of the input, over the box diagonal.
 double barycentre_drift(const SmoothingSubject& subject, const Positions& X);
 
 }   // namespace meshfolio::q5_explicit

@@ -36,7 +36,7 @@ report::Table grid_table(const Studies& studies) {
         .file_only();
 }
 
-/// What is recommended, how smooth it is, and its price.
+/// The recommended results, their smoothness, and their prices.
 report::Table cost_table(const Studies& studies) {
     std::vector<const ImplicitStudy*> rows;
     for (const ImplicitStudy& study : studies)
@@ -56,8 +56,7 @@ report::Table cost_table(const Studies& studies) {
         .column("price, explicit", {.unit = "× implicit", .digits = 2}, [](auto* s) { return cell_of(s->cost->ratio); });
 }
 
-/// The price of every λ × t, from where on the implicit steps of each λ pay, and from where on they go too far; no rows where nothing is
-/// counted.
+/// The price of every λ × t, and the iterations at which each λ pays and goes too far; no rows for meshes without prices.
 report::Table price_table(const Studies& studies) {
     struct Row {
         const ImplicitStudy& study;

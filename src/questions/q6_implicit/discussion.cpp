@@ -8,22 +8,21 @@ namespace meshfolio::q6_implicit {
 
 namespace {
 
-// ---- what holds for a mesh
+// ---- one mesh
 
 bool is_counted(const ImplicitStudy& study) { return study.prices.counted(); }
 
-/// The share of the size that is left where implicit steps begin to pay; 0: they never pay, or nobody knows.
+/// Returns the share of the size left where implicit steps begin to pay; 0 if they never pay or prices are unknown.
 double kept_where_paying(const ImplicitStudy& study) {
     const std::optional<BreakEven> even = study.break_even();
     return even ? even->kept : 0;
 }
 bool pays(const ImplicitStudy& study) { return study.break_even().has_value(); }
-bool pays_at_no_amount(const ImplicitStudy& study) { return is_counted(study) && !pays(study); }
 bool pays_gently(const ImplicitStudy& study) { return kept_where_paying(study) >= size_to_keep; }
 bool pays_too_far(const ImplicitStudy& study) { return pays(study) && kept_where_paying(study) < too_little; }
 bool pays_strongly(const ImplicitStudy& study) { return pays(study) && !pays_gently(study) && !pays_too_far(study); }
 
-/// How many times as far as the others these vertices moved (rms); NaN where all are such, or more than half.
+/// Returns the rms motion of the flagged vertices over that of the others; NaN if none or more than half are flagged.
 double excess_of(const ImplicitStudy& study, const std::vector<char>& flags) {
     const Positions motion = study.good()->implicit_X - study.subject.mesh().X;
     const FlaggedMeans squares = flagged_means(motion.rowwise().squaredNorm(), flags);
@@ -38,13 +37,13 @@ constexpr double farther = 1.5;   // times as far as the rest
 bool boundary_shrinks(const ImplicitStudy& study) { return boundary_excess(study) > farther; }
 bool edges_give_way(const ImplicitStudy& study) { return edge_excess(study) > farther && !(boundary_excess(study) > edge_excess(study)); }
 
-/// The first state of the smallest explicit step that blew up. Null: none did, or not even that is left.
+/// Returns the first state of the smallest explicit step that blew up; null if none did, or it blew up before.
 const SmoothingCell* first_too_large(const ImplicitStudy& study) {
     const std::optional<std::size_t> blown = study.first_blown();
     return blown && study.cell(*blown, 0).has_explicit() ? &study.cell(*blown, 0) : nullptr;
 }
 
-/// Are most convex vertices of sharp edges concave after that step? Then it pulled them inside.
+/// True if most convex vertices of sharp edges are concave at first_too_large(): the step pulled them inside.
 bool edges_go_inside(const ImplicitStudy& study) {
     const TriangleMesh& mesh = study.subject.mesh();
     const SmoothingCell* first = first_too_large(study);
@@ -62,8 +61,8 @@ bool is_roughened(const ImplicitStudy& study) {
     const SmoothingCell* first = first_too_large(study);
     return first && first->explicit_energy > 1;
 }
-constexpr double rough = 5;   // median face angle [°]; below it the angle measures the shape
-/// Does that step leave a rough mesh smoother than the implicit one?
+constexpr double rough = 5;   // median face angle [°]; smaller ones measure the shape, not roughness
+/// True if first_too_large() leaves a rough mesh smoother than the implicit step.
 bool looks_better(const ImplicitStudy& study) {
     const SmoothingCell* first = first_too_large(study);
     if (!first || study.roughness <= rough || first->explicit_energy > 1 || edges_go_inside(study)) return false;
@@ -71,37 +70,61 @@ bool looks_better(const ImplicitStudy& study) {
     return angle(first->explicit_X) < 0.95 * angle(first->implicit_X);
 }
 
-/// Face angles of a rough mesh at the same energy, implicit over explicit; NaN: they cannot be compared.
+/// Returns the face angle of a rough mesh at the same energy, implicit over explicit; NaN if they cannot be compared.
 double angle_ratio(const ImplicitStudy& study) {
     const bool comparable = study.cost && study.cost->reached() && study.roughness > rough && study.cost->explicit_roughness > 0;
     return comparable ? study.cost->roughness / study.cost->explicit_roughness : NAN;
 }
 constexpr double alike = 1.05;
 
-// ---- what holds for all
+// ---- all meshes
 
-/// "0.25 to 4.0".
+/// Returns the range of some values as text: "0.25 to 4.0"; empty without values.
 std::string span_of(const std::vector<double>& values) {
     if (values.empty()) return "";
     const auto [low, high] = std::ranges::minmax(values);
     return meshfolio::span_of(readable(low, 2), readable(high, 2));
 }
 
-/// What an implicit step and a factorisation cost, and which λ can pay: by (1 − h)ᵏ ≤ 1/(1 + kh), 2λ/λ_crit explicit steps of half of
-/// λ_crit damp every mode at least as much as one implicit step.
+/// Facts about costs, and about the λ that can pay: by (1 − h)ᵏ ≤ 1/(1 + kh), 2λ/λ_crit explicit steps of half of λ_crit damp every mode
+/// at least as much as one implicit step.
 void add_prices(report::Facts& facts, const Studies& studies) {
-    std::vector<double> factorisations, steps, least;
+    std::vector<double> factorisations, steps, least, kept;
     for (const ImplicitStudy& study : studies) {
+        if (pays_strongly(study)) kept.push_back(100 * kept_where_paying(study));
         if (!is_counted(study)) continue;
         factorisations.push_back(study.prices.factorisation / study.prices.implicit_step);
         steps.push_back(study.prices.implicit_step / study.prices.explicit_step);
         least.push_back(steps.back() / 2);
     }
-    facts.insert(facts.end(), {"counted"_a = !steps.empty(), "step"_a = span_of(steps), "least"_a = span_of(least),
-                               "factorisation"_a = span_of(factorisations)});
+    const Names gently = names_where(studies, pays_gently), strongly = names_where(studies, pays_strongly);
+    const auto at_no_amount = [](const ImplicitStudy& study) { return is_counted(study) && !pays(study); };
+    facts.insert(
+        facts.end(),
+        {"counted"_a = !steps.empty(), "step"_a = span_of(steps), "least"_a = span_of(least), "factorisation"_a = span_of(factorisations),
+         "gently"_a = listed(gently), "only_strong"_a = !strongly.empty() && gently.empty(),
+         "stronger"_a = gently.empty() ? "" : listed(strongly), "kept"_a = span_of(kept), "no_pay"_a = strongly.empty() && gently.empty(),
+         "too_far"_a = listed(names_where(studies, pays_too_far)), "never"_a = listed(names_where(studies, at_no_amount))});
 }
 
-/// At equal λ within the limit: the largest gap, and the t from which on no mesh has more than a little.
+/// Facts about the explicit runs that blow up, and their first states.
+void add_blow_ups(report::Facts& facts, const Studies& studies) {
+    std::set<std::string> blown;
+    int last = 0;
+    for (const ImplicitStudy& study : studies) {
+        const std::optional<std::size_t> l = study.first_blown();
+        if (!l) continue;
+        blown.insert(in_limits(study.subject, study.lambdas[*l]));
+        last = std::max(last, study.explicit_runs[*l].result.blow_up_iteration);
+    }
+    const Names inside = names_where(studies, edges_go_inside), roughened = names_where(studies, is_roughened);
+    facts.insert(facts.end(),
+                 {"blown"_a = listed({blown.begin(), blown.end()}), "last"_a = last, "first"_a = studies.front().iterations.front(),
+                  "seen"_a = !inside.empty() || !roughened.empty(), "inside"_a = listed(inside), "roughened"_a = listed(roughened),
+                  "deceiving"_a = listed(names_where(studies, looks_better))});
+}
+
+/// Facts about the gap at equal λ within the limit: the largest, and the t from which on it is small on all meshes.
 void add_gaps(report::Facts& facts, const Studies& studies) {
     constexpr double little = 0.05;   // of the distance moved
     std::map<int, double> largest;    // of each number of iterations
@@ -121,7 +144,7 @@ void add_gaps(report::Facts& facts, const Studies& studies) {
                   "from"_a = from, "limits"_a = listed({limits.begin(), limits.end()})});
 }
 
-/// Many implicit steps against few larger ones of equal λt, where the results are farthest apart.
+/// Facts about many implicit steps and few larger ones of equal λt, where the results are farthest apart.
 void add_equal_times(report::Facts& facts, const Studies& studies) {
     const ImplicitStudy* on = nullptr;
     const SmoothingCell* most = nullptr;
@@ -158,48 +181,22 @@ report::Facts answer_facts(const Studies& studies) {
 report::Facts discussion_facts(const Studies& studies) {
     const auto where = [&](const auto& holds) { return listed(names_where(studies, holds)); };
     const auto any = [&](const auto& holds) { return std::ranges::any_of(studies, holds); };
-    std::set<std::string> blown;
-    int last = 0;
-    for (const ImplicitStudy& study : studies) {
-        const std::optional<std::size_t> l = study.first_blown();
-        if (!l) continue;
-        blown.insert(in_limits(study.subject, study.lambdas[*l]));
-        last = std::max(last, study.explicit_runs[*l].result.blow_up_iteration);
-    }
-    const ImplicitStudy* widest = nullptr;   // the gap of its recommended result
+    const ImplicitStudy* widest = nullptr;   // with the largest gap of its recommended result
     for (const ImplicitStudy& study : studies)
         if (study.cost && study.cost->gap.size() > 0 && (!widest || study.cost->gap_share > widest->cost->gap_share)) widest = &study;
-    std::vector<double> kept;
-    for (const ImplicitStudy& study : studies)
-        if (pays_strongly(study)) kept.push_back(100 * kept_where_paying(study));
     const auto pictured = std::ranges::find_if(studies, has_pairs);
-    report::Facts facts{"pictured"_a = pictured != studies.end() ? id_of("q6", pictured->name(), "pairs") : "",
-                        "schemes"_a = any(compares_schemes),
-                        "times"_a = any(compares_equal_times),
-                        "recommends"_a = any([](auto& study) { return study.good() != nullptr; }),
-                        "several"_a = studies.size() > 1,
-                        "none"_a = where([](auto& study) { return !study.good(); }),
-                        "boundary"_a = where(boundary_shrinks),
-                        "edges"_a = where(edges_give_way),
-                        "blown"_a = listed({blown.begin(), blown.end()}),
-                        "last"_a = last,
-                        "first"_a = studies.front().iterations.front(),
-                        "seen"_a = any(edges_go_inside) || any(is_roughened),
-                        "inside"_a = where(edges_go_inside),
-                        "roughened"_a = where(is_roughened),
-                        "deceiving"_a = where(looks_better),
-                        "widest"_a = widest ? widest->name() : "",
-                        "widest_gap"_a = widest ? readable_percent(widest->cost->gap_share, 2) : "",
-                        "gently"_a = where(pays_gently),
-                        "only_strong"_a = any(pays_strongly) && !any(pays_gently),
-                        "stronger"_a = any(pays_gently) ? where(pays_strongly) : "",
-                        "kept"_a = span_of(kept),
-                        "no_pay"_a = !any(pays_strongly) && !any(pays_gently),
-                        "too_far"_a = where(pays_too_far),
-                        "never"_a = where(pays_at_no_amount),
-                        "by_explicit"_a = where([](auto& study) { return angle_ratio(study) > alike; }),
-                        "by_implicit"_a = where([](auto& study) { return angle_ratio(study) < 1 / alike; }),
-                        "tie"_a = where([](auto& study) { return angle_ratio(study) <= alike && angle_ratio(study) >= 1 / alike; })};
+    report::Facts facts;
+    facts.insert(
+        facts.end(),
+        {"pictured"_a = pictured != studies.end() ? id_of("q6", pictured->name(), "pairs") : "", "schemes"_a = any(compares_schemes),
+         "times"_a = any(compares_equal_times), "recommends"_a = any([](auto& study) { return study.good() != nullptr; }),
+         "several"_a = studies.size() > 1, "none"_a = where([](auto& study) { return !study.good(); }),
+         "boundary"_a = where(boundary_shrinks), "edges"_a = where(edges_give_way), "widest"_a = widest ? widest->name() : "",
+         "widest_gap"_a = widest ? readable_percent(widest->cost->gap_share, 2) : "",
+         "by_explicit"_a = where([](auto& study) { return angle_ratio(study) > alike; }),
+         "by_implicit"_a = where([](auto& study) { return angle_ratio(study) < 1 / alike; }),
+         "tie"_a = where([](auto& study) { return angle_ratio(study) <= alike && angle_ratio(study) >= 1 / alike; })});
+    add_blow_ups(facts, studies);
     add_prices(facts, studies);
     add_gaps(facts, studies);
     add_equal_times(facts, studies);

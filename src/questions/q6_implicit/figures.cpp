@@ -7,7 +7,7 @@ namespace meshfolio::q6_implicit {
 
 namespace {
 
-/// A picture: what one scheme makes of the input.
+/// A picture: the result of one scheme in a cell.
 struct Shown {
     const SmoothingCell* cell = nullptr;
     bool is_explicit = false;
@@ -17,14 +17,15 @@ struct Shown {
 };
 using Column = std::pair<Shown, Shown>;   // one above the other
 
-/// Within two boxes of the input, and not the dot that is left of a fiftieth.
+/// True if the state spans between a fiftieth and two boxes of the input.
 bool is_visible(const ImplicitStudy& study, const Shown& shown) {
     const SmoothingSubject& subject = study.subject;
     return shown.X().size() > 0 && fits_a_frame(subject, shown.X()) &&
            bounding_box(moved_to(subject.mesh(), shown.X())).diagonal() >= 0.02 * subject.diagonal;
 }
 
-/// Both schemes at equal λ and t, within the limit and at the first step beyond it; then many implicit steps over few of equal λt.
+/// Returns at most five columns: both schemes at equal λ and t, within the limit and at the first step beyond; then many implicit steps
+/// above few of equal λt.
 std::vector<Column> columns_of(const ImplicitStudy& study) {
     constexpr std::size_t most = 5;
     std::vector<Column> columns;
@@ -45,7 +46,7 @@ std::vector<Column> columns_of(const ImplicitStudy& study) {
     return columns;
 }
 
-/// What stands below the input: the recommended result, else the first that no column shows.
+/// Returns the state below the input: the recommended result, else the first that no column shows.
 Shown below_input(const ImplicitStudy& study, const std::vector<Column>& columns) {
     if (study.good()) return {study.good()};
     for (const SmoothingCell& cell : study.grid)

@@ -11,27 +11,29 @@ extern const LabOffer lab;
 
 using Studies = std::vector<ImplicitStudy>;
 
-/// The colour range of mean curvature on all inputs, used in every figure of shapes.
+/// Returns the range of mean curvature on all inputs, which every figure of shapes uses.
 output::ColorRange colours_of(const Studies& studies);
-/// Shows two states in each column, all in the frame of the input: explicit above implicit steps, many above few.
+/// Adds a figure with two states in each column, all in the frame of the input: explicit above implicit steps, or many above few steps.
 void add_pairs(Answer& answer, const ImplicitStudy& study, const output::ColorRange& colours);
-/// Whether there is such a figure (not if all that is left is a dot), and which columns it has.
+/// True if add_pairs() adds a figure: something visible is left of the mesh.
 bool has_pairs(const ImplicitStudy& study);
+/// True if a column of add_pairs() has explicit above implicit steps.
 bool compares_schemes(const ImplicitStudy& study);
+/// True if a column of add_pairs() has many above few steps of equal λt.
 bool compares_equal_times(const ImplicitStudy& study);
-/// What is recommended of each mesh, from the six directions.
+/// Adds a figure of the recommended results, from the six directions.
 void add_views(Answer& answer, const Studies& studies, const output::ColorRange& colours);
-/// How far the recommended results are from explicit ones of equal λt, vertex by vertex.
+/// Adds a figure of the distances of the recommended results from explicit results of equal λt.
 void add_gap_map(Answer& answer, const Studies& studies);
 
-/// The gap between the schemes over t, a curve a mesh; no curves where no λ is within the limit.
+/// Plots the gap between the schemes over t, a curve a mesh; a mesh without a λ within the limit has none.
 report::Plot gap_plot(const Studies& studies);
 
-/// What the answer, and what the discussion chooses its sentences by.
 report::Facts answer_facts(const Studies& studies);
+/// Returns the facts of the paragraphs "method", "results" and "discussion".
 report::Facts discussion_facts(const Studies& studies);
 
-/// A λt in squared mean edges.
+/// Converts a λt to squared mean edges.
 inline double in_edges(const ImplicitStudy& study, double time) { return time / (study.subject.mean_edge * study.subject.mean_edge); }
 
 }   // namespace meshfolio::q6_implicit

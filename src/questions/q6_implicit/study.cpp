@@ -12,12 +12,9 @@ namespace meshfolio::q6_implicit {
 
 namespace {
 
-constexpr double nothing_left = 0.01;   // of the size: smaller than one cares to look at
+constexpr double nothing_left = 0.01;   // share of the size: results below are not compared
 
-/// Kept positions of a run that may have stopped early: nothing for the iterations it did not reach.
-const Positions* kept(const SmoothingRun& run, std::size_t which) { return which < run.snapshots.size() ? &run.snapshots[which] : nullptr; }
-
-/// The implicit result after t steps of the l-th λ.
+/// Returns a cell with the implicit result X after t steps of the l-th λ.
 SmoothingCell implicit_cell(const ImplicitStudy& study, std::size_t l, int t, const Positions& X) {
     const SmoothingRun& run = study.implicit_runs[l];
     SmoothingCell cell;
@@ -26,38 +23,21 @@ SmoothingCell implicit_cell(const ImplicitStudy& study, std::size_t l, int t, co
     cell.implicit_X = X;
     cell.implicit_energy = run.energy[t];
     cell.kept = *std::min_element(run.size.begin(), run.size.begin() + t + 1);
-    const bool closed = study.is_closed();
-    if (cell.collapsed()) {   // a point to rounding: neither its volume nor its normals mean anything
-        cell.volume_ratio = closed ? 0 : std::nan("");
-        return cell;
-    }
-    const MeshDifference moved = compare_meshes(study.subject.mesh(), moved_to(study.subject.mesh(), X));
-    cell.volume_ratio = closed ? moved.volume_ratio : std::nan("");
-    cell.inverted_faces = moved.inverted_faces;
+    if (!cell.collapsed()) cell.inverted_faces = compare_meshes(study.subject.mesh(), moved_to(study.subject.mesh(), X)).inverted_faces;
     return cell;
 }
 
+/// Returns the cell of the l-th λ and the t-th iteration count.
 SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) {
-    SmoothingCell cell = implicit_cell(study, l, study.iterations[t], *kept(study.implicit_runs[l], t));
+    SmoothingCell cell = implicit_cell(study, l, study.iterations[t], study.implicit_runs[l].snapshots[t]);
     const SmoothingRun& explicit_run = study.explicit_runs[l];
-    if (const Positions* X = kept(explicit_run, t)) {
-        cell.explicit_X = *X;
+    if (t < explicit_run.snapshots.size()) {   // else it ended before
+        cell.explicit_X = explicit_run.snapshots[t];
         cell.explicit_energy = explicit_run.energy[cell.iterations];
     } else {
         cell.explicit_blow_up = explicit_run.result.blow_up_iteration;
     }
     return cell;
-}
-
-/// Compares results of equal λt with the one of the fewest steps.
-void compare_equal_times(ImplicitStudy& study) {
-    for (SmoothingCell& many : study.grid) {
-        const double moved = vertex_rms(study.subject.mesh().X, many.implicit_X);
-        const SmoothingCell* few = study.in_fewer_steps(many);
-        if (!few || many.kept < nothing_left || !(moved > 0)) continue;
-        many.fewer_steps = few->iterations;
-        many.apart = vertex_rms(few->implicit_X, many.implicit_X) / moved;
-    }
 }
 
 /// Compares the damping of the lowest modes with (1 + λμ)^−t, in the runs where they have not vanished.
@@ -86,7 +66,8 @@ void measure_damping(ImplicitStudy& study) {
     }
 }
 
-/// Takes for each λ the most steps that keep the size; of results within 1 % of the least energy the fewest steps.
+/// Returns the cell of good(): takes for each λ the most steps that keep the size, then of results within 1 % of the least energy the
+/// fewest steps.
 std::optional<SmoothingCell> recommended_cell(const ImplicitStudy& study, ImplicitSolver& solver) {
     std::vector<int> steps;
     std::vector<double> energy;
@@ -105,7 +86,7 @@ std::optional<SmoothingCell> recommended_cell(const ImplicitStudy& study, Implic
     return implicit_cell(study, *best, t, run.result.X);
 }
 
-/// Median angle between neighbouring faces; that of flat faces is 0, not rounding [°].
+/// Returns the median angle between neighbouring faces at X; 0 where it is rounding [°].
 double roughness_of(const SmoothingSubject& subject, const Positions& X) {
     const double angle = median_face_angle(moved_to(subject.mesh(), X), subject.topology());
     return angle < 1e-6 ? 0 : angle;
@@ -120,7 +101,7 @@ StepPrices step_prices(const ImplicitStudy& study) {
     return prices;
 }
 
-/// Explicit steps of at most half of λ_crit, all equal.
+/// Smooths the input by explicit steps of λ.
 Smoothed explicit_run(const ImplicitStudy& study, double lambda, int steps,
                       const std::function<bool(int, const Positions&)>& after_step = {}) {
     SmoothingOptions options{.scheme = SmoothingScheme::explicit_euler, .lambda = lambda, .iterations = steps};
@@ -128,8 +109,8 @@ Smoothed explicit_run(const ImplicitStudy& study, double lambda, int steps,
     return smooth(study.subject.mesh(), options);
 }
 
-/// Runs until the least energy of any result that is still visible. Returns the first positions that reach the energy of what is
-/// recommended; none: they were not reached.
+/// Makes explicit steps of half of λ_crit down to the least energy of the grid, and enters their energies into the study.
+/// @return the first positions with the energy of the recommended result; empty if that is not reached
 Positions follow_explicit_steps(ImplicitStudy& study) {
     const double enough = study.good() ? study.good()->implicit_energy : 1;
     double least = enough;
@@ -147,6 +128,7 @@ Positions follow_explicit_steps(ImplicitStudy& study) {
     return reached;
 }
 
+/// @param reached  explicit positions with the energy of the recommended result
 SmoothingCost cost_of(const ImplicitStudy& study, const SmoothingCell& good, const Positions& reached) {
     SmoothingCost cost;
     const auto run = std::ranges::find(study.lambdas, good.lambda);
@@ -251,7 +233,13 @@ ImplicitStudy implicit_study(SharedMesh source, const QuestionSettings& settings
     }
     for (std::size_t l = 0; l < study.lambdas.size(); ++l)
         for (std::size_t t = 0; t < study.iterations.size(); ++t) study.grid.push_back(cell_at(study, l, t));
-    compare_equal_times(study);
+    for (SmoothingCell& many : study.grid) {
+        const double moved = vertex_rms(study.subject.mesh().X, many.implicit_X);
+        const SmoothingCell* few = study.in_fewer_steps(many);
+        if (!few || many.kept < nothing_left || !(moved > 0)) continue;
+        many.fewer_steps = few->iterations;
+        many.apart = vertex_rms(few->implicit_X, many.implicit_X) / moved;
+    }
     measure_damping(study);
     const Positions far = implicit_step(study.subject.laplacian, 1e6 * study.subject.critical, study.subject.mesh().X);
     study.huge_step_energy = dirichlet_energy(study.subject.laplacian.C, far) / study.subject.initial_energy;

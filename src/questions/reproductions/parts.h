@@ -6,6 +6,7 @@
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "mesh/triangle_mesh.h"
 #include "questions/bench/smoothing_study.h"
+#include "questions/core/experiment.h"
 
 namespace meshfolio::reproductions {
 

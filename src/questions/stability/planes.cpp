@@ -1,4 +1,5 @@
 #include "base/parallel_tasks.h"
+#include "geometry/spectrum/laplace_spectrum.h"
 #include "mesh/samples/sample_parts.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/stability/parts.h"

@@ -70,9 +70,6 @@ TEST(ImplicitStudy, ACellIsTheRunOfItsStepAndIterations) {
         EXPECT_NEAR(cell.implicit_energy, energy_of(study, cell.implicit_X), 1e-12);
         EXPECT_NEAR(cell.explicit_energy, energy_of(study, cell.explicit_X), 1e-12);
         EXPECT_LT(cell.explicit_energy, cell.implicit_energy);   // 1 − λμ < 1/(1 + λμ)
-        EXPECT_NEAR(cell.volume_ratio, signed_volume(moved_to(study.subject.mesh(), cell.implicit_X)) / signed_volume(study.subject.mesh()),
-                    1e-12);
-        EXPECT_LT(cell.volume_ratio, 1);
         EXPECT_EQ(cell.explicit_blow_up, 0);
         EXPECT_EQ(cell.inverted_faces, 0);
     }
@@ -106,16 +103,14 @@ TEST(ImplicitStudy, FacesThatTurnOverAreCounted) {
     for (const SmoothingCell& cell : study.grid) {
         const Positions was = face_normals(study.subject.mesh()), is = face_normals(moved_to(study.subject.mesh(), cell.implicit_X));
         EXPECT_EQ(cell.inverted_faces, (was.cwiseProduct(is).rowwise().sum().array() < 0).count());
-        EXPECT_TRUE(std::isnan(cell.volume_ratio));
         inverted += cell.inverted_faces;
     }
     EXPECT_GT(inverted, 0);
 }
 
-TEST(ImplicitStudy, ACollapsedMeshHasNoVolume) {
+TEST(ImplicitStudy, AHugeStepCollapsesTheMesh) {
     const ImplicitStudy study = implicit_study_on(icosphere(1), "ball_gone", {1e9}, {3});
     EXPECT_TRUE(study.grid.front().collapsed());
-    EXPECT_EQ(study.grid.front().volume_ratio, 0);
 }
 
 TEST(ImplicitStudy, DampingIsMeasuredAndAsPredicted) {
@@ -196,7 +191,8 @@ TEST(ImplicitStudy, RecommendsTheMostSmoothingThatKeepsTheVolume) {
     EXPECT_LT(signed_volume(moved_to(study.subject.mesh(), once_more)), 0.95 * signed_volume(study.subject.mesh()));
     EXPECT_NEAR(signed_volume(moved_to(study.subject.mesh(), good.implicit_X)) / signed_volume(study.subject.mesh()), good.kept, 1e-9);
     for (const SmoothingCell& cell : study.grid) {
-        if (cell.volume_ratio < 0.95) continue;
+        const double volume = signed_volume(moved_to(study.subject.mesh(), cell.implicit_X)) / signed_volume(study.subject.mesh());
+        if (volume < 0.95) continue;
         EXPECT_LE(good.implicit_energy, 1.01 * cell.implicit_energy);
     }
     QuestionSettings huge = quick_settings();
