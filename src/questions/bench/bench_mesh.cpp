@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/curvature/analytic_surfaces.h"
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/cotangent_laplacian.h"
 #include "mesh/edge_flips.h"

@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "geometry/curvature/analytic_surfaces.h"
 #include "mesh/triangle_mesh.h"
 #include "report/words.h"
 
 namespace meshfolio {
+
+struct CurvaturePair;
 
 inline constexpr report::Words curvature_words("curvature");
 

@@ -1,14 +1,18 @@
+#include "questions/certificates/defects.h"
+
+#include <array>
+
 #include "questions/certificates/parts.h"
 
 namespace meshfolio::certificates {
 
 namespace {
 
-/// Beyond this many box diagonals from the origin, more than three of the sixteen digits of a coordinate say only where the mesh is.
+/// Farther from the origin, more than three of the sixteen digits of a coordinate only say where the mesh is [box diagonals].
 constexpr double far_away = 1000;
-/// Of the shortest edge: rounding of that size is a thousandth of 1/h in H.
+/// Rounding of this size is a thousandth of 1/h in H [shortest edges].
 constexpr double coarse = 1e-3;
-/// Sizes of a box whose areas and their inverses stay within what other programs assume.
+/// Other programs often assume areas, and their inverses, of boxes within these sizes.
 constexpr double smallest_usual = 1e-6, largest_usual = 1e6;   // [length]
 
 constexpr std::array<Defect, 16> defects{{

@@ -1,6 +1,5 @@
 /// @file
-/// What can be wrong with a mesh, which questions that affects, and what is done about it: the one place where this is written down.
-/// `inspect` and the preflight of the report both read it.
+/// The defects of meshes, with the questions they affect and their repairs, for `inspect` and the preflight of the report.
 #pragma once
 
 #include <span>
@@ -14,15 +13,15 @@ namespace meshfolio::certificates {
 
 struct Defect {
     std::string_view key;         // "needle_faces", for programs
-    std::string_view questions;   // "q3,q4,q5": those whose answers it touches
+    std::string_view questions;   // affected: "q3,q4,q5"
     int (*count)(const MeshFacts& facts);
 
     std::string name() const;     // "needle faces, smallest angle below 1°"
-    std::string breaks() const;   // what goes wrong there
-    std::string done() const;     // what was done about it
+    std::string breaks() const;   // the consequence, as a sentence
+    std::string done() const;     // the repair, as a sentence
 };
 
-/// All that is looked for; repairs first.
+/// Returns all defects that are searched for; repaired ones first.
 std::span<const Defect> defect_list();
 
 struct FoundDefect {
@@ -32,8 +31,9 @@ struct FoundDefect {
 /// Returns the defects that occur, in the order of the list.
 std::vector<FoundDefect> defects_of(const MeshFacts& facts);
 
-/// {"q3", "q4"} and "Q3, Q4".
+/// Returns the ids of the affected questions: {"q3", "q4"}.
 std::vector<std::string> affected_questions(const Defect& defect);
+/// Returns the affected questions as text: "Q3, Q4".
 std::string affected_for_people(const Defect& defect);
 
 }   // namespace meshfolio::certificates

@@ -6,6 +6,7 @@
 #include "geometry/smoothing/stability_certificate.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/certificates/parts.h"
+#include "questions/certificates/planted_faults.h"
 
 namespace meshfolio::certificates {
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int modes = 12;
 
+/// Checks the claim of complete_shift by the inertia.
 report::Check claimed_count_check(const Specimen& s) try {
     const Inertia inertia = eigenvalues_below(s.laplacian, s.complete_shift);
     const report::Check check = check_near(law("claimed_count"), s.modes_known, inertia.below, 0);
@@ -22,18 +24,9 @@ report::Check claimed_count_check(const Specimen& s) try {
     return undecided(check_near(law("claimed_count"), s.modes_known, undefined, 0), words.line("pivot_lost"));
 }
 
-/// Half way between the last two values of one mode more than is kept.
-Spectrum first_modes(const LaplaceBeltrami& laplacian, int k, double& sigma) {
-    Spectrum spectrum = smallest_eigenpairs(laplacian, k + 1, {.dense_below = 200});
-    sigma = 0.5 * (spectrum.eigenvalues[k - 1] + spectrum.eigenvalues[k]);
-    spectrum.eigenvalues.conservativeResize(k);
-    spectrum.eigenvectors.conservativeResize(Eigen::NoChange, k);
-    return spectrum;
-}
-
 // ---- the faults -------------------------------------------------------------------------------------------------------
 
-/// The corner whose cotangent is the median of all: neither a needle nor a right angle.
+/// Returns the triangle and the corner with the median cotangent, far from needles and right angles.
 std::pair<Eigen::Index, int> typical_corner(const CornerValues& cotangents) {
     std::vector<double> sorted(cotangents.data(), cotangents.data() + cotangents.size());
     const auto middle = sorted.begin() + sorted.size() / 2;
@@ -70,7 +63,7 @@ void drop_a_mode(Specimen& s) {
     s.spectrum.eigenvectors.conservativeResize(Eigen::NoChange, modes - 1);
 }
 
-/// ψ = M^½φ, scaled to the length of φ: the eigenvector of M^−½CM^−½ taken for that of the mesh.
+/// Replaces φ by ψ = M^½φ, scaled to the length of φ: the eigenvector of M^−½CM^−½, mistaken for that of the mesh.
 void forget_to_map_back(Specimen& s) {
     const Vector phi = s.spectrum.eigenvectors.col(5);
     const Vector psi = s.laplacian.M.cwiseSqrt().cwiseProduct(phi);
@@ -117,7 +110,10 @@ Specimen sound_specimen(const TriangleMesh& mesh) {
     s.claims.euler_characteristic = mesh.vertex_count() - static_cast<int>(topology.edges.size()) + mesh.face_count();
     s.laplacian = laplace_beltrami(mesh);
     s.angle_deficits = angle_deficit(mesh, topology);
-    s.spectrum = first_modes(s.laplacian, modes, s.complete_shift);
+    s.spectrum = smallest_eigenpairs(s.laplacian, modes + 1, {.dense_below = 200});
+    s.complete_shift = 0.5 * (s.spectrum.eigenvalues[modes - 1] + s.spectrum.eigenvalues[modes]);
+    s.spectrum.eigenvalues.conservativeResize(modes);
+    s.spectrum.eigenvectors.conservativeResize(Eigen::NoChange, modes);
     s.modes_known = modes;
     s.stable_shift = stability_certificate(s.laplacian, {.assembly = Assembly::triangles}).mu_high;
     return s;

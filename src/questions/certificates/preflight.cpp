@@ -1,7 +1,9 @@
-// Preflight: what each mesh of the report is, what is wrong with it, which questions that affects and what was done.
+// Preflight: the properties of each mesh, its defects, the questions they affect, and the repairs.
 #include <set>
 
 #include "geometry/measures/mesh_laws.h"
+#include "questions/bench/law_checks.h"
+#include "questions/certificates/defects.h"
 #include "questions/certificates/parts.h"
 #include "questions/core/mesh_roles.h"
 
@@ -9,28 +11,13 @@ namespace meshfolio::certificates {
 
 namespace {
 
-/// Where a defect was found, in the order of the meshes.
+/// The meshes with a defect.
 struct Occurrence {
     const Defect* defect;
     std::string where;   // "plane 1, lily 2"; empty: nowhere
     int meshes = 0;
-    double count = 0;   // in all
+    double count = 0;   // on all meshes together
 };
-
-/// Counts every defect of the list on all meshes.
-std::vector<Occurrence> occurrences_in(const std::vector<Inspected>& meshes) {
-    std::vector<Occurrence> all;
-    for (const Defect& defect : defect_list()) {
-        Occurrence& o = all.emplace_back(Occurrence{&defect, ""});
-        for (const Inspected& mesh : meshes) {
-            const int count = defect.count(mesh.facts);
-            if (count <= 0) continue;
-            o.where += (o.meshes++ == 0 ? "" : ", ") + mesh.name() + " " + std::to_string(count);
-            o.count += count;
-        }
-    }
-    return all;
-}
 
 std::string orientation_of(const Preflight& p) {
     if (!p.orientable) return "none";
@@ -40,6 +27,7 @@ std::string orientation_of(const Preflight& p) {
     return orientation;
 }
 
+/// Returns a function from a mesh to a value of its preflight.
 auto of(auto value) {
     return [value](const Inspected& mesh) { return std::invoke(value, mesh.counts()); };
 }
@@ -93,6 +81,7 @@ report::Table search_table(const std::vector<Inspected>& meshes, const std::vect
         .file_only();
 }
 
+/// Returns the meshes of the settings, else the user's own, else one a role, each once; adds a failed check for an unusable one.
 LibraryMeshes meshes_of_report(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
     if (!settings.meshes.empty() || library.has_own_meshes()) return meshes_for(library, settings, {}, section);
     LibraryMeshes meshes;
@@ -115,7 +104,7 @@ void add_checks(report::Section& section, const Inspected& mesh) {
     const std::string on = " on " + mesh.name();
     const PreparedMesh& prepared = *mesh.source->prepared;
     const Preflight& p = mesh.counts();
-    const auto add_once = [&](report::Check check) {   // a mesh with a certificate has it
+    const auto add_once = [&](report::Check check) {   // a mesh with a certificate has it already
         if (std::ranges::find(section.checks, check.name, &report::Check::name) == section.checks.end()) add(section, std::move(check));
     };
     if (p.manifold())
@@ -129,47 +118,35 @@ void add_checks(report::Section& section, const Inspected& mesh) {
 
 bool has_dropped(const Inspected& mesh) { return mesh.counts().dropped_degenerate_faces + mesh.counts().dropped_duplicate_faces > 0; }
 bool has_turned(const Inspected& mesh) { return mesh.counts().flipped_faces + mesh.counts().inside_out_components > 0; }
-bool is_repaired(const Inspected& mesh) { return has_dropped(mesh) || has_turned(mesh); }
-bool is_open(const Inspected& mesh) { return !mesh.counts().closed(); }
 bool is_rounded(const Inspected& mesh) { return mesh.facts.is_rounded(); }
 
-/// Defects that are still there, open boundaries and further components apart: "needle faces (lily 2)".
-Names kept_of(const std::vector<Occurrence>& found) {
-    static const std::set<std::string_view> told_elsewhere = {"dropped_degenerate_faces", "dropped_duplicate_faces", "flipped_faces",
-                                                              "inside_out_components",    "boundary_loops",          "further_components"};
-    Names kept;
-    for (const Occurrence& o : found)
-        if (!told_elsewhere.contains(o.defect->key)) kept.push_back(o.defect->name() + " (" + o.where + ")");
-    return kept;
-}
-
-report::Facts facts_of(const std::vector<Inspected>& meshes, const std::vector<Occurrence>& found) {
+/// Adds the paragraph about the defects found. @param found  those with an occurrence
+void add_findings(report::Section& section, const std::vector<Inspected>& meshes, const std::vector<Occurrence>& found) {
     constexpr double thin_below = 10;   // [°]
-    const Names repaired = names_where(meshes, is_repaired), rounded = names_where(meshes, is_rounded);
+    static const std::set<std::string_view> mentioned_elsewhere = {
+        "dropped_degenerate_faces", "dropped_duplicate_faces", "flipped_faces",
+        "inside_out_components",    "boundary_loops",          "further_components"};
+    Names kept;   // defects that are still there: "needle faces (lily 2)"
+    for (const Occurrence& o : found)
+        if (!mentioned_elsewhere.contains(o.defect->key)) kept.push_back(o.defect->name() + " (" + o.where + ")");
+    const Names repaired = names_where(meshes, [](const Inspected& mesh) { return has_dropped(mesh) || has_turned(mesh); });
+    const Names rounded = names_where(meshes, is_rounded), open = names_where(meshes, [](auto&mesh) { return !mesh.counts().closed(); });
     const Inspected& worst = *std::ranges::min_element(meshes, {}, [](const Inspected& m) { return m.facts.smallest_angle; });
     const double degrees = worst.facts.smallest_angle * 180 / pi;
-    std::vector<double> steps;
+    double finest = rounded.empty() ? 0 : infinity, coarsest = 0;   // steps of the rounded coordinates [shortest edges]
     for (const Inspected& mesh : meshes)
-        if (is_rounded(mesh)) steps.push_back(mesh.facts.written_steps);
-    const auto [finest, coarsest] = steps.empty() ? std::pair(0.0, 0.0) : std::pair(std::ranges::min(steps), std::ranges::max(steps));
-    return {"clean"_a = listed(names_where(meshes, &Inspected::is_sound)),
-            "repaired"_a = listed(repaired),
-            "others"_a = repaired.size() < meshes.size(),
-            "dropped"_a = std::ranges::any_of(meshes, has_dropped),
-            "turned"_a = std::ranges::any_of(meshes, has_turned),
-            "open"_a = listed(names_where(meshes, is_open)),
-            "kept"_a = listed(kept_of(found)),
-            "found"_a = !found.empty(),
-            "without_angle"_a = !(degrees > 0),
-            "thin"_a = degrees > 0 && degrees < thin_below,
-            "even"_a = degrees >= thin_below,
-            "angle"_a = readable(degrees, 2),
-            "worst"_a = worst.name(),
-            "rounded"_a = rounded.size(),
-            "steps"_a = span_of(readable(finest, 2), readable(coarsest, 2))};
+        if (is_rounded(mesh)) finest = std::min(finest, mesh.facts.written_steps), coarsest = std::max(coarsest, mesh.facts.written_steps);
+    add_words(section, words, "preflight.found", "clean"_a = listed(names_where(meshes, &Inspected::is_sound)),
+              "repaired"_a = listed(repaired), "others"_a = repaired.size() < meshes.size(),
+              "dropped"_a = std::ranges::any_of(meshes, has_dropped), "turned"_a = std::ranges::any_of(meshes, has_turned),
+              "open"_a = listed(open), "kept"_a = listed(kept), "found"_a = !found.empty(), "without_angle"_a = !(degrees > 0),
+              "thin"_a = degrees > 0 && degrees < thin_below, "even"_a = degrees >= thin_below, "angle"_a = readable(degrees, 2),
+              "worst"_a = worst.name(), "rounded"_a = rounded.size(), "steps"_a = span_of(readable(finest, 2), readable(coarsest, 2)));
 }
 
 }   // namespace
+
+bool Inspected::is_sound() const { return defects_of(facts).empty(); }
 
 std::vector<Inspected> inspected_meshes(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress,
                                         report::Section& section) {
@@ -183,7 +160,16 @@ std::vector<Inspected> inspected_meshes(const MeshLibrary& library, const Questi
 }
 
 void add_preflight(report::Section& section, const std::vector<Inspected>& meshes) {
-    const std::vector<Occurrence> occurrences = occurrences_in(meshes);
+    std::vector<Occurrence> occurrences;
+    for (const Defect& defect : defect_list()) {
+        Occurrence& o = occurrences.emplace_back(Occurrence{&defect, ""});
+        for (const Inspected& mesh : meshes) {
+            const int count = defect.count(mesh.facts);
+            if (count <= 0) continue;
+            o.where += (o.meshes++ == 0 ? "" : ", ") + mesh.name() + " " + std::to_string(count);
+            o.count += count;
+        }
+    }
     std::vector<Occurrence> found = occurrences;
     std::erase_if(found, [](const Occurrence& o) { return o.meshes == 0; });
     add_words(section, words, "preflight", "kinds"_a = occurrences.size());
@@ -191,7 +177,7 @@ void add_preflight(report::Section& section, const std::vector<Inspected>& meshe
     if (!found.empty()) add(section, defect_table(found));
     add(section, search_table(meshes, occurrences));
     for (const Inspected& mesh : meshes) add_checks(section, mesh);
-    add_words(section, words, "preflight.found", facts_of(meshes, found));
+    add_findings(section, meshes, found);
 }
 
 }   // namespace meshfolio::certificates

@@ -11,7 +11,7 @@ namespace {
 constexpr int compared_eigenvalues = 10;
 constexpr int known_eigenvalues = 8;   // l = 1 three times, l = 2 five times
 
-/// A dimensionless spectrum times the factor that brings it nearest to `reference` (least squares).
+/// Scales a dimensionless spectrum to fit `reference` by least squares.
 Vector brought_to_scale(Vector eigenvalues, const Vector& reference) {
     const Eigen::Index common = std::min(eigenvalues.size(), reference.size());
     if (common == 0) return eigenvalues;
@@ -19,26 +19,20 @@ Vector brought_to_scale(Vector eigenvalues, const Vector& reference) {
     return factor * eigenvalues;
 }
 
+/// Returns the largest relative change of the eigenvalues; a dimensionless spectrum is scaled to fit.
 double spectrum_change(const LaboratoryOperator& laboratory_operator, const Vector& eigenvalues, const Vector& reference) {
     return largest_relative_change(is_dimensionless(laboratory_operator.kind) ? brought_to_scale(eigenvalues, reference) : eigenvalues,
                                    reference);
 }
 
-/// √(Σ (f − g)²/Σ g²) over the vertices where both are finite; NaN where g is 0 there to rounding, `scale` being what counts.
+/// Returns √(Σ (f − g)²/Σ g²) over the vertices where both are finite; NaN if the rms of g is rounding beside `scale`.
 double relative_difference(const Vector& f, const Vector& g, double scale) {
     const std::vector<int> both = where_finite(f, g);
     const double rms = std::sqrt(g(both).squaredNorm() / static_cast<double>(both.size()));
     return rms > 1e-9 * scale ? relative_error(f, g, Vector::Ones(f.size())) : std::nan("");
 }
 
-OperatorTrial trial_of(const LaboratoryOperator& laboratory_operator, const LaplaceBeltrami& laplacian, const CurvatureSubject& subject) {
-    OperatorTrial trial{laboratory_operator};
-    trial.scores = operator_scores(laplacian, subject.topology(), assembly_of(laboratory_operator.kind));
-    trial.H = operator_mean_curvature(subject.mesh(), subject.topology(), laboratory_operator.kind, laplacian);
-    return trial;
-}
-
-/// Spectra of meshes beyond this many vertices would take longer than the section has.
+/// Most vertices of a mesh whose spectra are computed; larger ones take too long.
 constexpr int largest_spectrum = 20000, largest_spectrum_quick = 3000;
 
 }   // namespace
@@ -80,7 +74,9 @@ LaboratoryMesh laboratory_mesh(SharedMesh source, const QuestionSettings& settin
     Vector reference;
     for (const LaboratoryOperator& laboratory_operator : laboratory_operators()) {
         const LaplaceBeltrami laplacian = laboratory_operator.of(mesh);
-        OperatorTrial trial = trial_of(laboratory_operator, laplacian, lab.subject);
+        OperatorTrial trial{laboratory_operator};
+        trial.scores = operator_scores(laplacian, topology, assembly_of(laboratory_operator.kind));
+        trial.H = operator_mean_curvature(mesh, topology, laboratory_operator.kind, laplacian);
         Vector eigenvalues;
         if (with_spectra) eigenvalues = smallest_nonzero_eigenvalues(laplacian, topology, compared_eigenvalues);
         const bool first = lab.trials.empty();
@@ -110,7 +106,7 @@ std::vector<KnownTrial> known_trials(const QuestionSettings& settings) {
     std::vector<KnownTrial> trials;
     for (const LaboratoryOperator& laboratory_operator : laboratory_operators()) {
         KnownTrial trial{laboratory_operator};
-        // Without a unit it is made a curvature by every ring's own edges, as in question 3.
+        // A dimensionless operator becomes a curvature by the edges of every ring, as in question 3.
         trial.plane = is_dimensionless(laboratory_operator.kind)
                           ? flat.uniform
                           : edge * linear_precision(laboratory_operator.of(plane), plane, plane_topology);

@@ -14,13 +14,13 @@ struct LaboratoryOperator {
     AreaForm area = AreaForm::barycentric;
 
     std::string title() const;   // "cotangent, Voronoi areas"
-    std::string id() const;      // "cotan_voronoi", for file names
+    std::string id() const;      // for file names: "cotan_voronoi"
     LaplaceBeltrami of(const TriangleMesh& mesh) const { return laplace_operator(mesh, kind, area); }
 };
-/// All kinds with barycentric areas, the default first, then the default with the other areas.
+/// Returns all kinds with barycentric areas, the default first, then the default with the other areas.
 const std::vector<LaboratoryOperator>& laboratory_operators();
 
-/// One operator on one mesh. Changes are relative to the default; NaN where they are not defined.
+/// One operator on one mesh. Changes are relative to the default operator; NaN if they are not defined.
 struct OperatorTrial {
     LaboratoryOperator made_by;
     OperatorScores scores = {};
@@ -29,6 +29,7 @@ struct OperatorTrial {
     double H_change = 0;         // relative L2 difference of H inside
     Vector H = {};               // [1/length]
 };
+/// All operators on one mesh.
 struct LaboratoryMesh {
     CurvatureSubject subject;
     std::vector<OperatorTrial> trials;   // one for each of laboratory_operators()
@@ -40,12 +41,12 @@ struct LaboratoryMesh {
 };
 LaboratoryMesh laboratory_mesh(SharedMesh source, const QuestionSettings& settings);
 
-/// The errors of one operator where the exact values are known.
+/// Errors of one operator on surfaces with known values.
 struct KnownTrial {
     LaboratoryOperator made_by;
     double plane = 0;                  // largest |H| × mean edge inside an irregular flat square, where all curvature is 0
     std::array<double, 2> H_error{};   // relative L2 on the jittered sphere and the jittered ellipsoid
-    double eigenvalue_error = 0;       // largest of the first eight above 0 on that sphere, l(l + 1)/R²
+    double eigenvalue_error = 0;       // largest relative one of the first eight above 0 on that sphere, l(l + 1)/R²
 };
 std::vector<KnownTrial> known_trials(const QuestionSettings& settings);   // one for each of laboratory_operators()
 

@@ -1,5 +1,5 @@
 #include "geometry/measures/hausdorff.h"
-#include "questions/q4_spectral/parts.h"
+#include "questions/q4_spectral/study.h"
 
 namespace meshfolio::q4_spectral {
 
@@ -95,6 +95,11 @@ Subject subject_of(SharedMesh mesh, const QuestionSettings& settings) {
         bound = hausdorff.bound;
     }
     return subject;
+}
+
+std::shared_ptr<const Subjects> spectral_subjects(const LibraryMeshes& meshes, const QuestionSettings& settings, const Progress& progress,
+                                                  report::Section& section) {
+    return std::make_shared<const Subjects>(studies_of(meshes, "eigenpairs", settings, progress, section, subject_of));
 }
 
 std::vector<const Reconstruction*> shown_reconstructions(const SpectralStudy& study) {

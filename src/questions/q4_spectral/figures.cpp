@@ -1,5 +1,5 @@
 #include "questions/bench/curvature_subject.h"
-#include "questions/q4_spectral/parts.h"
+#include "questions/q4_spectral/study.h"
 
 namespace meshfolio::q4_spectral {
 
@@ -53,12 +53,14 @@ void add_reconstruction_figure(Answer& answer, const SpectralStudy& study) {
     add_reconstructions(answer, study, "reconstructions", shown_reconstructions(study));
 }
 
-void add_further_figure(Answer& answer, const SpectralStudy& study) {
-    const std::vector<const Reconstruction*> shown = shown_reconstructions(study);
-    std::vector<const Reconstruction*> further;
-    for (const Reconstruction& r : study.reconstructions)
-        if (std::ranges::find(shown, &r) == shown.end()) further.push_back(&r);
-    if (!further.empty()) add_reconstructions(answer, study, "further", further);
+void add_further_figures(Answer& answer, const Subjects& subjects) {
+    for (const Subject& subject : subjects) {
+        const std::vector<const Reconstruction*> shown = shown_reconstructions(subject.study);
+        std::vector<const Reconstruction*> further;
+        for (const Reconstruction& r : subject.study.reconstructions)
+            if (std::ranges::find(shown, &r) == shown.end()) further.push_back(&r);
+        if (!further.empty()) add_reconstructions(answer, subject.study, "further", further);
+    }
 }
 
 void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study) {

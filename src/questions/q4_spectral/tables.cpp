@@ -1,4 +1,6 @@
-#include "questions/q4_spectral/parts.h"
+#include "geometry/measures/mesh_facts.h"
+#include "questions/bench/law_checks.h"
+#include "questions/q4_spectral/study.h"
 
 namespace meshfolio::q4_spectral {
 
@@ -14,6 +16,19 @@ auto of_box(const SpectralStudy& study, auto length_of) {
         const double length = std::invoke(length_of, element);
         return cell_of(length < rounding * study.diagonal ? 0 : percent_of(study) * length);
     };
+}
+
+void add_checks(report::Section& section, const SpectralStudy& study) {
+    const auto of_diagonal = [&](const char* key, double length, double tolerance = 1e-9) {
+        add(section, report::within_rounding(check_at_most(words.line(key, "mesh"_a = study.name()), 0, length / study.diagonal, tolerance),
+                                             coordinate_spacing(study.mesh()) / study.diagonal));
+    };
+    const int needles = study.preflight().needle_faces + study.preflight().zero_area_faces;
+    append_checks(section, spectrum_checks(study.certificate, " on " + study.name(),
+                                           needles > 0 ? words.line("check.needles", "faces"_a = needles) : ""));
+    of_diagonal("check.parseval", largest_parseval_gap(study));
+    of_diagonal("check.no_rise", largest_rise(study.rms), 1e-12);
+    if (study.modes() == study.vertices()) of_diagonal("check.all_modes", study.reconstructions.back().difference.max);
 }
 
 }   // namespace
@@ -100,6 +115,49 @@ report::Table limb_table(const SpectralStudy& study, const LimbStudy& limbs) {
         .column("error, thin", share, of_box(study, &LimbErrors::thin))
         .column("error, thick", share, of_box(study, &LimbErrors::thick))
         .column("thin / thick", [](auto& row) { return row.thin / row.thick; });
+}
+
+void add_results(Answer& answer, const Subjects& subjects) {
+    report::Section& section = answer.section;
+    for (const Subject& subject : subjects) {
+        const SpectralStudy& study = subject.study;
+        const report::Facts facts = facts_of(subjects, &subject - subjects.data());
+        add_words(section, words, "pictures", facts);
+        add_reconstruction_figure(answer, study);
+        add_words(section, words, "better", facts);
+        add(section, error_table(subject), error_plot(study));
+        for (const char* key : {"rate", "modes"}) add_words(section, words, key, facts);
+        add_eigenfunction_figure(answer, study);
+        if (study.modes() > zero_modes(study) + 1) add(section, spectrum_plot(study));
+        add_words(section, words, "thin", facts);
+        if (subject.limbs.measured()) add(section, limb_table(study, subject.limbs));
+        add_words(section, words, "large", facts);
+        add_checks(section, study);
+    }
+}
+
+void add_record(Answer& answer, const Subjects& subjects) {
+    report::Section& section = answer.section;
+    Names done;
+    for (const Subject& subject : subjects) {
+        const SpectralStudy& study = subject.study;
+        Names counts;
+        std::vector<int> numbers;
+        for (const Reconstruction& r : study.reconstructions) {
+            numbers.push_back(r.k);
+            counts.push_back(std::to_string(r.k));
+            const std::string file = id_of(study, "k" + counts.back()) + ".ply";
+            answer.meshes.push_back({file, std::make_shared<const TriangleMesh>(r.mesh)});
+            section.output_meshes.push_back("meshes/" + file);
+        }
+        done.push_back(words.line("extent.mesh", "mesh"_a = study.name(), "counts"_a = listed(counts)));
+        section.parameters["k on " + study.name()] = {listed(counts), numbers};
+        section.parameters["solver on " + study.name()] = study.spectrum.dense ? "dense" : "shift-invert Lanczos";
+        section.timings.push_back({"eigenpairs of " + study.name(), study.seconds});
+    }
+    section.parameters["area form"] = "barycentric";
+    section.extent = words.line("extent", "meshes"_a = listed(done),
+                                "iterated"_a = std::ranges::any_of(subjects, [](const Subject& s) { return !s.study.spectrum.dense; }));
 }
 
 }   // namespace meshfolio::q4_spectral

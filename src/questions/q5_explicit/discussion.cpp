@@ -1,5 +1,6 @@
 #include "questions/bench/one_ring.h"
 #include "questions/q5_explicit/parts.h"
+#include "questions/q5_explicit/study.h"
 
 namespace meshfolio::q5_explicit {
 

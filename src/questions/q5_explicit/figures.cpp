@@ -4,6 +4,7 @@
 #include "questions/bench/curvature_subject.h"
 #include "questions/core/diagram_names.h"
 #include "questions/q5_explicit/parts.h"
+#include "questions/q5_explicit/study.h"
 
 namespace meshfolio::q5_explicit {
 

@@ -2,6 +2,7 @@
 
 #include "geometry/operators/uniform_laplacian.h"
 #include "questions/bench/mesh_class.h"
+#include "questions/q5_explicit/parts.h"
 
 namespace meshfolio::q5_explicit {
 
@@ -101,6 +102,11 @@ ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings
     study.peaks = peaks_of(study.subject.top.mode);
     study.recommended = recommended(study);
     return study;
+}
+
+std::shared_ptr<const Studies> explicit_studies(const LibraryMeshes& meshes, const QuestionSettings& settings, const Progress& progress,
+                                                report::Section& section) {
+    return std::make_shared<const Studies>(studies_of(meshes, "explicit smoothing", settings, progress, section, explicit_study));
 }
 
 bool keeps_signs(const SmoothingSubject& subject, double lambda) { return lambda <= 0.5 * subject.critical * (1 + 1e-12); }

@@ -3,6 +3,7 @@
 
 #include "questions/bench/mesh_class.h"
 #include "questions/q6_implicit/parts.h"
+#include "questions/q6_implicit/study.h"
 
 namespace meshfolio::q6_implicit {
 

@@ -2,6 +2,7 @@
 
 #include "questions/bench/curvature_subject.h"
 #include "questions/q6_implicit/parts.h"
+#include "questions/q6_implicit/study.h"
 
 namespace meshfolio::q6_implicit {
 
@@ -63,28 +64,14 @@ output::Panel panel_of(const ImplicitStudy& study, const Shown& shown, const std
     return smoothing_panel(study.subject, shown.X(), name, label);
 }
 
-}   // namespace
-
+/// Returns the range of mean curvature on all inputs, which every figure of shapes uses.
 output::ColorRange colours_of(const Studies& studies) {
     std::vector<output::Panel> inputs;
     for (const ImplicitStudy& study : studies) inputs.push_back(smoothing_panel(study.subject, study.subject.mesh().X, "", ""));
     return curvature_range(inputs);
 }
 
-bool has_pairs(const ImplicitStudy& study) { return study.good() || !columns_of(study).empty(); }
-
-bool compares_schemes(const ImplicitStudy& study) {
-    return std::ranges::any_of(columns_of(study), [](const Column& column) { return column.first.is_explicit; });
-}
-
-bool compares_equal_times(const ImplicitStudy& study) {
-    return std::ranges::any_of(columns_of(study), [&](const Column& column) {
-        return !column.first.is_explicit && study.in_fewer_steps(*column.first.cell) == column.second.cell;
-    });
-}
-
-void add_pairs(Answer& answer, const ImplicitStudy& study, const output::ColorRange& colours) {
-    if (!has_pairs(study)) return;
+void add_pair_figure(Answer& answer, const ImplicitStudy& study, const output::ColorRange& colours) {
     const std::vector<Column> columns = columns_of(study);
     const std::string id = id_of("q6", study.name(), "pairs");
     const Shown below = below_input(study, columns);
@@ -106,7 +93,27 @@ void add_pairs(Answer& answer, const ImplicitStudy& study, const output::ColorRa
     add_figure(answer, std::move(request), words.line("pairs.caption", facts));
 }
 
-void add_views(Answer& answer, const Studies& studies, const output::ColorRange& colours) {
+}   // namespace
+
+void add_pairs(Answer& answer, const Studies& studies, std::size_t first, std::size_t count) {
+    const output::ColorRange colours = colours_of(studies);
+    for (std::size_t i = first; i < studies.size() && i - first < count; ++i)
+        if (has_pairs(studies[i])) add_pair_figure(answer, studies[i], colours);
+}
+
+bool has_pairs(const ImplicitStudy& study) { return study.good() || !columns_of(study).empty(); }
+
+bool compares_schemes(const ImplicitStudy& study) {
+    return std::ranges::any_of(columns_of(study), [](const Column& column) { return column.first.is_explicit; });
+}
+
+bool compares_equal_times(const ImplicitStudy& study) {
+    return std::ranges::any_of(columns_of(study), [&](const Column& column) {
+        return !column.first.is_explicit && study.in_fewer_steps(*column.first.cell) == column.second.cell;
+    });
+}
+
+void add_views(Answer& answer, const Studies& studies) {
     output::FigureRequest figure{.id = "q6_views", .title = words.line("views.title"), .frame_panel = -1, .coarse_edges = true};
     for (const ImplicitStudy& study : studies)
         if (const SmoothingCell* good = study.good())
@@ -114,7 +121,7 @@ void add_views(Answer& answer, const Studies& studies, const output::ColorRange&
                                                         words.line("views.panel", facts_of(study, *good)),
                                                         curvature_colours(study.subject, good->implicit_X)));
     if (figure.panels.empty()) return;
-    figure.range = range_for(colours, figure.panels);
+    figure.range = range_for(colours_of(studies), figure.panels);
     add_figure(answer, std::move(figure), words.line("views.caption", "several"_a = figure.panels.size() > 1));
 }
 

@@ -7,6 +7,7 @@
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "questions/bench/mesh_class.h"
+#include "questions/q6_implicit/parts.h"
 
 namespace meshfolio::q6_implicit {
 
@@ -248,6 +249,11 @@ ImplicitStudy implicit_study(SharedMesh source, const QuestionSettings& settings
     const Positions reached = follow_explicit_steps(study);
     if (study.recommended) study.cost = cost_of(study, *study.recommended, reached);
     return study;
+}
+
+std::shared_ptr<const Studies> implicit_studies(const LibraryMeshes& meshes, const QuestionSettings& settings, const Progress& progress,
+                                                report::Section& section) {
+    return std::make_shared<const Studies>(studies_of(meshes, "implicit smoothing", settings, progress, section, implicit_study));
 }
 
 }   // namespace meshfolio::q6_implicit

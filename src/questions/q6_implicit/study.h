@@ -112,4 +112,7 @@ std::vector<int> iterations_of(const QuestionSettings& settings);
 /// Smooths the mesh with the steps of the settings, else with own_steps.
 ImplicitStudy implicit_study(SharedMesh source, const QuestionSettings& settings);
 
+/// Converts a λt to squared mean edges.
+inline double in_edges(const ImplicitStudy& study, double time) { return time / (study.subject.mean_edge * study.subject.mean_edge); }
+
 }   // namespace meshfolio::q6_implicit

@@ -1,12 +1,12 @@
 #include "geometry/measures/mesh_error.h"
 #include "questions/bench/curvature_subject.h"
-#include "questions/q7_denoising/parts.h"
+#include "questions/q7_denoising/study.h"
 
 namespace meshfolio::q7_denoising {
 
 namespace {
 
-/// For ids and file names: σ in hundred-thousandths of the box diagonal, "sigma00300" for 0.3 %.
+/// Returns σ for ids and file names, in hundred-thousandths of the box diagonal: "sigma00300" for 0.3 %.
 std::string sigma_name(double relative) {
     const std::string digits = std::to_string(std::llround(1e5 * relative));
     return "sigma" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits;
@@ -14,22 +14,7 @@ std::string sigma_name(double relative) {
 
 Vector distances_of(const DenoisingGrid& grid, const Positions& X) { return shape_distances(grid.clean->mesh(), X); }
 
-/// Noisy, nearest to the surface and smoothed on, coloured by the distance to the surface in σ. @param name  of its panels
-void add_states_of(output::FigureRequest& request, const DenoisingGrid& grid, const NoisyTrial& trial, const std::string& name) {
-    const report::Facts facts = facts_of(grid, trial);
-    const auto add_state = [&](const TriangleMesh& mesh, const std::string& what) {
-        if (&mesh == &trial.noisy || trial.improved())
-            request.panels.push_back(
-                panel_of(mesh, name + "_" + what, words.line("panel." + what, facts), distances_of(grid, mesh.X) / trial.sigma));
-        else
-            request.panels.push_back({name + "_" + what, words.line("panel.no_better"), nullptr});
-    };
-    add_state(trial.noisy, "noisy");
-    add_state(trial.best, "best");
-    add_state(trial.over, "over");
-}
-
-/// A figure in one picture a panel. @param key  of its words
+/// Adds a figure of one picture a panel. @param key  of its words
 void add_pictures(Answer& answer, output::FigureRequest request, const std::string& key) {
     request.title = words.line(key + ".title");
     Names labels;
@@ -38,7 +23,7 @@ void add_pictures(Answer& answer, output::FigureRequest request, const std::stri
     add_figure(answer, std::move(request), words.line(key + ".caption"), alt);
 }
 
-/// The grid whose noise to look at shows most of something, above `floor`; null where none does.
+/// Returns the grid with the largest amount of pictured() above `floor`; null if there is none.
 template <class Amount>
 const DenoisingGrid* most_of(const Grids& grids, double floor, const Amount& amount) {
     const DenoisingGrid* most = nullptr;
@@ -53,7 +38,6 @@ const DenoisingGrid* most_of(const Grids& grids, double floor, const Amount& amo
 
 report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial) {
     const SearchState& best = trial.found.by_shape;
-    const double gain = trial.gain(measures[0]);
     return {"mesh"_a = grid.name(),
             "noise"_a = readable_percent(trial.relative, 2),
             "edges"_a = readable(grid.edges(trial), 2),
@@ -61,7 +45,7 @@ report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial) {
             "best"_a = best.step,
             "over"_a = 4 * best.step,
             "verdict"_a = verdict_on(trial),
-            "gain"_a = readable(rounded_down(gain, 2), 2)};
+            "gain"_a = readable(rounded_down(trial.gain(), 2), 2)};
 }
 
 void add_states(Answer& answer, const Grids& grids) {
@@ -73,9 +57,14 @@ void add_states(Answer& answer, const Grids& grids) {
         const report::Facts facts = facts_of(grid, trial);
         request.rows.push_back(words.line(trial.improved() ? "states.row" : "states.row.no_better", facts));
         request.panels.push_back(panel_of(*grid.clean, name + "_clean", words.line("states.clean.panel", facts)));
-        add_states_of(request, grid, trial, name);
+        for (const auto& [mesh, what] : {std::pair{&trial.noisy, "noisy"}, {&trial.best, "best"}, {&trial.over, "over"}}) {
+            output::Panel& panel = request.panels.emplace_back(output::Panel{name + "_" + what, words.line("panel.no_better"), nullptr});
+            if (mesh == &trial.noisy || trial.improved())
+                panel =
+                    panel_of(*mesh, panel.name, words.line("panel." + std::string(what), facts), distances_of(grid, mesh->X) / trial.sigma);
+        }
     }
-    request.range = range_from_zero(request.panels, distance_colours, words.line("colours.surface"), 0.01, "σ");
+    request.range = range_from_zero(request.panels, "pale", words.line("colours.surface"), 0.01, "σ");
     add_pictures(answer, std::move(request), "states");
 }
 
@@ -92,7 +81,7 @@ void add_views(Answer& answer, const Grids& grids) {
                                          words.line("views.panel", facts_of(grid, trial)), distances_of(grid, trial.best.X) / trial.sigma));
     }
     if (figure.panels.empty()) return;
-    figure.range = range_from_zero(figure.panels, distance_colours, words.line("colours.surface"), 0.01, "σ");
+    figure.range = range_from_zero(figure.panels, "pale", words.line("colours.surface"), 0.01, "σ");
     add_figure(answer, std::move(figure), words.line("views.caption"));
 }
 
@@ -104,12 +93,12 @@ const DenoisingGrid* most_drifting(const Grids& grids) {
 
 const DenoisingGrid* most_rounded(const Grids& grids) {
     return most_of(grids, 1.2, [](const DenoisingGrid& grid, const NoisyTrial& trial) {
-        return grid.has_features() ? trial.taken.features.times() : NAN;
+        return grid.has_features() ? trial.clean_loss.features.times() : NAN;
     });
 }
 
 const DenoisingGrid* most_shrunk(const Grids& grids) {
-    return most_of(grids, 0.001, [](const DenoisingGrid&, const NoisyTrial& trial) { return 1 - trial.taken.volume; });
+    return most_of(grids, 0.001, [](const DenoisingGrid&, const NoisyTrial& trial) { return 1 - trial.clean_loss.volume; });
 }
 
 void add_losses(Answer& answer, const Grids& grids) {
@@ -123,7 +112,7 @@ void add_losses(Answer& answer, const Grids& grids) {
     add_panel(most_rounded(grids), "edges");
     add_panel(most_shrunk(grids), "volume");
     if (request.panels.empty()) return;
-    request.range = range_from_zero(request.panels, distance_colours, words.line("colours.surface"), 0.01, "σ");
+    request.range = range_from_zero(request.panels, "pale", words.line("colours.surface"), 0.01, "σ");
     add_pictures(answer, std::move(request), "losses");
 }
 

@@ -1,4 +1,4 @@
-#include "questions/q7_denoising/reasons.h"
+#include "questions/q7_denoising/study.h"
 
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/smoothing/implicit_solver.h"
@@ -8,19 +8,16 @@ namespace meshfolio::q7_denoising {
 
 namespace {
 
-/// The states (λ, t) of a curve, in the order of λt.
-struct Place {
-    double lambda = 0;
-    int step = 0;
-};
-bool continues(const DenoisingGrid& grid, double reached, Place place) {
+/// True if the state after `step` iterations of λ continues a curve that has reached an amount.
+bool continues(const DenoisingGrid& grid, double reached, double lambda, int step) {
     constexpr int first_step = 3;   // fewer steps of a large λ smooth otherwise than many small ones
-    return place.lambda * place.step > reached && (place.lambda == grid.lambdas.front() || place.step >= first_step);
+    return lambda * step > reached && (lambda == grid.lambdas.front() || step >= first_step);
 }
 
+/// Returns the rms norm of the rows.
 double rms(const DenseMatrix& rows) { return std::sqrt(rows.squaredNorm() / static_cast<double>(rows.rows())); }
 
-/// Ends of bands of modes: an octave of μ and so many modes at least, as a symmetric shape has nothing in most of its modes.
+/// Returns the ends of the bands of modes. Each spans an octave of μ and at least eight modes, as a symmetric shape has no part in most.
 std::vector<Eigen::Index> band_ends(const Vector& mu) {
     constexpr Eigen::Index fewest = 8;
     std::vector<Eigen::Index> ends;
@@ -31,7 +28,7 @@ std::vector<Eigen::Index> band_ends(const Vector& mu) {
     return ends;
 }
 
-/// μ where the line through the last two bands has as much shape as noise, on logarithmic scales; of one band its own.
+/// Returns the μ where the line through the last two bands, on logarithmic scales, has as much shape as noise; the μ of a single band.
 double last_crossing(const ModeBands& bands) {
     const std::size_t last = bands.mu.size() - 1;
     if (last == 0) return bands.mu[0];
@@ -68,7 +65,7 @@ bool joins_the_clean(const Reasons& reasons) {
 ErrorCurve error_curve(const DenoisingGrid& grid, const NoisyTrial& trial) {
     ErrorCurve curve{{0}, {trial.found.noisy.shape / grid.mean_edge}};
     for (const SearchState& state : trial.states) {   // λ by λ
-        if (!continues(grid, curve.amount.back(), {state.value, state.step})) continue;
+        if (!continues(grid, curve.amount.back(), state.value, state.step)) continue;
         curve.amount.push_back(state.value * state.step);
         curve.error.push_back(state.shape / grid.mean_edge);
     }
@@ -95,7 +92,7 @@ ErrorParts error_parts(const DenoisingGrid& grid, const TriangleMesh& noisy) {
         Positions Y = noisy.X, X = clean.X;
         for (int t = 1; t <= grid.iterations; ++t) {
             Y = solver.step(Y), X = solver.step(X);
-            if (!continues(grid, parts.total.amount.back(), {lambda, t})) continue;
+            if (!continues(grid, parts.total.amount.back(), lambda, t)) continue;
             add_state(lambda * t, Y, X);
             if (parts.total.least() + 1 == parts.total.error.size()) parts.best_lambda = lambda, parts.best_step = t;
         }
@@ -132,7 +129,7 @@ ModeBands mode_bands(const DenoisingGrid& grid, const NoisyTrial& trial, const E
     return bands;
 }
 
-Reasons reasons_of(const std::vector<DenoisingGrid>& grids) {
+Reasons reasons_of(const Grids& grids) {
     Reasons reasons;
     for (const DenoisingGrid& grid : grids) {
         const auto size = [](const DenoisingGrid& g) { return g.clean->mesh().vertex_count(); };
@@ -148,5 +145,7 @@ Reasons reasons_of(const std::vector<DenoisingGrid>& grids) {
     }
     return reasons;
 }
+
+std::shared_ptr<const Reasons> shared_reasons(const Grids& grids) { return std::make_shared<const Reasons>(reasons_of(grids)); }
 
 }   // namespace meshfolio::q7_denoising

@@ -1,4 +1,4 @@
-#include "questions/q7_denoising/parts.h"
+#include "questions/q7_denoising/study.h"
 
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/curvature.h"
@@ -6,21 +6,21 @@
 #include "geometry/denoising/noise_level.h"
 #include "geometry/denoising/risk_estimate.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
-#include "mesh/vertex_noise.h"
 #include "questions/bench/mesh_class.h"
 
 namespace meshfolio::q7_denoising {
 
 namespace {
 
-/// Samples of the same noise beside the first.
+/// Samples of the same noise after the first.
 constexpr int further_seeds = 2;
 
+/// Returns the options of one implicit run. @param lambda  [h̄²]
 SmoothingOptions smoothing_by(const DenoisingGrid& grid, double lambda, int iterations) {
     return {.scheme = SmoothingScheme::implicit_euler, .lambda = lambda * grid.mean_edge * grid.mean_edge, .iterations = iterations};
 }
 
-/// The tenth of the vertices where the clean mesh is most curved; none where it is flat.
+/// Flags the most curved tenth of the vertices; none of a flat mesh.
 std::vector<char> most_curved(const TriangleMesh& mesh, const MeshTopology& topology) {
     const Vector H = cotangent_mean_curvature(mesh, topology, laplace_beltrami(mesh));
     std::vector<std::pair<double, Eigen::Index>> order;
@@ -33,17 +33,19 @@ std::vector<char> most_curved(const TriangleMesh& mesh, const MeshTopology& topo
     return flags;
 }
 
-Uneven rms_by(const Vector& distances, const std::vector<char>& flags) {
+/// Splits n distances by n flags.
+SplitRms rms_by(const Vector& distances, const std::vector<char>& flags) {
     const FlaggedMeans squares = flagged_means(distances.cwiseAbs2(), flags);
     return {std::sqrt(squares.there), std::sqrt(squares.elsewhere)};
 }
 
-Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const TriangleMesh& smoothed) {
+/// @param normals  of the faces of the clean mesh
+SurfaceErrors errors_of(const DenoisingGrid& grid, const Positions& normals, const TriangleMesh& smoothed) {
     const TriangleMesh& clean = grid.clean->mesh();
-    Remains remains;
+    SurfaceErrors errors;
     const Vector distances = shape_distances(clean, smoothed.X);
-    remains.features = rms_by(distances, grid.on_feature);
-    remains.curved = rms_by(distances, grid.curved);
+    errors.features = rms_by(distances, grid.on_feature);
+    errors.curved = rms_by(distances, grid.curved);
 
     const Positions found = face_normals(smoothed);
     std::vector<int> at_features, others;
@@ -54,22 +56,13 @@ Remains remains_of(const DenoisingGrid& grid, const Positions& normals, const Tr
     const auto angle_of = [&](const std::vector<int>& faces) {
         return faces.empty() ? NAN : mean_normal_angle(normals(faces, Eigen::all), found(faces, Eigen::all));
     };
-    remains.feature_angle = angle_of(at_features);
-    remains.other_angle = angle_of(others);
-    if (grid.clean->preflight().encloses_volume()) remains.volume = signed_volume(smoothed) / signed_volume(clean);
-    return remains;
+    errors.feature_angle = angle_of(at_features);
+    errors.other_angle = angle_of(others);
+    if (grid.clean->preflight().encloses_volume()) errors.volume = signed_volume(smoothed) / signed_volume(clean);
+    return errors;
 }
 
-/// The gain by surface of another sample of the same noise, smoothed as is best for the first.
-double gain_of(const DenoisingGrid& grid, const NoisyTrial& trial, std::uint64_t seed, ImplicitSolver& solver) {
-    const TriangleMesh& clean = grid.clean->mesh();
-    const TriangleMesh noisy = moved_to(clean, with_gaussian_noise(clean.X, Vector3::Constant(trial.sigma), seed));
-    const SearchState& best = trial.found.by_shape;
-    const auto error = [&](const Positions& X) { return shape_rms(clean, X); };
-    return error(noisy.X) / error(smooth(noisy, smoothing_by(grid, best.value, best.step), solver).X);
-}
-
-/// A run from Y, held against one from Y + εz: their difference along z is the divergence of Stein's estimate.
+/// A run from Y. Its difference along z from a run from Y + εz is the divergence in Stein's estimate.
 struct WatchedRun {
     Positions z;                           // n × 3, random signs
     std::vector<double> residual, along;   // |X − Y|², z · (X − Y), after t = 0, 1, … iterations
@@ -82,7 +75,7 @@ struct WatchedRun {
     }
 };
 
-/// @param run  at the step in the middle of the grid
+/// Stops a run by Stein's estimate. @param run  at the step in the middle of the grid
 Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial, const WatchedRun& run, ImplicitSolver& solver) {
     const TriangleMesh& noisy = trial.noisy;
     const double sigma = noise_level(noisy, grid.clean->topology()).sigma, amount = 1e-4 * grid.mean_edge;
@@ -101,6 +94,7 @@ Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial
     return {best, run.shape[0] / run.shape[best], run.shape[0] / std::ranges::min(run.shape)};
 }
 
+/// Makes the noise of one level, and searches the best states. @param further  number of further seeds
 NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double relative, std::uint64_t seed, int further) {
     const TriangleMesh& clean = grid.clean->mesh();
     const MeshTopology& topology = grid.clean->topology();
@@ -118,14 +112,18 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
     });
     trial.best = moved_to(clean, trial.found.X);
     ImplicitSolver solver;   // the triangles stay: one symbolic analysis for all
-    trial.remains = remains_of(grid, normals, trial.best);
+    trial.residual = errors_of(grid, normals, trial.best);
     trial.stopped = stopped_without_clean(grid, trial, middle, solver);
-    for (int i = 1; trial.improved() && i <= further; ++i)
-        trial.further_gains.push_back(gain_of(grid, trial, seed + static_cast<std::uint64_t>(i), solver));
+    const SmoothingOptions best = smoothing_by(grid, trial.found.by_shape.value, trial.found.by_shape.step);
+    for (int i = 1; trial.improved() && i <= further; ++i) {
+        const auto other_seed = seed + static_cast<std::uint64_t>(i);
+        const TriangleMesh noisy = moved_to(clean, with_gaussian_noise(clean.X, Vector3::Constant(trial.sigma), other_seed));
+        trial.further_gains.push_back(shape_rms(clean, noisy.X) / shape_rms(clean, smooth(noisy, best, solver).X));
+    }
     return trial;
 }
 
-/// What the figures show of the noise to look at.
+/// Smooths the meshes that the figures show of pictured().
 void smooth_pictured(DenoisingGrid& grid, const Positions& normals) {
     const TriangleMesh& clean = grid.clean->mesh();
     NoisyTrial& trial = *std::ranges::find(grid.trials, &grid.pictured(), [](const NoisyTrial& t) { return &t; });
@@ -135,10 +133,10 @@ void smooth_pictured(DenoisingGrid& grid, const Positions& normals) {
     };
     trial.over = smoothed(trial.noisy, 4 * best.step);
     trial.clean_alike = smoothed(clean, best.step);
-    trial.taken = remains_of(grid, normals, trial.clean_alike);
+    trial.clean_loss = errors_of(grid, normals, trial.clean_alike);
 }
 
-/// One run on noise of that kind, as strong as that of pictured(), at its λ and for up to twice its iterations.
+/// Runs on noise of a kind, as strong as that of pictured(), at its λ and for up to twice its iterations.
 OtherNoise other_noise_of(const DenoisingGrid& grid, NoiseKind kind, std::uint64_t seed) {
     const TriangleMesh& clean = grid.clean->mesh();
     const NoisyTrial& trial = grid.pictured();
@@ -153,9 +151,9 @@ OtherNoise other_noise_of(const DenoisingGrid& grid, NoiseKind kind, std::uint64
     options.after_step = [&](int t, const Positions& X) {
         const Vector distances = shape_distances(clean, X);
         const double gain = before / std::sqrt(distances.squaredNorm() / static_cast<double>(distances.size()));
-        if (gain > other.best) other.best = gain, other.best_step = t;
+        other.best = std::max(other.best, gain);
         if (t == chosen.step) {
-            const Uneven left = rms_by(distances, hit);
+            const SplitRms left = rms_by(distances, hit);
             other.same = gain;
             other.spread = left.elsewhere / left.there;
         }
@@ -223,8 +221,13 @@ DenoisingGrid denoising_grid(SharedMesh source, const QuestionSettings& settings
     return grid;
 }
 
+std::shared_ptr<const Grids> denoising_grids(const LibraryMeshes& meshes, const QuestionSettings& settings, const Progress& progress,
+                                             report::Section& section) {
+    return std::make_shared<const Grids>(studies_of(meshes, "denoising", settings, progress, section, denoising_grid));
+}
+
 const NoisyTrial& DenoisingGrid::pictured() const {
-    const auto gain = [](const NoisyTrial& trial) { return trial.improved() ? trial.gain(measures[0]) : 0; };
+    const auto gain = [](const NoisyTrial& trial) { return trial.improved() ? trial.gain() : 0; };
     const auto halved = std::ranges::find_if(trials, [&](const NoisyTrial& trial) { return gain(trial) >= works; });
     return halved != trials.end() ? *halved : *std::ranges::max_element(trials, {}, gain);
 }
@@ -232,7 +235,7 @@ const NoisyTrial& DenoisingGrid::pictured() const {
 double NoisyTrial::spread() const {
     if (further_gains.empty()) return NAN;
     std::vector<double> gains = further_gains;
-    gains.push_back(gain(measures[0]));
+    gains.push_back(gain());
     const Eigen::Map<const Vector> all(gains.data(), static_cast<Eigen::Index>(gains.size()));
     return std::sqrt((all.array() - all.mean()).square().sum() / static_cast<double>(further_gains.size()));
 }
@@ -240,7 +243,7 @@ double NoisyTrial::spread() const {
 double NoisyTrial::removed_along() const { return 1 - std::pow(drift(found.by_shape) / drift(found.noisy), 2); }
 
 std::string verdict_on(const NoisyTrial& trial) {
-    const double gain = trial.gain(measures[0]);
+    const double gain = trial.gain();
     if (std::isnan(gain)) return "–";
     if (gain < helps) return "fails";
     if (trial.volume_by(measures[0]) < volume_to_keep) return "shrinks";
@@ -253,13 +256,12 @@ bool is_unended(const NoisyTrial& trial, const SearchState& best) {
     return best.step > 0 && (amount(best) <= amount(*least) || amount(best) >= amount(*most));
 }
 
-NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids) {
+NoiseSplit noise_split(const Grids& grids) {
     constexpr double equal = 1 + 1e-9;
     std::vector<double> halved, other;
     for (const DenoisingGrid& grid : grids)
         for (const NoisyTrial& trial : grid.trials)
-            if (const double gain = trial.gain(measures[0]); !std::isnan(gain))
-                (gain >= works ? halved : other).push_back(grid.edges(trial));
+            if (const double gain = trial.gain(); !std::isnan(gain)) (gain >= works ? halved : other).push_back(grid.edges(trial));
     const double lowest = halved.empty() ? INFINITY : std::ranges::min(halved), highest = other.empty() ? 0 : std::ranges::max(other);
     NoiseSplit split;
     for (const double level : other)

@@ -1,35 +1,35 @@
 /// @file
-/// What question 7 measures: noisy meshes smoothed implicitly over a grid of steps λ and iterations t, against the clean mesh.
+/// The measurements of question 7: noisy meshes smoothed implicitly over a grid of steps λ and iterations t, against the clean mesh;
+/// and why denoising can work: shape and noise mode by mode, and the error as noise left and shape lost.
 #pragma once
 
 #include "mesh/vertex_noise.h"
 #include "questions/bench/denoising_search.h"
-#include "questions/core/section_tools.h"
+#include "questions/q7_denoising/parts.h"
 
 namespace meshfolio::q7_denoising {
 
-/// rms distance to the surface where something is, and everywhere else; NaN where there is no such vertex. [length]
-struct Uneven {
+/// rms distance to the clean surface at some vertices, and at all others; NaN over no vertex. [length]
+struct SplitRms {
     double there = NAN, elsewhere = NAN;
     double times() const { return elsewhere > 0 ? there / elsewhere : NAN; }
 };
 
-/// What a smoothed mesh has not got back, or has lost.
-struct Remains {
-    Uneven features, curved;      // on edges sharper than 40°; where the clean mesh is most curved: a tenth of its vertices
-    double feature_angle = NAN;   // mean angle of the normals of faces at such edges, and of the others [rad]
-    double other_angle = NAN;
-    double volume = NAN;   // over that of the clean mesh; NaN: open
+/// Errors of a smoothed mesh against the clean mesh.
+struct SurfaceErrors {
+    SplitRms features, curved;    // at edges sharper than 40°; at the most curved tenth of the vertices
+    double feature_angle = NAN;   // mean error of the normals of faces at such edges [rad]
+    double other_angle = NAN;     // mean error of the other normals [rad]
+    double volume = NAN;          // over that of the clean mesh; NaN: open
 };
 
-/// Where a user without the clean mesh stops: by Stein's estimate with a fitted σ, at the step in the middle of the grid.
+/// A run stopped without the clean mesh: by Stein's estimate with a fitted σ, at the step in the middle of the grid.
 struct Stopped {
     int step = 0;
     double gain = NAN;   // by surface; NaN: no σ, or nothing to measure
-    double best = NAN;   // at any iteration of that run
+    double best = NAN;   // largest gain at any iteration of that run
 
     double share() const { return gain / best; }
-    /// By the rule of every verdict.
     bool fails() const { return gain < helps; }
     bool harms() const { return gain < 1; }
 };
@@ -37,35 +37,37 @@ struct Stopped {
 /// Noise of another kind, as strong as that of pictured(), in one run at its λ. Gains by surface.
 struct OtherNoise {
     NoiseKind kind{};
-    double same = NAN, best = NAN;   // after as many iterations as are best there, and after any
-    int best_step = 0;
-    double spread = NAN;   // after `same`: rms distance of the vertices that had no noise, over that of the others; NaN: all had some
+    double same = NAN, best = NAN;   // after the best number of iterations of pictured(); after any number
+    double spread = NAN;             // with `same`: rms distance of vertices without noise over that of the others; NaN: all had noise
 };
 
 /// One noisy mesh and its results over the grid. λ is in squared mean edges of the clean mesh, h̄².
 struct NoisyTrial {
-    double relative = 0, sigma = 0;    // of each coordinate [box diagonals], [length]
+    double relative = 0, sigma = 0;    // standard deviation of each coordinate [box diagonals], [length]
     double clean_volume = NAN;         // NaN: open [length³]
     TriangleMesh noisy, best;          // best: nearest to the clean surface
-    TriangleMesh over;                 // of pictured(): four times as many iterations of the same λ
-    TriangleMesh clean_alike;          // of pictured(): the clean mesh after as many as the best, what smoothing itself takes
+    TriangleMesh over;                 // of pictured(): four times the best number of iterations, same λ
+    TriangleMesh clean_alike;          // of pictured(): the clean mesh, smoothed like the best
     std::vector<SearchState> states;   // of all runs, λ by λ
     SearchResult found;
-    Remains remains, taken;   // of `best`, of `clean_alike`
+    SurfaceErrors residual, clean_loss;   // of `best`; of `clean_alike`
     Stopped stopped;
-    std::vector<double> further_gains;   // by surface, of further seeds at the λ and t that are best for this one
+    std::vector<double> further_gains;   // by surface, of further seeds at the best λ and t of this one
 
-    bool improved() const { return found.by_shape.step > 0; }   // the distance to the surface
-    /// What the best by a measure has of the volume; NaN for an open mesh.
+    /// True if smoothing reduces the distance to the surface.
+    bool improved() const { return found.by_shape.step > 0; }
+    /// Returns the volume of the best by a measure, over that of the clean mesh; NaN for an open mesh.
     double volume_by(const Measure& measure) const { return best_by(measure).volume / clean_volume; }
-    /// How much of the noisy mesh's squared error the best by surface has lost: that along the surface, and that across it.
+    /// Return the share of the noisy mesh's squared error that the best by surface has removed, along and across the surface.
     double removed_along() const;
     double removed_across() const { return 1 - std::pow(found.by_shape.shape / found.noisy.shape, 2); }
-    /// rms distance along the surface of a state. [length]
+    /// Returns the rms distance of a state from the clean vertices along the surface. [length]
     static double drift(const SearchState& state) { return std::sqrt(std::max(0.0, state.rms * state.rms - state.shape * state.shape)); }
-    /// NaN where the noise has nothing of the measure.
-    double gain(const Measure& measure) const { return (found.*measure.gain)(); }
-    /// Standard deviation of the gain by surface over all seeds; NaN where there is one alone.
+    /// Returns the noisy error over the least error by a measure, ≥ 1; NaN if the noisy error is 0.
+    double gain(const Measure& measure = measures[0]) const { return (found.*measure.gain)(); }
+    /// Returns the product λt of the best by surface. [h̄²]
+    double amount() const { return found.by_shape.value * found.by_shape.step; }
+    /// Returns the standard deviation of the gain by surface over all seeds; NaN for one seed.
     double spread() const;
     const SearchState& best_by(const Measure& measure) const { return found.*measure.best; }
 };
@@ -78,52 +80,123 @@ struct DenoisingGrid {
     std::vector<char> on_feature, curved;   // n flags: on edges sharper than 40°, in the most curved tenth
     int feature_vertices = 0;
     std::vector<NoisyTrial> trials;        // ascending σ
-    std::vector<OtherNoise> other_noise;   // along the normals, and on a tenth of the vertices; empty where pictured() has no gain
-    double fitted_to_clean = NAN;          // the σ that is fitted to the clean mesh: its shape, taken for noise [mean edges]
+    std::vector<OtherNoise> other_noise;   // along the normals, and on a tenth of the vertices; empty if pictured() has no gain
+    double fitted_to_clean = NAN;          // σ fitted to the clean mesh, whose shape is taken for noise [mean edges]
 
     const std::string& name() const { return clean->name; }
     double edges(const NoisyTrial& trial) const { return trial.sigma / mean_edge; }
     double middle_lambda() const { return lambdas[lambdas.size() / 2]; }
-    /// Do edges stand out from the tessellation?
+    /// True if sharp edges stand out from the tessellation: at most half of the vertices are on some.
     bool has_features() const { return feature_vertices > 0 && 2 * feature_vertices <= clean->mesh().vertex_count(); }
-    /// The one to look at: the lowest noise whose distance to the surface is halved, else the one that gains most.
+    /// Returns the trial that figures show: the lowest noise with the distance to the surface halved, else the largest gain.
     const NoisyTrial& pictured() const;
 };
 
-/// What is tried on a mesh of that mean edge.
+/// The noise levels and steps that are tried.
 struct DenoisingTries {
     std::vector<double> noise;     // ascending [box diagonals]
     std::vector<double> lambdas;   // ascending [h̄²]
     int iterations = 0;            // of each run, at most
 };
+/// Returns the tries of the settings, else the default ones, for a mesh of that mean edge. [length]
 DenoisingTries tries_of(const QuestionSettings& settings, double mean_edge);
 
-/// Every λ on one noisy mesh. A run goes on while some measure has been best in its second half, and for a dozen iterations at least.
+/// Searches the best states over every λ on one noisy mesh. A run ends after its first dozen iterations once no measure was best in its
+/// second half.
 /// @param input  its mean edge is that of the clean mesh
-/// @param met  called with every state and its positions
+/// @param met    called with every state and its positions
 SearchResult search_for_best(const SearchInput& input, const std::vector<double>& lambdas, int iterations,
                              const std::function<void(const SearchState&, const Positions&)>& met = {});
 
-/// Noise of so many mean edges is tried beside the levels in box diagonals, which leave a gap there.
+/// A further level of noise, between the levels in box diagonals. [mean edges]
 inline constexpr double level_in_edges = 0.3;
+/// True if that level is tried, by default in a full run.
 inline bool tries_in_edges(const QuestionSettings& settings) { return settings.noise.empty() && !settings.quick; }
 
-/// Runs the noise levels of the settings, else from barely visible to hopeless and level_in_edges, with λ from 0.003 h̄² to 3 h̄².
+/// Runs the noise levels and steps of the settings, else default levels from barely visible to hopeless, with λ from 0.003 h̄² to 3 h̄².
 DenoisingGrid denoising_grid(SharedMesh clean, const QuestionSettings& settings);
 
-/// By surface distance alone: "works" (gain ≥ 2), "helps" (≥ 1.1), "fails" (below), "shrinks" (a gain that costs more than 15 % of the
-/// volume), "–" (the noise does not move the surface).
+/// Returns "works" (gain by surface ≥ 2), "helps" (≥ 1.1), "fails" (below), "shrinks" (a gain that costs more than 15 % of the volume) or
+/// "–" (the noise does not move the surface).
 std::string verdict_on(const NoisyTrial& trial);
 inline constexpr double volume_to_keep = 0.85;
-/// Whether the best lies at an end of the amounts λt tried: less or more smoothing may gain more.
+/// True if `best` lies at an end of the amounts λt tried, so that less or more smoothing may gain more.
 bool is_unended(const NoisyTrial& trial, const SearchState& best);
 
-/// Which noise separates the cases in which the distance to the surface is halved. Levels that differ by rounding are one. [mean edges]
+/// Noise levels that separate the cases with the distance to the surface halved from the others. [mean edges]
 struct NoiseSplit {
     double never_to = 0;             // the highest level up to which it never is; 0: none
     double always_from = INFINITY;   // the lowest level from which it always is; ∞: none
     bool decides = false;            // every level is on one of the two sides
 };
-NoiseSplit noise_split(const std::vector<DenoisingGrid>& grids);
+/// Returns the split over all trials; levels that differ by rounding count as one.
+NoiseSplit noise_split(const Grids& grids);
+
+using Case = Within<DenoisingGrid, NoisyTrial>;
+
+/// Returns every trial of every grid.
+inline std::vector<Case> cases_of(const Grids& grids) { return parts_within(grids, &DenoisingGrid::trials); }
+
+/// Coefficients |Φᵀ M X| of the clean mesh and |Φᵀ M N| of the noise of a trial, rms over bands of modes. The unit is the expected noise of
+/// a mode, σ √(3 ΣM/n), which is exactly the mean over all modes: E|Φᵀ M N|² = 3σ² tr(ΦᵀM²Φ), ΦΦᵀ = M⁻¹.
+struct ModeBands {
+    std::vector<double> mu;             // geometric mean of the band [1/h̄²]
+    std::vector<double> shape, noise;   // [noise of a mode]
+    std::vector<double> kept;           // factor of a mode of this μ in the best smoothing with the same operator, (1 + λμ)⁻ᵗ
+    int modes = 0, above = 0;           // without the constant ones; with waves longer than at the crossing
+    bool all = false;                   // `modes` are all modes of the mesh
+
+    bool crosses() const { return above > 0 && above < modes; }
+    double crossing = NAN;                                               // μ where shape falls below noise, between bands [1/h̄²]
+    double wavelength() const { return 2 * pi / std::sqrt(crossing); }   // [h̄]
+};
+
+/// An error over the amount of smoothing.
+struct ErrorCurve {
+    std::vector<double> amount, error;   // λt, ascending from 0 [h̄²]; [h̄]
+    /// Returns the index of the least error.
+    std::size_t least() const { return std::ranges::min_element(error) - error.begin(); }
+};
+
+/// The error as the noise left and the shape lost: S(X + N) − X = SN + (SX − X) for the linear operator S of the clean mesh. All but
+/// `surface` are measured along the vertex normals of the clean mesh, where displacements add up.
+struct ErrorParts {
+    ErrorCurve total, noise, shape;   // of the same amounts
+    ErrorCurve surface;               // surface distance of the smoothed clean mesh
+    double best_lambda = 0;           // of the least total [h̄²]
+    int best_step = 0;                // 0: the noisy mesh itself
+
+    /// Returns the largest |(noise² + shape²)/error² − 1| up to twice the best amount; 0 in the mean over the noise.
+    double deviation_of_sum() const;
+};
+
+/// Modes and error curves of the smallest mesh with a gain.
+struct Reasons {
+    const DenoisingGrid* grid = nullptr;
+    ModeBands bands;                  // of pictured(); empty if the modes were not found
+    ErrorParts parts;                 // of pictured()
+    std::vector<ErrorCurve> levels;   // of each trial
+};
+
+/// True if every curve of `levels` with a minimum inside ends nearer to the curve of the clean mesh than it is at its minimum.
+bool joins_the_clean(const Reasons& reasons);
+
+/// Joins the runs of all λ to one curve: each run from its third step on (the first run from its first), beyond the amounts of the runs
+/// before.
+ErrorCurve error_curve(const DenoisingGrid& grid, const NoisyTrial& trial);
+/// Smooths a noisy and the clean mesh by the clean mesh's operator and every λ of the grid, and splits the error.
+ErrorParts error_parts(const DenoisingGrid& grid, const TriangleMesh& noisy);
+/// Computes the bands from all modes of a small mesh, else from the smoothest ones. @param parts  of this trial @throws SolverError
+ModeBands mode_bands(const DenoisingGrid& grid, const NoisyTrial& trial, const ErrorParts& parts);
+Reasons reasons_of(const Grids& grids);
+
+/// Returns the facts of labels about one trial and its best by surface.
+report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial);
+/// Returns the grid with the largest drift of pictured() along the surface; null unless smoothing removes less along than across it.
+const DenoisingGrid* most_drifting(const Grids& grids);
+/// Returns the grid whose clean mesh loses most at its edges; null if none loses clearly more there.
+const DenoisingGrid* most_rounded(const Grids& grids);
+/// Returns the grid whose clean mesh loses most of its volume; null if none loses any.
+const DenoisingGrid* most_shrunk(const Grids& grids);
 
 }   // namespace meshfolio::q7_denoising

@@ -5,7 +5,7 @@ namespace meshfolio::truth {
 
 namespace {
 
-/// One estimator on one surface in one kind of mesh.
+/// An estimator on a surface in one kind of mesh.
 struct Case {
     const char* surface;
     MeshKind kind;
@@ -18,7 +18,7 @@ struct Case {
     }
 };
 
-/// Values found independently, with another program and other random points.
+/// Values found by another program on other random points.
 constexpr struct {
     const char* key;
     double expected, tolerance;
@@ -26,37 +26,19 @@ constexpr struct {
                {"H.jet", 0.0041, 0.0004},         {"K.jet", 0.0084, 0.0009},        {"H.corrected_exact", 0.014, 0.002},
                {"H.corrected_max", 0.036, 0.003}, {"H.corrected_area", 0.22, 0.015}};
 
-void add_method(report::Section& section, const GroundTruth& truth) {
-    for (const BenchRun& run : of_kind(truth.runs, MeshKind::regular)) section.parameters[run.surface] = run.dimensions;
-    add_words(section, words, "method", "surfaces"_a = truth.runs.size() / panel_kinds.size(),
-              "refinements"_a = truth.runs.front().levels.size(),
-              "vertices"_a = truth.run("saddle", MeshKind::regular).levels.back().vertices);
-}
-
-report::Text answer_of(const GroundTruth& truth) {
-    const BenchRun& run = truth.run("ellipsoid", MeshKind::random);
-    const ErrorHistory mixed = run.errors("H.mixed"), jet = run.errors("H.jet");
-    return words.say("answer", "converges"_a = mixed.order().converges(), "mixed"_a = readable_percent(mixed.last(), 2),
-                     "jet_converges"_a = jet.order().converges(), "jet"_a = readable_percent(jet.last(), 2));
-}
-
-/// Names the surfaces where cotangent H converges on random points, for each area form that has some.
-std::string converging_on_random_points(const GroundTruth& truth) {
-    Names where;
-    for (const AreaForm form : area_forms) {
-        Names surfaces;
-        for (const BenchRun& run : of_kind(truth.runs, MeshKind::random))
-            if (run.errors(H_with(form)).order().converges()) surfaces.push_back(run.surface);
-        if (!surfaces.empty()) where.push_back(words.line("random.with", "areas"_a = area_name(form), "surfaces"_a = listed(surfaces)));
-    }
-    return listed(where);
-}
-
 void add_discussion(report::Section& section, const GroundTruth& truth) {
     using enum MeshKind;
     const auto error = [&](const char* surface, MeshKind kind, const char* key, Norm norm = &EstimateError::l2) {   // on the finest mesh
         return readable_percent(truth.run(surface, kind).finest().error(key).*norm, norm == &EstimateError::l2 ? 2 : 3);
     };
+    Names on_random_points;   // surfaces where cotangent H converges, for each area form that has some
+    for (const AreaForm form : area_forms) {
+        Names surfaces;
+        for (const BenchRun& run : of_kind(truth.runs, MeshKind::random))
+            if (run.errors(H_with(form)).order().converges()) surfaces.push_back(run.surface);
+        if (!surfaces.empty())
+            on_random_points.push_back(words.line("random.with", "areas"_a = area_name(form), "surfaces"_a = listed(surfaces)));
+    }
     BenchRuns clean;
     std::ranges::copy_if(truth.runs, std::back_inserter(clean), [](const BenchRun& run) { return run.kind != noisy; });
     const auto jets = std::ranges::count_if(clean, [](const BenchRun& run) { return run.errors("H.jet").order().converges(); });
@@ -65,13 +47,13 @@ void add_discussion(report::Section& section, const GroundTruth& truth) {
               "icosphere"_a = error("ellipsoid", regular, "H.mixed"),
               "icosphere_largest"_a = error("ellipsoid", regular, "H.mixed", &EstimateError::linf),
               "band"_a = error("ellipsoid band", regular, "H.mixed"),
-              "pentagons"_a = error("sphere", regular, "H.barycentric", &EstimateError::linf),
-              "somewhere"_a = converging_on_random_points(truth), "barycentric"_a = error("ellipsoid", random, "H.barycentric"),
-              "mixed"_a = error("ellipsoid", random, "H.mixed"), "along_normal"_a = error("ellipsoid", random, "H.mixed_n"),
-              "K"_a = error("ellipsoid", random, "K.mixed"), "converging"_a = jets, "runs"_a = clean.size(),
-              "jet_H"_a = error("ellipsoid", random, "H.jet"), "jet_K"_a = error("ellipsoid", random, "K.jet"),
-              "exact"_a = error("ellipsoid", random, "H.corrected_exact"), "area"_a = error("ellipsoid", random, "H.corrected_area"),
-              "noisy_mixed"_a = error("ellipsoid", noisy, "H.mixed"), "noisy_jet"_a = error("ellipsoid", noisy, "H.jet"));
+              "pentagons"_a = error("sphere", regular, "H.barycentric", &EstimateError::linf), "somewhere"_a = listed(on_random_points),
+              "barycentric"_a = error("ellipsoid", random, "H.barycentric"), "mixed"_a = error("ellipsoid", random, "H.mixed"),
+              "along_normal"_a = error("ellipsoid", random, "H.mixed_n"), "K"_a = error("ellipsoid", random, "K.mixed"),
+              "converging"_a = jets, "runs"_a = clean.size(), "jet_H"_a = error("ellipsoid", random, "H.jet"),
+              "jet_K"_a = error("ellipsoid", random, "K.jet"), "exact"_a = error("ellipsoid", random, "H.corrected_exact"),
+              "area"_a = error("ellipsoid", random, "H.corrected_area"), "noisy_mixed"_a = error("ellipsoid", noisy, "H.mixed"),
+              "noisy_jet"_a = error("ellipsoid", noisy, "H.jet"));
 }
 
 }   // namespace
@@ -123,8 +105,13 @@ report::Section ground_truth_section(const GroundTruth& truth) {
     section.extent = words.line("extent", "of_H"_a = panel_estimators(Quantity::H).size(), "of_K"_a = panel_estimators(Quantity::K).size(),
                                 "surfaces"_a = truth.runs.size() / panel_kinds.size(), "kinds"_a = panel_kinds.size());
     section.parameters = {{"seed", truth.seed}, {"refinements", truth.runs.front().levels.size()}};
-    section.answer = answer_of(truth);
-    add_method(section, truth);
+    const BenchRun& random = truth.run("ellipsoid", MeshKind::random);
+    const ErrorHistory mixed = random.errors("H.mixed"), jet = random.errors("H.jet");
+    section.answer = words.say("answer", "converges"_a = mixed.order().converges(), "mixed"_a = readable_percent(mixed.last(), 2),
+                               "jet_converges"_a = jet.order().converges(), "jet"_a = readable_percent(jet.last(), 2));
+    for (const BenchRun& run : of_kind(truth.runs, MeshKind::regular)) section.parameters[run.surface] = run.dimensions;
+    add_words(section, words, "method", "surfaces"_a = truth.runs.size() / panel_kinds.size(),
+              "refinements"_a = truth.runs.front().levels.size(), "vertices"_a = truth.run("saddle", MeshKind::regular).finest().vertices);
     add_words(section, words, "results");
     add(section, overview(truth));
     for (const MeshKind kind : {MeshKind::regular, MeshKind::random})

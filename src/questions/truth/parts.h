@@ -9,6 +9,7 @@ namespace meshfolio::truth {
 
 inline constexpr report::Words words("truth");
 
+/// The errors of all estimators on all surfaces.
 struct GroundTruth {
     BenchRuns runs;         // of the panel
     BenchLevel reference;   // on 10 000 random points of an ellipsoid
@@ -20,20 +21,22 @@ struct GroundTruth {
         return run(surface, kind).errors(estimator);
     }
 };
+/// Measures all estimators. @param quick  three refinements instead of four
 GroundTruth ground_truth(std::uint64_t seed, bool quick, const Progress& progress);
 
 std::vector<report::Check> ground_truth_checks(const GroundTruth& truth);
-
 report::Section ground_truth_section(const GroundTruth& truth);
 
-// Tables and plots: one row an estimator.
+/// Returns a table with one row an estimator and one column a kind of mesh: a sign for the order on each surface, and the largest error.
 report::Table overview(const GroundTruth& truth);
+/// Returns a table of the L2 errors on the finest meshes of a kind, with one row an estimator and one column a surface.
 report::Table error_table(const GroundTruth& truth, MeshKind kind);
+/// Plots the errors on the ellipsoid over the mean edge, for meshes of a kind.
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity);
 
-/// Errors on the finest meshes and orders of every estimator on every surface, for files.
+/// Returns a table for files: errors on the finest meshes, and orders, of every estimator on every surface.
 report::Table finest_table(const GroundTruth& truth);
-/// Lists every estimate on every mesh with all measured values, for files.
+/// Returns a table for files: all measured values of every estimator on every mesh.
 report::Table ground_truth_table(const GroundTruth& truth);
 
 }   // namespace meshfolio::truth

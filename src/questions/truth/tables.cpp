@@ -4,54 +4,43 @@ namespace meshfolio::truth {
 
 namespace {
 
-/// The estimators of H, then those of K.
+/// Returns the estimators of H, then those of K.
 std::vector<const Estimator*> rows() {
     std::vector<const Estimator*> rows = panel_estimators(Quantity::H);
     std::ranges::copy(panel_estimators(Quantity::K), std::back_inserter(rows));
     return rows;
 }
 
-/// Has the columns that name the estimators.
+/// Returns a table of all estimators, with the columns of their names.
 TableBuilder<std::vector<const Estimator*>> table_of_estimators(std::string id, std::string caption) {
     return table(std::move(id), std::move(caption), rows())
         .column("of", [](auto* e) { return symbol(e->quantity); })
         .column("estimator", &Estimator::name);
 }
 
-/// ● second order or exact, ◐ less, ○ not converging, – too few levels to tell.
+/// Returns "●" for second order or exact, "◐" for less, "○" for no convergence, "–" for too few levels.
 std::string sign_of(const Order& order) {
     if (std::isnan(order.exponent) && !order.exact) return "–";
     return !order.converges() ? "○" : order.exponent < 1.5 ? "◐" : "●";
 }
-
-/// A sign for every surface, and the largest of the errors.
-std::string behaviour_on(const GroundTruth& truth, MeshKind kind, const Estimator& estimator) {
-    std::string signs;
-    double worst = 0;
-    for (const BenchRun& run : of_kind(truth.runs, kind)) {
-        const ErrorHistory errors = run.errors(estimator.key);
-        signs += sign_of(errors.order());
-        worst = std::max(worst, errors.last());
-    }
-    return signs + " (" + readable_percent(worst, 2) + ")";
-}
-
-/// Every level of every run, and an estimator there.
-struct Measured {
-    const BenchRun& run;
-    const Estimator& estimator;
-    const BenchLevel& level;
-    Order l2, linf;
-    const EstimateError& error() const { return level.error(estimator.key); }
-};
 
 }   // namespace
 
 report::Table overview(const GroundTruth& truth) {
     const std::string surfaces = listed(each_of(of_kind(truth.runs, MeshKind::regular), &BenchRun::surface));
     auto behaviours = table_of_estimators("truth_overview", words.line("overview", "surfaces"_a = surfaces));
-    for (const MeshKind kind : panel_kinds)
-        behaviours.column(std::string(name_of(kind)), [&](auto* e) { return behaviour_on(truth, kind, *e); });
+    for (const MeshKind kind : panel_kinds) {
+        behaviours.column(std::string(name_of(kind)), [&](auto* e) {
+            std::string signs;
+            double worst = 0;
+            for (const BenchRun& run : of_kind(truth.runs, kind)) {
+                const ErrorHistory errors = run.errors(e->key);
+                signs += sign_of(errors.order());
+                worst = std::max(worst, errors.last());
+            }
+            return signs + " (" + readable_percent(worst, 2) + ")";
+        });
+    }
     return behaviours;
 }
 
@@ -104,6 +93,13 @@ report::Table finest_table(const GroundTruth& truth) {
 }
 
 report::Table ground_truth_table(const GroundTruth& truth) {
+    struct Measured {
+        const BenchRun& run;
+        const Estimator& estimator;
+        const BenchLevel& level;
+        Order l2, linf;
+        const EstimateError& error() const { return level.error(estimator.key); }
+    };
     std::vector<Measured> all;
     for (const BenchRun& run : truth.runs) {
         for (const Estimator* e : rows()) {

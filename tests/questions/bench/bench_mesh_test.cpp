@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "geometry/curvature/analytic_surfaces.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/bench/known_surfaces.h"

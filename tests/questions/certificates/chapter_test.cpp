@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/samples/sample_shapes.h"
-#include "questions/certificates/parts.h"
+#include "questions/certificates/planted_faults.h"
 #include "questions/core/study_laws.h"
 
 namespace meshfolio::certificates {

@@ -1,4 +1,4 @@
-#include "questions/certificates/parts.h"
+#include "questions/certificates/planted_faults.h"
 
 #include <gtest/gtest.h>
 

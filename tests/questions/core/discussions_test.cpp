@@ -9,7 +9,8 @@
 #include "questions/core/section_tools.h"
 #include "questions/core/study_laws.h"
 #include "questions/q5_explicit/parts.h"
-#include "questions/q7_denoising/parts.h"
+#include "questions/q5_explicit/study.h"
+#include "questions/q7_denoising/study.h"
 
 using namespace meshfolio;
 using namespace meshfolio::testing_tools;

@@ -2,7 +2,7 @@
 
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/study_laws.h"
-#include "questions/q4_spectral/parts.h"
+#include "questions/q4_spectral/study.h"
 
 namespace meshfolio::q4_spectral {
 using namespace testing_tools;

@@ -8,6 +8,7 @@
 #include "output/draw/framing.h"
 #include "questions/core/study_laws.h"
 #include "questions/q5_explicit/parts.h"
+#include "questions/q5_explicit/study.h"
 #include "temporary_folder.h"
 
 namespace meshfolio::q5_explicit {

@@ -7,6 +7,7 @@
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
 #include "questions/q6_implicit/parts.h"
+#include "questions/q6_implicit/study.h"
 
 namespace meshfolio::q6_implicit {
 using namespace testing_tools;

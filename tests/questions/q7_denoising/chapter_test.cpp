@@ -7,7 +7,7 @@
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
-#include "questions/q7_denoising/parts.h"
+#include "questions/q7_denoising/study.h"
 
 namespace meshfolio::q7_denoising {
 using namespace testing_tools;
@@ -49,7 +49,7 @@ TEST(Q7, TheTablesAreTheStudy) {
     const report::Table& remains = table_named(answer.section, "q7_remains");
     expect_near(numbers(remains, "removed along"), {100 * grid.pictured().removed_along()});
     expect_near(numbers(remains, "across"), {100 * grid.pictured().removed_across()});
-    expect_near(numbers(remains, "clean: volume"), {100 * grid.pictured().taken.volume});
+    expect_near(numbers(remains, "clean: volume"), {100 * grid.pictured().clean_loss.volume});
 }
 
 TEST(Q7, ABestIterationThatIsTheLastIsReportedAsSuch) {

@@ -6,7 +6,7 @@
 #include "base/number_text.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/study_laws.h"
-#include "questions/q7_denoising/parts.h"
+#include "questions/q7_denoising/study.h"
 
 namespace meshfolio::q7_denoising {
 using namespace testing_tools;
@@ -97,7 +97,7 @@ TEST(DenoisingDiscussion, EdgesAreRoundedOnlyWhereTheDistanceIsLarger) {
     DenoisingGrid grid = denoising_grid(ball, quick_settings());
     grid.feature_vertices = 10;
     const auto with = [&](double times) {
-        for (NoisyTrial& trial : grid.trials) trial.found.by_shape.step = 3, trial.taken.features = {times, 1};
+        for (NoisyTrial& trial : grid.trials) trial.found.by_shape.step = 3, trial.clean_loss.features = {times, 1};
         return told(grid);
     };
     EXPECT_TRUE(has(with(2), "Edges are rounded: on ball_told they are 2.0 times as far off")) << with(2);
@@ -112,8 +112,8 @@ TEST(DenoisingDiscussion, SaysWhereTheDistanceLeftIsLargest) {
     const auto spread = [&](Uneven features, Uneven curved) {
         for (NoisyTrial& trial : grid.trials) {
             trial.found.by_shape.step = 3;
-            trial.remains.features = features;
-            trial.remains.curved = curved;
+            trial.residual.features = features;
+            trial.residual.curved = curved;
         }
         return told(grid);
     };

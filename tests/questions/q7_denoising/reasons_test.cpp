@@ -1,4 +1,4 @@
-#include "questions/q7_denoising/reasons.h"
+#include "questions/q7_denoising/study.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
+#include "mesh/vertex_noise.h"
 #include "questions/core/study_laws.h"
 
 namespace meshfolio::q7_denoising {
@@ -104,7 +105,7 @@ TEST(DenoisingGrid, FeaturesOfACubeAreItsEdges) {
     const DenoisingGrid cube = grid_on(cube_mesh(8), "cube_edges");
     EXPECT_EQ(cube.feature_vertices, 12 * 7 + 8);
     EXPECT_EQ(grid_on(icosphere(3), "ball_edges").feature_vertices, 0);
-    EXPECT_TRUE(std::isnan(grid_on(icosphere(2), "ball_none").trials[0].remains.features.there));
+    EXPECT_TRUE(std::isnan(grid_on(icosphere(2), "ball_none").trials[0].residual.features.there));
 }
 
 TEST(DenoisingGrid, WhatSmoothingTakesFromTheCleanCubeIsItsEdgesAndItsVolume) {
@@ -116,10 +117,10 @@ TEST(DenoisingGrid, WhatSmoothingTakesFromTheCleanCubeIsItsEdgesAndItsVolume) {
     options.iterations = trial.found.by_shape.step;
     const TriangleMesh& clean = grid.clean->mesh();
     EXPECT_LE((smooth(clean, options).X - trial.clean_alike.X).norm(), 1e-9 * clean.X.norm());
-    EXPECT_GT(trial.taken.features.times(), 1.5);
-    EXPECT_GT(trial.taken.feature_angle, trial.taken.other_angle);
-    EXPECT_NEAR(trial.taken.volume, signed_volume(trial.clean_alike) / signed_volume(clean), 1e-12);
-    EXPECT_LT(trial.taken.volume, 1);
+    EXPECT_GT(trial.clean_loss.features.times(), 1.5);
+    EXPECT_GT(trial.clean_loss.feature_angle, trial.clean_loss.other_angle);
+    EXPECT_NEAR(trial.clean_loss.volume, signed_volume(trial.clean_alike) / signed_volume(clean), 1e-12);
+    EXPECT_LT(trial.clean_loss.volume, 1);
 }
 
 TEST(DenoisingGrid, DriftAndDistanceMakeUpTheVertexError) {

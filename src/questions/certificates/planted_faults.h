@@ -1,0 +1,55 @@
+/// @file
+/// Faults planted in sound data. A named check must fail with each and pass without it: a check that cannot fail proves nothing.
+#pragma once
+
+#include <functional>
+
+#include "questions/bench/law_checks.h"
+#include "questions/core/section_tools.h"
+
+namespace meshfolio::certificates {
+
+/// The data of all checks, and two claims about the spectrum. Each part can be damaged on its own.
+struct Specimen {
+    TriangleMesh mesh;
+    SurfaceClaims claims;
+    LaplaceBeltrami laplacian;
+    Vector angle_deficits;   // [rad]
+    Spectrum spectrum;
+    double complete_shift = 0;   // claim: exactly modes_known eigenvalues lie below, none near [1/length²]
+    int modes_known = 0;
+    double stable_shift = 0;   // claim: it lies above μ_max [1/length²]
+};
+
+/// Computes the 12 smallest modes of a closed mesh and claims that are true. The 12th and 13th eigenvalue must differ.
+Specimen sound_specimen(const TriangleMesh& mesh);
+/// Returns the sound specimen of an ellipsoid with 642 vertices.
+Specimen ellipsoid_specimen();
+
+/// Returns every check of law_checks.h and those of the two claims.
+std::vector<report::Check> checks_of(const Specimen& specimen);
+
+struct PlantedFault {
+    std::string name;    // "one face reversed"
+    std::string check;   // name of the check that must fail
+    std::function<void(Specimen&)> plant;
+};
+std::vector<PlantedFault> planted_faults();
+
+/// The checks without and with one fault.
+struct FaultTrial {
+    std::string fault;
+    report::Check sound, faulty;   // the named check, without and with the fault
+    Names also_seen_by;            // names of other checks that passed without the fault and fail with it
+    bool caught() const { return sound.passed() && faulty.failed(); }   // an undecided check catches nothing
+};
+/// Plants a fault and compares all checks. @param sound_checks  checks_of(specimen)
+/// @throws std::logic_error if no check has the fault's name of a check
+FaultTrial trial_of(const Specimen& specimen, const std::vector<report::Check>& sound_checks, const PlantedFault& fault);
+/// Tries every planted fault.
+std::vector<FaultTrial> trials_of(const Specimen& specimen);
+
+/// Returns the check that the fault is caught, with 1 for caught and 0 for missed.
+report::Check check_of(const FaultTrial& trial);
+
+}   // namespace meshfolio::certificates
