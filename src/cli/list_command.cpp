@@ -5,6 +5,7 @@
 #include "color/colormap.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/chapter.h"
+#include "questions/core/mesh_roles.h"
 #include "run/console.h"
 
 namespace meshfolio::cli {

@@ -34,6 +34,7 @@ struct PlantedFault {
     std::string check;   // name of the check that must fail
     std::function<void(Specimen&)> plant;
 };
+/// Returns all faults, each with the check that must see it.
 std::vector<PlantedFault> planted_faults();
 
 /// The checks without and with one fault.

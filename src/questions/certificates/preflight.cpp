@@ -19,6 +19,7 @@ struct Occurrence {
     double count = 0;   // on all meshes together
 };
 
+/// Returns "none" or "consistent", with the repairs.
 std::string orientation_of(const Preflight& p) {
     if (!p.orientable) return "none";
     std::string orientation = "consistent";

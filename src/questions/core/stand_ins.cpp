@@ -1,5 +1,7 @@
 #include "questions/core/stand_ins.h"
 
+#include "questions/core/mesh_roles.h"
+
 #include <algorithm>
 #include <array>
 

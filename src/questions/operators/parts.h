@@ -28,7 +28,7 @@ void add_figure_of(Answer& answer, const LaboratoryMesh& lab);
 /// Adds the discussion, and sets the answer. @param shown  the mesh of the figure
 void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known, const LaboratoryMesh& shown);
 
-/// “cotangent”
+/// Returns the title in quotation marks: “cotangent”.
 inline std::string quoted(const std::string& title) { return "“" + title + "”"; }
 
 }   // namespace meshfolio::operators

@@ -32,7 +32,7 @@ double relative_difference(const Vector& f, const Vector& g, double scale) {
     return rms > 1e-9 * scale ? relative_error(f, g, Vector::Ones(f.size())) : std::nan("");
 }
 
-/// Most vertices of a mesh whose spectra are computed; larger ones take too long.
+/// Meshes with more vertices get no spectra, which would take too long.
 constexpr int largest_spectrum = 20000, largest_spectrum_quick = 3000;
 
 }   // namespace

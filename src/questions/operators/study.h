@@ -39,6 +39,7 @@ struct LaboratoryMesh {
     const std::string& name() const { return subject.name(); }
     const OperatorTrial& trial(OperatorKind kind) const;
 };
+/// Scores every operator on one mesh.
 LaboratoryMesh laboratory_mesh(SharedMesh source, const QuestionSettings& settings);
 
 /// Errors of one operator on surfaces with known values.
@@ -48,6 +49,7 @@ struct KnownTrial {
     std::array<double, 2> H_error{};   // relative L2 on the jittered sphere and the jittered ellipsoid
     double eigenvalue_error = 0;       // largest relative one of the first eight above 0 on that sphere, l(l + 1)/R²
 };
-std::vector<KnownTrial> known_trials(const QuestionSettings& settings);   // one for each of laboratory_operators()
+/// Measures each of laboratory_operators() on the known surfaces.
+std::vector<KnownTrial> known_trials(const QuestionSettings& settings);
 
 }   // namespace meshfolio::operators

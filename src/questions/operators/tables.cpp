@@ -52,7 +52,7 @@ private:
 };
 
 /// Returns the share of negative weights [%].
-double negative_weights(const OperatorTrial& t) {
+double negative_percent(const OperatorTrial& t) {
     return 100.0 * (t.scores.negative_inside + t.scores.negative_boundary) / std::max(1, t.scores.weights);
 }
 
@@ -64,7 +64,7 @@ report::Table summary_table(const Labs& labs) {
         .column("operator", [](auto& row) { return laboratory_operators()[row.index].title(); })
         .column("eigenvalues of −C below 0", {.digits = 6},
                 [](auto& row) { return row.largest([](auto& t) { return t.scores.negative.below; }); })
-        .column("weights < 0", {.unit = "%", .digits = 2}, [](auto& row) { return row.largest(negative_weights); })
+        .column("weights < 0", {.unit = "%", .digits = 2}, [](auto& row) { return row.largest(negative_percent); })
         .column("λ_crit, least", {.unit = "× default"}, [](auto& row) { return row.smallest(&OperatorTrial::critical_ratio); })
         .column("λ_crit, most", {.unit = "× default"}, [](auto& row) { return row.largest(&OperatorTrial::critical_ratio); })
         .column("spectrum changes by", {.unit = "%"}, [](auto& row) { return row.largest([](auto& t) { return 100 * t.spectrum_shift; }); })

@@ -24,6 +24,7 @@ int drifting_runs(const BenchRuns& runs) {
 int closed_rings(const MeshCurvature& c) { return summary_of(c.H).count; }
 bool is_flat(const MeshCurvature& c) { return c.subject.plane_normal.has_value(); }
 
+/// Returns a value with the name of its mesh, as text: "3 % on cube".
 std::string on_mesh(const MeshCurvature& c, const std::string& value) {
     return words.line("value_on", "value"_a = value, "mesh"_a = c.name());
 }

@@ -13,7 +13,7 @@ namespace {
 
 using namespace diagram_names;
 
-constexpr double drawn_normal = 0.9;   // length of n, on the unit sphere
+constexpr double drawn_normal = 0.9;   // length of n in drawings on the unit sphere
 
 /// A parallel projection from aside: directions along `right` keep their length.
 class SideView {
@@ -113,6 +113,7 @@ struct Shown {
     double least;   // values below are rounding
 };
 
+/// Returns the values of the panels of H and of K.
 std::array<Shown, 2> H_and_K_of(const MeshCurvature& c) {
     const double area = c.subject.diagonal * c.subject.diagonal;
     return {{{"h", "½‖Δx‖ (signed)", "% of h̄", 100 / c.subject.mean_edge * c.length, 0.1, 100 * visible},

@@ -26,6 +26,7 @@ struct MeshCurvature {
     const std::string& name() const { return subject.name(); }
 };
 using Meshes = std::vector<MeshCurvature>;
+/// Computes all curvatures of one mesh.
 MeshCurvature curvature_of(SharedMesh source);
 
 /// Median of some values in the quarter of the vertices where another value is smallest, and in the quarter where it is largest.
@@ -45,6 +46,7 @@ struct TangentialPart {
 
     bool explains() const { return share > 1e-3 && normal_gap < 0.9 * gap; }
 };
+/// Measures the tangential part over the vertices with curvature.
 TangentialPart tangential_part(const MeshCurvature& c);
 
 /// A vertex is flat if |K| and |cotangent H| are below this share of their colour ranges; ½‖Δx‖ is drift there.
@@ -58,6 +60,7 @@ struct FlatParts {
     /// True if the flat parts are large enough to be seen and their drift looks like curvature.
     bool mislead() const { return vertices >= 20 && share > 0.02 && coloured > 0.25 && drift > 0.5; }
 };
+/// Measures the flat vertices of one mesh.
 FlatParts flat_parts(const MeshCurvature& c);
 
 /// The picture of uniform H compared with that of cotangent H.
@@ -68,6 +71,7 @@ struct Picture {
     bool is_even() const { return cotangent_spread > 0 && cotangent_spread < 1.2; }   // the surface is evenly curved
     bool varies_where_truth_does_not() const { return is_even() && spread > 1.5 * cotangent_spread; }
 };
+/// Compares uniform H with cotangent H on one mesh.
 Picture picture_of(const MeshCurvature& c);
 /// True if the mesh is flat or evenly curved, so that one view shows all of it.
 bool looks_alike_from_all_sides(const MeshCurvature& c);
@@ -78,6 +82,7 @@ struct SignsOfK {
     double white = 0;   // share of the vertices where |K| is below white_within of its colour range
 };
 inline constexpr double white_within = 0.05;
+/// Returns the shares of positive, negative and white vertices of one mesh.
 SignsOfK signs_of_K(const MeshCurvature& c);
 
 /// The few vertices of valence other than six, and the largest relative distance of K from its median.
@@ -91,7 +96,7 @@ struct IrregularVertices {
     bool stand_out() const { return !vertices.empty() && off > 5 * off_elsewhere; }
     bool area_is_why() const { return off_with_voronoi < 0.2 * off; }
 };
-/// Finds irregular vertices where K has one sign and at most a twentieth of the vertices are irregular; else none.
+/// Finds the irregular vertices of a mesh with K of one sign; none if more than a twentieth of the vertices are irregular.
 IrregularVertices irregular_vertices(const MeshCurvature& c);
 
 /// Gauss–Bonnet on one mesh: Σ deficit / 2π beside the Euler characteristic.

@@ -19,6 +19,7 @@ double gain(const BenchRun& run) { return uniform_error(run) / cotangent_error(r
 bool wins(const BenchRun& run) { return gain(run) > 1; }
 bool converges(const BenchRun& run) { return run.errors(H_with(areas_used)).order().converges(); }
 
+/// Returns the largest L2 error of cotangent H on the finest meshes of a kind.
 double worst_error(const BenchRuns& runs, MeshKind kind) {
     return largest_of(of_kind(runs, kind), [](const BenchRun& run) { return cotangent_error(run); });
 }
@@ -34,12 +35,13 @@ double on_random_points(const BenchRuns& panel, const std::string& estimator) {
     return run_on(panel, "ellipsoid", MeshKind::random).finest().error(estimator).l2;
 }
 
+/// Returns a value with the name of its mesh, as text: "3 % on cube".
 std::string on_mesh(const CotangentComparison& c, const std::string& value) {
     return words.line("value_on", "value"_a = value, "mesh"_a = c.name());
 }
 std::string share_on(const CotangentComparison& c, double share) { return on_mesh(c, readable_percent(share, 2)); }
 
-// ---- what the pictures show
+// ---- pictures
 
 void add_curved_mesh_facts(report::Facts& facts, const Comparisons& meshes, const Disagreements& with_jets) {
     Names beyond, rough, bumps, opposite, jet, jet_uniform;
@@ -82,7 +84,7 @@ void add_flat_mesh_facts(report::Facts& facts, const Comparisons& meshes, const 
     bool rounded = false;
     for (const CotangentComparison& c : meshes) {
         if (is_curved(c) || c.subject.interior == 0) continue;
-        if (std::max(c.drift, c.precision) < 1e-4) {   // what six digits of the coordinates leave
+        if (std::max(c.drift, c.precision) < 1e-4) {   // rounding of coordinates with six digits
             symmetric.push_back(c.name());
             most = std::max({most, c.drift, c.precision});
             const double pull = largest_magnitude(0.5 * c.subject.uniform.rowwise().norm(), [&](int i) { return c.subject.inside(i); });
@@ -97,7 +99,7 @@ void add_flat_mesh_facts(report::Facts& facts, const Comparisons& meshes, const 
                                "square_cotangent"_a = readable(square.cotangent, 2)});
 }
 
-// ---- what the errors say
+// ---- errors
 
 void add_error_facts(report::Facts& facts, const BenchRuns& runs) {
     const BenchRun& least = *std::ranges::min_element(runs, {}, gain);
@@ -115,10 +117,10 @@ void add_error_facts(report::Facts& facts, const BenchRuns& runs) {
                                "special"_a = special < 0.1 * cotangent_error(sphere) ? readable_percent(special, 2) : ""});
 }
 
-/// Cotangent against uniform H over every sequence of meshes of the ground-truth panel.
+/// Counts of the runs of the ground-truth panel where cotangent H is better than uniform H.
 void add_panel_facts(report::Facts& facts, const BenchRuns& panel) {
     std::set<MeshKind> lost;
-    double least = infinity;   // error where the cotangent one is not better
+    double least = infinity;   // least error of uniform H where cotangent H is not better
     for (const BenchRun& run : panel) {
         if (wins(run)) continue;
         lost.insert(run.kind);

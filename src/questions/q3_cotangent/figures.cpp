@@ -134,7 +134,7 @@ void add_comparison_figure(Answer& answer, const Comparisons& meshes, const Disa
     add_figure(answer, std::move(figure), words.line("comparison.caption", "own"_a = has_own, "undefined"_a = undefined_words(masked)));
 }
 
-/// Curvature is a magnitude here: the sign of a flat surface's H is that of rounding.
+// Shows |H|: on a flat surface the sign of H is rounding.
 void add_plane_figure(Answer& answer, const Comparisons& meshes, const PlaneTest& plane, const std::string& colormap) {
     output::FigureRequest figure{
         .id = "q3_h_irregular_plane", .title = words.line("plane.title"), .edges = true, .layout = output::Layout::multiples};

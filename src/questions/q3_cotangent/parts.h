@@ -25,6 +25,7 @@ struct Disagreement {
     double concentration = 0;   // share of Σ size² at the hundredth of the vertices with the largest sizes
     int without_jet = 0;        // vertices inside whose two rings do not determine a jet
 };
+/// Compares cotangent H with H of the jets on one mesh.
 Disagreement disagreement_with_jet(const CotangentComparison& c);
 using Disagreements = std::vector<Disagreement>;   // a mesh each
 
@@ -36,6 +37,7 @@ struct IndicatorTrial {
 /// Tests the indicator on the finest regular and jittered known surfaces, and last on random points of an ellipsoid.
 std::vector<IndicatorTrial> indicator_trials(const BenchRuns& runs, const QuestionSettings& settings);
 
+/// True if the vertices of the mesh do not lie in one plane.
 inline bool is_curved(const CotangentComparison& c) { return !c.subject.plane_normal; }
 /// Returns the end of the colour range of a mesh, set by its cotangent H × mean edge.
 double cotangent_range(const CotangentComparison& comparison);
@@ -57,7 +59,9 @@ report::Table order_table(const BenchRuns& runs);
 /// Plots the errors of uniform and of cotangent H over the mean edge.
 report::Plot error_curves(const BenchRuns& runs);
 
+/// Returns the answer of the section.
 report::Text answer_of(const BenchRuns& runs);
+/// Returns the first paragraph of the section.
 report::Text lead_of(const BenchRuns& runs, const PlaneTest& plane, const BenchRuns& panel);
 void add_discussion(report::Section& section, const Comparisons& meshes, const Disagreements& with_jets, const BenchRuns& runs,
                     const PlaneTest& plane, const BenchRuns& panel);

@@ -39,7 +39,7 @@ void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::
     std::string caption = words.line("further.caption", mesh);
     if (what == "reconstructions") {
         caption = words.line(figure.panels.empty() ? "reconstructions.caption.exact" : "reconstructions.caption", mesh, "exact"_a = exact,
-                             "first"_a = std::to_string(study.reconstructions.front().k),   // of file names
+                             "first"_a = std::to_string(study.reconstructions.front().k),
                              "last"_a = std::to_string(study.reconstructions.back().k));
         figure.panels.insert(figure.panels.begin(), panel_of(*study.source, id_of(study, "original"), original));
         figure.turnable = true;
@@ -70,7 +70,7 @@ void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study) {
                                   .title = words.line("eigenfunctions.title", "mesh"_a = study.name()),
                                   .subtitle = subtitle_of(*study.source),
                                   .layout = output::Layout::one_frame,
-                                  .isoline_spacing = 2};   // of values between −1 and 1 only 0 is a multiple
+                                  .isoline_spacing = 2};   // draws the line of 0 alone, as values lie between −1 and 1
     for (const int mode : drawn) {
         const Vector phi = study.spectrum.eigenvectors.col(mode - 1);
         const std::string number = std::to_string(mode);

@@ -20,6 +20,7 @@ struct Subject {
 
     const std::string& name() const { return study.name(); }
 };
+/// Rebuilds one mesh and measures the errors.
 Subject subject_of(SharedMesh mesh, const QuestionSettings& settings);
 
 /// Returns the reconstructions of the first two k, of the largest k that leaves an error, and of the largest k.
@@ -36,6 +37,7 @@ const Reconstruction* last_erring(const SpectralStudy& study);
 /// four mean edges a wave; NaN if it resolves fewer than 20.
 double distance_from_weyl(const SpectralStudy& study);
 
+/// Returns the id of a figure or file of one mesh: "q4_creature_errors".
 inline std::string id_of(const SpectralStudy& study, const std::string& what) { return meshfolio::id_of("q4", study.name(), what); }
 /// Returns the factor from a length to % of the box diagonal.
 inline double percent_of(const SpectralStudy& study) { return 100 / study.diagonal; }

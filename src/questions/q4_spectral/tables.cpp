@@ -54,12 +54,12 @@ report::Table error_table(const Subject& subject) {
 }
 
 report::Plot error_plot(const SpectralStudy& study) {
-    const double percent = percent_of(study), least = rounding * study.diagonal;   // below it, a logarithm would squeeze everything else
+    const double percent = percent_of(study), least = rounding * study.diagonal;   // smaller errors would squeeze the logarithmic axis
     report::Series coefficients{.name = words.line("error_versus_k.coefficients"), .style = Style::points};
     report::Series predicted{.name = words.line("error_versus_k.predicted")};
     report::Series measured{.name = words.line("error_versus_k.measured"), .style = Style::points};
     const Vector sizes = coefficient_sizes(study.spectrum, study.laplacian.M, study.mesh().X);
-    // A coefficient far below the error that is left adds nothing to it.
+    // Coefficients far below the error left are not drawn.
     for (int k = zero_modes(study) + 1; k <= study.modes() && study.rms[k] > least; ++k)
         if (sizes[k - 1] > 1e-3 * study.rms[k]) add_point(coefficients, k, percent * sizes[k - 1]);
     for (int k = 1; k <= study.modes() && study.rms[k] > least; ++k) add_point(predicted, k, percent * study.rms[k]);

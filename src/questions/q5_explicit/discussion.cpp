@@ -11,6 +11,7 @@ namespace {
 /// The part of the mesh that the top mode covers.
 enum class Extent { spot, region, whole };
 
+/// Returns the extent by the number of vertices that support the top mode.
 Extent extent_of_top_mode(const ExplicitStudy& study) {
     const double support = study.subject.top.support;
     if (!(support < 0.1 * study.subject.preflight().vertices_in_use)) return Extent::whole;   // NaN too
@@ -83,7 +84,7 @@ void add_limit_facts(report::Facts& facts, const Studies& studies) {
     // Right triangles of two sides s allow s²/4, and their mean edge is (2 + √2)s/3.
     static const double grid = 0.25 / std::pow((2 + std::sqrt(2.0)) / 3, 2);
     const double times = high->critical_in_edges() / low->critical_in_edges();
-    double safe = 1;   // the least of Gershgorin's limits, over λ_crit; 0: not all are proved
+    double safe = 1;   // least limit by Gershgorin over λ_crit; 0: not all are proved
     for (const ExplicitStudy& study : studies) safe = std::min(safe, study.subject.safe() / study.subject.critical);
     const double lowest = uniform_low->uniform_critical(), highest = uniform_high->uniform_critical();
     const auto of = [](Extent extent) { return [=](const ExplicitStudy& study) { return extent_of_top_mode(study) == extent; }; };
@@ -97,7 +98,7 @@ void add_limit_facts(report::Facts& facts, const Studies& studies) {
 }
 
 void add_step_facts(report::Facts& facts, const Studies& studies) {
-    bool signs = true, small = false, any = false;   // all keep signs; one is less than half the limit; there is one
+    bool signs = true, small = false, any = false;   // all recommended steps keep signs; one is below half the limit; there is one
     double gap = 0;
     Names steps, recommended;
     std::string flips, left, small_left;
@@ -111,7 +112,7 @@ void add_step_facts(report::Facts& facts, const Studies& studies) {
         recommended.push_back(words.line("stop.mesh", "iterations"_a = half.iterations, "mesh"_a = study.name()));
         gap = std::abs(energy_gap(study)) > std::abs(gap) ? energy_gap(study) : gap;
         const SmoothingRun* larger = larger_step(study);
-        if (!larger || !flips.empty()) continue;   // the same on all
+        if (!larger || !flips.empty()) continue;   // alike on all meshes
         flips = in_limits(study.subject, larger->lambda);
         left = share_left(std::pow(std::abs(1 - larger->lambda * study.subject.top.value), 20));
         small_left = share_left(std::pow(std::abs(1 - half.lambda * study.subject.top.value), 20 * larger->lambda / half.lambda));

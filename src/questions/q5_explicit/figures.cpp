@@ -16,6 +16,7 @@ struct Column {
     int t = 0;
 };
 
+/// Returns the columns: the input, two states just beyond the limit, and two at the largest step.
 std::vector<Column> columns_of(const Studies& studies) {
     std::vector<Column> columns{{}};
     int late = 0, seen = 4;   // seen: the last iteration that shows all spikes of the far step on every mesh
@@ -38,6 +39,7 @@ struct Frame {
     double scale = 1;      // below 1 if the state is drawn smaller, so that no spike is cut off
 };
 
+/// Returns one cell of the figure of frames.
 Frame frame_of(const ExplicitStudy& study, const Column& column) {
     const std::string name = id_of("q5", study.name(), "frame_");
     if (column.strip == nullptr)
@@ -74,6 +76,7 @@ report::Facts remarks_on(const Studies& studies) {
     return {"ringed"_a = listed(ringed), "sharp"_a = sharp};
 }
 
+/// Returns the facts of labels about the recommended run.
 report::Facts facts_of(const ExplicitStudy& study) {
     const SmoothingRun& run = study.recommended->stopped;
     return {"mesh"_a = study.name(), "iterations"_a = run.result.iterations, "limits"_a = in_limits(study.subject, run.lambda)};

@@ -6,10 +6,10 @@
 
 namespace meshfolio::q5_explicit {
 
-/// The largest step that changes no mode's sign, else the largest stable one, with as many iterations as leave 95 % of the size (at most
-/// ten times those of the other runs).
+/// The largest step that changes the sign of no mode, else the largest stable step. It has as many iterations as leave 95 % of the size,
+/// at most ten times those of the other runs.
 struct Recommendation {
-    std::size_t run = 0;   // of the study, with all iterations
+    std::size_t run = 0;   // index of the run of the study with this step
     SmoothingRun stopped;
     bool all_kept = false;                              // 95 % would be left after more iterations too
     double roughness_before = 0, roughness_after = 0;   // median angle between neighbouring faces [°]

@@ -34,7 +34,7 @@ double boundary_excess(const ImplicitStudy& study) { return study.good() ? exces
 double edge_excess(const ImplicitStudy& study) {
     return study.good() ? excess_of(study, feature_vertices(study.subject.mesh(), study.subject.topology())) : NAN;
 }
-constexpr double farther = 1.5;   // times as far as the rest
+constexpr double farther = 1.5;   // ratio of the motions
 bool boundary_shrinks(const ImplicitStudy& study) { return boundary_excess(study) > farther; }
 bool edges_give_way(const ImplicitStudy& study) { return edge_excess(study) > farther && !(boundary_excess(study) > edge_excess(study)); }
 
@@ -58,6 +58,7 @@ bool edges_go_inside(const ImplicitStudy& study) {
     }
     return 2 * inside > convex;
 }
+/// True if first_too_large() has more energy than the input.
 bool is_roughened(const ImplicitStudy& study) {
     const SmoothingCell* first = first_too_large(study);
     return first && first->explicit_energy > 1;

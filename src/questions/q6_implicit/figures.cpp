@@ -71,6 +71,7 @@ output::ColorRange colours_of(const Studies& studies) {
     return curvature_range(inputs);
 }
 
+/// Adds the figure of one mesh. @pre has_pairs(study)
 void add_pair_figure(Answer& answer, const ImplicitStudy& study, const output::ColorRange& colours) {
     const std::vector<Column> columns = columns_of(study);
     const std::string id = id_of("q6", study.name(), "pairs");

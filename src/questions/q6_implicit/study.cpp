@@ -41,12 +41,12 @@ SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) 
     return cell;
 }
 
-/// Compares the damping of the lowest modes with (1 + λμ)^−t, in the runs where they have not vanished.
+/// Compares the damping of the lowest modes with (1 + λμ)^−t, where they have not vanished, and enters the largest deviation.
 void measure_damping(ImplicitStudy& study) {
     const SmoothingSubject& subject = study.subject;
     const int k = std::min(12, subject.preflight().vertices_in_use);
     const Spectrum low = smallest_eigenpairs(subject.laplacian, k, {.dense_below = 200});
-    // Well above rounding, also that of coordinates far from the origin.
+    // Well above rounding, even of coordinates far from the origin.
     const double rounding = 1e7 * std::numeric_limits<double>::epsilon() * subject.mesh().X.cwiseAbs().maxCoeff();
     const double visible = std::max(1e-6 * subject.diagonal, rounding) * std::sqrt(subject.laplacian.M.sum());
     // About the barycentre, which does not move: far from the origin the offset would drown the modes in rounding.
@@ -93,6 +93,7 @@ double roughness_of(const SmoothingSubject& subject, const Positions& X) {
     return angle < 1e-6 ? 0 : angle;
 }
 
+/// Counts the operations of both schemes.
 StepPrices step_prices(const ImplicitStudy& study) {
     const Smoothed& run = study.implicit_runs.front().result;   // one pattern for all λ
     StepPrices prices{.explicit_step = 3.0 * double(study.subject.laplacian.C.nonZeros())};

@@ -15,6 +15,7 @@ using Grids = std::vector<DenoisingGrid>;
 /// Runs the grid of each mesh; a mesh that cannot be smoothed becomes a failed check.
 std::shared_ptr<const Grids> denoising_grids(const LibraryMeshes& meshes, const QuestionSettings& settings, const Progress& progress,
                                              report::Section& section);
+/// Finds the modes and error curves of the smallest mesh with a gain. The grids must outlive them.
 std::shared_ptr<const Reasons> shared_reasons(const Grids& grids);
 
 /// Returns the facts of the discussion and of the answer.
@@ -29,6 +30,7 @@ void add_losses(Answer& answer, const Grids& grids);
 /// Returns the grid with the largest gain by surface.
 const DenoisingGrid& leading(const Grids& grids);
 
+/// Returns a table of the gain, the volume and the verdict of every trial.
 report::Table result_table(const Grids& grids);
 /// Returns a table of the gains by all measures, and by a rule that needs no clean mesh.
 report::Table measure_table(const Grids& grids);

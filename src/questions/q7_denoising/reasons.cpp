@@ -10,7 +10,7 @@ namespace {
 
 /// True if the state after `step` iterations of λ continues a curve that has reached an amount.
 bool continues(const DenoisingGrid& grid, double reached, double lambda, int step) {
-    constexpr int first_step = 3;   // fewer steps of a large λ smooth otherwise than many small ones
+    constexpr int first_step = 3;   // one or two steps of a large λ smooth differently from many small steps
     return lambda * step > reached && (lambda == grid.lambdas.front() || step >= first_step);
 }
 
@@ -47,7 +47,7 @@ double ErrorParts::deviation_of_sum() const {
 }
 
 bool joins_the_clean(const Reasons& reasons) {
-    const auto apart = [&](const ErrorCurve& curve, std::size_t i) {   // |log| of the ratio at the same amount
+    const auto apart = [&](const ErrorCurve& curve, std::size_t i) {   // |log| of the ratio to the clean mesh at the same amount
         const auto& amounts = reasons.parts.surface.amount;
         const auto nearest = std::ranges::lower_bound(amounts, 0.999 * curve.amount[i]) - amounts.begin();
         return std::abs(std::log(curve.error[i] / reasons.parts.surface.error[std::min(nearest, std::ssize(amounts) - 1)]));
@@ -141,7 +141,7 @@ Reasons reasons_of(const Grids& grids) {
     for (const NoisyTrial& trial : grid.trials) reasons.levels.push_back(error_curve(grid, trial));
     try {
         reasons.bands = mode_bands(grid, grid.pictured(), reasons.parts);
-    } catch (const SolverError&) {   // no plot of them
+    } catch (const SolverError&) {
     }
     return reasons;
 }

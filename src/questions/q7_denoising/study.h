@@ -125,8 +125,8 @@ bool is_unended(const NoisyTrial& trial, const SearchState& best);
 
 /// Noise levels that separate the cases with the distance to the surface halved from the others. [mean edges]
 struct NoiseSplit {
-    double never_to = 0;             // the highest level up to which it never is; 0: none
-    double always_from = INFINITY;   // the lowest level from which it always is; ∞: none
+    double never_to = 0;             // highest level up to which no error is halved; 0: none
+    double always_from = INFINITY;   // lowest level from which every error is halved; ∞: none
     bool decides = false;            // every level is on one of the two sides
 };
 /// Returns the split over all trials; levels that differ by rounding count as one.
@@ -188,6 +188,7 @@ ErrorCurve error_curve(const DenoisingGrid& grid, const NoisyTrial& trial);
 ErrorParts error_parts(const DenoisingGrid& grid, const TriangleMesh& noisy);
 /// Computes the bands from all modes of a small mesh, else from the smoothest ones. @param parts  of this trial @throws SolverError
 ModeBands mode_bands(const DenoisingGrid& grid, const NoisyTrial& trial, const ErrorParts& parts);
+/// Computes the reasons; without a grid if no mesh has a gain.
 Reasons reasons_of(const Grids& grids);
 
 /// Returns the facts of labels about one trial and its best by surface.

@@ -4,6 +4,7 @@ namespace meshfolio::q7_denoising {
 
 namespace {
 
+/// Plots shape and noise over the modes.
 report::Plot mode_plot(const Reasons& reasons) {
     const ModeBands& bands = reasons.bands;
     report::Facts facts = facts_of(*reasons.grid, reasons.grid->pictured());
@@ -20,6 +21,7 @@ report::Plot mode_plot(const Reasons& reasons) {
     return plot;
 }
 
+/// Plots the parts of the error, and the errors of all levels, over the amount of smoothing.
 report::Plot error_plot(const Reasons& reasons) {
     const DenoisingGrid& grid = *reasons.grid;
     report::Plot plot{.id = "q7_error",
@@ -68,7 +70,7 @@ report::Table result_table(const Grids& grids) {
         .column("best λt", {.unit = "h̄²", .digits = 2}, [](auto& c) { return cell_of(c.part.amount(), c.part.improved()); })
         .column("gain", gain, [](auto& c) { return cell_of(c.part.gain()); })
         .column("±", {.digits = 2}, [](auto& c) { return cell_of(c.part.spread()); })
-        .column("volume", {.unit = "%"}, [](auto& c) { return cell_of(100 * c.part.remains.volume); })
+        .column("volume", {.unit = "%"}, [](auto& c) { return cell_of(100 * c.part.residual.volume); })
         .column("verdict", [](auto& c) { return verdict_on(c.part); });
 }
 
@@ -116,7 +118,7 @@ void add_reason_plots(report::Section& section, const Reasons& reasons) {
 
 report::Map gain_map(const DenoisingGrid& grid) {
     const double gained = std::fmax(1, largest_of(grid.trials, [](const NoisyTrial& trial) { return trial.gain(); }));
-    const double largest = std::exp2(std::max(1.0, std::ceil(std::log2(gained))));   // a power of two: no gain is beyond the scale
+    const double largest = std::exp2(std::max(1.0, std::ceil(std::log2(gained))));   // a power of two, so that no gain is beyond the scale
     report::Map map{.id = id_of("q7", grid.name(), "gains"),
                     .caption = words.line("gains", "mesh"_a = grid.name()),
                     .x_label = "iteration t",

@@ -24,7 +24,9 @@ struct GroundTruth {
 /// Measures all estimators. @param quick  three refinements instead of four
 GroundTruth ground_truth(std::uint64_t seed, bool quick, const Progress& progress);
 
+/// Returns the checks of orders and errors that theory and other programs predict.
 std::vector<report::Check> ground_truth_checks(const GroundTruth& truth);
+/// Returns the whole section, with its checks.
 report::Section ground_truth_section(const GroundTruth& truth);
 
 /// Returns a table with one row an estimator and one column a kind of mesh: a sign for the order on each surface, and the largest error.

@@ -59,12 +59,12 @@ report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity 
     const std::string caption = words.line("convergence", "quantity"_a = symbol(quantity), "kind"_a = name_of(kind));
     report::Plot plot = error_plot((quantity == Quantity::H ? "truth_h_" : "truth_k_") + std::string(name_of(kind)), caption, caption);
     for (const Estimator* e : panel_estimators(quantity)) {
-        const auto place = std::ranges::find(shown, e->key.substr(2));   // behind "H."
+        const auto place = std::ranges::find(shown, e->key.substr(2));   // without "H."
         if (place == shown.end()) continue;
         using enum report::Series::Style;
         const ErrorHistory errors = run.errors(e->key);
         plot.series.push_back(error_series(e->name(), errors, *place == "corrected_exact" ? dashed : line_and_points));
-        plot.series.back().color = plot.series.back().pattern = int(place - shown.begin());   // the same in the plots of H and of K
+        plot.series.back().color = plot.series.back().pattern = int(place - shown.begin());   // alike in the plots of H and of K
         plot.series.back().panel = words.line(place - shown.begin() < 4 ? "convergence.operators" : "convergence.fits");
         plot.alt += " " + words.line("convergence.alt.series", "estimator"_a = e->name(), "error"_a = readable_percent(errors.last(), 2),
                                      "order"_a = words_of(errors.order()));

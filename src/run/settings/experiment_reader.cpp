@@ -8,6 +8,7 @@
 #include "base/in_quotes.h"
 #include "base/nearest_word.h"
 #include "questions/core/mesh_library.h"
+#include "questions/core/mesh_roles.h"
 #include "run/one_mesh/fields.h"
 #include "run/settings/setting_list.h"
 

@@ -11,6 +11,7 @@
 #include "base/number_text.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
+#include "questions/core/mesh_roles.h"
 #include "questions/core/stand_ins.h"
 #include "run/arguments.h"
 #include "run/settings/setting_list.h"

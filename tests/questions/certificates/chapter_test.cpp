@@ -15,7 +15,7 @@ Answer answer_on(const TriangleMesh& mesh, const std::string& name) {
 
 }   // namespace
 
-TEST(CertificatesSection, HoldsOnOpenPlainAndDividedMeshes) {
+TEST(CertificatesSection, AllChecksHoldOnOpenPlainAndFineMeshes) {
     for (const auto& [name, mesh] : {std::pair{"cert_grid", grid_mesh(9, 7, 2, 1)}, std::pair{"cert_box", cube_mesh(1)},
                                      std::pair{"cert_torus", torus_mesh(30, 12, 1, 0.4)}}) {
         SCOPED_TRACE(name);
@@ -25,8 +25,8 @@ TEST(CertificatesSection, HoldsOnOpenPlainAndDividedMeshes) {
     }
 }
 
-// An edge a million times the others: an eigenvalue is as small as zeros elsewhere, and a triangle has no area to give mass to.
-TEST(CertificatesSection, NothingFailsOnAMeshAMillionTimesAsLongAsWide) {
+// An edge is a million times longer than the others: an eigenvalue is as small as rounding, and a triangle has no area.
+TEST(CertificatesSection, NoCheckFailsOnAMeshAMillionTimesLongerThanWide) {
     TriangleMesh mixed{Positions(4, 3), Faces(4, 3)};
     mixed.F << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
     for (const double width : {1e-6, 1.0}) {
@@ -36,7 +36,7 @@ TEST(CertificatesSection, NothingFailsOnAMeshAMillionTimesAsLongAsWide) {
     }
 }
 
-TEST(CertificatesSection, TheTableOfFaultsHasEveryFaultAndSaysWhatItsChecksSay) {
+TEST(CertificatesSection, TheTableOfFaultsHasEveryFaultWithItsMeasuredValues) {
     const Answer answer = answer_on(icosphere(2), "cert_ball");
     const report::Table& table = table_named(answer.section, "certificates_faults");
     const std::vector<PlantedFault> faults = planted_faults();
@@ -50,7 +50,7 @@ TEST(CertificatesSection, TheTableOfFaultsHasEveryFaultAndSaysWhatItsChecksSay) 
     }
 }
 
-TEST(CertificatesSection, TheTableOfSpectraHasWhatWasMeasured) {
+TEST(CertificatesSection, TheTableOfSpectraHasTheMeasuredValues) {
     QuestionSettings settings = quick_settings();
     settings.k = {9};
     const TriangleMesh mesh = icosphere(3);

@@ -13,7 +13,7 @@ namespace {
 
 MeshFacts facts_of(const TriangleMesh& mesh) { return mesh_facts(prepare_mesh({mesh, "m.obj", {}, {}})); }
 
-/// "key count" of each.
+/// Returns "key count" of each defect found.
 std::set<std::string> found(const TriangleMesh& mesh) {
     std::set<std::string> list;
     for (const auto& [defect, count] : defects_of(facts_of(mesh))) list.insert(std::string(defect->key) + " " + std::to_string(count));
@@ -36,7 +36,7 @@ using Set = std::set<std::string>;
 
 }   // namespace
 
-TEST(MeshDefects, NothingIsFoundOnASoundMesh) { EXPECT_EQ(found(icosphere(2)), Set{}); }
+TEST(MeshDefects, ASoundMeshHasNone) { EXPECT_EQ(found(icosphere(2)), Set{}); }
 
 TEST(MeshDefects, EachPlantedDefectIsFoundAndNoOther) {
     const TriangleMesh ball = icosphere(1);
@@ -68,7 +68,7 @@ TEST(MeshDefects, EachPlantedDefectIsFoundAndNoOther) {
     EXPECT_EQ(found({((ball.X * 1e6).array().round() / 1e6).matrix(), ball.F}), Set{}) << "six decimals";
 }
 
-TEST(MeshDefects, SharedEdgesAndPoints) {
+TEST(MeshDefects, SharedEdgesAndPointsAreFound) {
     TriangleMesh book;
     book.X.resize(5, 3);
     book.X << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0;
@@ -81,7 +81,7 @@ TEST(MeshDefects, SharedEdgesAndPoints) {
     EXPECT_TRUE(found(tie).contains("nonmanifold_vertices 1"));
 }
 
-TEST(MeshDefects, ThinTriangles) {
+TEST(MeshDefects, ThinTrianglesAreFound) {
     TriangleMesh needle;
     needle.X.resize(3, 3);
     needle.X << 0, 0, 0, 1, 0, 0, 1, 0.01, 0;
@@ -93,7 +93,7 @@ TEST(MeshDefects, ThinTriangles) {
     EXPECT_FALSE(found(needle).contains("needle_faces 1"));
 }
 
-TEST(MeshDefects, EachNamesQuestionsThatExistAndSaysWhatItBreaksAndWhatWasDone) {
+TEST(MeshDefects, EachDefectNamesItsQuestionsConsequenceAndRepair) {
     std::set<std::string_view> keys;
     for (const Defect& defect : defect_list()) {
         EXPECT_TRUE(keys.insert(defect.key).second) << defect.key;

@@ -54,8 +54,8 @@ INSTANTIATE_TEST_SUITE_P(PlantedFaults, EachFault, ::testing::ValuesIn(planted_f
     return name;
 });
 
-// The table must be able to say no.
-TEST(PlantedFaults, ABlindCheckIsReportedAsNotCaught) {
+// A named check that cannot see its fault must be reported as not caught.
+TEST(PlantedFaults, ABlindCheckDoesNotCatchItsFault) {
     const std::vector<PlantedFault> faults = planted_faults();
     for (const auto& [part, blind] :
          {std::pair{"½ missing", law("symmetric")}, std::pair{"½ missing", law("row_sums")}, std::pair{"one face reversed", law("mass")},
@@ -70,7 +70,7 @@ TEST(PlantedFaults, ABlindCheckIsReportedAsNotCaught) {
     }
 }
 
-TEST(PlantedFaults, NoFaultIsNotCaught) {
+TEST(PlantedFaults, WithoutAFaultNothingIsCaught) {
     for (const report::Check& check : sound_checks()) {
         const FaultTrial trial = trial_of(specimen(), sound_checks(), {"nothing", check.name, [](Specimen&) {}});
         EXPECT_FALSE(trial.caught()) << check.name;

@@ -3,6 +3,7 @@
 #include "base/file_bytes.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/certificates/defects.h"
+#include "questions/core/mesh_roles.h"
 #include "questions/core/study_laws.h"
 #include "temporary_folder.h"
 
@@ -34,7 +35,7 @@ TriangleMesh ball_with_defects() {
 
 }   // namespace
 
-TEST(PreflightSection, BundledMeshesEachOnceAndSound) {
+TEST(PreflightSection, BundledMeshesAreSoundAndListedOnce) {
     const Answer answer = chapter_of_id("certificates").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
     expect_well_formed(answer);
     expect_checks_pass(answer.section);
@@ -42,7 +43,7 @@ TEST(PreflightSection, BundledMeshesEachOnceAndSound) {
     EXPECT_EQ(answer.section.inputs.size(), mesh_role_list().size());
 }
 
-TEST(PreflightSection, EveryDefectHasItsRowWithWhatItBreaksAndWhatWasDone) {
+TEST(PreflightSection, EveryDefectHasARowWithConsequenceAndRepair) {
     const Answer answer = preflight_on(ball_with_defects(), "pre_ball");
     expect_well_formed(answer);
     expect_checks_pass(answer.section);
@@ -61,8 +62,8 @@ TEST(PreflightSection, EveryDefectHasItsRowWithWhatItBreaksAndWhatWasDone) {
     EXPECT_NE(prose_of(answer.section).find("dropped or turned on pre_ball"), std::string::npos);
 }
 
-// Six decimals are what most files have, which is no defect and not nothing either.
-TEST(PreflightSection, SaysHowFarTheFileRounds) {
+// Most files have six decimals: that is no defect, but the text mentions it.
+TEST(PreflightSection, ReportsTheRoundingOfTheFile) {
     TriangleMesh mesh = icosphere(2);
     mesh.X = ((mesh.X * 1e6).array().round() / 1e6).matrix().eval();
     const Answer answer = preflight_on(mesh, "pre_six");

@@ -10,6 +10,8 @@
 #include "base/sha256.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/samples/sample_shapes.h"
+#include "questions/core/experiment.h"
+#include "questions/core/mesh_roles.h"
 #include "questions/core/section_tools.h"
 #include "source_dir.h"
 #include "temporary_folder.h"

@@ -15,7 +15,7 @@ using namespace testing_tools;
 
 namespace {
 
-/// An open sheet of irregular triangles, bent.
+/// Returns a bent open sheet of irregular triangles.
 TriangleMesh bent_sheet() {
     TriangleMesh mesh = grid_mesh(9, 7, 1, 1);
     NormalNumbers random(5);
@@ -58,7 +58,7 @@ TEST(OperatorLaboratory, ChangesAreRelativeToTheDefault) {
     EXPECT_GT(lab.flips, 0);
 }
 
-TEST(OperatorLaboratory, KnownSurfaces) {
+TEST(OperatorLaboratory, ErrorsOnKnownSurfacesAreSmall) {
     const std::vector<KnownTrial> trials = known_trials(quick_settings());
     ASSERT_EQ(trials.size(), laboratory_operators().size());
     for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -68,7 +68,7 @@ TEST(OperatorLaboratory, KnownSurfaces) {
         if (kind == OperatorKind::tufted) continue;   // its flips round the boundary may bend linear functions near it
         EXPECT_EQ(trials[i].plane < 1e-10, precise) << laboratory_operators()[i].title();
         EXPECT_GT(trials[i].H_error[0], 0);
-        // The same square, the same H, as question 3 tells it.
+        // Question 3 has the same square and the same H.
         if (kind == OperatorKind::uniform) {
             EXPECT_EQ(trials[i].plane, irregular_plane(quick_settings().seed).uniform);
         }
@@ -76,7 +76,7 @@ TEST(OperatorLaboratory, KnownSurfaces) {
     }
 }
 
-TEST(OperatorLaboratory, AreasThatAreNotPositiveAreSaid) {
+TEST(OperatorLaboratory, NonPositiveAreasAreReported) {
     TriangleMesh mesh = grid_mesh(6, 6, 1, 1);
     mesh.X.col(1) += 3 * mesh.X.col(0);   // sheared: obtuse everywhere
     mesh.X.col(2) = 0.3 * mesh.X.col(0).cwiseAbs2();
@@ -94,7 +94,7 @@ TEST(OperatorLaboratory, AreasThatAreNotPositiveAreSaid) {
     EXPECT_NE(prose_of(answer.section).find("Areas are not positive at"), std::string::npos);
 }
 
-TEST(OperatorLaboratory, WordsFollowTheFlips) {
+TEST(OperatorLaboratory, TheTextFollowsTheFlips) {
     const Answer ball = chapter_of_id("operators").answer(library_of(icosphere(2), "lab_ball"), quick_settings(), no_progress);
     EXPECT_NE(prose_of(ball.section).find("no change beyond rounding"), std::string::npos) << "no edge is flipped";
     EXPECT_NE(report::plain(ball.section.answer).find("by less than 1\u202f%"), std::string::npos);

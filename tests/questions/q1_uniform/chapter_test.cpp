@@ -18,7 +18,7 @@ Answer answer_for(const TriangleMesh& mesh, const std::string& name) {
     return chapter_of_id("q1").answer(library_of(mesh, name), quick_settings(), no_progress);
 }
 
-/// Two grids side by side: open, two components.
+/// Returns two grids side by side: open, two components.
 TriangleMesh two_sheets() {
     const TriangleMesh one = grid_mesh(5, 4, 1, 1, [](double x, double y) { return x * y; });
     const int n = one.vertex_count(), m = one.face_count();
@@ -57,7 +57,7 @@ TEST(Q1, BundledMeshesPassTheirOwnChecks) {
     }
 }
 
-/// The panels of H and K of all meshes, in the figures of six views and of one.
+/// Returns the panels of H and K of all meshes, from all figures but the tangential one.
 std::vector<output::Panel> H_and_K_of(const Answer& answer) {
     std::vector<output::Panel> panels;
     for (const output::FigureRequest& figure : answer.figures)
@@ -65,8 +65,8 @@ std::vector<output::Panel> H_and_K_of(const Answer& answer) {
     return panels;
 }
 
-// Six views of what is alike from all sides teach nothing; of the others each has six, and H stands beside K of the same mesh.
-TEST(Q1, MeshesThatLookAlikeFromEverySideHaveOneView) {
+// Meshes that look alike from all sides have one view, the others six; H stands beside K of the same mesh.
+TEST(Q1, MeshesThatLookAlikeFromAllSidesHaveOneView) {
     const Answer bundled = chapter_of_id("q1").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
     EXPECT_EQ(bundled.figures[0].layout, output::Layout::six_views);
     EXPECT_EQ(bundled.figures[1].layout, output::Layout::multiples);
@@ -82,8 +82,8 @@ TEST(Q1, MeshesThatLookAlikeFromEverySideHaveOneView) {
     EXPECT_EQ(alone.figures[0].layout, output::Layout::six_views);
 }
 
-// The caption speaks of rings only where there are some, and names the meshes that have them.
-TEST(Q1, RingsAreReportedForTheMeshesThatHaveThem) {
+// The caption mentions rings only if there are some, and names their meshes.
+TEST(Q1, CaptionsNameTheMeshesWithRings) {
     const auto captions_of = [](const Answer& answer) {
         std::string captions;
         for (const report::Block& block : answer.section.blocks)
@@ -102,7 +102,7 @@ TEST(Q1, RingsAreReportedForTheMeshesThatHaveThem) {
     EXPECT_EQ(captions_of(answer_for(grid_mesh(8, 8, 1, 1), "no_rings1")).find("Rings"), std::string::npos);
 }
 
-// Meshes of all sizes and curvatures are to be seen in one figure: each fills its frame, and each has colours or is zero.
+// One figure shows meshes of all sizes and curvatures: each fills its frame, and each has colours or is zero.
 TEST(Q1, EachMeshHasARangeOfItsOwn) {
     const Answer answer = chapter_of_id("q1").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
     for (const output::FigureRequest& figure : answer.figures) {
@@ -127,7 +127,7 @@ TEST(Q1, EachMeshHasARangeOfItsOwn) {
     }
 }
 
-// No sentence is about the figure of another mesh, and without a curved mesh no sentence is about the drift.
+// Without a curved mesh the text does not mention drift.
 TEST(Q1, TheDriftMapShowsTheMeshWithTheLargestDrift) {
     TriangleMesh uneven = icosphere(3);
     uneven.X = jittered(uneven, topology_of(uneven), 0.2, 1, [](const Vector3& p) { return p.normalized(); });
@@ -149,8 +149,8 @@ TEST(Q1, TheTextFollowsTheData) {
     EXPECT_EQ(ball.figures[0].panels.back().marked_vertices.size(), 12u);
 }
 
-// The paper's n is the mesh's own: with the closed form's the normal part would be exact, and no reader could get that from a mesh.
-TEST(Q1, TheNormalPartIsThatOfTheMeshsNormal) {
+// The normals of the mesh are used, as in the paper; with exact normals the normal part would be exact.
+TEST(Q1, TheNormalPartUsesTheNormalOfTheMesh) {
     const Answer answer = answer_for(icosphere(1), "normal1");
     const auto parts = numbers(table_named(answer.section, "q1_errors"), "normal part");
     ASSERT_EQ(parts.size(), 6u);
@@ -158,8 +158,8 @@ TEST(Q1, TheNormalPartIsThatOfTheMeshsNormal) {
     EXPECT_FALSE(says(answer, "exact on spheres"));
 }
 
-// Its steep hill stands on an irregular plane, where K is white and H is coloured by drift.
-TEST(Q1, ColoursOfFlatPartsAreReadAsDrift) {
+// A steep hill stands on an irregular plane, where K is white and H is coloured by drift.
+TEST(Q1, ColoursOfFlatPartsAreExplainedAsDrift) {
     TriangleMesh hill = grid_mesh(30, 30, 1, 1);
     hill.X = jittered(hill, topology_of(hill), 0.2, 1, [](const Vector3& p) { return Vector3(p.x(), p.y(), 0); });
     for (auto x : hill.X.rowwise()) x[2] = 0.1 * std::exp(-60 * (std::pow(x[0] - 0.5, 2) + std::pow(x[1] - 0.5, 2)));
@@ -168,8 +168,8 @@ TEST(Q1, ColoursOfFlatPartsAreReadAsDrift) {
     EXPECT_FALSE(says(answer_for(icosphere(3), "nothing_flat1"), "is flat: K and cotangent H"));
 }
 
-// Half of the vertices of a hill on a nearly flat field have a K below 0, and none that the picture shows: both are said.
-TEST(Q1, KBelowZeroIsCountedHoweverPale) {
+// Half of the vertices of a hill on a nearly flat field have K < 0, but the picture shows none of it: the text says both.
+TEST(Q1, NegativeKIsCountedEvenIfPale) {
     TriangleMesh hill = grid_mesh(30, 30, 1, 1);
     NormalNumbers random(3);
     for (Eigen::Index v = 0; v < hill.X.rows(); ++v) {
@@ -183,7 +183,7 @@ TEST(Q1, KBelowZeroIsCountedHoweverPale) {
     EXPECT_TRUE(says(answer, "|K| is below a twentieth of its scale and looks white"));
 }
 
-TEST(Q1, TangentialDriftOnAnIrregularPlaneIsNamed) {
+TEST(Q1, TangentialDriftOnAnIrregularPlaneIsReported) {
     TriangleMesh mesh = grid_mesh(9, 9, 1, 1);
     mesh.X = jittered(mesh, topology_of(mesh), 0.2, 1, [](const Vector3& p) { return Vector3(p.x(), p.y(), 0); });
     const Answer answer = answer_for(mesh, "irregular_plane");
@@ -198,7 +198,7 @@ TEST(Q1, OpenMeshesOfSeveralComponentsAreAnswered) {
     expect_checks_pass(answer.section);
 }
 
-TEST(Q1, AMeshThatIsAllBoundaryHasNoCurvature) {
+TEST(Q1, AMeshWithoutInnerVerticesHasNoCurvature) {
     const Answer flat = answer_for(one_triangle(), "triangle");
     expect_well_formed(flat);
     expect_checks_pass(flat.section);
@@ -209,7 +209,7 @@ TEST(Q1, AMeshThatIsAllBoundaryHasNoCurvature) {
     EXPECT_TRUE(says(bent, "no curvature is defined"));
 }
 
-TEST(Q1, OfTwelveVerticesNoPictureIsRead) {
+TEST(Q1, APictureOfTwelveVerticesIsNotDescribed) {
     const Answer answer = answer_for(icosphere(0), "few1");
     EXPECT_TRUE(says(answer, "has too few vertices")) << prose_of(answer.section);
     EXPECT_FALSE(says(answer, "rank correlation"));

@@ -13,7 +13,7 @@
 namespace meshfolio::q1_uniform {
 using namespace testing_tools;
 
-TEST(UniformStudy, TheNormalPartOfAJitteredSphereIsItsCurvature) {
+TEST(UniformStudy, TheNormalPartOfAJitteredSphereIsNearerToItsCurvature) {
     TriangleMesh ball = icosphere(3);
     ball.X = jittered(ball, topology_of(ball), 0.2, 1, [](const Vector3& p) { return p.normalized(); });
     const TangentialPart part = tangential_part(curvature_of(library_mesh(ball, "jittered_ball")));
@@ -26,7 +26,7 @@ TEST(UniformStudy, TheNormalPartOfAJitteredSphereIsItsCurvature) {
     EXPECT_NEAR(large.gap, part.gap, 1e-9);
 }
 
-TEST(UniformStudy, AContrastIsOfQuarters) {
+TEST(UniformStudy, AContrastComparesQuarters) {
     Vector values(12), by(12);
     for (int i = 0; i < 12; ++i) {
         values[i] = i;
@@ -38,7 +38,7 @@ TEST(UniformStudy, AContrastIsOfQuarters) {
     EXPECT_TRUE(std::isnan(contrast(values, by).least));   // too few are left
 }
 
-TEST(UniformStudy, OnAnIcosphereTheTwelveIrregularVerticesStandOutByTheirAreas) {
+TEST(UniformStudy, TheTwelveIrregularVerticesOfAnIcosphereStandOutByTheirAreas) {
     const IrregularVertices odd = irregular_vertices(curvature_of(library_mesh(icosphere(3), "icosphere1")));
     EXPECT_EQ(odd.vertices.size(), 12u);
     EXPECT_TRUE(odd.stand_out());
@@ -47,8 +47,8 @@ TEST(UniformStudy, OnAnIcosphereTheTwelveIrregularVerticesStandOutByTheirAreas) 
     EXPECT_TRUE(none.vertices.empty());   // K has both signs
 }
 
-// The two areas have medians of their own: K with Voronoi areas is compared with the median of K with Voronoi areas.
-TEST(UniformStudy, KWithVoronoiAreasIsMeasuredFromItsOwnMedian) {
+// K with Voronoi areas is compared with its own median, not with that of barycentric areas.
+TEST(UniformStudy, KWithVoronoiAreasIsComparedWithItsOwnMedian) {
     const TriangleMesh ball = icosphere(3);
     const MeshTopology topology = topology_of(ball);
     const Vector K = gaussian_curvature(ball, topology, vertex_areas(ball, AreaForm::voronoi));
@@ -61,7 +61,7 @@ TEST(UniformStudy, KWithVoronoiAreasIsMeasuredFromItsOwnMedian) {
     EXPECT_GT(std::abs(summary_of(c.K).median / median - 1), 0.1 * most);   // or else it would make no difference
 }
 
-TEST(UniformStudy, SignsOfKAreCountedHoweverSmallButRoundingIsNone) {
+TEST(UniformStudy, SmallKCountsByItsSignAndRoundingDoesNot) {
     const MeshCurvature torus = curvature_of(library_mesh(torus_mesh(48, 24, 1, 0.4), "signs1"));
     const auto share = [&](auto chosen) { return double(chosen.count()) / double(torus.K.size()); };
     EXPECT_EQ(signs_of_K(torus).all.negative, share(torus.K.array() < -1e-9));   // where it is 0 it is rounding
@@ -73,7 +73,7 @@ TEST(UniformStudy, SignsOfKAreCountedHoweverSmallButRoundingIsNone) {
     EXPECT_EQ(flat.all.positive, 0);
 }
 
-TEST(UniformStudy, APictureVariesWhereTheTruthIsConstant) {
+TEST(UniformStudy, UniformHVariesOnASphereWithConstantH) {
     TriangleMesh ball = icosphere(3);
     ball.X = jittered(ball, topology_of(ball), 0.2, 1, [](const Vector3& p) { return p.normalized(); });
     const Picture picture = picture_of(curvature_of(library_mesh(ball, "picture1")));
@@ -83,7 +83,7 @@ TEST(UniformStudy, APictureVariesWhereTheTruthIsConstant) {
     EXPECT_GT(picture.spread, 2);
     ball.X *= 50;   // a picture does not know the unit of length
     EXPECT_NEAR(picture_of(curvature_of(library_mesh(ball, "large_picture1"))).correlation, picture.correlation, 1e-9);
-    // Where all rings are alike both see the same form.
+    // With equal rings both show the same form.
     const Picture torus = picture_of(curvature_of(library_mesh(torus_mesh(48, 24, 1, 0.4), "picture_torus1")));
     EXPECT_FALSE(torus.varies_where_truth_does_not());
     EXPECT_GT(torus.correlation, 0.9);

@@ -25,7 +25,7 @@ const report::Plot& plot_named(const std::string& id) {
     throw std::logic_error("no plot " + id);
 }
 
-/// Directions, in π rad, of the marked maxima.
+/// Returns the directions of the marked maxima [π rad].
 std::vector<double> maxima_of(const report::Plot& plot) {
     const double largest = std::ranges::max_element(plot.markers, {}, &report::Marker::y)->y;
     std::vector<double> at;
@@ -41,12 +41,12 @@ TEST(Q2, PassesItsOwnChecks) {
     expect_checks_pass(answer().section);
 }
 
-TEST(Q2, MaximaAreWhereTheShorterOfTheOtherAxesPoints) {
+TEST(Q2, MaximaPointAlongTheShorterOfTheOtherAxes) {
     EXPECT_EQ(maxima_of(plot_named("q2_tip_b_above_c")), (std::vector<double>{0.5, 1.5}));
     EXPECT_EQ(maxima_of(tip_plot(tip_of(tall_ellipsoid), "tall")), (std::vector<double>{0, 1, 2}));
 }
 
-// All are ringed, but equal ones are named once.
+// All extrema are marked, but equal ones have one label.
 TEST(Q2, ExtremaAreNamedOnce) {
     for (const Ellipsoid& ellipsoid : {flat_ellipsoid, tall_ellipsoid}) {
         std::vector<std::string> labels;
@@ -57,7 +57,7 @@ TEST(Q2, ExtremaAreNamedOnce) {
     }
 }
 
-TEST(Q2, TheTwoReadingsOfADirectionAreDifferentCurvesBetweenTheSameExtrema) {
+TEST(Q2, TheTwoReadingsOfADirectionShareOnlyTheExtrema) {
     const report::Plot& plot = plot_named("q2_tip_b_above_c");
     ASSERT_EQ(plot.series.size(), 2u);
     const auto &angle = plot.series[0], &parameters = plot.series[1];
@@ -76,7 +76,7 @@ TEST(Q2, TheTwoReadingsOfADirectionAreDifferentCurvesBetweenTheSameExtrema) {
     }
 }
 
-TEST(Q2, ThePrincipalCurvaturesAtTheTipAreThoseOfTheClosedForm) {
+TEST(Q2, ThePrincipalCurvaturesAtTheTipHaveTheClosedForm) {
     for (const report::Block& block : answer().section.blocks) {
         const auto* table = std::get_if<report::Table>(&block);
         if (!table || table->id != "q2_tip") continue;
@@ -91,7 +91,7 @@ TEST(Q2, ThePrincipalCurvaturesAtTheTipAreThoseOfTheClosedForm) {
     FAIL() << "no table q2_tip";
 }
 
-// The products that the derivation writes out.
+// Checks the products that the derivation writes out.
 TEST(Q2, ThirdEntryOfTheSecondFormIsMinusTheSupportFunction) {
     for (const auto& [u, v] : {std::pair{0.3, 0.9}, std::pair{2.0, 2.2}, std::pair{4.5, 1.4}}) {
         const auto [a, b, c] = flat_ellipsoid;
@@ -106,7 +106,7 @@ TEST(Q2, ThirdEntryOfTheSecondFormIsMinusTheSupportFunction) {
 }
 
 // The circles of the diagram have the radii 1/κ_n, and touch the ellipse at its tip without crossing it nearby.
-TEST(Q2, TheDiagramsCirclesOsculate) {
+TEST(Q2, TheCirclesOfTheDiagramOsculate) {
     const Tip tip = tip_of(flat_ellipsoid);
     const auto [a, b, c] = tip.ellipsoid;
     const report::Diagram diagram = angle_diagram(tip);

@@ -24,8 +24,8 @@ bool says(const Answer& answer, const std::string& words) { return prose_of(answ
 
 }   // namespace
 
-// The good estimate sets the colours; the caption says how much of the bad one lies beyond them.
-TEST(Q3, EachMeshIsShownByBothOperatorsInTheRangeOfTheCotangentOne) {
+// Cotangent H sets the colours; the caption says how much of uniform H lies beyond them.
+TEST(Q3, BothOperatorsAreShownInTheRangeOfTheCotangentOne) {
     const Answer answer = chapter_of_id("q3").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
     ASSERT_EQ(answer.figures.size(), 3u);             // then flat meshes, and where H is to be doubted; on a flat mesh it is not
     EXPECT_EQ(answer.figures[1].panels.size(), 4u);   // the plane and the irregular square
@@ -49,26 +49,26 @@ TEST(Q3, EachMeshIsShownByBothOperatorsInTheRangeOfTheCotangentOne) {
     EXPECT_NEAR(range.clipped_below + range.clipped_above, beyond(0), 1e-12);
 }
 
-// The answer is that of the meshes in its table: by how many times at least, where cotangents always win clearly, else on how many.
-TEST(Q3, TheAnswerFollowsItsTable) {
+// The answer gives the least gain if cotangent H always wins clearly, else the number of meshes where it wins.
+TEST(Q3, TheAnswerFollowsTheErrors) {
     BenchRuns runs = question_runs(quick_settings(), no_progress);
-    const auto told = [&] { return report::plain(answer_of(runs)); };
+    const auto message = [&] { return report::plain(answer_of(runs)); };
     const auto set = [](BenchRun& run, double uniform) {   // times the error of cotangent H
         auto& errors = run.levels.back().errors;
         errors["H.uniform"].l2 = uniform * errors[H_with(areas_used)].l2;
     };
     for (BenchRun& run : runs) set(run, 5000);
     set(runs.back(), 199);
-    EXPECT_NE(told().find("errs at least 100 times less"), std::string::npos) << told();
+    EXPECT_NE(message().find("errs at least 100 times less"), std::string::npos) << message();
     set(runs.back(), 1.1);
-    EXPECT_NE(told().find("nearer to the truth than uniform H on 6 of 6"), std::string::npos) << told();
+    EXPECT_NE(message().find("nearer to the truth than uniform H on 6 of 6"), std::string::npos) << message();
     set(runs.back(), 0.5);
-    EXPECT_NE(told().find("on 5 of 6"), std::string::npos) << told();
+    EXPECT_NE(message().find("on 5 of 6"), std::string::npos) << message();
     for (BenchRun& run : runs) set(run, 0.5);
-    EXPECT_EQ(told().rfind("Hardly", 0), 0u) << told();
+    EXPECT_EQ(message().rfind("Hardly", 0), 0u) << message();
 }
 
-TEST(Q3, AColumnOfZerosIsNotPrinted) {
+TEST(Q3, AColumnOfZerosIsLeftOut) {
     const Answer answer = answer_for(icosphere(1), "columns3");
     for (const report::Column& column : table_named(answer.section, "q3_errors_l2").columns) {
         if (column.name != "without H") continue;
@@ -77,7 +77,7 @@ TEST(Q3, AColumnOfZerosIsNotPrinted) {
     }
 }
 
-TEST(Q3, TheSmallestWeightIsThatOfAnEdge) {
+TEST(Q3, TheSmallestWeightBelongsToAnEdge) {
     const TriangleMesh ball = icosphere(2);
     const MeshTopology topology = topology_of(ball);
     const NegativeWeights weights = negative_weights(laplace_beltrami(ball).C, topology);
@@ -86,7 +86,7 @@ TEST(Q3, TheSmallestWeightIsThatOfAnEdge) {
     EXPECT_LT(weights.smallest, 1);
 }
 
-TEST(Q3, ItsExtentIsThatOfTheLargestMesh) {
+TEST(Q3, TheExtentNamesTheLargestMesh) {
     int most = 0;
     for (const KnownSurface& surface : question_surfaces())
         most = std::max(most, bench_mesh(surface, MeshKind::regular, refinement_levels(true).back(), 1).mesh.vertex_count());
@@ -102,8 +102,8 @@ TEST(Q3, TheTextFollowsTheData) {
     EXPECT_TRUE(says(ball, "no weight is negative"));
 }
 
-// plane.obj of the course has coordinates of six decimals, which uniform weights show and cotangents do not.
-TEST(Q3, RoundedCoordinatesAreNamedWhereTheyAreSeen) {
+// plane.obj of the course has coordinates of six decimals; uniform weights show the rounding, cotangents do not.
+TEST(Q3, RoundedCoordinatesAreMentionedIfVisible) {
     TriangleMesh grid = grid_mesh(9, 9, 1, 1);
     const Answer exact = answer_for(grid, "exact3");
     grid.X = (1e6 / 3 * grid.X.array()).round() / 1e6;
@@ -112,7 +112,7 @@ TEST(Q3, RoundedCoordinatesAreNamedWhereTheyAreSeen) {
     EXPECT_TRUE(says(rounded, "shows the rounding of the file's coordinates")) << prose_of(rounded.section);
 }
 
-TEST(Q3, OnAnIrregularPlaneTheImprovementIsMeasured) {
+TEST(Q3, TheImprovementOnAnIrregularPlaneIsMeasured) {
     TriangleMesh mesh = grid_mesh(9, 9, 1, 1);
     mesh.X = jittered(mesh, topology_of(mesh), 0.2, 1, [](const Vector3& p) { return Vector3(p.x(), p.y(), 0); });
     const Answer answer = answer_for(mesh, "irregular_plane3");
@@ -142,7 +142,7 @@ TriangleMesh grid_with_a_slit() {
     return mesh;
 }
 
-// Its rings do not close, which no operator can repair: the cotangent operator has not failed.
+// The rings do not close, and no operator can repair that: the check of the cotangent operator does not fail.
 TEST(Q3, TrianglesWithoutAreaLeaveTheFlatCheckUndecided) {
     const Answer answer = answer_for(grid_with_a_slit(), "slit3");
     const auto flat =

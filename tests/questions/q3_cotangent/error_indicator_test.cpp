@@ -12,7 +12,7 @@ using namespace testing_tools;
 
 namespace {
 
-/// The name is that of a file: each test its own.
+/// @param name  of a file, different in each test
 Disagreement disagreement_on(const TriangleMesh& mesh, const std::string& name) {
     return disagreement_with_jet(compare_operators(library_mesh(mesh, "indicator_" + name)));
 }
@@ -31,8 +31,8 @@ TEST(ErrorIndicator, IsSmallWhereBothEstimatesAreGood) {
     EXPECT_EQ(d.without_jet, 0);
 }
 
-// On uneven triangles uniform H is farther from the better reference than cotangent H; the same vertices are compared.
-TEST(ErrorIndicator, UniformHIsMeasuredByTheSameReference) {
+// Uniform H is farther from the jets than cotangent H on uneven triangles, over the same vertices.
+TEST(ErrorIndicator, UniformHIsComparedWithTheSameJets) {
     const Disagreement d = disagreement_on(ball_with_a_dent(), "uniform");
     EXPECT_GT(d.rms_uniform, d.rms);
     const CotangentComparison c = compare_operators(library_mesh(ball_with_a_dent(), "indicator_uniform_again"));
@@ -50,7 +50,7 @@ TEST(ErrorIndicator, FindsADent) {
     EXPECT_GT(d.rms, 2 * d.median);
 }
 
-TEST(ErrorIndicator, SizeIsAnInverseLengthTheRestHasNoUnit) {
+TEST(ErrorIndicator, SizeIsAnInverseLengthAndTheRestHasNoUnit) {
     const TriangleMesh mesh = ball_with_a_dent();
     TriangleMesh large = mesh;
     large.X *= 8;
@@ -60,9 +60,9 @@ TEST(ErrorIndicator, SizeIsAnInverseLengthTheRestHasNoUnit) {
     EXPECT_NEAR(D.concentration, d.concentration, 1e-9);
 }
 
-TEST(ErrorIndicator, SaysNothingOfAFlatMesh) { EXPECT_TRUE(std::isnan(disagreement_on(grid_mesh(8, 8, 1, 1), "grid").rms)); }
+TEST(ErrorIndicator, IsUndefinedOnAFlatMesh) { EXPECT_TRUE(std::isnan(disagreement_on(grid_mesh(8, 8, 1, 1), "grid").rms)); }
 
-// Two rings of a tetrahedron's vertex are four points, a cubic has ten coefficients.
+// The two rings of a vertex of a tetrahedron are four points, but a cubic has ten coefficients.
 TEST(ErrorIndicator, CountsVerticesWithoutJet) {
     TriangleMesh tetrahedron;
     tetrahedron.X.resize(4, 3);

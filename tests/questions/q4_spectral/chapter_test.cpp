@@ -53,7 +53,7 @@ TEST(Q4, MoreModesThanVerticesAreCut) {
     EXPECT_EQ(table_named(answer.section, "q4_cube_few_errors").rows.size(), 2u);
 }
 
-TEST(Q4, ErrorFallsWithK) {
+TEST(Q4, TheErrorFallsWithK) {
     const Answer answer = answer_on(ellipsoid_mesh(3, {1.7, 1.1, 0.6}), "egg", {4, 9, 16, 25});
     const report::Table& table = table_named(answer.section, "q4_egg_errors");
     for (std::size_t i = 1; i < table.rows.size(); ++i)
@@ -86,7 +86,7 @@ TEST(Q4, TheTableHasTheErrorsOfTheMeshesWrittenOut) {
     EXPECT_LE(off[0], 100);
 }
 
-TEST(Q4, EigenvaluesAreThoseOfTheSphere) {
+TEST(Q4, TheSphereHasItsKnownEigenvalues) {
     const Answer answer = answer_on(icosphere(2), "ball_waves", {9, 16});
     const report::Plot& plot = plot_named(answer.section, "q4_ball_waves_spectrum");
     EXPECT_EQ(plot.series.front().x.front(), 2) << "the constant has no wavelength";
@@ -95,8 +95,8 @@ TEST(Q4, EigenvaluesAreThoseOfTheSphere) {
     EXPECT_NEAR(mu[9], 12, 0.8);
 }
 
-// Parseval: the squares of the coefficients beyond k are the squared error of k modes.
-TEST(Q4, TheCoefficientsDrawnMakeUpTheError) {
+// Parseval: the squares of the coefficients beyond k add up to the squared error of k modes.
+TEST(Q4, ThePlottedCoefficientsAddUpToTheError) {
     const Answer answer = answer_on(ellipsoid_mesh(2, {1.7, 1.1, 0.6}), "egg_parseval", {6, 162});
     const report::Plot& plot = plot_named(answer.section, "q4_egg_parseval_error_versus_k");
     const report::Series &error = plot.series[0], &coefficients = plot.series[2];
@@ -106,7 +106,7 @@ TEST(Q4, TheCoefficientsDrawnMakeUpTheError) {
     EXPECT_NEAR(std::sqrt(squares) / error.y[5], 1, 1e-3);
 }
 
-TEST(Q4, TheReportShowsTheFirstTwoKAndTheLargestAndTheAppendixTheOthers) {
+TEST(Q4, TheReportShowsTheFirstTwoAndTheLargestKAndTheAppendixTheOthers) {
     const Answer answer = answer_on(icosphere(2), "ball_told", {5, 15, 30, 60, 90});
     EXPECT_EQ(figure_named(answer, "q4_ball_told_reconstructions").panels.size(), 4u);
     const std::vector<output::Panel>& further = figure_named(answer, "q4_ball_told_further").panels;
@@ -138,13 +138,13 @@ TEST(Q4, PanelsAreTheOriginalAndEveryKInOrder) {
     }
 }
 
-TEST(Q4, InertiaIsReportedOnlyWhereModesMayBeMissing) {
-    const auto told = [](int level) {
+TEST(Q4, InertiaIsReportedOnlyIfModesMayBeMissing) {
+    const auto message = [](int level) {
         const report::Section section = answer_on(icosphere(level), "ball_extent" + std::to_string(level), {5}).section;
         return std::pair(section.extent.find("inertia") != std::string::npos, prose_of(section).find("Sylvester") != std::string::npos);
     };
-    EXPECT_EQ(told(2), std::pair(false, false)) << "a dense solver finds all";
-    EXPECT_EQ(told(4), std::pair(true, true)) << "Lanczos iteration looks for the first";
+    EXPECT_EQ(message(2), std::pair(false, false)) << "a dense solver finds all";
+    EXPECT_EQ(message(4), std::pair(true, true)) << "Lanczos iteration looks for the first";
 }
 
 TEST(Q4, TheTextFollowsTheData) {

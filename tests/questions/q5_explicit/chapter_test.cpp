@@ -18,7 +18,7 @@ TEST(Q5, BundledMeshesPassTheirOwnChecks) {
     const Answer answer = chapter_of_id("q5").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
     expect_well_formed(answer);
     expect_checks_pass(answer.section);
-    // Beyond the limit the answer must mention growth.
+    // The text about steps beyond the limit must mention growth.
     EXPECT_NE(prose_of(answer.section).find("Too large a step amplifies"), std::string::npos);
     EXPECT_FALSE(answer.section.answer.empty());
     EXPECT_GT(answer.section.appendix_from, 0);
@@ -32,7 +32,7 @@ TEST(Q5, OnlyStepsBelowTheLimitAreRecommended) {
     EXPECT_NE(prose_of(answer.section).find("no step tried can be recommended"), std::string::npos);
 }
 
-TEST(Q5, TheAnswerSaysHalfTheLimitOnlyWhereThatIsTaken) {
+TEST(Q5, TheAnswerSaysHalfTheLimitOnlyIfThatIsRecommended) {
     const auto answered = [](std::vector<double> limits) {
         const TriangleMesh mesh = icosphere(3);
         QuestionSettings settings = quick_settings();
@@ -71,7 +71,7 @@ TEST(Q5, TheTablesAreTheStudy) {
     expect_near(numbers(steps, "λ"), lambdas);
     expect_near(numbers(steps, "top mode ×, predicted"), predicted, 1e-9);
     expect_near(numbers(steps, "measured"), predicted, 1e-4);
-    // Of a run that blew up, only the time is reported.
+    // A run that blew up has only the iteration of the blow-up.
     EXPECT_TRUE(study.runs.back().result.blew_up);
     expect_near(finite_numbers(steps, "energy"), energy);
     expect_near(finite_numbers(steps, "size"), volume, 1e-9);
@@ -107,7 +107,7 @@ TEST(Q5, TheInputStandsBesideTheRecommendedResult) {
     EXPECT_EQ(figure.panels[1].mesh->X, study.recommended->stopped.result.X);
 }
 
-TEST(Q5, SeveralMeshesStandInOneFrameEachAtTheScaleOfItsInput) {
+TEST(Q5, SeveralMeshesShareOneFrameAtEqualBoxDiagonals) {
     const Answer answer = chapter_of_id("q5").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
     const std::vector<output::Panel>& panels = figure_named(answer, "q5_recommended").panels;
     ASSERT_EQ(panels.size(), 6u);
@@ -115,13 +115,13 @@ TEST(Q5, SeveralMeshesStandInOneFrameEachAtTheScaleOfItsInput) {
         const TriangleMesh &input = *panels[2 * i].mesh, &result = *panels[2 * i + 1].mesh;
         EXPECT_NEAR(bounding_box(input).diagonal(), 1, 1e-12);
         EXPECT_LT(bounding_box(input).centre().norm(), 1e-12);
-        // Smoothing keeps the barycentre, so the two have one scale and one place.
+        // Smoothing keeps the barycentre, so input and result have the same scale and place.
         const SmoothingSubject subject = smoothing_subject(library_mesh(input, "resized" + std::to_string(i)));
         EXPECT_LT((subject.laplacian.M.transpose() * (result.X - input.X)).norm(), 1e-9 * subject.laplacian.M.sum());
     }
 }
 
-TEST(Q5, FramesAreStatesOfOneRunAndEmptyOnlyOnceTheyCannotBeSeen) {
+TEST(Q5, FramesAreStatesOfOneRunAndEmptyOnlyIfInvisible) {
     const std::vector<TriangleMesh> meshes{cube_mesh(4), ellipsoid_mesh(2, {1.5, 1, 0.8})};
     const TemporaryFolder folder;
     std::vector<std::filesystem::path> files;
@@ -162,7 +162,7 @@ TEST(Q5, FramesAreStatesOfOneRunAndEmptyOnlyOnceTheyCannotBeSeen) {
     EXPECT_GT(unlike, 0) << "no spikes: nothing was seen";
 }
 
-TEST(Q5, NoFrameIsThereWithoutAStepBeyondTheLimit) {
+TEST(Q5, WithoutAStepBeyondTheLimitThereAreNoFrames) {
     const TriangleMesh mesh = icosphere(2);
     QuestionSettings settings = quick_settings();
     settings.lambda = {0.4 * smoothing_subject(library_mesh(mesh, "ball_within")).critical};
@@ -171,7 +171,7 @@ TEST(Q5, NoFrameIsThereWithoutAStepBeyondTheLimit) {
     for (const output::FigureRequest& figure : answer.figures) EXPECT_NE(figure.id, "q5_frames");
 }
 
-// The wave after t steps is its first times |1 − λμ|ᵗ: half, then a quarter; −0.5; −1.2, then 1.44.
+// The wave after t steps is the first one times (1 − λμ)ᵗ.
 TEST(Q5, TheWaveIsMultipliedByTheFactorOfItsStep) {
     const report::Diagram wave = wave_diagram();
     ASSERT_EQ(wave.panels.size(), 3u);
@@ -193,7 +193,7 @@ TEST(Q5, TheWaveIsMultipliedByTheFactorOfItsStep) {
     }
 }
 
-TEST(Q5, AtMostFiveCurvesAPanel) {
+TEST(Q5, APanelHasAtMostFiveCurves) {
     const TriangleMesh mesh = icosphere(2);
     QuestionSettings settings = quick_settings();
     const double critical = smoothing_subject(library_mesh(mesh, "ball_many")).critical;

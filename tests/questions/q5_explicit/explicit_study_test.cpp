@@ -30,7 +30,7 @@ TriangleMesh tetrahedron() {
     return mesh;
 }
 
-/// No vertex is blown up in an earlier iteration than this: modes grow by |1 − λμ_max| a step at most, all coordinates together.
+/// Returns the first iteration at which a vertex can blow up: modes grow by at most |1 − λμ_max| a step, all coordinates together.
 int earliest_blow_up(const SmoothingSubject& subject, double lambda) {
     const double growth = std::abs(1 - lambda * subject.top.value);
     if (!(growth > 1)) return std::numeric_limits<int>::max();
@@ -56,7 +56,7 @@ TEST(ExplicitStudy, DefaultStepsStandOnBothSidesOfTheLimit) {
     expect_near(multiples, {0.05, 0.5, 0.95, 1.05, 2.0});
 }
 
-TEST(ExplicitStudy, AStepNamedTwiceIsOneRun) {
+TEST(ExplicitStudy, AStepGivenTwiceIsRunOnce) {
     const ExplicitStudy study = explicit_study_on(icosphere(1), "ball_twice", {0.02, 0.01, 0.02});
     ASSERT_EQ(study.runs.size(), 2u);
     EXPECT_EQ(study.runs[0].lambda, 0.01);
@@ -74,12 +74,12 @@ TEST(ExplicitStudy, TheLimitIsWhereTheTopModeBeginsToGrow) {
     }
 }
 
-TEST(ExplicitStudy, StableIsWhatDoesNotGrow) {
+TEST(ExplicitStudy, AStepIsStableIfTheTopModeDoesNotGrow) {
     const ExplicitStudy study = explicit_study_on(icosphere(2), "ball_stable");
     for (std::size_t i = 0; i < study.runs.size(); ++i) EXPECT_EQ(study.stable(i), study.amplification[i].measured < 1) << i;
 }
 
-TEST(ExplicitStudy, RecommendedIsTheLargestStepThatKeepsSigns) {
+TEST(ExplicitStudy, TheRecommendedStepIsTheLargestThatKeepsSigns) {
     const TriangleMesh egg = ellipsoid_mesh(3, {1.5, 1, 0.8});
     const ExplicitStudy study = explicit_study_on(egg, "egg_best");
     ASSERT_TRUE(study.recommended);
@@ -101,7 +101,7 @@ TEST(ExplicitStudy, TheRecommendedRunStopsBeforeAFewPercentOfTheSizeAreLost) {
     EXPECT_FALSE(explicit_study_on(tetrahedron(), "tetrahedron_stop").recommended) << "one step takes more";
 }
 
-TEST(ExplicitStudy, WhereEnoughIsLeftItGoesOnToTenTimesTheIterations) {
+TEST(ExplicitStudy, TheRecommendedRunHasUpToTenTimesTheIterations) {
     QuestionSettings settings = quick_settings();
     settings.iterations = {2};
     const ExplicitStudy ball = explicit_study(library_mesh(icosphere(5), "ball_on"), settings);   // a few steps are nothing on a fine ball
@@ -114,7 +114,7 @@ TEST(ExplicitStudy, WhereEnoughIsLeftItGoesOnToTenTimesTheIterations) {
     EXPECT_LT(cube.recommended->stopped.iterations, 40);
 }
 
-TEST(ExplicitStudy, EdgesAndBoundariesMoveFarthest) {
+TEST(ExplicitStudy, FeatureEdgesAndBoundariesMoveFarthest) {
     const Recommendation cube = *explicit_study_on(cube_mesh(12), "cube_edges").recommended;
     EXPECT_GT(cube.on_features, 2) << "flat faces hardly move";
     EXPECT_EQ(cube.on_boundary, 0) << "it has none";
@@ -127,8 +127,8 @@ TEST(ExplicitStudy, EdgesAndBoundariesMoveFarthest) {
     EXPECT_LT(sheet.roughness_after, 0.8 * sheet.roughness_before);
 }
 
-// The boundary of a sheet gives way at once; to stop for its sake would leave the noise.
-TEST(ExplicitStudy, WhatIsRecommendedTakesTheNoiseFromASheet) {
+// The boundary of a sheet shrinks at once; stopping for that would leave the noise.
+TEST(ExplicitStudy, TheRecommendedStepRemovesTheNoiseOfASheet) {
     TriangleMesh noisy = grid_mesh(30, 30, 1, 1);
     noisy.X = with_gaussian_noise(noisy.X, Vector3(0, 0, 0.01), 1);
     const Recommendation sheet = *explicit_study_on(noisy, "noisy_sheet").recommended;
@@ -137,7 +137,7 @@ TEST(ExplicitStudy, WhatIsRecommendedTakesTheNoiseFromASheet) {
     EXPECT_LT(sheet.roughness_after, 0.1 * sheet.roughness_before);
 }
 
-TEST(ExplicitStudy, StripsAreOfTheFirstStepBeyondAndOfTheLargest) {
+TEST(ExplicitStudy, StripsShowTheFirstStepBeyondTheLimitAndTheLargest) {
     const ExplicitStudy study = explicit_study_on(cube_mesh(4), "cube_strips");
     ASSERT_TRUE(study.near && study.far);
     EXPECT_EQ(study.near->run, 3u);
@@ -153,7 +153,7 @@ TEST(ExplicitStudy, StripsAreOfTheFirstStepBeyondAndOfTheLargest) {
     EXPECT_TRUE(!stable.near && !stable.far);
 }
 
-TEST(ExplicitStudy, NothingBlowsUpBeforeItCan) {
+TEST(ExplicitStudy, NoRunBlowsUpBeforeTheTopModeAllows) {
     for (const TriangleMesh& mesh : {cube_mesh(4), icosphere(2), grid_mesh(6, 5, 2, 1)}) {
         const SmoothingSubject subject = smoothing_subject(library_mesh(mesh, "early"));
         for (const double limits : {1.5, 2.0, 5.0, 100.0}) {
@@ -164,7 +164,7 @@ TEST(ExplicitStudy, NothingBlowsUpBeforeItCan) {
     }
 }
 
-TEST(ExplicitStudy, VerticesThatTieAreAllPeaks) {
+TEST(ExplicitStudy, AllVerticesWithTheLargestValueArePeaks) {
     const std::vector<int> tied = explicit_study_on(tetrahedron(), "tetrahedron_peaks").peaks;
     EXPECT_GE(tied.size(), 1u);
     TriangleMesh spiked = icosphere(2);
@@ -186,7 +186,7 @@ TEST(ExplicitStudy, TheLimitScalesLikeAnArea) {
                 49 * smoothing_subject(library_mesh(cube_mesh(3), "small")).critical, 1e-6);
 }
 
-TEST(ExplicitStudy, DriftOfAMovedMeshIsItsWay) {
+TEST(ExplicitStudy, DriftOfATranslatedMeshIsTheTranslation) {
     const SmoothingSubject subject = smoothing_subject(library_mesh(cube_mesh(3), "drift"));
     const Positions moved = subject.mesh().X.rowwise() + Eigen::RowVector3d(0.3, 0, 0.4);
     EXPECT_NEAR(barycentre_drift(subject, moved), 0.5 / subject.diagonal, 1e-12);
@@ -196,8 +196,8 @@ TEST(ExplicitStudy, DriftOfAMovedMeshIsItsWay) {
     EXPECT_NEAR(barycentre_drift(grown, large * moved), 0.5 / subject.diagonal, 1e-12);
 }
 
-// A vertex of a flat grid pushed across the side of its ring turns some of its triangles over, and those are the folds.
-TEST(ExplicitStudy, FoldedFacesAreThoseThatFaceAwayFromTheirSurroundings) {
+// Pushing a vertex of a flat grid across its ring turns some of its triangles over: these are the folds.
+TEST(ExplicitStudy, AFoldedFaceFacesAwayFromItsNeighbours) {
     TriangleMesh mesh = grid_mesh(9, 9, 1, 1);
     const MeshTopology topology = topology_of(mesh);
     mesh.X(40, 0) += 0.2;   // the middle one, by 1.6 sides

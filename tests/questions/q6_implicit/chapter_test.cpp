@@ -12,7 +12,7 @@
 namespace meshfolio::q6_implicit {
 using namespace testing_tools;
 
-TEST(Q6, AbsurdStepsStayStable) {
+TEST(Q6, HugeStepsStayStable) {
     QuestionSettings settings = quick_settings();
     settings.lambda = {1e9};
     const Answer answer = chapter_of_id("q6").answer(library_of(icosphere(2), "ball6"), settings, no_progress);
@@ -67,7 +67,7 @@ TEST(Q6, TheTablesAreTheStudy) {
     }
 }
 
-TEST(Q6, EachColumnComparesTwoStatesThatCanBeSeen) {
+TEST(Q6, EachColumnComparesTwoVisibleStates) {
     for (const TriangleMesh& mesh : {ellipsoid_mesh(3, {1.5, 1, 0.8}), cube_mesh(1)}) {
         SCOPED_TRACE(mesh.vertex_count());
         const std::string name = "pairs6_" + std::to_string(mesh.vertex_count());
@@ -124,7 +124,7 @@ TEST(Q6, TheMapOfTheGapIsInPercentOfTheMotion) {
     EXPECT_EQ(map.range->unit, "% of the motion");
 }
 
-TEST(Q6, TheGapPlotIsTheGapOfTheCells) {
+TEST(Q6, TheGapPlotShowsTheGapsOfTheCells) {
     const TriangleMesh mesh = ellipsoid_mesh(3, {1.5, 1, 0.8});
     const ImplicitStudy study = implicit_study(library_mesh(mesh, "gaps6"), quick_settings());
     const report::Plot plot = gap_plot({study});
@@ -142,7 +142,7 @@ TEST(Q6, TheGapPlotIsTheGapOfTheCells) {
     EXPECT_TRUE(gap_plot(Studies(6, study)).series.front().panel != "") << "no more than five curves together";
 }
 
-TEST(Q6, WhatIsRecommendedIsSeenFromAllSides) {
+TEST(Q6, TheRecommendedResultIsShownFromSixDirections) {
     const TriangleMesh mesh = ellipsoid_mesh(3, {1.5, 1, 0.8});
     const Answer answer = chapter_of_id("q6").answer(library_of(mesh, "views6"), quick_settings(), no_progress);
     const ImplicitStudy study = implicit_study(library_mesh(mesh, "views6"), quick_settings());

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geometry/linear/sparse_factor.h"
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
@@ -51,7 +52,7 @@ TEST(ImplicitStudy, TheGridIsEveryStepTimesEveryIterationCount) {
     }
 }
 
-TEST(ImplicitStudy, ASweepIsAnalysedOnceAndFactoredOnceAStep) {
+TEST(ImplicitStudy, ASweepIsAnalysedOnceAndFactoredOncePerStepSize) {
     const ImplicitStudy study = implicit_study_on(icosphere(2), "ball_sweep", {0.001, 0.01, 0.1}, {1, 2});
     int analyses = 0;
     for (const SmoothingRun& run : study.implicit_runs) {
@@ -82,7 +83,7 @@ TEST(ImplicitStudy, DefaultStepsBeginWithinTheLimitAndGoFarBeyond) {
     expect_near(multiples, {0.5, 5, 50});
 }
 
-TEST(ImplicitStudy, ABlownUpRunHasNoPositionsFromThenOn) {
+TEST(ImplicitStudy, ABlownUpRunHasNoFurtherPositions) {
     const ImplicitStudy study = implicit_study_on(cube_mesh(4), "cube_blow", {1}, {1, 50});
     ASSERT_GT(study.lambdas[0], 20 * study.subject.critical);
     const SmoothingCell &early = study.cell(0, 0), &late = study.cell(0, 1);
@@ -113,14 +114,14 @@ TEST(ImplicitStudy, AHugeStepCollapsesTheMesh) {
     EXPECT_TRUE(study.grid.front().collapsed());
 }
 
-TEST(ImplicitStudy, DampingIsMeasuredAndAsPredicted) {
+TEST(ImplicitStudy, TheMeasuredDampingIsThePredictedOne) {
     const ImplicitStudy study = implicit_study_on(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_damping");
     EXPECT_GE(study.damped_modes, 3);   // the coordinates are among the lowest modes
     EXPECT_LT(study.worst_damping, 1e-6);
     EXPECT_LT(study.huge_step_energy, 1e-6);
 }
 
-TEST(ImplicitStudy, BothWaysOfTheCostReachTheSameEnergy) {
+TEST(ImplicitStudy, ComparedCostsReachTheSameEnergy) {
     const ImplicitStudy study = implicit_study_on(ellipsoid_mesh(4, {1.5, 1, 0.8}), "egg_cost");
     ASSERT_TRUE(study.good() && study.cost);
     const SmoothingCell& cell = *study.good();
@@ -152,7 +153,7 @@ TEST(ImplicitStudy, AnImplicitStepReplacesNoMoreExplicitOnesThanBernoulliAllows)
     EXPECT_GT(counted, 10);
 }
 
-TEST(ImplicitStudy, BreaksEvenWithMostLeftFromWhereOnImplicitStepsPay) {
+TEST(ImplicitStudy, TheBreakEvenIsTheOneThatLeavesMostOfTheSize) {
     ImplicitStudy study = implicit_study_on(ellipsoid_mesh(3, {1.5, 1, 0.8}), "egg_even");
     const auto with = [&](double implicit_step, double factorisation) {
         study.prices = {.explicit_step = 1, .implicit_step = implicit_step, .factorisation = factorisation};
@@ -205,7 +206,7 @@ TEST(ImplicitStudy, RecommendsTheMostSmoothingThatKeepsTheVolume) {
     EXPECT_GE(open.good()->kept, 0.95);
 }
 
-TEST(ImplicitStudy, SmoothingGoesTooFarOnceHalfOfTheSizeIsGone) {
+TEST(ImplicitStudy, SmoothingGoesTooFarBelowHalfOfTheSize) {
     const ImplicitStudy study = implicit_study(library_mesh(cube_mesh(8), "cube_half"), quick_settings());
     int reached = 0;
     for (std::size_t l = 0; l < study.lambdas.size(); ++l) {
@@ -220,7 +221,7 @@ TEST(ImplicitStudy, SmoothingGoesTooFarOnceHalfOfTheSizeIsGone) {
     EXPECT_TRUE(0 < reached && reached < static_cast<int>(study.lambdas.size())) << "a small step of ten does not go that far";
 }
 
-TEST(ImplicitStudy, TheMapOfTheGapIsAtEqualTime) {
+TEST(ImplicitStudy, TheGapMapComparesEqualTimes) {
     const ImplicitStudy study = implicit_study(library_mesh(cube_mesh(16), "cube_gap"), quick_settings());
     ASSERT_TRUE(study.good() && study.cost);
     const SmoothingCell& good = *study.good();

@@ -23,7 +23,7 @@ TEST(Q7, TheSeedDecidesTheNoise) {
     EXPECT_NE(noisy(1), noisy(2));
 }
 
-TEST(Q7, TheReportSaysWhereNothingHelps) {
+TEST(Q7, TheReportNamesMeshesWithoutAGain) {
     QuestionSettings settings = quick_settings();
     settings.noise = {1e-6};
     const Answer answer = chapter_of_id("q7").answer(library_of(cube_mesh(6), "nearly_clean"), settings, no_progress);
@@ -52,7 +52,7 @@ TEST(Q7, TheTablesAreTheStudy) {
     expect_near(numbers(remains, "clean: volume"), {100 * grid.pictured().clean_loss.volume});
 }
 
-TEST(Q7, ABestIterationThatIsTheLastIsReportedAsSuch) {
+TEST(Q7, ABestIterationAtTheEndOfTheRunIsReported) {
     QuestionSettings settings = quick_settings();
     const auto is_told = [&](double noise) {
         settings.noise = {noise};
@@ -65,7 +65,7 @@ TEST(Q7, ABestIterationThatIsTheLastIsReportedAsSuch) {
     EXPECT_FALSE(is_told(1e-9)) << "none is better";
 }
 
-TEST(Q7, PanelsAreCleanNoisyBestAndSmoothedOn) {
+TEST(Q7, PanelsAreCleanNoisyBestAndSmoothedFurther) {
     const Answer answer = chapter_of_id("q7").answer(library_of(icosphere(3), "ball_panels"), quick_settings(), no_progress);
     const Grids grids{denoising_grid(library_mesh(icosphere(3), "ball_panels"), quick_settings())};
     const DenoisingGrid& grid = grids[0];
@@ -85,14 +85,14 @@ TEST(Q7, PanelsAreCleanNoisyBestAndSmoothedOn) {
     EXPECT_EQ(losses.panels[0].mesh->X, seen.clean_alike.X);
 }
 
-TEST(Q7, AnOpenSheetHasNoVolumeToLose) {
+TEST(Q7, AnOpenSheetHasNoVolume) {
     const Answer answer = chapter_of_id("q7").answer(library_of(grid_mesh(9, 9, 1, 1), "sheet7"), quick_settings(), no_progress);
     expect_well_formed(answer);
     EXPECT_EQ(prose_of(answer.section).find("volume: clean"), std::string::npos);
     EXPECT_EQ(prose_of(answer.section).find("of its volume"), std::string::npos);
 }
 
-TEST(Q7, NoiseWithinAPlaneHasNoVerdictOnTheSurface) {
+TEST(Q7, NoiseWithinAPlaneHasNoVerdict) {
     NoisyTrial trial;
     trial.found.noisy.rms = trial.found.by_rms.rms = 1;
     EXPECT_EQ(verdict_on(trial), "–") << "no distance to the surface";
@@ -108,7 +108,7 @@ TEST(Q7, NoiseWithinAPlaneHasNoVerdictOnTheSurface) {
     EXPECT_EQ(verdict(1), "fails");
 }
 
-TEST(Q7, AVerdictWeighsTheVolume) {
+TEST(Q7, TheVerdictDependsOnTheVolume) {
     NoisyTrial trial;
     trial.found.noisy.shape = trial.found.noisy.rms = 3;
     trial.found.by_shape.step = 1;
@@ -127,7 +127,7 @@ TEST(Q7, AVerdictWeighsTheVolume) {
     EXPECT_EQ(verdict(2.9, 0.8), "fails");
 }
 
-TEST(Q7, TheVolumeOfAStateIsThatOfItsMesh) {
+TEST(Q7, TheVolumeOfAStateBelongsToItsMesh) {
     const DenoisingGrid grid = denoising_grid(library_mesh(cube_mesh(6), "box_volume"), quick_settings());
     for (const NoisyTrial& trial : grid.trials)
         EXPECT_NEAR(trial.volume_by(measures[0]), signed_volume(trial.best) / signed_volume(grid.clean->mesh()), 1e-12);

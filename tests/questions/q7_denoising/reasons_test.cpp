@@ -20,7 +20,7 @@ ModeBands bands_of(const DenoisingGrid& grid, const NoisyTrial& trial) { return 
 
 }   // namespace
 
-TEST(DenoisingReasons, NoiseIsAsStrongInEveryModeAndShapeIsNot) {
+TEST(DenoisingReasons, NoiseIsEquallyStrongInAllModesAndShapeIsNot) {
     const DenoisingGrid grid = quick_grid_on(icosphere(3), "ball_modes");   // 642 vertices
     const ModeBands bands = bands_of(grid, grid.trials.back());
     EXPECT_TRUE(bands.all);
@@ -39,7 +39,7 @@ TEST(DenoisingReasons, NoiseIsAsStrongInEveryModeAndShapeIsNot) {
     }
 }
 
-// |Φᵀ M N|² over all modes is N's own square with the masses: Σ M_i |N_i|², but for the constants.
+// Σ |Φᵀ M N|² over all modes but the constants is Σ M_i |N_i|² about the mean.
 TEST(DenoisingReasons, TheUnitIsTheNoiseOfOneMode) {
     const DenoisingGrid grid = quick_grid_on(cube_mesh(8), "cube_modes");
     NoisyTrial doubled = grid.trials.front();
@@ -63,7 +63,7 @@ TEST(DenoisingReasons, TheErrorIsTheNoiseLeftAndTheShapeLost) {
     EXPECT_NEAR(parts.best_lambda * parts.best_step, parts.total.amount[parts.total.least()], 1e-12) << "what the plot of the modes shows";
 }
 
-// Each λ but the smallest counts from its third step on, and only where smaller ones have not come.
+// Each λ but the smallest counts from its third step on, beyond the amounts of smaller λ.
 TEST(DenoisingReasons, ACurveHasEachAmountOnce) {
     const DenoisingGrid grid = quick_grid_on(cube_mesh(8), "cube_curve");
     for (const NoisyTrial& trial : grid.trials) {

@@ -36,7 +36,7 @@ TEST(DenoisingGrid, EveryMeasureHasItsOwnBestOfAllStates) {
     }
 }
 
-TEST(DenoisingGrid, AStateIsWhatSmoothingGives) {
+TEST(DenoisingGrid, AStateIsTheResultOfSmoothing) {
     const DenoisingGrid grid = grid_on(cube_mesh(8), "cube_state");
     const NoisyTrial& trial = grid.trials.back();
     const SearchState& best = trial.found.by_shape;
@@ -52,7 +52,7 @@ TEST(DenoisingGrid, AStateIsWhatSmoothingGives) {
     EXPECT_LE((smooth(trial.noisy, options).X - trial.over.X).norm(), 1e-9 * X.norm());
 }
 
-TEST(DenoisingGrid, ARunEndsOnlyOnceEveryMeasureGetsWorse) {
+TEST(DenoisingGrid, ARunEndsAfterEveryMeasureGotWorse) {
     const DenoisingGrid grid = grid_on(icosphere(3), "ball_ends");
     for (const NoisyTrial& trial : grid.trials) {
         std::set<double> lambdas;
@@ -73,7 +73,7 @@ TEST(DenoisingGrid, ARunEndsOnlyOnceEveryMeasureGetsWorse) {
     }
 }
 
-TEST(DenoisingGrid, TheNoiseIsAsAsked) {
+TEST(DenoisingGrid, TheNoiseHasTheLevelOfTheSettings) {
     QuestionSettings settings = quick_settings();
     settings.noise = {0.01, 0.002, 0.01};
     const DenoisingGrid grid = grid_on(cube_mesh(8), "cube_noise", settings);
@@ -86,7 +86,7 @@ TEST(DenoisingGrid, TheNoiseIsAsAsked) {
     }
 }
 
-TEST(DenoisingGrid, FurtherSamplesAreSmoothedAsTheFirst) {
+TEST(DenoisingGrid, FurtherSamplesAreSmoothedLikeTheFirst) {
     QuestionSettings settings;
     settings.noise = {0.01};
     settings.seed = 5;
@@ -108,7 +108,7 @@ TEST(DenoisingGrid, FeaturesOfACubeAreItsEdges) {
     EXPECT_TRUE(std::isnan(grid_on(icosphere(2), "ball_none").trials[0].residual.features.there));
 }
 
-TEST(DenoisingGrid, WhatSmoothingTakesFromTheCleanCubeIsItsEdgesAndItsVolume) {
+TEST(DenoisingGrid, SmoothingTheCleanCubeLosesEdgesAndVolume) {
     const DenoisingGrid grid = grid_on(cube_mesh(10), "cube_taken");
     const NoisyTrial& trial = grid.pictured();
     SmoothingOptions options;
@@ -123,7 +123,7 @@ TEST(DenoisingGrid, WhatSmoothingTakesFromTheCleanCubeIsItsEdgesAndItsVolume) {
     EXPECT_LT(trial.clean_loss.volume, 1);
 }
 
-TEST(DenoisingGrid, DriftAndDistanceMakeUpTheVertexError) {
+TEST(DenoisingGrid, DriftAndSurfaceDistanceAddUpToTheVertexError) {
     const DenoisingGrid grid = grid_on(cube_mesh(8), "cube_drift");
     for (const NoisyTrial& trial : grid.trials) {
         const double error = vertex_rms(grid.clean->mesh().X, trial.best.X);
@@ -138,7 +138,7 @@ TEST(DenoisingGrid, DriftAndDistanceMakeUpTheVertexError) {
     }
 }
 
-TEST(DenoisingGrid, TheNoiseToLookAtIsTheLowestThatIsHalved) {
+TEST(DenoisingGrid, ThePicturedNoiseIsTheLowestWithHalvedError) {
     DenoisingGrid grid = grid_on(icosphere(2), "ball_pictured");
     ASSERT_EQ(grid.trials.size(), 2u);
     const auto gains = [&](double low, double high) {
@@ -154,7 +154,7 @@ TEST(DenoisingGrid, TheNoiseToLookAtIsTheLowestThatIsHalved) {
     EXPECT_EQ(gains(1.5, 1.2), 0);
 }
 
-TEST(DenoisingGrid, NoiseSeparatesTheCasesThatAreHalved) {
+TEST(DenoisingGrid, TheNoiseSplitSeparatesTheHalvedErrors) {
     DenoisingGrid grid;
     grid.mean_edge = 2;
     const auto split = [&](std::vector<std::pair<double, double>> levels) {   // σ, gain
@@ -179,7 +179,7 @@ TEST(DenoisingGrid, NoiseSeparatesTheCasesThatAreHalved) {
     EXPECT_TRUE(std::isinf(split({{0.6, 0}}).always_from)) << "noise within a plane does not move the surface";
 }
 
-TEST(DenoisingGrid, OneLevelIsTheSameInMeanEdgesOnEveryMesh) {
+TEST(DenoisingGrid, OneNoiseLevelIsGivenInMeanEdges) {
     for (const TriangleMesh& mesh : {cube_mesh(4), icosphere(2)}) {
         const DenoisingGrid grid = grid_on(mesh, "level", {});
         ASSERT_EQ(grid.trials.size(), 5u);
@@ -188,8 +188,8 @@ TEST(DenoisingGrid, OneLevelIsTheSameInMeanEdgesOnEveryMesh) {
     }
 }
 
-// Spikes on few vertices are spread over their neighbours; noise along the normals lies across the surface altogether.
-TEST(DenoisingGrid, OtherNoiseIsAsStrongAndSmoothedAlike) {
+// Smoothing spreads spikes on few vertices over their neighbours; noise along the normals has no vertex without noise.
+TEST(DenoisingGrid, OtherNoiseHasTheSameStrengthAndSmoothing) {
     const DenoisingGrid grid = grid_on(icosphere(3), "ball_spikes");
     ASSERT_EQ(grid.other_noise.size(), 2u);
     const OtherNoise &normal = grid.other_noise[0], &impulsive = grid.other_noise[1];

@@ -18,7 +18,7 @@ const GroundTruth& quick_truth() {
 
 }   // namespace
 
-TEST(GroundTruth, AllItsChecksHold) {
+TEST(GroundTruth, AllChecksHold) {
     const std::vector<report::Check> checks = ground_truth_checks(quick_truth());
     EXPECT_GE(checks.size(), 50u);
     std::set<std::string> names;
@@ -28,7 +28,7 @@ TEST(GroundTruth, AllItsChecksHold) {
     }
 }
 
-TEST(GroundTruth, ChecksNoticeWhenAnEstimatorIsWrong) {
+TEST(GroundTruth, ChecksFailIfAnEstimatorIsWrong) {
     const auto failures = [](const GroundTruth& truth) {
         int failed = 0;
         for (const report::Check& check : ground_truth_checks(truth)) failed += check.passed() ? 0 : 1;
@@ -44,8 +44,8 @@ TEST(GroundTruth, ChecksNoticeWhenAnEstimatorIsWrong) {
     EXPECT_EQ(failures(jet), 1);
 }
 
-// Whoever looks up the numbers of the answer finds them in the table that it names.
-TEST(GroundTruth, TheAnswerNamesTheTableOfItsNumbers) {
+// The numbers of the answer stand in the table that it cites.
+TEST(GroundTruth, TheAnswerCitesTheTableOfItsNumbers) {
     const report::Section section = ground_truth_section(quick_truth());
     const auto named = std::ranges::find(section.answer, report::Run::Kind::reference, &report::Run::kind);
     ASSERT_NE(named, section.answer.end());
