@@ -63,25 +63,6 @@ report::Table geometry_table(const std::vector<Inspected>& meshes) {
         .column("Gauss–Bonnet", {.digits = 2}, [](auto& m) { return cell_of(m.facts.gauss_bonnet_residual, m.counts().manifold()); });
 }
 
-report::Table defect_table(const std::vector<Occurrence>& found) {
-    return table("certificates_defects", words.line("defects"), found)
-        .column("found", [](auto& o) { return o.defect->name(); })
-        .column("count", {.digits = 8}, &Occurrence::count)
-        .column("where", &Occurrence::where)
-        .column("affects", [](auto& o) { return affected_for_people(*o.defect); })
-        .column("what it breaks", [](auto& o) { return o.defect->breaks(); })
-        .column("what was done", [](auto& o) { return o.defect->done(); });
-}
-
-report::Table search_table(const std::vector<Inspected>& meshes, const std::vector<Occurrence>& occurrences) {
-    return table("certificates_looked_for", words.line("looked_for", "meshes"_a = meshes.size()), occurrences)
-        .column("looked for", [](auto& o) { return o.defect->name(); })
-        .column("affects", [](auto& o) { return affected_for_people(*o.defect); })
-        .column("meshes with it", {.digits = 8}, &Occurrence::meshes)
-        .column("count in all", {.digits = 10}, &Occurrence::count)
-        .file_only();
-}
-
 /// Returns the meshes of the settings, else the user's own, else one a role, each once; adds a failed check for an unusable one.
 LibraryMeshes meshes_of_report(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
     if (!settings.meshes.empty() || library.has_own_meshes()) return meshes_for(library, settings, {}, section);
@@ -175,8 +156,20 @@ void add_preflight(report::Section& section, const std::vector<Inspected>& meshe
     std::erase_if(found, [](const Occurrence& o) { return o.meshes == 0; });
     add_words(section, words, "preflight", "kinds"_a = occurrences.size());
     add(section, connectivity_table(meshes), geometry_table(meshes));
-    if (!found.empty()) add(section, defect_table(found));
-    add(section, search_table(meshes, occurrences));
+    if (!found.empty())
+        add(section, table("certificates_defects", words.line("defects"), found)
+                         .column("found", [](auto& o) { return o.defect->name(); })
+                         .column("count", {.digits = 8}, &Occurrence::count)
+                         .column("where", &Occurrence::where)
+                         .column("affects", [](auto& o) { return affected_for_people(*o.defect); })
+                         .column("what it breaks", [](auto& o) { return o.defect->breaks(); })
+                         .column("what was done", [](auto& o) { return o.defect->done(); }));
+    add(section, table("certificates_looked_for", words.line("looked_for", "meshes"_a = meshes.size()), occurrences)
+                     .column("looked for", [](auto& o) { return o.defect->name(); })
+                     .column("affects", [](auto& o) { return affected_for_people(*o.defect); })
+                     .column("meshes with it", {.digits = 8}, &Occurrence::meshes)
+                     .column("count in all", {.digits = 10}, &Occurrence::count)
+                     .file_only());
     for (const Inspected& mesh : meshes) add_checks(section, mesh);
     add_findings(section, meshes, found);
 }

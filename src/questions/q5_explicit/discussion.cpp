@@ -55,16 +55,6 @@ report::Fact recommended_meshes(std::string_view name, const Studies& studies, c
     return meshes(name, studies, [&](const ExplicitStudy& study) { return study.recommended && holds(*study.recommended); });
 }
 
-/// Returns λ over λ_crit of the runs `run_of` chooses, as text; empty if they differ.
-template <class RunOf>
-std::string common_limits(const Studies& studies, const RunOf& run_of) {
-    Names limits;
-    for (const ExplicitStudy& study : studies)
-        if (const SmoothingRun* run = run_of(study)) limits.push_back(in_limits(study.subject, run->lambda));
-    limits = each_once(std::move(limits));
-    return limits.size() == 1 ? limits.front() : "";
-}
-
 /// The vertices that set the limit, on the first mesh where a figure rings them.
 void add_ringed_facts(report::Facts& facts, const Studies& studies) {
     const auto found =

@@ -178,14 +178,11 @@ void add_frames_figure(Answer& answer, const Studies& studies) {
                                   .coarse_edges = true,
                                   .states = static_cast<int>(columns.size())};
     for (const Column& column : columns) {
-        Names limits;
-        for (const ExplicitStudy& study : studies)
-            if (column.strip && study.*column.strip)
-                limits.push_back(in_limits(study.subject, study.runs[(study.*column.strip)->run].lambda));
-        limits = each_once(std::move(limits));
-        request.columns.push_back(!column.strip
-                                      ? words.line("frames.input")
-                                      : words.line("frames.head", "limits"_a = limits.size() == 1 ? limits.front() : "", "t"_a = column.t));
+        const auto run_of = [&](const ExplicitStudy& study) {
+            return column.strip && study.*column.strip ? &study.runs[(study.*column.strip)->run] : nullptr;
+        };
+        const report::Facts facts{"limits"_a = common_limits(studies, run_of), "t"_a = column.t};
+        request.columns.push_back(words.line(column.strip ? "frames.head" : "frames.input", facts));
     }
     Names shrunk;
     std::string unseen;

@@ -72,4 +72,14 @@ bool is_folded(const TriangleMesh& mesh, const MeshTopology& topology, const Pos
 /// Returns the distance between the barycentres of X and of the input, over the box diagonal.
 double barycentre_drift(const SmoothingSubject& subject, const Positions& X);
 
+/// Returns λ over λ_crit of the runs that `run_of` chooses (null: none), as text; empty if they differ.
+template <class RunOf>
+std::string common_limits(const std::vector<ExplicitStudy>& studies, const RunOf& run_of) {
+    Names limits;
+    for (const ExplicitStudy& study : studies)
+        if (const SmoothingRun* run = run_of(study)) limits.push_back(in_limits(study.subject, run->lambda));
+    limits = each_once(std::move(limits));
+    return limits.size() == 1 ? limits.front() : "";
+}
+
 }   // namespace meshfolio::q5_explicit

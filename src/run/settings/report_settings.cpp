@@ -13,6 +13,7 @@
 #include "output/publish/publish.h"
 #include "questions/core/mesh_roles.h"
 #include "questions/core/stand_ins.h"
+#include "report/writers.h"
 #include "run/arguments.h"
 #include "run/settings/setting_list.h"
 #include "run/settings/settings_reader.h"
