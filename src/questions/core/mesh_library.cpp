@@ -52,6 +52,7 @@ struct MeshLibrary::Shelf {
         if (made) return made;
         const SharedMesh source = vertices < largest_copy ? copy(std::min(10 * vertices, largest_copy), mesh) : mesh;
         LibraryMesh small = *mesh;
+        small.derived = std::make_shared<OnceMap>();
         small.is_copy = true;
         small.prepared =
             std::make_shared<const PreparedMesh>(prepare_mesh({small_copy(source->mesh(), vertices), mesh->prepared->file, {}, {}}));

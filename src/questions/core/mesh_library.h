@@ -11,6 +11,7 @@
 
 #include "mesh/mesh_checks.h"
 #include "questions/core/mesh_finder.h"
+#include "questions/core/once_map.h"
 
 namespace meshfolio {
 
@@ -20,6 +21,7 @@ struct LibraryMesh {
     std::shared_ptr<const PreparedMesh> prepared;
     bool is_copy = false;          // decimated
     double decimation_error = 0;   // rms distance of the file's vertices to the copy, over the box diagonal
+    std::shared_ptr<OnceMap> derived = std::make_shared<OnceMap>();   // what several chapters compute from this mesh
     const TriangleMesh& mesh() const { return prepared->mesh; }
     const MeshTopology& topology() const { return prepared->topology; }
     const Preflight& preflight() const { return prepared->preflight; }
@@ -72,6 +74,11 @@ public:
     MeshLibrary limited_to(int vertices) const;
     /// Returns a view of this library that hands out these roles only: what a chapter reads is what its answer is stored under.
     MeshLibrary offering(std::vector<std::string_view> roles) const;
+    /// Returns the value of `key`, made once for this library and its copies; see OnceMap.
+    template <class Make>
+    const auto& once(const std::string& key, const Make& make) const {
+        return values_->value(key, make);
+    }
     /// Returns words that are equal exactly where the mesh is, without preparing it: its name and the SHA-256 of its bytes, or the reason
     /// why it cannot be read.
     std::string identity_of(const MeshLookup& lookup, const std::filesystem::path& base) const;
@@ -82,6 +89,7 @@ private:
     std::shared_ptr<Shelf> shelf_;
     int most_vertices_ = 0;                                  // 0: any number
     std::optional<std::vector<std::string_view>> offered_;   // roles; none: all
+    std::shared_ptr<OnceMap> values_ = std::make_shared<OnceMap>();   // shared by copies
 
     SharedMesh loaded(const MeshLookup& lookup, const std::filesystem::path& base) const;
     SharedMesh whole(const MeshLookup& lookup, const std::filesystem::path& base) const;
