@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
 #include <utility>
 
 #include "geometry/curvature/analytic_surfaces.h"
@@ -18,64 +18,30 @@ namespace meshfolio {
 
 namespace {
 
-constexpr double jitter_amount = 0.2;   // of the shortest edge: no ring stays regular, and no triangle turns over
-constexpr int jitter_rounds = 4;        // with flips between them; more make the triangles little worse
-constexpr double noise_amount = 0.01;   // of the mean edge
+constexpr double jitter_amount = 0.2;      // of the shortest edge: no ring stays regular, and no triangle turns over
+constexpr int jitter_rounds = 4;           // with flips between them; more make the triangles little worse
+constexpr double noise_amount = 0.01;      // of the mean edge
+constexpr double negative_below = -1e-9;   // weights nearer to 0 are those of right angles, rounded
 
-/// Weights this close to 0 are right angles, rounded.
-constexpr double negative_below = -1e-9;
-
-/// n lengths of the shortest edge at each vertex; 0 at unreferenced ones.
-Vector shortest_edges(const TriangleMesh& mesh, const MeshTopology& topology) {
-    Vector shortest = Vector::Constant(mesh.vertex_count(), std::numeric_limits<double>::infinity());
-    for (const Edge& edge : topology.edges) {
-        const double length = (mesh.X.row(edge.a) - mesh.X.row(edge.b)).norm();
-        for (const int v : {edge.a, edge.b}) shortest[v] = std::min(shortest[v], length);
-    }
-    return shortest.array().isFinite().select(shortest, 0);
-}
-
-/// Independent points where their hull is the mesh.
+/// Returns the hull of random points on an ellipsoid: the images of uniform points on the sphere.
 TriangleMesh random_hull(const Vector3& half_axes, int points, std::uint64_t seed) {
     TriangleMesh mesh = random_sphere(points, seed);
     mesh.X.array().rowwise() *= half_axes.transpose().array();
     return mesh;
 }
 
-void jitter(TriangleMesh& mesh, const KnownSurface& surface, std::uint64_t seed) {
-    mesh.X = jittered(mesh, topology_of(mesh), jitter_amount, seed, surface.projected);
-}
-
-TriangleMesh random_mesh(const KnownSurface& surface, int level, std::uint64_t seed) {
-    const int icosphere_vertices = 10 * (1 << 2 * level) + 2;
-    if (!surface.half_axes.isZero()) return random_hull(surface.half_axes, icosphere_vertices, seed);
-    TriangleMesh mesh = surface.mesh_at(level);
-    for (int round = 0; round < jitter_rounds; ++round) {
-        jitter(mesh, surface, seed + static_cast<std::uint64_t>(round));
-        mesh.F = delaunay_flipped(mesh);
-    }
-    return mesh;
-}
-
 TriangleMesh mesh_of(const KnownSurface& surface, MeshKind kind, int level, std::uint64_t seed) {
     if (kind == MeshKind::anisotropic) return surface.stretched_at(level);
-    if (kind == MeshKind::random) return random_mesh(surface, level, seed);
+    const bool is_random = kind == MeshKind::random;
+    const int icosphere_vertices = 10 * (1 << 2 * level) + 2;
+    if (is_random && !surface.half_axes.isZero()) return random_hull(surface.half_axes, icosphere_vertices, seed);
     TriangleMesh mesh = surface.mesh_at(level);
-    if (kind == MeshKind::jittered) jitter(mesh, surface, seed);
-    return mesh;
-}
-
-/// Whether no vertex of the boundary lies within so many edges.
-std::vector<char> away_from_boundary(const MeshTopology& topology, int edges) {
-    std::vector<char> near = topology.on_boundary;
-    for (int ring = 0; ring < edges; ++ring) {
-        const std::vector<char> before = near;
-        for (const Edge& edge : topology.edges) {
-            if (before[edge.a] || before[edge.b]) near[edge.a] = near[edge.b] = 1;
-        }
+    const int rounds = is_random ? jitter_rounds : kind == MeshKind::jittered ? 1 : 0;
+    for (int round = 0; round < rounds; ++round) {
+        mesh.X = jittered(mesh, topology_of(mesh), jitter_amount, seed + static_cast<std::uint64_t>(round), surface.projected);
+        if (is_random) mesh.F = delaunay_flipped(mesh);
     }
-    for (char& flag : near) flag = flag ? 0 : 1;
-    return near;
+    return mesh;
 }
 
 BenchMesh with_truth(TriangleMesh mesh, const KnownSurface& surface, int edges_from_boundary = 0) {
@@ -95,7 +61,14 @@ BenchMesh with_truth(TriangleMesh mesh, const KnownSurface& surface, int edges_f
         b.K[i] = truth.K;
     }
     b.areas = vertex_areas(b.mesh, AreaForm::barycentric);
-    b.measured = away_from_boundary(b.topology, edges_from_boundary);
+
+    std::vector<char> near = b.topology.on_boundary;
+    for (int ring = 0; ring < edges_from_boundary; ++ring) {
+        const std::vector<char> before = near;
+        for (const Edge& edge : b.topology.edges)
+            if (before[edge.a] || before[edge.b]) near[edge.a] = near[edge.b] = 1;
+    }
+    for (const char flag : near) b.measured.push_back(flag ? 0 : 1);
     return b;
 }
 
@@ -115,7 +88,7 @@ const Vector& BenchMesh::angle_deficits() const {
 }
 
 BenchMesh bench_mesh(const KnownSurface& surface, MeshKind kind, int level, std::uint64_t seed) {
-    // Three edges of level 2 at every level, so that errors of different levels are of the same part of the surface.
+    // Three edges of level 2 at every level, so that all levels measure the same part of the surface.
     const int edges_from_boundary = (3 << std::max(level - 2, 0)) - 1;
     BenchMesh b = with_truth(mesh_of(surface, kind, level, seed), surface, edges_from_boundary);
     if (kind == MeshKind::noisy) {
@@ -132,20 +105,23 @@ BenchMesh random_ellipsoid(const Vector3& half_axes, int points, std::uint64_t s
 
 Positions jittered(const TriangleMesh& mesh, const MeshTopology& topology, double amount, std::uint64_t seed,
                    const std::function<Vector3(const Vector3&)>& projected) {
-    const Vector edge = shortest_edges(mesh, topology);
+    Vector shortest = Vector::Constant(mesh.vertex_count(), infinity);   // edge at each vertex
+    for (const Edge& edge : topology.edges) {
+        const double length = (mesh.X.row(edge.a) - mesh.X.row(edge.b)).norm();
+        for (const int v : {edge.a, edge.b}) shortest[v] = std::min(shortest[v], length);
+    }
     NormalNumbers random(seed);
     Positions X = mesh.X;
     for (int i = 0; i < mesh.vertex_count(); ++i) {
         Vector3 step;
-        for (double& s : step) s = amount * edge[i] * (2 * random.uniform() - 1);
-        if (!topology.on_boundary[i]) X.row(i) = projected(X.row(i).transpose() + step);
+        for (double& s : step) s = amount * shortest[i] * (2 * random.uniform() - 1);
+        if (!topology.on_boundary[i] && std::isfinite(shortest[i])) X.row(i) = projected(X.row(i).transpose() + step);
     }
     return X;
 }
 
 NegativeWeights negative_weights(const SparseMatrix& C, const MeshTopology& topology) {
     NegativeWeights found;
-    found.smallest = std::numeric_limits<double>::infinity();
     for (const Edge& edge : topology.edges) {
         const double weight = C.coeff(edge.a, edge.b);
         found.smallest = std::min(found.smallest, weight);

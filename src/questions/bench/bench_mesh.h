@@ -1,5 +1,5 @@
 /// @file
-/// The meshes that estimators of curvature are measured on: known surfaces in five kinds of triangles, with the truth at their vertices.
+/// Meshes for estimators of curvature: known surfaces in five kinds of triangles, with the true curvature at their vertices.
 #pragma once
 
 #include <any>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/linear/sparse_types.h"
+#include "geometry/linear/special_values.h"
 #include "mesh/mesh_topology.h"
 
 namespace meshfolio {
@@ -20,11 +21,11 @@ struct KnownSurface;
 enum class MeshKind {
     regular,      // of known_surfaces(): icospheres, and grids cut along one diagonal
     jittered,     // regular, vertices moved along the surface, by up to a fifth of their shortest edge in each axis
-    random,       // hulls of random points on convex surfaces; else points that wandered over the surface, flipped to Delaunay
+    random,       // on convex surfaces the hull of random points; else points jittered several times and flipped to Delaunay
     noisy,        // regular, each point moved along the normal by 1 % of the mean edge (standard deviation)
     anisotropic   // regular, but about four to one
 };
-std::string_view name_of(MeshKind kind);
+std::string_view name_of(MeshKind kind);   // "regular"
 
 struct BenchMesh {
     TriangleMesh mesh;
@@ -35,33 +36,33 @@ struct BenchMesh {
     std::vector<char> measured;   // at least three edges of level 2 from the boundary
     double mean_edge = 0;         // [length]
 
-    /// What several estimators need: made when the first asks for it by this name, then kept. Not for several threads at once.
+    /// Returns the value of this name, which several estimators need; the first call makes it. Not thread-safe.
     template <class Make>
     const auto& shared(const std::string& name, const Make& make) const {
         std::any& kept = kept_[name];
         if (!kept.has_value()) kept = make();
         return *std::any_cast<decltype(make())>(&kept);
     }
-    /// The cotangent stiffness matrix.
-    const SparseMatrix& C() const;
+    const SparseMatrix& C() const;   // cotangent stiffness
     const Vector& angle_deficits() const;
 
 private:
     mutable std::map<std::string, std::any> kept_;
 };
+/// Makes a mesh of the surface with the truth at its vertices; each level halves the edges.
 BenchMesh bench_mesh(const KnownSurface& surface, MeshKind kind, int level, std::uint64_t seed);
-/// The hull of random points on an ellipsoid: the images of uniform points on the sphere.
+/// Makes the hull of random points on an ellipsoid, the images of uniform points on the sphere, with the truth at its vertices.
 BenchMesh random_ellipsoid(const Vector3& half_axes, int points, std::uint64_t seed);
 
-/// Moves each inner vertex uniformly by up to `amount` of its shortest edge in each axis, then projects it. Below 0.2 no triangle turns
-/// over.
+/// Returns positions with each inner vertex moved by a uniform random step of up to `amount` of its shortest edge in each axis, then
+/// projected. No triangle turns over while `amount` is below 0.2.
 Positions jittered(const TriangleMesh& mesh, const MeshTopology& topology, double amount, std::uint64_t seed,
                    const std::function<Vector3(const Vector3&)>& projected);
 
-/// Edges with a negative weight in C, and the smallest weight of all, whatever its sign; infinite without edges.
+/// Counts of edges with a negative weight in C, and the smallest weight of all edges.
 struct NegativeWeights {
     int inside = 0, boundary = 0;
-    double smallest = 0;
+    double smallest = infinity;   // stays so without edges
 };
 NegativeWeights negative_weights(const SparseMatrix& C, const MeshTopology& topology);
 

@@ -6,22 +6,22 @@
 
 namespace meshfolio {
 
-/// One variant of the operator on one mesh.
+/// Measurements of one variant of the cotangent operator on one mesh.
 struct OperatorVariant {
     std::string name;             // "clamped"
     int negative_inside = 0;      // edges with a negative weight, not on the boundary
     int negative_boundary = 0;    // boundary edges with a negative weight
     double smallest_weight = 0;   // C_ij [dimensionless]
     double inside = 0;            // largest ½‖Lx‖ inside [1 / mean edge]
-    double change = 0;            // rms difference of H inside to the first variant, over the rms of the first; NaN when that is 0
+    double change = 0;            // rms difference of H inside from that of the first variant, over the rms of the first; NaN if that is 0
     double boundary = 0;          // largest ½‖Lx‖ on the boundary, where it is no curvature [1 / mean edge]
 };
 
-/// Uniform and cotangent H on one mesh, with barycentric areas.
+/// Uniform and cotangent H of one mesh, with barycentric areas.
 struct CotangentComparison {
     CurvatureSubject subject;
     Vector uniform, cotangent, difference;         // scaled uniform H, cotangent H, cotangent − uniform [1/length]
-    double drift = 0;                              // largest ½‖Δ_uniform x‖ · 4/h² inside, as mean curvature × mean edge
+    double drift = 0;                              // largest |uniform H| × mean edge inside
     double precision = 0;                          // largest |cotangent H| × mean edge inside
     double rms_uniform = 0, rms_difference = 0;    // over the inside [1/length]
     double jump_uniform = 0, jump_cotangent = 0;   // rms difference of H between neighbours [1/length]
@@ -30,15 +30,17 @@ struct CotangentComparison {
 
     const std::string& name() const { return subject.name(); }
 };
+/// Computes both curvatures and compares them.
 CotangentComparison compare_operators(SharedMesh source);
 
-/// A flat square whose inner vertices were moved within it: every curvature is zero, whatever the triangles.
+/// H of a flat square with inner vertices moved within it; the right value is 0 everywhere.
 struct PlaneTest {
     TriangleMesh mesh;
-    Vector uniform_H, cotangent_H, clamped_H;         // times the mean edge
+    Vector uniform_H, cotangent_H;                    // times the mean edge
     double negative_weights = 0;                      // share of the edges
     double cotangent = 0, clamped = 0, uniform = 0;   // largest |H| × mean edge inside
 };
+/// Moves the vertices of the square at random and computes H.
 PlaneTest irregular_plane(std::uint64_t seed);
 
 }   // namespace meshfolio

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
-#include <mutex>
 #include <numeric>
 #include <stdexcept>
-#include <tuple>
 
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/curvature.h"
@@ -20,11 +18,12 @@ using namespace report::literals;
 
 namespace {
 
-constexpr double rounding = 1e-9;        // errors below have no order
-constexpr std::size_t fitted = 3;        // meshes that an order is of
+constexpr double rounding = 1e-9;        // smaller errors have no order
+constexpr std::size_t fitted = 3;        // meshes that give an order
 constexpr double student_95 = 12.7062;   // quantile of Student's t for their one degree of freedom
 
-/// @param substitute  scale of the error where the truth is 0 everywhere
+/// Compares the estimate with the truth over the measured vertices.
+/// @param substitute  scale of the error if the truth is 0 everywhere
 EstimateError error_of(const Vector& estimate, const Vector& truth, const Vector& substitute, const BenchMesh& b) {
     const Vector& scale = truth.isZero() ? substitute : truth;
     EstimateError error;
@@ -46,48 +45,34 @@ EstimateError error_of(const Vector& estimate, const Vector& truth, const Vector
     return error;
 }
 
-/// The share of the 10 % largest errors that are among the 10 % largest indicators. No NaN in either.
-double share_found(const Vector& error, const Vector& indicator) {
-    const auto n = error.size();
-    const std::size_t tenth = std::max<std::size_t>(1, n / 10);
-    const auto worst = [&](const Vector& values) {
-        std::vector<Eigen::Index> order(n);
-        std::iota(order.begin(), order.end(), 0);
-        const auto larger = [&](Eigen::Index a, Eigen::Index b) { return values[a] != values[b] ? values[a] > values[b] : a < b; };
-        std::partial_sort(order.begin(), order.begin() + tenth, order.end(), larger);
-        order.resize(tenth);
-        std::sort(order.begin(), order.end());
-        return order;
-    };
-    const auto a = worst(error), b = worst(indicator);
-    std::vector<Eigen::Index> both;
-    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-    return double(both.size()) / double(tenth);
-}
-
+/// Compares the disagreement of cotangents and jet with the error of the cotangents.
 ErrorIndicator indicator_on(const BenchMesh& b) {
     const Vector cotangent = estimator("H.barycentric").estimate(b), jet = estimator("H.jet").estimate(b);
     const std::vector<int> both = where_finite(cotangent, jet);
     const Vector A = b.areas(both), H = b.H(both);
     const Vector error = (cotangent(both) - H).cwiseAbs(), indicated = (cotangent(both) - jet(both)).cwiseAbs();
+    const std::size_t tenth = std::max<std::size_t>(1, both.size() / 10);
+    const auto worst_tenth = [&](const Vector& values) {
+        std::vector<Eigen::Index> order(both.size());
+        std::iota(order.begin(), order.end(), 0);
+        const auto larger = [&](Eigen::Index i, Eigen::Index j) { return values[i] != values[j] ? values[i] > values[j] : i < j; };
+        std::partial_sort(order.begin(), order.begin() + tenth, order.end(), larger);
+        order.resize(tenth);
+        std::sort(order.begin(), order.end());
+        return order;
+    };
+    std::vector<Eigen::Index> found;
+    std::ranges::set_intersection(worst_tenth(error), worst_tenth(indicated), std::back_inserter(found));
     const double scale = A.dot(H.cwiseAbs2());
     return {static_cast<int>(both.size()), std::sqrt(A.dot(indicated.cwiseAbs2()) / scale), std::sqrt(A.dot(error.cwiseAbs2()) / scale),
-            share_found(error, indicated)};
+            double(found.size()) / double(tenth)};
 }
+
+std::vector<KnownSurface> question_surfaces() { return {known_surface("sphere"), known_surface("ellipsoid"), known_surface("torus")}; }
 
 std::string with_decimals(double x, int decimals) {
     char text[400];   // the largest double has 309 digits
     return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::fixed, decimals).ptr};
-}
-
-/// Caches levels by surface, kind, level and seed. Measuring holds the lock, so that another section waits instead of measuring the same.
-struct Known {
-    std::mutex mutex;
-    std::map<std::tuple<std::string, MeshKind, int, std::uint64_t>, BenchLevel> levels;
-};
-Known& known() {
-    static Known known;
-    return known;
 }
 
 }   // namespace
@@ -151,12 +136,12 @@ BenchLevel measured(const BenchMesh& b) {
                      .mean_edge = b.mean_edge,
                      .smallest_angle = smallest_angle(b.mesh),
                      .negative_weights = negative_weights(b.C(), b.topology).inside / edges,
-                     .euler_from_angles = total_deficit(b.angle_deficits()) / (2 * pi)};
+                     .euler_from_angles = total_deficit(b.angle_deficits()) / (2 * pi),
+                     .indicator = indicator_on(b)};
     const Vector bending = 2 * b.H.array().square() - b.K.array();   // ½(κ₁² + κ₂²)
-    level.indicator = indicator_on(b);
-    for (const Estimator* e : estimators()) {
-        const bool of_H = e->quantity == Quantity::H;
-        level.errors[e->key] = error_of(e->estimate(b), of_H ? b.H : b.K, of_H ? bending.cwiseSqrt() : bending, b);
+    for (const Estimator& e : estimators()) {
+        const bool of_H = e.quantity == Quantity::H;
+        level.errors[e.key] = error_of(e.estimate(b), of_H ? b.H : b.K, of_H ? bending.cwiseSqrt() : bending, b);
     }
     return level;
 }
@@ -176,40 +161,27 @@ std::vector<std::reference_wrapper<const BenchRun>> of_kind(const BenchRuns& run
     return found;
 }
 
-BenchRuns bench_runs(const std::vector<KnownSurface>& surfaces, std::span<const MeshKind> kinds, const std::vector<int>& levels,
-                     std::uint64_t seed, const Progress& progress) {
-    auto& [mutex, known_levels] = known();
-    const std::lock_guard lock(mutex);
-    for (auto finest = levels.rbegin(); finest != levels.rend(); ++finest) {   // first, for they take longest
-        const int level = *finest;
-        std::vector<std::pair<const KnownSurface*, MeshKind>> missing;
-        for (const MeshKind kind : kinds)
-            for (const KnownSurface& surface : surfaces)
-                if (!known_levels.contains({surface.name, kind, level, seed})) missing.emplace_back(&surface, kind);
-        if (missing.empty()) continue;
-        progress("curvature estimates on " + std::to_string(missing.size()) + " meshes of level " + std::to_string(level));
-        std::vector<BenchLevel> found(missing.size());
-        for_each_task(missing.size(),
-                      [&](std::size_t i) { found[i] = measured(bench_mesh(*missing[i].first, missing[i].second, level, seed)); });
-        for (std::size_t i = 0; i < missing.size(); ++i)
-            known_levels[{missing[i].first->name, missing[i].second, level, seed}] = std::move(found[i]);
-    }
+BenchRuns bench_runs(const MeshLibrary& library, const std::vector<KnownSurface>& surfaces, std::span<const MeshKind> kinds,
+                     const std::vector<int>& levels, std::uint64_t seed, const Progress& progress) {
     BenchRuns runs;
-    for (const MeshKind kind : kinds) {
-        for (const KnownSurface& surface : surfaces) {
-            runs.push_back({surface.name, surface.dimensions, kind, {}});
-            for (const int level : levels) runs.back().levels.push_back(known_levels[{surface.name, kind, level, seed}]);
-        }
+    for (const MeshKind kind : kinds)
+        for (const KnownSurface& surface : surfaces)
+            runs.push_back({surface.name, surface.dimensions, kind, std::vector<BenchLevel>(levels.size())});
+    for (std::size_t l = levels.size(); l-- > 0;) {   // the finest first, which take longest
+        const std::string on = ", level " + std::to_string(levels[l]);
+        progress("curvature estimates on " + std::to_string(runs.size()) + " meshes" + on);
+        for_each_task(runs.size(), [&](std::size_t i) {
+            const auto measure = [&] { return measured(bench_mesh(surfaces[i % surfaces.size()], runs[i].kind, levels[l], seed)); };
+            runs[i].levels[l] = library.once("bench: " + runs[i].title() + on + ", seed " + std::to_string(seed), measure);
+        });
     }
     return runs;
 }
 
-BenchLevel reference_level(int points, std::uint64_t seed) {
-    auto& [mutex, known_levels] = known();
-    const std::lock_guard lock(mutex);
-    const auto [found, is_new] = known_levels.try_emplace({"reference", MeshKind::random, points, seed});
-    if (is_new) found->second = measured(random_ellipsoid({1.5, 1, 0.7}, points, seed));
-    return found->second;
+BenchLevel reference_level(const MeshLibrary& library, int points, std::uint64_t seed) {
+    return library.once("bench: " + std::to_string(points) + " points of the reference, seed " + std::to_string(seed), [&] {
+        return measured(random_ellipsoid({1.5, 1, 0.7}, points, seed));
+    });
 }
 
 const BenchRun& run_on(const BenchRuns& runs, std::string_view surface, MeshKind kind) {
@@ -225,8 +197,6 @@ report::Check pentagon_check(const BenchRuns& runs) {
     return check_near(curvature_words.line("check.pentagon"), pentagon_excess(), sphere.error("H.barycentric").linf,
                       0.25 * sphere.mean_edge * sphere.mean_edge, curvature_words.line("check.pentagon.note"));
 }
-
-std::vector<KnownSurface> question_surfaces() { return {known_surface("sphere"), known_surface("ellipsoid"), known_surface("torus")}; }
 
 report::Plot convergence_plot(std::string id, const report::Words& words, const BenchRuns& runs,
                               std::initializer_list<std::pair<std::string_view, std::string_view>> estimators) {
@@ -252,12 +222,12 @@ report::Plot convergence_plot(std::string id, const report::Words& words, const 
 
 std::vector<int> refinement_levels(bool quick) { return quick ? std::vector{3, 4, 5} : std::vector{2, 3, 4, 5}; }
 
-BenchRuns question_runs(const QuestionSettings& settings, const Progress& progress) {
-    return bench_runs(question_surfaces(), question_kinds, refinement_levels(settings.quick), settings.seed, progress);
+BenchRuns question_runs(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
+    return bench_runs(library, question_surfaces(), question_kinds, refinement_levels(settings.quick), settings.seed, progress);
 }
 
-BenchRuns panel_runs(std::uint64_t seed, bool quick, const Progress& progress) {
-    return bench_runs(known_surfaces(), panel_kinds, quick ? std::vector{2, 3, 4} : std::vector{2, 3, 4, 5}, seed, progress);
+BenchRuns panel_runs(const MeshLibrary& library, std::uint64_t seed, bool quick, const Progress& progress) {
+    return bench_runs(library, known_surfaces(), panel_kinds, quick ? std::vector{2, 3, 4} : std::vector{2, 3, 4, 5}, seed, progress);
 }
 
 }   // namespace meshfolio

@@ -1,6 +1,6 @@
 /// @file
-/// The bench of curvature: every estimator on known surfaces, in every kind of mesh, finer and finer. Questions 1 and 3, the ground truth
-/// and the claims are views of it.
+/// The bench of curvature: errors of every estimator on known surfaces, in every kind of mesh, coarse to fine. Questions 1 and 3, the
+/// ground truth and the claims show parts of it.
 #pragma once
 
 #include <array>
@@ -13,52 +13,53 @@
 
 namespace meshfolio {
 
-/// Errors relative to the root mean square (L2) and the largest magnitude (L∞) of the truth; where that is 0 everywhere, of √(2H² − K) for
-/// H and of 2H² − K for K.
+/// Errors relative to the root mean square (L2) and the largest magnitude (L∞) of the truth. If the truth is 0 everywhere, √(2H² − K)
+/// takes its place for H and 2H² − K for K.
 struct EstimateError {
     double l2 = 0, linf = 0;
     int undefined = 0;   // measured vertices without an estimate
 };
 using Norm = double EstimateError::*;
 
-/// p of error ≈ c·hᵖ: the least-squares slope of log error over log mean edge, over the (up to) three finest meshes. Coarser ones are left
-/// out: errors do not follow a power of h there yet. On the panel the intervals of three meshes cover the order that theory predicts in
-/// 90 % of the cases, those of four in 74 %.
+/// The order p of error ≈ c·hᵖ: the least-squares slope of log error over log mean edge, over the three finest meshes. Errors of coarser
+/// meshes do not follow a power of h yet: on the panel the intervals of three meshes cover the predicted order in 90 % of the cases, those
+/// of four in 74 %.
 struct Order {
-    double exponent = 0;   // NaN with fewer than two positive errors, or where the finest is rounding
-    double margin = 0;     // half the 95 % confidence interval of the slope; NaN with fewer than three
+    double exponent = 0;   // NaN with fewer than two positive errors, or if the finest is rounding
+    double margin = 0;     // half the 95 % confidence interval of the slope; NaN with fewer than three errors
     bool exact = false;    // the finest error is rounding
 
-    /// Below order ½ halving the edges four times halves the error less than twice.
+    /// Returns true from order ½ on: halving the edges four times quarters the error at least.
     bool converges() const { return exact || exponent >= 0.5; }
 };
-/// "1.98 ± 0.01", "exact", or "–" where too few errors are known for one.
+/// Returns "1.98 ± 0.01", "exact", or "–" if too few errors are known.
 std::string words_of(const Order& order);
 
 /// The error of one estimator over a refinement.
 struct ErrorHistory {
     std::vector<double> mean_edges, errors;   // coarse to fine
 
-    /// The first error of the meshes that give the order.
+    /// Returns the coarsest of the errors that give the order.
     double first() const { return errors[errors.size() > 3 ? errors.size() - 3 : 0]; }
     double last() const { return errors.back(); }
     Order order() const;
 };
-/// "falls from 3.1 % to 0.05 % (order 1.98 ± 0.01)", "goes from 14.6 % to …", "grows from … to …".
+/// Describes the errors: "falls from 3.1 % to 0.05 % (order 1.98 ± 0.01)", "goes from 14.6 % to …", "grows from … to …".
 std::string trend(const ErrorHistory& history);
-/// An empty log–log plot of relative L2 errors over the mean edge, and a series for it.
+/// Makes an empty log–log plot of relative L2 errors over the mean edge.
 report::Plot error_plot(std::string id, std::string caption, std::string alt);
+/// Makes a series for such a plot, in percent.
 report::Series error_series(std::string name, const ErrorHistory& history, report::Series::Style style);
 
-/// How far cotangent H is from that of the jet, beside how far it is from the truth, over the vertices where both exist.
+/// Distances of cotangent H from the H of the jet and from the truth, over the vertices with both estimates.
 struct ErrorIndicator {
     int vertices = 0;
     double indicated = 0;   // √(Σ A (H_cotan − H_jet)² / Σ A H²)
     double actual = 0;      // the same with the closed form in place of the jet
-    double found = 0;       // of the tenth of the vertices with the largest errors, the share that is in the tenth indicated
+    double found = 0;       // share of the tenth with the largest errors that is also in the tenth with the largest indications
 };
 
-/// What was measured on one mesh.
+/// The measurements on one mesh.
 struct BenchLevel {
     int vertices = 0, faces = 0, euler = 0;
     double mean_edge = 0;           // [length]
@@ -70,11 +71,12 @@ struct BenchLevel {
 
     const EstimateError& error(std::string_view key) const { return errors.at(key); }
 };
+/// Measures the errors of all estimators on the mesh.
 BenchLevel measured(const BenchMesh& mesh);
-/// Measures on random points of the ellipsoid with half axes 1.5, 1 and 0.7, as others have done.
-BenchLevel reference_level(int points, std::uint64_t seed);
+/// Measures on random points of the ellipsoid with half axes 1.5, 1 and 0.7, as published; once per library.
+BenchLevel reference_level(const MeshLibrary& library, int points, std::uint64_t seed);
 
-/// One surface in one kind of mesh, coarse to fine.
+/// The measurements on one surface in one kind of mesh, coarse to fine.
 struct BenchRun {
     std::string surface, dimensions;
     MeshKind kind = MeshKind::regular;
@@ -86,30 +88,32 @@ struct BenchRun {
 };
 using BenchRuns = std::vector<BenchRun>;
 
-/// Every surface in every kind, one kind after the other. What was measured before, by any section, is not measured again.
-BenchRuns bench_runs(const std::vector<KnownSurface>& surfaces, std::span<const MeshKind> kinds, const std::vector<int>& levels,
-                     std::uint64_t seed, const Progress& progress);
+/// Measures on every surface in every kind of mesh, one kind after the other; on each mesh once per library.
+BenchRuns bench_runs(const MeshLibrary& library, const std::vector<KnownSurface>& surfaces, std::span<const MeshKind> kinds,
+                     const std::vector<int>& levels, std::uint64_t seed, const Progress& progress);
 
+/// Returns the runs on meshes of this kind, in order.
 std::vector<std::reference_wrapper<const BenchRun>> of_kind(const BenchRuns& runs, MeshKind kind);
-/// @throws std::logic_error if there is none
+/// Returns the run on this surface and kind. @throws std::logic_error if there is none
 const BenchRun& run_on(const BenchRuns& runs, std::string_view surface, MeshKind kind);
 
-/// Relative error of barycentric H at a flat regular pentagon: the L∞ error on the icosphere stalls there, at twelve vertices.
+/// Computes the relative error of barycentric H at a flat regular pentagon, where the L∞ error on the icosphere stalls (twelve vertices).
 double pentagon_excess();
-/// Checks that the error on the finest icosphere is that of the pentagons.
+/// Checks that the L∞ error of barycentric H on the finest icosphere is pentagon_excess().
 report::Check pentagon_check(const BenchRuns& runs);
 
-/// Runs for questions 1 and 3: sphere, ellipsoid and torus, regular and jittered, up to 10 000 vertices.
 inline constexpr std::array question_kinds{MeshKind::regular, MeshKind::jittered};
-std::vector<KnownSurface> question_surfaces();
-/// L2 errors of two estimators, given with the messages that name their curves: a panel a surface, jittered meshes dashed.
+/// Returns the refinement levels of questions 1 and 3, coarse to fine: four, or three for a quick report.
+std::vector<int> refinement_levels(bool quick);
+/// Measures for questions 1 and 3: sphere, ellipsoid and torus, regular and jittered, up to 10 000 vertices.
+BenchRuns question_runs(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress);
+/// Plots L2 errors of those runs, one panel per surface, jittered meshes dashed.
+/// @param estimators  keys, each with the key of the message that names its curves
 report::Plot convergence_plot(std::string id, const report::Words& words, const BenchRuns& runs,
                               std::initializer_list<std::pair<std::string_view, std::string_view>> estimators);
-std::vector<int> refinement_levels(bool quick);   // coarse to fine: four, or three for a quick look
-BenchRuns question_runs(const QuestionSettings& settings, const Progress& progress);
 
-/// Runs for the ground-truth panel: all surfaces, four refinements up to 17 000 vertices, quick: three.
 inline constexpr std::array panel_kinds{MeshKind::regular, MeshKind::random, MeshKind::noisy, MeshKind::anisotropic};
-BenchRuns panel_runs(std::uint64_t seed, bool quick, const Progress& progress);
+/// Measures for the ground-truth panel: all surfaces, four refinements up to 17 000 vertices, or three for a quick report.
+BenchRuns panel_runs(const MeshLibrary& library, std::uint64_t seed, bool quick, const Progress& progress);
 
 }   // namespace meshfolio

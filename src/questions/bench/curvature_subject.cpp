@@ -8,24 +8,17 @@
 
 namespace meshfolio {
 
-namespace {
-
-/// Vertices farther than this from the common plane, in box diagonals, make a mesh curved.
-constexpr double flat_within = 1e-6;
-
-}   // namespace
-
 bool CurvatureSubject::inside(int vertex) const {
     return topology().neighbours.size(vertex) > 0 && !topology().on_boundary[vertex] && !topology().nonmanifold[vertex];
 }
 
-// Each coordinate is off by up to half a step, so Δx, a mean of differences, by up to √3 steps.
 bool CurvatureSubject::is_rounding(double length) const {
+    // Each coordinate is off by up to half a step, so Δx, a mean of differences, by up to √3 steps.
     return length > 1e-9 * mean_edge && length <= 0.5 * std::sqrt(3) * coordinate_step(mesh());
 }
 
 double coordinate_step(const TriangleMesh& mesh) {
-    double steps = 1;   // in 1
+    double steps = 1;   // per unit
     for (int decimals = 0; decimals <= 8; ++decimals, steps *= 10) {
         const Positions X = steps * mesh.X;
         if (((X.array() - X.array().round()).abs() <= 1e-15 * X.array().abs() + 1e-9).all()) return 1 / steps;
@@ -40,7 +33,7 @@ CurvatureSubject curvature_subject(SharedMesh source) {
     subject.mean_edge = mean_edge_length(subject.mesh());
     for (int i = 0; i < subject.mesh().vertex_count(); ++i) subject.interior += subject.inside(i) ? 1 : 0;
     subject.plane_normal = common_plane_normal(subject.mesh());
-    // About the centre, so that far-away coordinates cost no digits.
+    // About the centre, because coordinates far from 0 would cost digits.
     const Eigen::RowVector3d centre = bounding_box(subject.mesh()).centre().transpose();
     subject.centred = subject.mesh().X.rowwise() - centre;
     subject.uniform = uniform_laplacian(subject.topology()) * subject.centred;
@@ -55,9 +48,9 @@ std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh) {
     P.rowwise() -= mean;
     const Eigen::Matrix3d covariance = P.transpose() * P;
     const Vector3 normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
-    if (!((P * normal).cwiseAbs().maxCoeff() <= flat_within)) return std::nullopt;
-    // A thin strip lies near many planes; only one that its triangles lie in makes it flat. Those of a folded sheet look both ways, and
-    // where one is wound round a vertex twice the angles there add up to 4π.
+    if (!((P * normal).cwiseAbs().maxCoeff() <= 1e-6)) return std::nullopt;
+    // A thin strip lies near many planes, so its triangles must lie in this one. Triangles of a folded sheet look both ways, and the angles
+    // at a vertex with a sheet wound round it twice add up to 4π.
     const Positions normals = face_normals(mesh);
     const CornerValues angles = corner_angles(mesh);
     Vector around = Vector::Zero(mesh.vertex_count());
@@ -71,10 +64,6 @@ std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh) {
             if ((around[mesh.F(t, k)] += angles(t, k)) > 3 * pi) return std::nullopt;
     }
     return normal;
-}
-
-double largest_magnitude(const Vector& values) {
-    return largest_magnitude(values, [](int) { return true; });
 }
 
 double roughness(const Vector& values, const MeshTopology& topology) {
@@ -96,7 +85,7 @@ double roughness(const Vector& values, const MeshTopology& topology) {
 double rank_correlation(const Vector& a, const Vector& b) {
     const std::vector<int> both = where_finite(a, b);
     const auto n = static_cast<Eigen::Index>(both.size());
-    // Ranks about their mean, ties sharing theirs.
+    // Ranks minus their mean; ties share the mean of theirs.
     const auto ranks_of = [&](const Vector& values) {
         std::vector<int> order = both;
         std::ranges::stable_sort(order, {}, [&](int i) { return values[i]; });
@@ -122,8 +111,7 @@ output::Panel unit_ball_panel(const CurvatureSubject& subject, std::string name,
 }
 
 void set_own_range(output::Panel& panel, double end, std::string quantity, std::string unit) {
-    const output::ColorRange range{"diverging", -end, end, std::move(quantity), std::move(unit)};
-    panel.range = range_for(range, {panel});
+    panel.range = range_for({"diverging", -end, end, std::move(quantity), std::move(unit)}, {panel});
 }
 
 double share_beyond(const Vector& values, double range) {
@@ -148,10 +136,9 @@ SignsByDistance signs_by_distance(const CurvatureSubject& subject, const Vector&
     return {share(0, n, positive), share(0, n, negative), share(n - n / 5, n, positive), share(0, n / 2, negative)};
 }
 
-output::ColorRange range_for(const output::ColorRange& shared, const std::vector<output::Panel>& panels) {
-    output::ColorRange range = shared;
-    output::enter_clipped(range, output::finite_values(panels));
-    return range;
+output::ColorRange range_for(output::ColorRange shared, const std::vector<output::Panel>& panels) {
+    output::enter_clipped(shared, output::finite_values(panels));
+    return shared;
 }
 
 UndefinedVertices undefined_vertices(const CurvatureSubject& subject) {

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "base/number_text.h"
+#include "geometry/linear/special_values.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
 
 namespace {
 
-/// `count` values from `low` to `high`, each the same multiple of the one before; the geometric mean when it is one.
+/// Returns `count` values from `low` to `high` in a geometric sequence; for a count of 1 their geometric mean.
 std::vector<double> geometric(double low, double high, int count) {
     if (count == 1) return {std::sqrt(low * high)};
     std::vector<double> values;
@@ -19,9 +19,7 @@ std::vector<double> geometric(double low, double high, int count) {
     return values;
 }
 
-bool is_bound_by_stability(DenoisingMethod method) { return method == DenoisingMethod::explicit_flow || method == DenoisingMethod::taubin; }
-
-/// Runs one parameter and measures every state.
+/// Runs the method with one parameter, measures every state and keeps the best ones in `result`.
 void run_with(const SearchInput& input, double value, const SearchPlan& plan,
               const std::function<bool(const SearchState&, const Positions&)>& after_state, ImplicitSolver& solver, SearchResult& result) {
     DenoisingOptions options;
@@ -29,7 +27,7 @@ void run_with(const SearchInput& input, double value, const SearchPlan& plan,
     options.parameter = value * plan.unit;
     options.steps = plan.steps;
     TriangleMesh smoothed = input.clean;
-    const Vector3 centre = bounding_box(input.clean).centre();   // to measure volumes from
+    const Vector3 centre = bounding_box(input.clean).centre();
     options.after_step = [&](int step, const Positions& X) {
         smoothed.X = X;
         const SearchState state{.value = value,
@@ -56,19 +54,16 @@ void run_with(const SearchInput& input, double value, const SearchPlan& plan,
 
 }   // namespace
 
-double SearchResult::gain() const { return defined && noisy.shape > 1e-9 * noisy.rms ? noisy.shape / by_shape.shape : std::nan(""); }
+double SearchResult::gain() const { return defined && noisy.shape > 1e-9 * noisy.rms ? noisy.shape / by_shape.shape : undefined; }
 
-double SearchResult::rms_gain() const { return defined ? noisy.rms / by_rms.rms : std::nan(""); }
+double SearchResult::rms_gain() const { return defined ? noisy.rms / by_rms.rms : undefined; }
 
-double SearchResult::angle_gain() const {
-    constexpr double turned = 1e-6;   // [rad]
-    return defined && noisy.angle > turned ? noisy.angle / by_angle.angle : std::nan("");
-}
+double SearchResult::angle_gain() const { return defined && noisy.angle > 1e-6 ? noisy.angle / by_angle.angle : undefined; }
 
 SearchPlan search_plan(DenoisingMethod method, const SearchBudget& budget, double mean_edge, double largest_eigenvalue) {
     SearchPlan plan;
-    const bool bound = is_bound_by_stability(method);
-    const int values = bound ? std::max(1, budget.values / 2) : budget.values;
+    const bool has_stability_limit = method == DenoisingMethod::explicit_flow || method == DenoisingMethod::taubin;
+    const int values = has_stability_limit ? std::max(1, budget.values / 2) : budget.values;
     plan.steps = budget.total() / values;
     if (method == DenoisingMethod::explicit_flow) {
         plan.values = geometric(0.05, 0.9, values);
@@ -82,12 +77,6 @@ SearchPlan search_plan(DenoisingMethod method, const SearchBudget& budget, doubl
         plan.unit = mean_edge * mean_edge;
     }
     return plan;
-}
-
-std::string parameter_words(DenoisingMethod method, double value) {
-    if (method == DenoisingMethod::taubin) return "pass band " + readable(value, 2);
-    if (filters_normals(method)) return "σ_r = " + readable(value, 2);
-    return "λ = " + readable(value, 2) + (method == DenoisingMethod::explicit_flow ? " λ_crit" : " h̄²");
 }
 
 SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchBudget& budget) {
@@ -106,7 +95,7 @@ SearchResult search(const SearchInput& input, DenoisingMethod method, const Sear
     result.by_shape = result.by_rms = result.by_angle = result.noisy;
     result.defined = is_defined(method, input.noisy.mesh, input.noisy.topology);
     if (result.defined) {
-        ImplicitSolver solver;   // the triangles stay: one symbolic analysis for all runs, one factorisation a λ where L is kept
+        ImplicitSolver solver;   // the triangles stay: one symbolic analysis for all runs, one factorisation per λ if L is frozen
         for (const double value : plan.values) run_with(input, value, plan, after_state, solver, result);
     }
     result.difference = compare_meshes(input.clean, moved_to(input.clean, result.X));

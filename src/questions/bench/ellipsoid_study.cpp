@@ -18,26 +18,6 @@ Vector3 axes_of(const Ellipsoid& e) { return {e.a, e.b, e.c}; }
 
 namespace {
 
-/// Random points, a tenth of a radian away from the poles, where dividing by sin v would measure the differences' rounding.
-OracleErrors oracle_errors(const Ellipsoid& ellipsoid, int points, NormalNumbers& random) {
-    OracleErrors errors{ellipsoid, 0, 0, 0, 0, points};
-    for (int i = 0; i < points; ++i) {
-        const double u = 2 * pi * random.uniform();
-        const double v = 0.1 + (pi - 0.2) * random.uniform();
-        const FundamentalForms exact = ellipsoid_forms(ellipsoid, u, v);
-        const FundamentalForms differences = ellipsoid_forms_by_differences(ellipsoid, u, v);
-        const auto deviation = [](const Eigen::Matrix2d& A, const Eigen::Matrix2d& B) {
-            return (A - B).cwiseAbs().maxCoeff() / A.cwiseAbs().maxCoeff();
-        };
-        const CurvaturePair implicit = ellipsoid_curvature(axes_of(ellipsoid), ellipsoid_point(ellipsoid, u, v));
-        errors.I = std::max(errors.I, deviation(exact.I, differences.I));
-        errors.II = std::max(errors.II, deviation(exact.II, differences.II));
-        errors.K = std::max(errors.K, std::abs(gaussian_curvature(exact) / implicit.K - 1));
-        errors.H = std::max(errors.H, std::abs(mean_curvature(exact) / implicit.H - 1));
-    }
-    return errors;
-}
-
 DiscreteTip discrete_tip(const Ellipsoid& ellipsoid, const TriangleMesh& mesh) {
     const MeshTopology topology = topology_of(mesh);
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh, AreaForm::voronoi);
@@ -54,24 +34,31 @@ DiscreteTip discrete_tip(const Ellipsoid& ellipsoid, const TriangleMesh& mesh) {
     return tip;
 }
 
-/// The (u, v) grid within 0.5 rad of the tip, n × n vertices: every ring inside is symmetric about its vertex in (u, v).
-TriangleMesh tip_patch(const Ellipsoid& ellipsoid, int n) {
-    TriangleMesh mesh = grid_mesh(n, n, 1, 1);
-    for (int i = 0; i < mesh.vertex_count(); ++i) {
-        // x runs along v and y along u, which turns the normal p_u × p_v outwards.
-        mesh.X.row(i) = ellipsoid_point(ellipsoid, mesh.X(i, 1) - 0.5, pi / 2 + mesh.X(i, 0) - 0.5).transpose();
-    }
-    return mesh;
-}
-
 }   // namespace
 
 std::vector<OracleErrors> all_oracle_errors(const QuestionSettings& settings) {
+    const auto deviation = [](const Eigen::Matrix2d& A, const Eigen::Matrix2d& B) {
+        return (A - B).cwiseAbs().maxCoeff() / A.cwiseAbs().maxCoeff();
+    };
+    const int points = settings.quick ? 50 : 200;
     NormalNumbers random(settings.seed);
-    std::vector<OracleErrors> errors;
-    for (const Ellipsoid& e : {flat_ellipsoid, tall_ellipsoid, Ellipsoid{1, 1, 1}, Ellipsoid{1, 2, 3}, Ellipsoid{5, 1, 0.5}})
-        errors.push_back(oracle_errors(e, settings.quick ? 50 : 200, random));
-    return errors;
+    std::vector<OracleErrors> all;
+    for (const Ellipsoid& ellipsoid : {flat_ellipsoid, tall_ellipsoid, Ellipsoid{1, 1, 1}, Ellipsoid{1, 2, 3}, Ellipsoid{5, 1, 0.5}}) {
+        OracleErrors& errors = all.emplace_back(OracleErrors{ellipsoid, 0, 0, 0, 0, points});
+        for (int i = 0; i < points; ++i) {
+            // A tenth of a radian away from the poles, where dividing by sin v would measure the rounding of the differences.
+            const double u = 2 * pi * random.uniform();
+            const double v = 0.1 + (pi - 0.2) * random.uniform();
+            const FundamentalForms exact = ellipsoid_forms(ellipsoid, u, v);
+            const FundamentalForms differences = ellipsoid_forms_by_differences(ellipsoid, u, v);
+            const CurvaturePair implicit = ellipsoid_curvature(axes_of(ellipsoid), ellipsoid_point(ellipsoid, u, v));
+            errors.I = std::max(errors.I, deviation(exact.I, differences.I));
+            errors.II = std::max(errors.II, deviation(exact.II, differences.II));
+            errors.K = std::max(errors.K, std::abs(gaussian_curvature(exact) / implicit.K - 1));
+            errors.H = std::max(errors.H, std::abs(mean_curvature(exact) / implicit.H - 1));
+        }
+    }
+    return all;
 }
 
 Tip tip_of(const Ellipsoid& ellipsoid) {
@@ -104,7 +91,11 @@ std::vector<PoleStep> towards_the_pole(const Ellipsoid& ellipsoid) {
 DiscreteTips discrete_tips(const Ellipsoid& ellipsoid, bool quick) {
     DiscreteTips tips;
     for (int level = 2; level <= (quick ? 4 : 5); ++level) {
-        tips.grid.push_back(discrete_tip(ellipsoid, tip_patch(ellipsoid, (2 << level) + 1)));
+        const int n = (2 << level) + 1;
+        TriangleMesh patch = grid_mesh(n, n, 1, 1);   // every ring inside is symmetric about its vertex in (u, v)
+        for (auto x : patch.X.rowwise())              // x runs along v and y along u, which turns the normal p_u × p_v outwards
+            x = ellipsoid_point(ellipsoid, x[1] - 0.5, pi / 2 + x[0] - 0.5).transpose();
+        tips.grid.push_back(discrete_tip(ellipsoid, patch));
         tips.icosphere.push_back(discrete_tip(ellipsoid, ellipsoid_mesh(level, axes_of(ellipsoid))));
     }
     return tips;

@@ -24,7 +24,7 @@ Vector3 around_axis(double turns, double radius, double z) {
 
 Vector3 radial(const Vector3& p) { return Vector3(p.x(), p.y(), 0).normalized(); }
 
-/// A grid that closes around the z axis. `point` takes the turns and the share of the length, from 0 to 1.
+/// Returns a function that makes grids closed around the z axis. `point` takes the turn and the share of the length, from 0 to 1.
 template <class Point>
 auto tube(const Point& point) {
     return [point](int around, int along) { return parameter_mesh(around, along + 1, true, point); };
@@ -47,7 +47,7 @@ KnownSurface ellipsoid() {
     return ellipsoid;
 }
 
-/// The ellipsoid between 45° and 135° from its z axis, as a grid, which is regular everywhere; the stretched icosphere is not.
+/// Returns the ellipsoid between 45° and 135° from its z axis as a grid, regular everywhere unlike the stretched icosphere.
 KnownSurface ellipsoid_band() {
     const auto mesh = tube([](double s, double t) {
         const double v = pi * (0.75 - 0.5 * t);
@@ -117,7 +117,7 @@ KnownSurface saddle() {
 
 KnownSurface ellipsoid_surface(const Vector3& half_axes) {
     return {.mesh_at = [=](int level) { return ellipsoid_mesh(level, half_axes); },
-            // The icosphere with its points drawn towards the equator plane, where it is stretched four to one.
+            // The points of the icosphere are drawn towards the equator plane, where it is stretched four to one.
             .stretched_at =
                 [=](int level) {
                     TriangleMesh mesh = icosphere(level);

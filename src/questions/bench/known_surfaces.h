@@ -1,5 +1,5 @@
 /// @file
-/// Surfaces whose curvature is known in closed form, meshed finer and finer: what curvature estimates are measured on.
+/// Surfaces with curvature in closed form, as meshes of any fineness.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ inline constexpr report::Words curvature_words("curvature");
 struct KnownSurface {
     std::string name = {};         // "torus"
     std::string dimensions = {};   // "R = 1, r = 0.4"
-    // Each level halves the edges; vertices lie on the surface.
+    // Vertices lie on the surface; each level halves the edges.
     std::function<TriangleMesh(int level)> mesh_at;
     std::function<TriangleMesh(int level)> stretched_at = {};    // triangles of about four to one
     std::function<Vector3(const Vector3&)> projected;            // a nearby point onto the surface
@@ -27,11 +27,11 @@ struct KnownSurface {
     Vector3 half_axes = Vector3::Zero();                         // of an ellipsoid about the origin; zero: not convex
 };
 
-/// Sphere, ellipsoid, ellipsoid band, torus, cylinder, catenoid, saddle.
+/// Returns sphere, ellipsoid, ellipsoid band, torus, cylinder, catenoid and saddle.
 std::vector<KnownSurface> known_surfaces();
-/// @throws std::logic_error if none has this name
+/// Returns the known surface of this name. @throws std::logic_error if there is none
 KnownSurface known_surface(const std::string& name);
-/// About the origin, of any half axes; without a name.
+/// Returns an ellipsoid about the origin, without a name.
 KnownSurface ellipsoid_surface(const Vector3& half_axes);
 
 }   // namespace meshfolio

@@ -17,26 +17,6 @@ report::Check semidefinite_check(const SparseMatrix& C, const std::string& on) t
     return undecided(check_near(law("semidefinite", on), 0, undefined, 0), spectral_words.line("pivot_lost"));
 }
 
-report::Check residual_check(const SpectrumCertificate& c, const std::string& on, const std::string& note) {
-    const report::Check check = check_at_most(law("residual", on), c.residual_limit, c.residual, 0, note);
-    return c.residual_undecided()
-               ? undecided(check, spectral_words.line("residual_of_rounding", "rounding"_a = readable(c.residual_rounding, 2)))
-               : check;
-}
-
-report::Check complete_check(const SpectrumCertificate& c, const std::string& on, const std::string& note) {
-    const double missed = c.counted_below < 0 ? undefined : c.counted_below - c.found_below;
-    const std::string found = spectral_words.line("found_below", "found"_a = c.found_below, "shift"_a = plain_text(c.shift, 4));
-    const report::Check check = check_near(law("complete", on), 0, missed, 0, note.empty() ? found : found + "; " + note);
-    if (c.says_nothing()) return undecided(check, spectral_words.line("says_nothing"));
-    return c.complete == Proof::undecided ? undecided(check, cannot_be_proved(c.delta, c.gap)) : check;
-}
-
-double volume_in_box(const TriangleMesh& mesh) {
-    const Box box = bounding_box(mesh);
-    return signed_volume(mesh, box.centre()) / box.extent().prod();
-}
-
 }   // namespace
 
 std::string cannot_be_proved(double rounding, double gap) {
@@ -44,13 +24,26 @@ std::string cannot_be_proved(double rounding, double gap) {
 }
 
 std::vector<report::Check> spectrum_checks(const SpectrumCertificate& c, const std::string& on, const std::string& note) {
+    report::Check residual = check_at_most(law("residual", on), c.residual_limit, c.residual, 0, note);
+    if (c.residual_undecided())
+        residual = undecided(residual, spectral_words.line("residual_of_rounding", "rounding"_a = readable(c.residual_rounding, 2)));
+
+    const double missed = c.counted_below < 0 ? undefined : c.counted_below - c.found_below;
+    const std::string found = spectral_words.line("found_below", "found"_a = c.found_below, "shift"_a = plain_text(c.shift, 4));
+    report::Check complete = check_near(law("complete", on), 0, missed, 0, note.empty() ? found : found + "; " + note);
+    if (c.says_nothing())
+        complete = undecided(complete, spectral_words.line("says_nothing"));
+    else if (c.complete == Proof::undecided)
+        complete = undecided(complete, cannot_be_proved(c.delta, c.gap));
+
     report::Check zeros = check_near(law("zeros", on), c.expected_zeros, c.zero_eigenvalues, 0,
                                      c.components > c.pairs ? spectral_words.line("fewer_modes", "components"_a = c.components) : "");
     if (c.zeros_undecided) zeros = undecided(zeros, spectral_words.line("zeros_of_rounding"));
-    return {residual_check(c, on, note),
+
+    return {residual,
             check_at_most(law("orthonormal", on), SpectrumCertificate::orthonormality_limit, c.orthonormality_error, 0, note),
             check_at_most(law("parseval", on), SpectrumCertificate::parseval_limit, c.parseval_gap, 0, note),
-            complete_check(c, on, note),
+            complete,
             zeros,
             check_at_most(law("ascending", on), SpectrumCertificate::step_down_limit, std::max(0.0, -c.smallest_step_up))};
 }
@@ -75,7 +68,8 @@ std::vector<report::Check> surface_checks(const TriangleMesh& mesh, const Vector
     if (claims.manifold && claims.orientable) checks.push_back(check_near(law("half_edges", on), 0, repeated_half_edges(mesh.F), 0));
     if (claims.manifold && claims.orientable && claims.closed) {
         checks.push_back(check_at_most(law("flux", on), 1e-10, flux_over_area(mesh)));
-        const double volume = volume_in_box(mesh);   // NaN in a plane, where no side is the outer one
+        const Box box = bounding_box(mesh);
+        const double volume = signed_volume(mesh, box.centre()) / box.extent().prod();   // NaN in a plane: neither side is the outer one
         if (!std::isnan(volume)) checks.push_back(check_at_least(law("outward", on), 1e-12, volume));
     }
     if (claims.manifold) {

@@ -1,5 +1,5 @@
 /// @file
-/// Named checks of what must hold for every mesh, operator and spectrum. The questions, the certificates and the planted faults use the
+/// Named checks of laws that hold for every mesh, operator and spectrum. The questions, the certificates and the planted faults use the
 /// same functions, so the checks that pass in the report are those that fail on the faults.
 #pragma once
 
@@ -15,28 +15,29 @@ namespace meshfolio {
 
 inline constexpr report::Words spectral_words("spectra");
 
-/// What must hold, for people: law("row_sums", " on cube").
+/// Returns the law of this key in words, with an ending: law("row_sums", " on cube").
 inline std::string law(std::string_view key, const std::string& on = "") { return spectral_words.line("law." + std::string(key)) + on; }
 
-/// "it cannot be proved here: …", for the note of an undecided check. Both in units of the eigenvalue.
+/// Returns "it cannot be proved here: …", the note of an undecided check. Both numbers are in units of the eigenvalue.
 std::string cannot_be_proved(double rounding, double gap);
 
-/// @param on     " on cube": what the names end with
-/// @param note   why a limit may be hard to reach
-/// Completeness and definiteness are undecided where rounding of a count exceeds its gap.
+/// Checks a spectrum by its certificate. Completeness is undecided if the rounding of a count exceeds its gap.
+/// @param on    the ending of the names: " on cube"
+/// @param note  the reason why a limit may be hard to reach
 std::vector<report::Check> spectrum_checks(const SpectrumCertificate& certificate, const std::string& on, const std::string& note = "");
 
-/// Of C and M as the cotangent operator of this mesh, unclamped. Triangles without area have no normal, and so the area no gradient there:
-/// energy and first variation are left out.
+/// Checks C and M as the unclamped cotangent operator of this mesh. Energy and first variation are left out if there are triangles without
+/// area, where the area has no gradient.
+/// @param without_area  their number
 std::vector<report::Check> operator_checks(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const std::string& on,
                                            int without_area = 0);
 
-/// What a surface claims to be, and so must satisfy.
+/// The properties of a surface that decide which laws it must satisfy.
 struct SurfaceClaims {
     bool manifold = true, orientable = true, closed = true;
     int euler_characteristic = 2;
 };
-/// Orientation where the surface has one, flux and volume where it is closed too, Gauss–Bonnet where it is manifold.
+/// Checks orientation if the surface is orientable, flux and volume if it is also closed, and Gauss–Bonnet if it is manifold.
 std::vector<report::Check> surface_checks(const TriangleMesh& mesh, const Vector& angle_deficits, const SurfaceClaims& claims,
                                           const std::string& on);
 

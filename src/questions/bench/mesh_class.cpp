@@ -19,8 +19,8 @@ struct EdgeAngle {
     double degrees;
 };
 
-/// Pairs each face at the edge with the one that continues it best, and returns the largest bend: 90° for a fin on a flat sheet [°]. Uses
-/// directions away from the edge, so that orientation does not count.
+/// Pairs each face at the edge with the one that continues it best, and returns the largest bend: 90° for a fin on a flat sheet [°].
+/// Directions away from the edge make the result independent of orientation.
 double angle_of_fan(const TriangleMesh& mesh, const Edge& edge, const std::vector<int>& faces) {
     const Vector3 a = mesh.X.row(edge.a), along = (Vector3(mesh.X.row(edge.b)) - a).normalized();
     std::vector<Vector3> away;
@@ -39,7 +39,7 @@ double angle_of_fan(const TriangleMesh& mesh, const Edge& edge, const std::vecto
     return worst;
 }
 
-/// The angle at every edge with two faces or more, in order; triangles without a normal give none.
+/// Computes the angle at every edge with two faces or more, in order; skips edges of triangles without a normal.
 std::vector<EdgeAngle> edge_angles(const TriangleMesh& mesh, const MeshTopology& topology) {
     const Positions N = face_normals(mesh);
     const auto has_area = [&](int f) { return !N.row(f).isZero(0); };
@@ -84,7 +84,7 @@ int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology) {
     int vertex = mesh.face_count() > 0 ? mesh.F(0, 0) : 0;
     double sharpest = 0;
     for (const EdgeAngle& edge : edge_angles(mesh, topology)) {
-        // Equal to rounding is equal: the choice must not hang on the last bit.
+        // The choice must not hang on the last bit.
         if (edge.degrees <= sharpest + 1e-6) continue;
         sharpest = edge.degrees;
         vertex = edge.a;
@@ -92,7 +92,7 @@ int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology) {
     return vertex;
 }
 
-/// The upper one of two; 0 of none.
+/// Returns the median, the upper one of two; 0 without values.
 static double median_of(std::vector<double> values) {
     if (values.empty()) return 0;
     const auto middle = values.begin() + values.size() / 2;

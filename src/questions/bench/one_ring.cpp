@@ -17,28 +17,27 @@ namespace {
 
 using report::DiagramPoint;
 
-constexpr double ring_jitter = 0.25, sphere_jitter = 0.45;   // the latter for a drift that is seen
-constexpr double no_drift = 1e-9;                            // ‖Δx‖ below this part of the ring's edges is rounding
-constexpr std::uint64_t ring_seed = 1;                       // the diagrams are of one ring, whatever the seed of the run
+constexpr double ring_jitter = 0.25, sphere_jitter = 0.45;   // the latter for a visible drift
+constexpr double no_drift = 1e-9;                            // ‖Δx‖ below this share of the ring's edges is rounding
+constexpr std::uint64_t ring_seed = 1;                       // of all diagrams, whatever the seed of the run
 
 DiagramPoint between(DiagramPoint p, DiagramPoint q) { return {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2}; }
 double squared_length(DiagramPoint p) { return p[0] * p[0] + p[1] * p[1]; }
-double dot_product(DiagramPoint p, DiagramPoint q) { return p[0] * q[0] + p[1] * q[1]; }
 
-/// The circumcentre of the triangle 0, p, q.
+/// Returns the circumcentre of the triangle 0, p, q.
 DiagramPoint circumcentre(DiagramPoint p, DiagramPoint q) {
     const double d = 2 * (p[0] * q[1] - p[1] * q[0]), pp = squared_length(p), qq = squared_length(q);
     return {(q[1] * pp - p[1] * qq) / d, (p[0] * qq - q[0] * pp) / d};
 }
 
-/// The dot products of the two edges that leave the vertex, and those that leave the first and the second corner.
+/// Returns the dot products of the two edges at the vertex, at the first corner and at the second corner of triangle t.
 std::array<double, 3> corner_dots(const FlatRing& ring, int t) {
     const DiagramPoint p = ring.corners[t], q = ring.corners[t + 1];
-    const double pq = dot_product(p, q);
+    const double pq = p[0] * q[0] + p[1] * q[1];
     return {pq, squared_length(p) - pq, squared_length(q) - pq};
 }
 
-/// The most negative cosine of an angle, positive.
+/// Returns −cos of the largest angle; 0 if none is obtuse.
 double most_obtuse(const FlatRing& ring) {
     double most = 0;
     for (int t = 0; t < ring.triangles(); ++t) {
@@ -50,7 +49,7 @@ double most_obtuse(const FlatRing& ring) {
     return most;
 }
 
-/// How far the mean of the corners is from the vertex, in mean edges.
+/// Returns the distance of the mean of the corners from the vertex, in mean edges.
 double unevenness(const FlatRing& ring) {
     double x = 0, y = 0, edges = 0;
     for (auto corner = ring.corners.begin(); corner + 1 != ring.corners.end(); ++corner) {
@@ -61,14 +60,14 @@ double unevenness(const FlatRing& ring) {
     return std::hypot(x, y) / edges;
 }
 
-/// Finds the ring with the largest `measure` among those with this many obtuse triangles.
+/// Finds the ring with the largest `measure` among those with this number of obtuse triangles.
 SampleRing ring_in_a_plane(int obtuse_triangles, double (*measure)(const FlatRing&)) {
     SampleRing sample{grid_mesh(12, 12, 11, 11), {}};
     for (auto x : sample.mesh.X.rowwise()) x = Eigen::RowVector3d(x[0] - 0.5 * x[1], std::sqrt(0.75) * x[1], 0);   // equal sides
     sample.topology = topology_of(sample.mesh);
     sample.mesh.X =
         jittered(sample.mesh, sample.topology, ring_jitter, ring_seed, [](const Vector3& p) { return Vector3(p.x(), p.y(), 0); });
-    double most = -1;   // some ring has so many: 100 are tried
+    double most = -1;   // some of the 100 rings have that number
     for (int v = 0; v < sample.mesh.vertex_count(); ++v) {
         if (sample.topology.on_boundary[v]) continue;
         const FlatRing ring = flat_ring(sample.mesh, sample.topology, v);
@@ -84,7 +83,7 @@ SampleRing ring_in_a_plane(int obtuse_triangles, double (*measure)(const FlatRin
 }   // namespace
 
 std::vector<int> ring_in_order(const TriangleMesh& mesh, const MeshTopology& topology, int vertex) {
-    std::map<int, int> behind;   // of a neighbour, the next one counter-clockwise
+    std::map<int, int> behind;   // the neighbour after each, counter-clockwise
     for (const int* t = topology.vertex_faces.begin(vertex); t != topology.vertex_faces.end(vertex); ++t)
         for (int k = 0; k < 3; ++k)
             if (mesh.F(*t, k) == vertex) behind[mesh.F(*t, (k + 1) % 3)] = mesh.F(*t, (k + 2) % 3);
@@ -144,7 +143,7 @@ double smallest_angle_around(const TriangleMesh& mesh, const MeshTopology& topol
 
 Vector tangential_shares(const TriangleMesh& mesh, const MeshTopology& topology) {
     TriangleMesh centred = mesh;
-    centred.X.rowwise() -= bounding_box(mesh).centre().transpose();   // far-away coordinates cost no digits
+    centred.X.rowwise() -= bounding_box(mesh).centre().transpose();   // coordinates far from 0 would cost digits
     const Positions drift = uniform_laplacian(topology) * centred.X;
     const Vector edge = mean_squared_ring_edge(centred, topology).cwiseSqrt();
     const Positions normals = vertex_normals(centred);

@@ -1,10 +1,5 @@
 #include "questions/bench/smoothing_study.h"
 
-#include <tbb/task_arena.h>
-
-#include <map>
-#include <mutex>
-
 #include "geometry/curvature/curvature.h"
 #include "geometry/denoising/component_size.h"
 #include "geometry/linear/sparse_factor.h"
@@ -24,61 +19,58 @@ double mode_amplitude(const SmoothingSubject& subject, const Positions& X) {
     return ((X.rowwise() - X.row(0)).transpose() * weights).norm();
 }
 
-/// The width of X in boxes of the input.
+/// Returns the diagonal of the box of X over that of the input's box.
 double boxes_wide(const SmoothingSubject& subject, const Positions& X) {
     return bounding_box(moved_to(subject.mesh(), X)).diagonal() / subject.diagonal;
 }
 
-/// Measures what is left of each component's size: its volume, or with a boundary its mean squared distance from the centroid. A bounding
+/// Measures the size left of each component: its volume, or its mean squared distance from the centroid if it has a boundary. A bounding
 /// box would follow the boundary alone, which shrinks long before the sheet.
 class SizeWatch {
 public:
-    SizeWatch(const SmoothingSubject& subject, const MeshTopology& topology)
-        : mesh_(subject.mesh()),
-          topology_(topology),
-          M_(subject.laplacian.M),
-          diagonal_(bounding_box(mesh_).diagonal()),
-          component_(component_of_vertices(topology)),
-          volume_(component_sizes(mesh_, topology).volume),
+    explicit SizeWatch(const SmoothingSubject& subject)
+        : subject_(subject),
+          component_(component_of_vertices(subject.topology())),
+          volume_(component_sizes(subject.mesh(), subject.topology()).volume),
           all_closed_((volume_.array().abs() > 0).all()),
-          spread_(spreads(mesh_.X)) {}
+          spread_(spreads(subject.mesh().X)) {}
 
     struct Left {
-        double size;     // of the component that lost most, over that of the input; NaN once positions are not finite
+        double size;     // of the component that lost most, over that of the input; NaN if a position is not finite
         double volume;   // of all components [length³]
     };
     Left left(const Positions& X) const {
-        const Vector volume = component_volumes(mesh_.F, X, topology_), spread = all_closed_ ? spread_ : spreads(X);
+        const Vector volume = component_volumes(subject_.mesh().F, X, subject_.topology()), spread = all_closed_ ? spread_ : spreads(X);
         double least = infinity;
-        for (int c = 0; c < topology_.component_count; ++c)
+        for (Eigen::Index c = 0; c < volume_.size(); ++c)
             if (const bool closed = std::abs(volume_[c]) > 0; closed || spread_[c] > 0)
                 least = std::min(least, closed ? volume[c] / volume_[c] : spread[c] / spread_[c]);
         return {X.allFinite() ? least : std::nan(""), volume.sum()};
     }
 
 private:
-    const TriangleMesh& mesh_;
-    const MeshTopology& topology_;
-    const Vector& M_;
-    double diagonal_;              // of the input's box
+    const SmoothingSubject& subject_;
     std::vector<int> component_;   // of each vertex; −1: in no triangle
-    Vector volume_;
+    Vector volume_;                // of the input's components [length³]
     bool all_closed_;
-    Vector spread_;
+    Vector spread_;   // of the input's components
 
-    /// Σ M_v |x_v − c|² / Σ M_v, over the squared diagonal of the input's box, so that no size of a mesh overflows. M is the input's.
+    /// Computes Σ M_v |x_v − c|² / Σ M_v of each component, M of the input, in squared diagonals of the input's box, so that no mesh
+    /// overflows.
     Vector spreads(const Positions& X) const {
-        Vector weight = Vector::Zero(topology_.component_count), sum = weight;
-        Positions centroid = Positions::Zero(topology_.component_count, 3);
+        const Vector& M = subject_.laplacian.M;
+        Vector weight = Vector::Zero(volume_.size()), sum = weight;
+        Positions centroid = Positions::Zero(volume_.size(), 3);
         const auto over_vertices = [&](auto visit) {
-            for (int v = 0; v < mesh_.vertex_count(); ++v)
-                if (const int c = component_[v]; c >= 0 && M_[v] > 0) visit(c, M_[v], X.row(v));
+            for (Eigen::Index v = 0; v < X.rows(); ++v)
+                if (const int c = component_[v]; c >= 0 && M[v] > 0) visit(c, M[v], X.row(v));
         };
         over_vertices([&](int c, double m, const auto& x) {
             weight[c] += m;
             centroid.row(c) += m / weight[c] * (x - centroid.row(c));
         });
-        over_vertices([&](int c, double m, const auto& x) { sum[c] += m / weight[c] * ((x - centroid.row(c)) / diagonal_).squaredNorm(); });
+        over_vertices(
+            [&](int c, double m, const auto& x) { sum[c] += m / weight[c] * ((x - centroid.row(c)) / subject_.diagonal).squaredNorm(); });
         return sum;
     }
 };
@@ -102,20 +94,11 @@ SmoothingSubject smoothing_subject(SharedMesh source, OperatorKind kind, AreaFor
     return subject;
 }
 
-std::shared_ptr<const Spectrum> all_modes(const OnMesh& subject) {
-    static std::mutex mutex;
-    static std::map<std::weak_ptr<const PreparedMesh>, std::shared_ptr<const Spectrum>, std::owner_less<>> known;
-    const std::lock_guard lock(mutex);   // another chapter waits instead of solving the same
-    std::erase_if(known, [](const auto& one) { return one.first.expired(); });
-    std::shared_ptr<const Spectrum>& spectrum = known[subject.source->prepared];
-    if (!spectrum) {
-        tbb::this_task_arena::isolate([&] {   // or a loop inside might begin the other chapter, which would wait for itself
-            const int all = subject.preflight().vertices_in_use;
-            const LaplaceBeltrami laplacian = laplace_beltrami(subject.mesh());
-            spectrum = std::make_shared<const Spectrum>(smallest_eigenpairs(laplacian, all, {.dense_below = all_modes_at_most}));
-        });
-    }
-    return spectrum;
+const Spectrum& all_modes(const OnMesh& subject) {
+    return subject.source->derived->value("all modes", [&] {
+        const int all = subject.preflight().vertices_in_use;
+        return smallest_eigenpairs(laplace_beltrami(subject.mesh()), all, {.dense_below = all_modes_at_most});
+    });
 }
 
 FactorOperations implicit_operations_of(const SmoothingSubject& subject) {
@@ -140,7 +123,7 @@ Smoothed smooth_until_collapse(const TriangleMesh& mesh, SmoothingOptions option
     };
     try {
         return smooth(mesh, options, solver);
-    } catch (const SolverError&) {   // triangles so thin that rounding makes −C indefinite
+    } catch (const SolverError&) {   // triangles are so thin that rounding makes −C indefinite
         if (!options.rebuild || reached.iterations == 0) throw;
     }
     reached.collapse_iteration = reached.iterations + 1;
@@ -161,7 +144,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
     run.iterations = iterations;
     run.in_view = subject.mesh().X;
     const bool closed = subject.preflight().encloses_volume();
-    const SizeWatch sizes(subject, subject.topology());
+    const SizeWatch sizes(subject);
     const render::Bounds bounds = output::bounds_of(subject.mesh());
     const double first_volume = sizes.left(subject.mesh().X).volume;
     if (closed) run.volume = {1};

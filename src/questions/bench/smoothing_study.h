@@ -1,5 +1,5 @@
 /// @file
-/// One smoothing run and what is measured along the way; shared by the questions on smoothing.
+/// Smoothing runs and their measurements, for the questions on smoothing.
 #pragma once
 
 #include "geometry/measures/mesh_error.h"
@@ -21,26 +21,28 @@ struct SmoothingSubject : OnMesh {
     AreaForm area = AreaForm::barycentric;
     LaplaceBeltrami laplacian;     // of the input, frozen
     LargestEigenvalue top;         // of −L
-    Definiteness bottom;           // only where −C is semidefinite is any explicit step stable
+    Definiteness bottom;           // no explicit step is stable unless −C is semidefinite
     double critical = 0;           // λ_crit = 2/μ_max [length²; 1 for the uniform operator]
-    double critical_floored = 0;   // λ_crit if triangles without area kept a stiffness; 0: there are none
+    double critical_floored = 0;   // λ_crit with a stiffness for triangles without area; 0: the mesh has none
     double mean_edge = 0;          // [length]
     double diagonal = 0;           // of the bounding box [length]
     double initial_energy = 0;     // Dirichlet energy of the input [length²]
 
-    /// Twice the inverse of the Gershgorin bound; 0 where no step is proved stable.
+    /// Returns the step 2/(Gershgorin bound), which is proved stable; 0 if no step is. [length²]
     double safe() const { return bottom.semidefinite() ? 2 / top.upper_bound : 0; }
 };
+/// Assembles the operator of the mesh and finds the limit of explicit smoothing. @throws SolverError, MeshError
 SmoothingSubject smoothing_subject(SharedMesh source, OperatorKind kind = OperatorKind::cotan, AreaForm area = AreaForm::barycentric);
 
-/// All eigenpairs of −C on a mesh of at most so many vertices, with barycentric areas; found once for all chapters.
-inline constexpr int all_modes_at_most = 1000;
-std::shared_ptr<const Spectrum> all_modes(const OnMesh& subject);
+inline constexpr int all_modes_at_most = 1000;   // vertices
+/// Returns all eigenpairs of the cotangent operator with barycentric areas, for a mesh of at most all_modes_at_most vertices in use. They
+/// are computed once for all chapters and live as long as the mesh.
+const Spectrum& all_modes(const OnMesh& subject);
 
-/// What a factor of the implicit scheme costs, whatever λ.
+/// Counts the operations of factoring and solving with the matrix of an implicit step; they do not depend on λ.
 FactorOperations implicit_operations_of(const SmoothingSubject& subject);
 
-/// The steps of the settings, else these multiples of the explicit limit; ascending, each once. [length²]
+/// Returns the steps of the settings, or these multiples of the explicit limit if there are none; ascending, without duplicates. [length²]
 std::vector<double> steps_of(const QuestionSettings& settings, double critical, const std::vector<double>& multiples);
 
 struct SmoothingRun {
@@ -50,72 +52,71 @@ struct SmoothingRun {
     Smoothed result;
     MeshDifference moved;                  // the input against the result
     std::vector<double> energy;            // Dirichlet energy after t = 0, 1, … iterations, over that of the input
-    std::vector<double> energy_rounding;   // by how much rounding may have raised it in step t, likewise; 0 for t = 0
+    std::vector<double> energy_rounding;   // the rise in step t that rounding may explain, likewise; 0 for t = 0
     std::vector<double> volume;            // after t = 0, 1, … iterations, over that of the input; empty when open
     std::vector<double> size;              // after t = 0, 1, … iterations, of the component that has lost most: its volume, or with a
                                            // boundary the mean squared distance from its centroid, over that of the input
-    Positions in_view;                     // the last positions before any leaves the pictures framed on the input
+    Positions in_view;                     // the last positions that all lie within pictures framed on the input
     int in_view_iteration = 0;
-    Positions out_of_view;              // the first of which some have left them; empty: none
-    std::vector<Positions> snapshots;   // at the iterations asked for
+    Positions out_of_view;              // the first positions that do not; empty: there are none
+    std::vector<Positions> snapshots;   // at the iterations to keep
 };
 
-/// Smooths as smooth() does. A rebuilt run that reaches a surface of which M − λC cannot be factored keeps what it reached:
-/// collapse_iteration is the step that could not be done.
-/// @throws SolverError if the first step cannot be done
+/// Smooths as smooth() does. If the operator is rebuilt and M − λC cannot be factored after some steps, returns the positions reached, with
+/// the number of the failed step in collapse_iteration.
+/// @throws SolverError if the first step fails
 Smoothed smooth_until_collapse(const TriangleMesh& mesh, SmoothingOptions options, ImplicitSolver& solver);
 
-/// One run, until it collapses if it is rebuilt; `keep` lists iterations (ascending, ≤ iterations) whose positions are kept in `snapshots`.
+/// Smooths the mesh of the subject and measures every iteration.
+/// @param keep  iterations with a snapshot: ascending, at most `iterations`
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
                            const std::vector<int>& keep = {});
-/// The same with a solver that implicit runs share; `rebuild`: the operator is that of the current positions at every step.
+/// Does the same with a solver that implicit runs share.
+/// @param rebuild  make the operator anew from the positions of every step, until one cannot be factored
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
                            const std::vector<int>& keep, ImplicitSolver& solver, bool rebuild = false);
 
-/// Smoothing is recommended for as long as it leaves this share of the size.
-inline constexpr double size_to_keep = 0.95;
-/// Iterations of the run before less than `share` of the size is left; −1 when it never comes to that.
+inline constexpr double size_to_keep = 0.95;   // share of the size that recommended smoothing leaves
+/// Returns the last iteration before less than `share` of the size is left; −1 if the run keeps it to the end.
 int iterations_keeping_size(const SmoothingRun& run, double share = size_to_keep);
 
-/// Checks that the energy never rises beyond rounding. Undecided where rounding could hide a rise of 1e-9 of the input's energy.
+/// Checks that the energy never rises beyond rounding. Undecided if rounding could hide a rise of 1e-9 of the input's energy.
 report::Check energy_check(std::string name, const SmoothingRun& run);
 
-/// The vertices where a mode is as large as anywhere, to a thousandth: on a symmetric mesh there are several.
+/// Returns the vertices with a magnitude within a thousandth of the mode's largest; on a symmetric mesh there are several.
 std::vector<int> peaks_of(const Vector& mode);
 
-/// Amplification of the top mode by `steps` explicit steps, against |1 − λμ_max|^steps. The mode is added a thousandth of a mean edge high,
-/// because a symmetric input has none of it.
 struct Amplification {
     double predicted = 0, measured = 0;
 };
+/// Measures the amplification of the top mode by `steps` explicit steps and predicts it as |1 − λμ_max|^steps. A thousandth of a mean edge
+/// of the mode is added to the input, because a symmetric mesh contains none of it.
 Amplification top_mode_amplification(const SmoothingSubject& subject, double lambda, int steps);
 
-/// The share of the top mode in the motion X − X_input, in squared M-norms; NaN if nothing moved.
+/// Computes the share of the top mode in the motion X − X_input, in squared M-norms; NaN if nothing moved.
 double share_of_top_mode(const SmoothingSubject& subject, const Positions& X);
 
-/// Cotangent mean curvature at X times the subject's mean edge: the colours of smoothing figures. NaN where undefined.
+/// Computes the values that colour smoothing figures: n times H·h̄, cotangent mean curvature at X times the input's mean edge; NaN where
+/// undefined.
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
 
-/// Largest λμ_max of a monitored run; NaN values are left out.
+/// Returns the largest λμ_max of a monitored run; skips NaN.
 double largest_product(const Smoothed& run);
 
-/// What is left of a size: "93 %"; "less than 10⁻¹²" where it is rounding.
+/// Formats a share: "93 %", or "less than 10⁻¹²" if it is rounding.
 std::string share_left(double share);
-
-/// λ over λ_crit for people: "0.5".
+/// Formats λ/λ_crit for people: "0.5".
 std::string in_limits(const SmoothingSubject& subject, double lambda);
-/// λ for file names: "lambda0.0123".
+/// Formats λ for file names: "lambda0.0123".
 std::string step_name(double lambda);
 
-/// Does X span no more than two boxes of the input? A cut-out of larger spikes shows nothing.
+/// True if the box of X is at most twice as wide as the input's box. A cut-out of larger spikes shows nothing.
 bool fits_a_frame(const SmoothingSubject& subject, const Positions& X);
-/// X in the frame of the input; where it does not fit the cell is empty and says how many boxes it spans.
+/// Makes a panel of the positions X; if they do not fit a frame, an empty one with a label that says how many boxes they span.
 output::Panel framed_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label);
-
-/// The mesh of the subject on the positions X, coloured by curvature_colours().
+/// Makes a panel of the positions X, coloured by curvature_colours().
 output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label);
-
-/// The colours of curvature_colours() that show these inputs: an unstable result has curvatures of any size.
+/// Returns the colour range of curvature_colours() that shows the input panels; an unstable result has curvatures of any size.
 output::ColorRange curvature_range(const std::vector<output::Panel>& inputs);
 
 }   // namespace meshfolio

@@ -3,14 +3,53 @@
 #include <chrono>
 #include <numeric>
 
+#include "geometry/measures/local_thickness.h"
+#include "geometry/operators/laplace_operator.h"
+#include "geometry/spectrum/spectral_mistakes.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 
 namespace meshfolio {
 
 namespace {
 
-/// All modes are taken when the mesh is no larger than this; beyond, 300 are the "large value".
-constexpr int all_modes_up_to = 700;
+constexpr int all_modes_up_to = 700;   // vertices; on larger meshes the "large value" of k is 300
+
+/// Computes the lowest k modes; none if negative or missing weights leave the operator without a spectrum.
+Spectrum modes_if_any(const LaplaceBeltrami& laplacian, int k) try {
+    return smallest_eigenpairs(laplacian, k);
+} catch (const SolverError&) {
+    return {};
+}
+
+/// Returns the first vertices of an order, as many as hold `share` of its area.
+std::vector<int> first_share(const std::vector<int>& order, const Vector& M, double share) {
+    double whole = 0, sum = 0;
+    for (const int v : order) whole += M[v];
+    std::vector<int> first;
+    for (const int v : order) {
+        if (sum >= share * whole) break;
+        sum += M[v];
+        first.push_back(v);
+    }
+    return first;
+}
+
+double rms_over(const std::vector<int>& vertices, const Vector& M, const Vector& distance) {
+    double squares = 0, area = 0;
+    for (const int v : vertices) squares += M[v] * distance[v] * distance[v], area += M[v];
+    return std::sqrt(squares / area);
+}
+
+/// Sums the area of the vertices with a distance above `limit`.
+double area_beyond(const std::vector<int>& vertices, const Vector& M, const Vector& distance, double limit) {
+    double area = 0;
+    for (const int v : vertices) area += distance[v] > limit ? M[v] : 0;
+    return area;
+}
+
+double median_of(const std::vector<int>& ascending_vertices, const Vector& values) {
+    return values[ascending_vertices[ascending_vertices.size() / 2]];
+}
 
 }   // namespace
 
@@ -35,7 +74,7 @@ SpectralStudy spectral_study(SharedMesh source, const QuestionSettings& settings
     study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     study.certificate = certify_spectrum(study.mesh(), study.laplacian, study.spectrum);
     const Positions& X = study.mesh().X;
-    ReconstructionStream stream(study.laplacian.M, X);   // one pass over the modes, whatever the number of k
+    ReconstructionStream stream(study.laplacian.M, X);   // one pass over the modes for all k
     for (const int k : counts) {
         if (k > study.modes()) continue;
         const int done = stream.modes();
@@ -47,7 +86,7 @@ SpectralStudy spectral_study(SharedMesh source, const QuestionSettings& settings
         r.difference = compare_meshes(study.mesh(), r.mesh);
         study.reconstructions.push_back(std::move(r));
     }
-    const int rest = study.modes() - stream.modes();   // where some vertices in use have no area
+    const int rest = study.modes() - stream.modes();   // if some vertices in use have no area
     stream.add(study.spectrum.eigenvectors.rightCols(rest), study.spectrum.eigenvalues.tail(rest));
     study.rms = stream.rms();
     for (Reconstruction& r : study.reconstructions) r.predicted_rms = study.rms[r.k];
@@ -123,6 +162,45 @@ double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r) 
 
 double largest_parseval_gap(const SpectralStudy& study) {
     return largest_of(study.reconstructions, [](auto& r) { return std::abs(r.predicted_rms - r.difference.area_weighted_rms); });
+}
+
+std::vector<MistakeErrors> mistake_study(const SpectralStudy& study, bool quick) {
+    const int most = std::min(study.modes(), study.spectrum.dense ? 150 : quick ? 30 : 60);
+    std::vector<int> counts;
+    for (const int k : {5, 10, 15, 30, 60, 150}) counts.push_back(std::min(k, most));
+    const Positions& X = study.mesh().X;
+    const Vector& M = study.laplacian.M;
+    const LaplaceBeltrami other = laplace_operator(study.mesh(), OperatorKind::edge_normalised);
+    const Spectrum edge_normalised = modes_if_any(other, most);
+    return each_of(each_once(counts), [&](const int k) {
+        const bool known = edge_normalised.eigenvalues.size() >= k;
+        return MistakeErrors{k, vertex_rms(X, reconstruct(study.spectrum, M, X, k)),
+                             vertex_rms(X, reconstruct_unmapped(study.spectrum, M, X, k)),
+                             vertex_rms(X, reconstruct_unweighted(study.spectrum, M, X, k)),
+                             known ? vertex_rms(X, reconstruct(edge_normalised, other.M, X, k)) : undefined};
+    });
+}
+
+LimbStudy limb_study(const SpectralStudy& study) {
+    LimbStudy result;
+    if (!study.preflight().closed()) return result;
+    const Vector thickness = local_thickness(study.mesh());
+    std::vector<int> order = where_finite(thickness, thickness);
+    std::ranges::stable_sort(order, {}, [&](int v) { return thickness[v]; });
+    std::erase_if(order, [&](int v) { return !(study.laplacian.M[v] > 0); });
+    if (order.size() < 20) return result;
+    const Vector& M = study.laplacian.M;
+    const std::vector<int> thin = first_share(order, M, 0.25), thick = first_share({order.rbegin(), order.rend()}, M, 0.25),
+                           thinner_half = first_share(order, M, 0.5);
+    result.thin_diameter = median_of(thin, thickness);
+    result.thick_diameter = median_of(thick, thickness);
+    for (const Reconstruction& r : study.reconstructions) {
+        if (r.predicted_rms < 1e-9 * study.diagonal) continue;
+        const double limit = seen_error * study.diagonal;
+        result.errors.push_back({r.k, rms_over(thin, M, r.distance), rms_over(thick, M, r.distance),
+                                 area_beyond(thinner_half, M, r.distance, limit) / area_beyond(order, M, r.distance, limit)});
+    }
+    return result;
 }
 
 }   // namespace meshfolio

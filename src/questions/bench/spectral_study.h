@@ -1,5 +1,6 @@
 /// @file
-/// What question 4 measures: a mesh rebuilt from its k smoothest eigenvectors, and the error for every k.
+/// The measurements of question 4: a mesh rebuilt from its k smoothest eigenvectors and the error for every k, thin parts and thick ones,
+/// and wrong ways of rebuilding.
 #pragma once
 
 #include "geometry/measures/mesh_error.h"
@@ -21,7 +22,7 @@ struct SpectralStudy : OnMesh {
     double diagonal = 0;   // of the bounding box [length]
     LaplaceBeltrami laplacian;
     Spectrum spectrum;
-    SpectrumCertificate certificate;               // measured anew, whatever the solver says
+    SpectrumCertificate certificate;               // measured independently of the solver
     Vector rms;                                    // entry k: predicted error of k modes [length]
     std::vector<Reconstruction> reconstructions;   // ascending k
     double seconds = 0;                            // of the eigensolve
@@ -30,49 +31,78 @@ struct SpectralStudy : OnMesh {
     int vertices() const { return source->preflight().vertices_in_use; }
 };
 
-/// The k of the settings, else those of the assignment, 5, 15 and large, with steps in between; of n modes.
+/// Returns the k of the settings, else those of the assignment (5, 15 and large) with steps in between; at most n.
 std::vector<int> mode_counts(const QuestionSettings& settings, int n);
 
-/// Solves once for the k of the settings, else 5, 15 and large as in the assignment, with steps between.
+/// Solves once for the largest of the mode_counts() and rebuilds the mesh from each.
 SpectralStudy spectral_study(SharedMesh source, const QuestionSettings& settings);
 
-/// Smallest k whose error is at most `share` of the box diagonal; 0 when no k that was computed reaches it.
+/// Returns the smallest k with an error of at most `share` of the box diagonal; 0 if no computed k reaches it.
 int smallest_k_below(const SpectralStudy& study, double share);
 
-/// error ≈ factor·k^−power over k = first … last: least squares over all of them, in logarithms.
+/// The law error ≈ factor·k^−power over k = first … last.
 struct PowerLaw {
     int first = 0, last = 0;
     double factor = 0, power = 0;   // factor [length]
     double deviation = 0;           // largest factor between the law and an error it was fitted to
     double at(double k) const;
 };
-/// @param a, b  a < b
+/// Fits the law over k = a … b by least squares in logarithms. @param a, b  a < b
 PowerLaw power_law(const SpectralStudy& study, int a, int b);
-/// Fits from the first k asked for to half of all modes, as far as errors are not rounding. None with fewer than five k.
+/// Fits the law from the first k of the reconstructions to half of all modes, but not where errors are rounding. Nothing for fewer than
+/// five k.
 std::optional<PowerLaw> fall_of_the_error(const SpectralStudy& study);
 
-/// Share of the vertices that are farther from their places with `later` than with `earlier`, by more than rounding.
+/// Returns the share of the vertices that are farther from their places with `later` than with `earlier`, by more than rounding.
 double share_made_worse(const SpectralStudy& study, const Reconstruction& earlier, const Reconstruction& later);
 
-/// Modes of eigenvalue 0: they say where each component is, and nothing of its shape.
+/// Counts the modes of eigenvalue 0, which give the place of each component and nothing of its shape.
 int zero_modes(const SpectralStudy& study);
-/// Wavelength 2π/√μ of a mode, counted from 1; infinite for a zero mode. [length]
+/// Computes the wavelength 2π/√μ of a mode, counted from 1; infinite for a zero mode. [length]
 double wavelength(const SpectralStudy& study, int mode);
 
-/// ‖φ_iᵀMX‖/√ΣM of each mode: what it contributes to the rms distance from the origin. The squares beyond k add up to the squared error of
-/// k modes. [length]
+/// Computes ‖φ_iᵀMX‖/√ΣM of each mode, its part of the rms distance from the origin. The squares beyond k add up to the squared error of k
+/// modes. [length]
 Vector coefficient_sizes(const Spectrum& spectrum, const Vector& M, const Positions& X);
 
-/// Weyl's law for the k-th eigenvalue of a surface with a free boundary of this length, from 4πk ≈ area μ + boundary √μ; 4πk/area where it
-/// is closed. [1/length²]
+/// Predicts the k-th eigenvalue by Weyl's law for a surface with a free boundary of this length: 4πk ≈ area μ + boundary √μ. [1/length²]
 double weyl_eigenvalue(double k, double area, double boundary);
-/// The same for the mesh of a study.
+/// Predicts the k-th eigenvalue of the mesh.
 double weyl_eigenvalue(const SpectralStudy& study, int k);
 
-/// How far from the centroid the worst-placed 5 % of the vertices are, over how far an average vertex is.
+/// Returns the mean distance from the centroid of the worst-placed 5 % of the vertices, over that of all (weighted by area).
 double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r);
 
-/// Largest |predicted − measured rms| of the reconstructions. [length]
+/// Returns the largest |predicted − measured rms| of the reconstructions. [length]
 double largest_parseval_gap(const SpectralStudy& study);
+
+// ---- mistakes -------------------------------------------------------------------------------------------------------------
+
+/// Rms errors over the vertices of the right reconstruction and of three wrong ones (spectral_mistakes.h). [length]
+struct MistakeErrors {
+    int k = 0;
+    double right = 0, unmapped = 0, unweighted = 0, edge_normalised = 0;   // the last NaN if its operator has fewer modes
+};
+/// Measures the errors for ascending k.
+std::vector<MistakeErrors> mistake_study(const SpectralStudy& study, bool quick);
+
+// ---- thin parts -----------------------------------------------------------------------------------------------------------
+
+inline constexpr double seen_error = 0.01;   // share of the box diagonal that is visible in a picture of the whole mesh
+
+/// Errors of one reconstruction on thin and thick parts: rms over the area of their vertices. [length]
+struct LimbErrors {
+    int k = 0;
+    double thin = 0, thick = 0;   // the thinnest and the thickest quarter of the area
+    double seen_on_thin = 0;      // share of the thinner half in the area that is off by more than seen_error; NaN: there is none
+};
+
+struct LimbStudy {
+    double thin_diameter = 0, thick_diameter = 0;   // medians of the quarters [length]; 0 for a surface that encloses nothing
+    std::vector<LimbErrors> errors;                 // ascending k, without those that are rounding
+    bool measured() const { return thin_diameter > 0 && !errors.empty(); }
+};
+/// Compares the errors of the reconstructions on thin and thick parts of a closed mesh.
+LimbStudy limb_study(const SpectralStudy& study);
 
 }   // namespace meshfolio

@@ -187,7 +187,7 @@ const SpectralStudy& ClaimBench::spectrum(std::string_view name) {
 BenchRun ClaimBench::curvature(const std::string& surface, MeshKind kind, int coarse, int fine) const {
     std::vector<int> levels;
     for (int level = coarse; level <= fine; ++level) levels.push_back(level);
-    return bench_runs({known_surface(surface)}, std::array{kind}, levels, settings_.seed, [](std::string_view) {}).front();
+    return bench_runs(library_, {known_surface(surface)}, std::array{kind}, levels, settings_.seed, [](std::string_view) {}).front();
 }
 
 const PlaneTest& ClaimBench::plane() {

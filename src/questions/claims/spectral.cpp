@@ -1,6 +1,6 @@
 // Claims about the operator itself and about meshes rebuilt from its smoothest modes.
 #include "geometry/measures/mesh_laws.h"
-#include "questions/bench/spectral_uses.h"
+#include "questions/bench/spectral_study.h"
 #include "questions/claims/parts.h"
 
 namespace meshfolio::claims {

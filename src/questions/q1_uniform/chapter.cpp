@@ -94,7 +94,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         meshes.push_back(curvature_of(source));
     }
     const std::optional<Drifting> drifting = most_drifting(meshes);
-    const BenchRuns runs = question_runs(settings, progress);
+    const BenchRuns runs = question_runs(library, settings, progress);
     const AngleSums sums = angle_sums(meshes, runs);
     std::vector<FlatMesh> flat;
     for (const MeshCurvature& c : meshes)
@@ -109,7 +109,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_figures(answer, meshes);
     if (drifting) add_tangential_figure(answer, meshes, settings.colormap);
     add(section, error_table(runs));
-    add_discussion(section, meshes, flat, runs, panel_runs(settings.seed, settings.quick, progress), sums, drifting);
+    add_discussion(section, meshes, flat, runs, panel_runs(library, settings.seed, settings.quick, progress), sums, drifting);
     add_checks(section, sums, flat, runs);
 
     begin_appendix(section);

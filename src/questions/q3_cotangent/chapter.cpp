@@ -13,9 +13,9 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         meshes.push_back(compare_operators(source));
     }
     const Disagreements with_jets = each_of(meshes, disagreement_with_jet);
-    const BenchRuns runs = question_runs(settings, progress);
+    const BenchRuns runs = question_runs(library, settings, progress);
     const PlaneTest plane = irregular_plane(settings.seed);
-    const BenchRuns panel = panel_runs(settings.seed, settings.quick, progress);
+    const BenchRuns panel = panel_runs(library, settings.seed, settings.quick, progress);
 
     section.answer = answer_of(runs);
     add_paragraphs(section, {lead_of(runs, plane, panel)});
@@ -32,7 +32,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_limits(section, meshes, runs);
     add(section, error_table(runs, &EstimateError::linf, "linf", "L∞"), order_table(runs), difference_table(meshes), variant_table(meshes),
         error_curves(runs));
-    add_trust(section, indicator_trials(runs, settings));
+    add_trust(section, indicator_trials(library, runs, settings));
     for (std::size_t m = 0; m < meshes.size(); ++m)   // a mesh that is flat, or all boundary, has no H to doubt
         if (with_jets[m].rms > 0) add_disagreement(answer, meshes[m], with_jets[m], settings.colormap);
 

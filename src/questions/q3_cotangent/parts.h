@@ -35,7 +35,7 @@ struct IndicatorTrial {
     ErrorIndicator indicator;
 };
 /// Tests the indicator on the finest regular and jittered known surfaces, and last on random points of an ellipsoid.
-std::vector<IndicatorTrial> indicator_trials(const BenchRuns& runs, const QuestionSettings& settings);
+std::vector<IndicatorTrial> indicator_trials(const MeshLibrary& library, const BenchRuns& runs, const QuestionSettings& settings);
 
 /// True if the vertices of the mesh do not lie in one plane.
 inline bool is_curved(const CotangentComparison& c) { return !c.subject.plane_normal; }

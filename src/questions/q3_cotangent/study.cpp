@@ -42,10 +42,10 @@ Disagreement disagreement_with_jet(const CotangentComparison& c) {
     return d;
 }
 
-std::vector<IndicatorTrial> indicator_trials(const BenchRuns& runs, const QuestionSettings& settings) {
+std::vector<IndicatorTrial> indicator_trials(const MeshLibrary& library, const BenchRuns& runs, const QuestionSettings& settings) {
     std::vector<IndicatorTrial> trials;
     for (const BenchRun& run : runs) trials.push_back({std::string(name_of(run.kind)) + " " + run.surface, run.finest().indicator});
-    trials.push_back({words.line("trust.random"), reference_level(settings.quick ? 2500 : 10000, settings.seed).indicator});
+    trials.push_back({words.line("trust.random"), reference_level(library, settings.quick ? 2500 : 10000, settings.seed).indicator});
     return trials;
 }
 

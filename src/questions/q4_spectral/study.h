@@ -2,7 +2,7 @@
 /// One mesh of question 4: its reconstructions, and their figures, tables and plots.
 #pragma once
 
-#include "questions/bench/spectral_uses.h"
+#include "questions/bench/spectral_study.h"
 #include "questions/q4_spectral/parts.h"
 
 namespace meshfolio::q4_spectral {

@@ -240,8 +240,8 @@ SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings
     const LargestEigenvalue& top = maps.subject.top;
     maps.top = growing_modes(maps.subject, Vector::Constant(1, top.value), top.mode);
     if (maps.subject.preflight().vertices_in_use <= all_modes_at_most) {
-        const auto all = all_modes(maps.subject);
-        maps.all = growing_modes(maps.subject, all->eigenvalues, all->eigenvectors);
+        const Spectrum& all = all_modes(maps.subject);
+        maps.all = growing_modes(maps.subject, all.eigenvalues, all.eigenvectors);
     }
     maps.places = places_of(maps);
     return maps;

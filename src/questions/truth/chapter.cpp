@@ -96,8 +96,8 @@ std::vector<report::Check> ground_truth_checks(const GroundTruth& truth) {
     return checks;
 }
 
-GroundTruth ground_truth(std::uint64_t seed, bool quick, const Progress& progress) {
-    return {panel_runs(seed, quick, progress), reference_level(10000, seed), seed, quick};
+GroundTruth ground_truth(const MeshLibrary& library, std::uint64_t seed, bool quick, const Progress& progress) {
+    return {panel_runs(library, seed, quick, progress), reference_level(library, 10000, seed), seed, quick};
 }
 
 report::Section ground_truth_section(const GroundTruth& truth) {
@@ -123,8 +123,8 @@ report::Section ground_truth_section(const GroundTruth& truth) {
     return section;
 }
 
-Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progress& progress) {
-    const GroundTruth truth = ground_truth(settings.seed, settings.quick, progress);
+Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
+    const GroundTruth truth = ground_truth(library, settings.seed, settings.quick, progress);
     Answer answer{ground_truth_section(truth)};
     if (settings.laboratory) add(answer.section, ground_truth_table(truth));
     return answer;

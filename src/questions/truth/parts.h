@@ -22,7 +22,7 @@ struct GroundTruth {
     }
 };
 /// Measures all estimators. @param quick  three refinements instead of four
-GroundTruth ground_truth(std::uint64_t seed, bool quick, const Progress& progress);
+GroundTruth ground_truth(const MeshLibrary& library, std::uint64_t seed, bool quick, const Progress& progress);
 
 /// Returns the checks of orders and errors that theory and other programs predict.
 std::vector<report::Check> ground_truth_checks(const GroundTruth& truth);

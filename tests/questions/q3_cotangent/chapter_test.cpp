@@ -51,7 +51,7 @@ TEST(Q3, BothOperatorsAreShownInTheRangeOfTheCotangentOne) {
 
 // The answer gives the least gain if cotangent H always wins clearly, else the number of meshes where it wins.
 TEST(Q3, TheAnswerFollowsTheErrors) {
-    BenchRuns runs = question_runs(quick_settings(), no_progress);
+    BenchRuns runs = question_runs(MeshLibrary({}, {}), quick_settings(), no_progress);
     const auto message = [&] { return report::plain(answer_of(runs)); };
     const auto set = [](BenchRun& run, double uniform) {   // times the error of cotangent H
         auto& errors = run.levels.back().errors;

@@ -74,7 +74,9 @@ TEST(ErrorIndicator, CountsVerticesWithoutJet) {
 
 TEST(ErrorIndicator, IsTheErrorWhereTheCotangentFormulaFails) {
     int large = 0;
-    for (const auto& [mesh, on] : indicator_trials(question_runs(quick_settings(), no_progress), quick_settings())) {
+    const MeshLibrary library({}, {});
+    const BenchRuns runs = question_runs(library, quick_settings(), no_progress);
+    for (const auto& [mesh, on] : indicator_trials(library, runs, quick_settings())) {
         if (on.actual < 0.05) continue;
         ++large;
         EXPECT_NEAR(on.indicated / on.actual, 1, 0.1) << mesh;

@@ -12,7 +12,7 @@ namespace meshfolio::truth {
 namespace {
 
 const GroundTruth& quick_truth() {
-    static const GroundTruth truth = ground_truth(1, true, [](std::string_view) {});
+    static const GroundTruth truth = ground_truth(MeshLibrary({}, {}), 1, true, [](std::string_view) {});
     return truth;
 }
 
