@@ -26,20 +26,16 @@ void add_method(report::Section& section, const SearchBudget& budget) {
               "bounded_values"_a = bounded, "bounded_steps"_a = budget.total() / bounded);
 }
 
-LibraryMeshes meshes_of(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
-    if (settings.quick) return meshes_for(library, settings, {"cube"}, section);
-    if (settings.laboratory) return meshes_for(library, settings, {"cube", "plane", "fandisk_ns", "lilium", "armadillo"}, section);
-    return meshes_for(library, settings, {"cube", "armadillo"}, section);
-}
-
-/// Tries the meshes of the library; with the bundled ones also an ellipsoid, smooth, closed and small.
+/// Tries the methods on meshes of the library; with bundled ones also on an ellipsoid, smooth, closed and small.
 DenoisingLaboratory laboratory_of(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress,
                                   report::Section& section) {
-    const LibraryMeshes meshes = meshes_of(library, settings, section);
+    std::initializer_list<std::string_view> quick{"cube"}, usual{"cube", "armadillo"},
+        all{"cube", "plane", "fandisk_ns", "lilium", "armadillo"};
+    const LibraryMeshes meshes = meshes_for(library, settings, settings.quick ? quick : settings.laboratory ? all : usual, section);
     const bool own_choice = settings.meshes.empty() && !library.has_own_meshes();
     const int most = largest_subject(settings, meshes.size() + (own_choice ? 1 : 0));
-    const auto trials_on = [most](const SharedMesh& mesh, const QuestionSettings& all) {
-        return denoising_trials(denoising_subject(mesh->name, mesh->mesh(), most), all);
+    const auto trials_on = [most](const SharedMesh& mesh, const QuestionSettings& all_settings) {
+        return denoising_trials(denoising_subject(mesh->name, mesh->mesh(), most), all_settings);
     };
     DenoisingLaboratory laboratory{search_budget(settings),
                                    studies_of(meshes, "denoising by every method", settings, progress, section, trials_on)};
@@ -48,18 +44,12 @@ DenoisingLaboratory laboratory_of(const MeshLibrary& library, const QuestionSett
     return laboratory;
 }
 
-/// Standard deviation of Σ|displacement|²/(3σ²n) about its mean 1: √2 over the root of the effective number of squares.
+/// Returns the standard deviation of Σ|displacement|²/(3σ²n) about its mean 1: √2 over the root of the effective number of squares.
 double strength_deviation(const DenoisingTrials& mesh, const NoiseTrial& trial) {
     const double n = mesh.subject.mesh.vertex_count();
     if (trial.kind == NoiseKind::gaussian) return std::sqrt(2 / (3 * n));
     if (trial.kind == NoiseKind::impulsive) return std::sqrt(2 / (3 * std::max(1.0, std::round(impulsive_share * n))));
     return std::sqrt(2 / n);   // box: as if one axis had it all
-}
-
-/// Whether smoothing changed the sign of a component's volume: noise as large as a component turns it inside out, and no scale undoes that.
-bool turned_inside_out(const DenoisingSubject& subject, const NoiseTrial& trial, const SearchResult& result) {
-    const auto volumes = [&](const Positions& X) { return component_sizes(moved_to(subject.mesh, X), subject.topology).volume; };
-    return (volumes(trial.noisy).array() * volumes(result.X).array() <= 0).any();
 }
 
 void add_checks(report::Section& section, const DenoisingLaboratory& laboratory) {
@@ -73,9 +63,12 @@ void add_checks(report::Section& section, const DenoisingLaboratory& laboratory)
             if (r.defined && r.failed == 0) unspent = std::max(unspent, std::abs(double(r.steps - laboratory.budget.total())));
             if (r.method == DenoisingMethod::conformal_flow)
                 area = std::max(area, std::abs(r.difference.area_ratio / trial.spoilt.area_ratio - 1));
-            if (r.method != DenoisingMethod::volume_rescaled || !r.defined || !mesh.subject.has_volume_to_keep ||
-                turned_inside_out(mesh.subject, trial, r))
-                continue;
+            if (r.method != DenoisingMethod::volume_rescaled || !r.defined || !mesh.subject.has_volume_to_keep) continue;
+            // Noise as large as a component turns it inside out, and no scale undoes that.
+            const auto volumes = [&subject = mesh.subject](const Positions& X) {
+                return component_sizes(moved_to(subject.mesh, X), subject.topology).volume;
+            };
+            if ((volumes(trial.noisy).array() * volumes(r.X).array() <= 0).any()) continue;
             volume = std::max(volume, std::abs(r.difference.volume_ratio / trial.spoilt.volume_ratio - 1));
             any_volume = true;
         }
@@ -86,43 +79,36 @@ void add_checks(report::Section& section, const DenoisingLaboratory& laboratory)
     add(section, report::within_rounding(check_at_most(words.line("check.area"), 0, area, 1e-9), rounding));
 }
 
-/// One noisy mesh each of at most four meshes; of the first also 20 % of the box in the whole laboratory.
-std::vector<Shown> pictured(const DenoisingLaboratory& laboratory, const QuestionSettings& settings) {
-    std::vector<Shown> shown;
-    for (const DenoisingTrials& mesh : laboratory.meshes | std::views::take(4)) shown.push_back({mesh, mesh.pictured_trial()});
-    const DenoisingTrials& first = laboratory.meshes.front();
-    for (const NoiseTrial& trial : first.trials)
-        if (trial.s1_level && settings.laboratory) shown.push_back({first, trial});
-    return shown;
-}
-
-report::Text answer_of(const DenoisingLaboratory& laboratory) {
-    std::map<int, Names> won;   // classes, by the method that is best on them
-    for (const ClassResult& c : class_results(laboratory))
-        if (c.best() >= 0) won[c.best()].push_back("“" + c.title + "”");
-    Names winners;
-    for (const auto& [method, classes] : won)
-        winners.push_back(words.line("answer.winner", "method"_a = method_title(method), "classes"_a = listed(classes)));
-    return winners.empty() ? words.say("answer.none") : words.say("answer", "winners"_a = listed(winners));
-}
-
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("methods")};
     report::Section& section = answer.section;
     const DenoisingLaboratory laboratory = laboratory_of(library, settings, progress, section);
-    add_method(section, laboratory.budget);
+    const DenoisingTrials& first = laboratory.meshes.front();
+    const std::vector<ClassResult> classes = class_results(laboratory);
+    const int steps = laboratory.budget.total();
 
+    add_method(section, laboratory.budget);
     add_words(section, words, "results");
-    add(section, subject_table(laboratory), winner_table(class_results(laboratory)), gain_table(laboratory));
-    if (laboratory.meshes.front().of_kind(NoiseKind::gaussian).size() > 1) add(section, gain_plot(laboratory));
-    add_method_figure(answer, pictured(laboratory, settings));
+    add(section, subject_table(laboratory), winner_table(classes), gain_table(laboratory));
+    if (first.of_kind(NoiseKind::gaussian).size() > 1) add(section, gain_plot(laboratory));
+    std::vector<Shown> shown;
+    for (const DenoisingTrials& mesh : laboratory.meshes | std::views::take(4)) shown.push_back({mesh, mesh.pictured_trial()});
+    for (const NoiseTrial& trial : first.trials)
+        if (trial.s1_level && settings.laboratory) shown.push_back({first, trial});
+    add_method_figure(answer, shown);
     add_words(section, words, "discussion", facts_of(laboratory));
     add_checks(section, laboratory);
-    section.answer = answer_of(laboratory);
 
-    const int steps = laboratory.budget.total();
+    std::map<int, Names> won;   // classes by their best method
+    for (const ClassResult& c : classes)
+        if (c.best() >= 0) won[c.best()].push_back("“" + c.title + "”");
+    Names winners;
+    for (const auto& [method, titles] : won)
+        winners.push_back(words.line("answer.winner", "method"_a = method_title(method), "classes"_a = listed(titles)));
+    section.answer = winners.empty() ? words.say("answer.none") : words.say("answer", "winners"_a = listed(winners));
+
     const std::string impulsive = words.line("parameter.impulsive", "share"_a = readable_percent(impulsive_share, 2));
     section.parameters = {
         {words.line("parameter.steps"), steps}, {"seed", settings.seed}, {"impulsive noise", {impulsive, impulsive_share, "share"}}};

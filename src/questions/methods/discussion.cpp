@@ -1,11 +1,11 @@
-// What the section "methods" says: its facts; templates/words/methods.md chooses among them.
+// The facts of the section "methods"; templates/words/methods.md chooses among them.
 #include "questions/methods/parts.h"
 
 namespace meshfolio::methods {
 
 namespace {
 
-/// Every noisy mesh: its clean one as `whole`, itself as `part`.
+/// Lists every noisy mesh as `part`, with its clean one as `whole`.
 auto all_trials(const DenoisingLaboratory& laboratory) { return parts_within(laboratory.meshes, &DenoisingTrials::trials); }
 
 double best_gain(const NoiseTrial& trial, Gain gain) {
@@ -13,12 +13,14 @@ double best_gain(const NoiseTrial& trial, Gain gain) {
     return best ? (best->*gain)() : 1;
 }
 
-/// How often filters of normals win, on meshes with sharp edges and on the others; and whether both measures agree.
+/// Counts how often filters of normals win, on meshes with sharp edges and on others, and how often the two measures disagree. Finds the
+/// largest gains in places and in shape against Gaussian noise up to half a mean edge.
 report::Facts winner_facts(const DenoisingLaboratory& laboratory) {
     struct Tally {
         int trials = 0, by_shape = 0, by_angle = 0;
     } sharp, other;
     int differ = 0, compared = 0;
+    double places_gain = 1, shape_gain = 1;
     const auto filters = [](const SearchResult* r) { return r != nullptr && filters_normals(r->method) ? 1 : 0; };
     for (const auto& [mesh, trial] : all_trials(laboratory)) {
         Tally& tally = mesh.subject.character.kind() == MeshClass::sharp_edged ? sharp : other;
@@ -26,33 +28,28 @@ report::Facts winner_facts(const DenoisingLaboratory& laboratory) {
         ++tally.trials;
         tally.by_shape += filters(shape);
         tally.by_angle += filters(angle);
-        if (shape == nullptr || angle == nullptr) continue;
-        ++compared;
-        differ += ties(shape->angle_gain(), angle->angle_gain()) ? 0 : 1;
-    }
-    return {"sharp"_a = sharp.trials, "sharp_shape"_a = sharp.by_shape, "sharp_normals"_a = sharp.by_angle,
-            "other"_a = other.trials, "other_shape"_a = other.by_shape, "other_normals"_a = other.by_angle,
-            "differ"_a = differ,      "compared"_a = compared};
-}
-
-/// The largest gains in places and in shape against Gaussian noise below half a mean edge.
-report::Facts place_facts(const DenoisingLaboratory& laboratory) {
-    double places = 1, shape = 1;
-    for (const auto& [mesh, trial] : all_trials(laboratory)) {
+        if (shape != nullptr && angle != nullptr) {
+            ++compared;
+            differ += ties(shape->angle_gain(), angle->angle_gain()) ? 0 : 1;
+        }
         if (trial.kind != NoiseKind::gaussian || trial.edges > 0.5) continue;
-        places = std::max(places, best_gain(trial, &SearchResult::rms_gain));
-        shape = std::max(shape, best_gain(trial, &SearchResult::gain));
+        places_gain = std::max(places_gain, best_gain(trial, &SearchResult::rms_gain));
+        shape_gain = std::max(shape_gain, best_gain(trial, &SearchResult::gain));
     }
-    return {"places_stay"_a = shape > 1.5 * places, "places"_a = readable(places, 2), "shape"_a = readable(shape, 2)};
+    return {"sharp"_a = sharp.trials,
+            "sharp_shape"_a = sharp.by_shape,
+            "sharp_normals"_a = sharp.by_angle,
+            "other"_a = other.trials,
+            "other_shape"_a = other.by_shape,
+            "other_normals"_a = other.by_angle,
+            "differ"_a = differ,
+            "compared"_a = compared,
+            "places_stay"_a = shape_gain > 1.5 * places_gain,
+            "places"_a = readable(places_gain, 2),
+            "shape"_a = readable(shape_gain, 2)};
 }
 
-/// What the strongest Gaussian noise leaves at best; NaN where nothing helps or no face is left. [rad]
-double angle_left(const DenoisingTrials& mesh) {
-    const SearchResult* best = winner(*mesh.of_kind(NoiseKind::gaussian).back(), &SearchResult::gain);
-    return best ? best->difference.mean_normal_angle : std::nan("");
-}
-
-/// Which noise of the level of the pictures is easily removed, and which hardly: geometric means over the meshes.
+/// Compares the kinds of noise at the level of the pictures by their best gains, geometric means over the meshes.
 report::Facts kind_facts(const DenoisingLaboratory& laboratory) {
     std::map<std::string_view, double> gains;
     for (const auto& [mesh, trial] : all_trials(laboratory)) {
@@ -69,14 +66,15 @@ report::Facts kind_facts(const DenoisingLaboratory& laboratory) {
             "hardest_gain"_a = readable(hardest->second, 2)};
 }
 
-/// "20 % to 27 %", or "20 %" where both are told alike.
-std::string range_of(const std::vector<double>& values, const auto& told) {
+/// Formats a range: "20 % to 27 %", or "20 %" if both ends read alike.
+std::string range_text(const std::vector<double>& values, const auto& format) {
     if (values.empty()) return "";
     const auto [least, most] = std::ranges::minmax(values);
-    return span_of(told(least), told(most));
+    return span_of(format(least), format(most));
 }
 
-/// What the noise of the pictures does to the limit of explicit steps and to the area; and what 20 % of the box leaves.
+/// Measures the effect of the pictured noise on the limit of explicit steps and on the area, the best result against 20 % of the box, and
+/// the angle of normals that the best method leaves of the strongest Gaussian noise.
 report::Facts strength_facts(const DenoisingLaboratory& laboratory) {
     std::vector<double> limits, areas, gains, angles;
     for (const auto& [mesh, trial] : all_trials(laboratory)) {
@@ -89,19 +87,22 @@ report::Facts strength_facts(const DenoisingLaboratory& laboratory) {
         gains.push_back(best->gain());
         angles.push_back(degrees * best->difference.mean_normal_angle);
     }
-    const double left = largest_of(laboratory.meshes, angle_left);
+    const double left = largest_of(laboratory.meshes, [](const DenoisingTrials& mesh) {
+        const SearchResult* best = winner(*mesh.of_kind(NoiseKind::gaussian).back(), &SearchResult::gain);
+        return best ? best->difference.mean_normal_angle : undefined;
+    });
     const auto plain = [](double x) { return readable(x, 2); };
     return {"lower"_a = std::ranges::max(limits) < 1,
-            "limits"_a = range_of(limits, [](double x) { return readable_percent(x, 2); }),
-            "areas"_a = std::ranges::min(areas) > 1.02 ? range_of(areas, plain) : "",
-            "box_gains"_a = range_of(gains, plain),
-            "box_angles"_a = range_of(angles, [](double x) { return readable(x, 2) + "°"; }),
+            "limits"_a = range_text(limits, [](double x) { return readable_percent(x, 2); }),
+            "areas"_a = std::ranges::min(areas) > 1.02 ? range_text(areas, plain) : "",
+            "box_gains"_a = range_text(gains, plain),
+            "box_angles"_a = range_text(angles, [](double x) { return readable(x, 2) + "°"; }),
             "spoilt"_a = left > pi / 18,
             "strongest"_a = readable(laboratory.meshes.front().of_kind(NoiseKind::gaussian).back()->edges, 2),
             "angle"_a = readable(degrees * left, 2)};
 }
 
-/// The methods that keep the least and the most volume of the first mesh that has one.
+/// Finds the methods that keep the least and the most volume of the first mesh that has one.
 report::Facts volume_facts(const DenoisingLaboratory& laboratory) {
     const auto mesh = std::ranges::find_if(laboratory.meshes, [](const DenoisingTrials& m) { return m.subject.has_volume_to_keep; });
     std::vector<const SearchResult*> kept;
@@ -111,11 +112,12 @@ report::Facts volume_facts(const DenoisingLaboratory& laboratory) {
     if (kept.empty()) return {"volume_of"_a = "", "least_method"_a = "", "least"_a = "", "most_method"_a = "", "most"_a = ""};
     const auto volume = [](const SearchResult* r) { return r->difference.volume_ratio; };
     const auto [least, most] = std::ranges::minmax(kept, {}, volume);
-    const auto told = [&](const SearchResult* r) { return readable_percent(std::abs(volume(r)) < 1e-9 ? 0 : volume(r)); };
-    return {"volume_of"_a = mesh->name(), "least_method"_a = method_title(*least), "least"_a = told(least),
-            "most_method"_a = method_title(*most), "most"_a = told(most)};
+    const auto percent = [&](const SearchResult* r) { return readable_percent(std::abs(volume(r)) < 1e-9 ? 0 : volume(r)); };
+    return {"volume_of"_a = mesh->name(), "least_method"_a = method_title(*least), "least"_a = percent(least),
+            "most_method"_a = method_title(*most), "most"_a = percent(most)};
 }
 
+/// Lists the methods with failed runs, and the meshes cut to a patch.
 report::Facts remark_facts(const DenoisingLaboratory& laboratory) {
     Names failures, patches;
     for (std::size_t i = 0; i < denoising_list().size(); ++i) {
@@ -136,8 +138,8 @@ report::Facts remark_facts(const DenoisingLaboratory& laboratory) {
 
 report::Facts facts_of(const DenoisingLaboratory& laboratory) {
     report::Facts facts;
-    for (const report::Facts& more : {winner_facts(laboratory), place_facts(laboratory), kind_facts(laboratory), strength_facts(laboratory),
-                                      volume_facts(laboratory), remark_facts(laboratory)})
+    for (const report::Facts& more :
+         {winner_facts(laboratory), kind_facts(laboratory), strength_facts(laboratory), volume_facts(laboratory), remark_facts(laboratory)})
         facts.insert(facts.end(), more.begin(), more.end());
     return facts;
 }

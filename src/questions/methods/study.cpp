@@ -14,7 +14,7 @@ NoiseTrial level_of(const DenoisingSubject& subject, NoiseKind kind, double edge
     return {.kind = kind, .edges = edges, .sigma = edges * subject.mean_edge};
 }
 
-/// The noise to be tried, kind by kind.
+/// Lists the noise to try, kind by kind.
 std::vector<NoiseTrial> levels_of(const DenoisingSubject& subject, const QuestionSettings& settings) {
     std::vector<double> gaussian{0.03, 0.1, 0.3, 1}, others{0.3};
     if (settings.quick) gaussian = {0.1, 0.3}, others = {};
@@ -27,7 +27,7 @@ std::vector<NoiseTrial> levels_of(const DenoisingSubject& subject, const Questio
     }
     std::vector<NoiseTrial> trials;
     for (const NoiseEntry& entry : noise_list()) {
-        // What is scaled by the box is Gaussian on a mesh as wide as it is high: a short report keeps to the one level it was used at.
+        // Noise scaled by the box is Gaussian if the box is a cube, so short reports have the one level that an earlier report used.
         const bool left_out = entry.kind == NoiseKind::box && !settings.laboratory;
         for (const double edges : entry.kind == NoiseKind::gaussian ? gaussian : others)
             if (!left_out) trials.push_back(level_of(subject, entry.kind, edges));
@@ -38,7 +38,7 @@ std::vector<NoiseTrial> levels_of(const DenoisingSubject& subject, const Questio
     return trials;
 }
 
-/// Falls back on Gershgorin's bound, which is never too small.
+/// Computes μ_max of the cotangent operator; falls back on Gershgorin's bound, which is never too small. [1/length²]
 double largest_eigenvalue_of(const TriangleMesh& mesh) {
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     try {
@@ -49,15 +49,7 @@ double largest_eigenvalue_of(const TriangleMesh& mesh) {
     }
 }
 
-void spoil(const DenoisingSubject& subject, std::uint64_t seed, NoiseTrial& trial) {
-    trial.noisy = with_noise(subject.mesh, trial.kind, trial.sigma, seed);
-    const TriangleMesh noisy = moved_to(subject.mesh, trial.noisy);
-    trial.spoilt = compare_meshes(subject.mesh, noisy);
-    trial.mean_edge = mean_edge_length(noisy, subject.topology.edges);
-    trial.largest_eigenvalue = largest_eigenvalue_of(noisy);
-    trial.results.resize(denoising_list().size());
-}
-
+/// Returns the index of the largest finite value; −1 without any.
 int index_of_largest(const std::vector<double>& values) {
     int best = -1;
     for (int i = 0; i < std::ssize(values); ++i)
@@ -65,14 +57,14 @@ int index_of_largest(const std::vector<double>& values) {
     return best;
 }
 
-/// Averages the gains of each method over these trials.
+/// Computes the geometric mean gain of each method over these trials.
 std::vector<double> mean_gains(const std::vector<const NoiseTrial*>& trials, Gain gain) {
     std::vector<double> means;
     for (std::size_t method = 0; method < denoising_list().size(); ++method) {
         double sum = 0;
         int count = 0;
         for (const NoiseTrial* trial : trials) {
-            // Skips trials where no method has a gain. If only this method has none, its mean is NaN.
+            // A trial without any gain is skipped. If this method alone has none, its mean is NaN.
             const double value = (trial->results[method].*gain)();
             if (std::isnan(value) && std::isnan((trial->results.front().*gain)())) continue;
             sum += std::log(value);
@@ -143,14 +135,23 @@ SearchBudget search_budget(const QuestionSettings& settings) {
 }
 
 DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSettings& settings) {
-    std::vector<NoiseTrial> levels = levels_of(subject, settings);
-    DenoisingTrials mesh{std::move(subject), std::move(levels)};
+    DenoisingTrials mesh;
+    mesh.subject = std::move(subject);
+    mesh.trials = levels_of(mesh.subject, settings);
     mesh.pictured = static_cast<int>(mesh.of_kind(NoiseKind::gaussian).size() / 2);
     const TriangleMesh& clean = mesh.subject.mesh;
     const Positions normals = face_normals(clean);
-    // Everything is written to a place of its own: the order in which it is done does not matter.
-    for_each_task(mesh.trials.size(), [&](std::size_t i) { spoil(mesh.subject, settings.seed, mesh.trials[i]); });
     const std::size_t methods = denoising_list().size();
+    // Every task writes to a place of its own, so their order does not matter.
+    for_each_task(mesh.trials.size(), [&](std::size_t i) {
+        NoiseTrial& trial = mesh.trials[i];
+        trial.noisy = with_noise(clean, trial.kind, trial.sigma, settings.seed);
+        const TriangleMesh noisy = moved_to(clean, trial.noisy);
+        trial.spoilt = compare_meshes(clean, noisy);
+        trial.mean_edge = mean_edge_length(noisy, mesh.subject.topology.edges);
+        trial.largest_eigenvalue = largest_eigenvalue_of(noisy);
+        trial.results.resize(methods);
+    });
     for_each_task(mesh.trials.size() * methods, [&](std::size_t i) {
         NoiseTrial& trial = mesh.trials[i / methods];
         const TriangleMesh noisy = moved_to(clean, trial.noisy);
@@ -168,9 +169,9 @@ std::vector<ClassResult> class_results(const DenoisingLaboratory& laboratory) {
     std::vector<std::vector<const NoiseTrial*>> trials;
     for (const DenoisingTrials& mesh : laboratory.meshes) {
         const std::string title = mesh.subject.class_title();
-        std::size_t c = 0;
-        while (c < classes.size() && classes[c].title != title) ++c;
-        if (c == classes.size()) {
+        const auto found = std::ranges::find(classes, title, &ClassResult::title);
+        const auto c = static_cast<std::size_t>(found - classes.begin());
+        if (found == classes.end()) {
             classes.push_back({title, {}, 0, {}, {}});
             trials.emplace_back();
         }

@@ -5,7 +5,7 @@ namespace meshfolio::methods {
 
 namespace {
 
-/// The others are near to the implicit flow, or gain nothing: the plot and the figure leave them out.
+/// True for the methods of the plot and the figure. The others are near to the implicit flow, or gain nothing.
 bool is_plotted(DenoisingMethod method) {
     using enum DenoisingMethod;
     return method != explicit_flow && method != rebuilt_flow && method != conformal_flow;

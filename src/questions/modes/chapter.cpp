@@ -5,10 +5,10 @@ namespace meshfolio::modes {
 
 namespace {
 
-/// The meshes of both parts, of the first and of the second: noise is added to clean ones only. A user's own take part in both.
 struct PartMeshes {
     LibraryMeshes shape, noise;
 };
+/// Finds the meshes of both parts: noise is added to clean ones only. Meshes of the user's own take part in both.
 PartMeshes part_meshes(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
     PartMeshes parts;
     const auto enter = [&](const std::vector<std::string_view>& roles, auto... of_parts) {
@@ -28,20 +28,12 @@ PartMeshes part_meshes(const MeshLibrary& library, const QuestionSettings& setti
     return parts;
 }
 
-void add_timings(report::Section& section, const ModeStudy& study) {
-    for (const TriedWay& run : study.tried)
-        section.timings.push_back(
-            {words.line("timing", "explicitly"_a = run.way.scheme == SmoothingScheme::explicit_euler, "steps"_a = run.way.steps,
-                        "mesh"_a = study.name(), "energy"_a = readable_percent(study.targets[run.target].energy, 2)),
-             run.seconds});
-}
-
 void add_shape_checks(report::Section& section, const ModeStudy& study) {
     double damping = 0, gap = 0, energy = 0;
     int gaps = 0, runs = 0;
     for (const ModeDamping& d : study.dampings) damping = std::max(damping, d.deviation(study.eigenvalues));
     for (const SchemeGap& g : study.gaps) {
-        if (!(g.lambda <= study.subject.critical && study.seen(g))) continue;
+        if (!(g.lambda <= study.subject.critical && study.is_measurable(g))) continue;
         gap = std::max(gap, std::abs(g.predicted / g.measured - 1));
         ++gaps;
     }
@@ -66,7 +58,7 @@ void add_noise_checks(report::Section& section, const PredictionStudies& studies
         append_checks(section, {check_at_most(name("check.vertices"), far, right.vertices, 0,
                                               words.line("check.vertices.note", "seeds"_a = study.seeds)),
                                 check_at_most(name("check.area"), far, right.mass)});
-        // A formula that rounding drowns cannot be told from a wrong one.
+        // Rounding may hide the difference between a right and a wrong formula.
         if (study.condition < 1e12) add(section, check_at_least(name("check.control"), far, control.vertices));
         // p(t) is the expected, m(t) the measured curve, off by δ at most: m(t_p) ≤ (1 + δ)p(t_p) ≤ (1 + δ)p(t_m) ≤ m(t_m)(1 + δ)/(1 − δ).
         const OperatorStudy& clean = level.of(FlowOperator::clean);
@@ -97,11 +89,6 @@ void add_record(report::Section& section, const ModeStudies& shapes, const Predi
         words.line("extent", "meshes"_a = listed(names_of(shapes)), "noisy"_a = listed(names_of(noisy)), "seeds"_a = first.seeds);
 }
 
-report::Facts joined_facts(report::Facts facts, const report::Facts& more) {
-    facts.insert(facts.end(), more.begin(), more.end());
-    return facts;
-}
-
 }   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
@@ -111,6 +98,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const ModeStudies shapes = studies_of(meshes.shape, "modes", settings, progress, section, mode_study);
     const PredictionStudies noisy = studies_of(meshes.noise, "predicted denoising", settings, progress, section, prediction_study);
     const report::Facts of_shape = shape_facts(shapes), of_noise = noise_facts(noisy);
+    report::Facts all = of_shape;
+    all.insert(all.end(), of_noise.begin(), of_noise.end());
 
     add_words(section, words, "method");
     add_words(section, words, "shape", of_shape);
@@ -127,10 +116,16 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
     for (const ModeStudy& study : shapes) {
         add_shape_checks(section, study);
-        add_timings(section, study);
+        for (const TriedWay& run : study.tried) {
+            const bool is_explicit = run.way.scheme == SmoothingScheme::explicit_euler;
+            const std::string energy = readable_percent(study.targets[run.target].energy, 2);
+            section.timings.push_back({words.line("timing", "explicitly"_a = is_explicit, "steps"_a = run.way.steps,
+                                                  "mesh"_a = study.name(), "energy"_a = energy),
+                                       run.seconds});
+        }
     }
     add_noise_checks(section, noisy);
-    section.answer = words.say("answer", joined_facts(of_shape, of_noise));
+    section.answer = words.say("answer", all);
     add_record(section, shapes, noisy, settings);
     return answer;
 }

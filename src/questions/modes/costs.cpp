@@ -1,5 +1,3 @@
-#include "questions/modes/costs.h"
-
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
@@ -34,20 +32,6 @@ double argument_of(Function f, double value, double guess) {
     return std::exp(w);
 }
 
-/// The smallest count in [1, most] for which a condition holds that goes on holding; most + 1: none.
-template <class Condition>
-int first_count(int most, Condition holds) {
-    int high = 1;
-    while (high < most && !holds(high)) high = std::min(2 * high, most);
-    if (!holds(high)) return most + 1;
-    int low = high / 2;   // does not hold there
-    while (high - low > 1) {
-        const int middle = low + (high - low) / 2;
-        (holds(middle) ? high : low) = middle;
-    }
-    return high;
-}
-
 auto explicit_filter(double lambda, int steps) {
     return [=](double mu) { return std::pow(1 - lambda * mu, steps); };
 }
@@ -58,62 +42,74 @@ auto exact_filter(double time) {
     return [=](double mu) { return std::exp(-time * mu); };
 }
 
+/// Computes the distance of the filtered coordinates from the exact flow of the same energy, over the motion of that flow.
+double error_of(const CostModel& model, const auto& filter, double energy) {
+    const auto exact = exact_filter(model.exact_time(energy));
+    const double motion = model.measure.rms([&](double mu) { return 1 - exact(mu); });
+    return model.measure.rms([&](double mu) { return filter(mu) - exact(mu); }) / motion;
+}
+
 SmoothingWay implicit_way_of(const CostModel& model, double energy, const SmoothingWay& explicit_way, std::size_t which) {
     if (which < std::size(implicit_steps)) return model.implicit_way(energy, implicit_steps[which]);
-    if (which == std::size(implicit_steps)) return model.implicit_way_within(energy, implicit_accuracy);
+    if (which == accurate_way) return model.implicit_way_within(energy, implicit_accuracy);
     if (explicit_way.steps == 0) return {SmoothingScheme::implicit_euler};
     return model.implicit_way_within(explicit_way.energy, explicit_way.error);
 }
 
 }   // namespace
 
-CostModel::CostModel(const SmoothingSubject& subject, SpectralMeasure measure)
-    : measure_(std::move(measure)), critical_(subject.critical), energy_(measure_.energy([](double) { return 1.0; })) {
+CostModel cost_model(const SmoothingSubject& subject, SpectralMeasure measure) {
     const OperatorWithMass whole = operator_with_mass(subject.laplacian);
-    factor_ = implicit_operations_of(subject);
-    rows_ = whole.size();
-    nonzeros_ = double(whole.A.nonZeros());
-}
-
-template <class Filter>
-double CostModel::error_of(Filter filter, double energy) const {
-    const auto exact = exact_filter(exact_time(energy));
-    const double motion = measure_.rms([&](double mu) { return 1 - exact(mu); });
-    return measure_.rms([&](double mu) { return filter(mu) - exact(mu); }) / motion;
+    const FactorOperations factor = implicit_operations_of(subject);
+    const double initial_energy = measure.energy([](double) { return 1.0; });
+    return {.measure = std::move(measure),
+            .factor = factor,
+            .explicit_step = 3 * double(whole.A.nonZeros()),
+            .implicit_step = 3 * (factor.solve + whole.size()),
+            .critical = subject.critical,
+            .initial_energy = initial_energy};
 }
 
 double CostModel::exact_time(double energy) const {
-    return argument_of([&](double time) { return share(exact_filter(time)); }, energy, critical_);
+    return argument_of([&](double time) { return share(exact_filter(time)); }, energy, critical);
 }
 
 double CostModel::least_energy(double least) const {
     double relative = 1.5e9;
     while ((relative /= 1.5) > 1) {
-        const auto filter = implicit_filter(relative * critical_, 1);
+        const auto filter = implicit_filter(relative * critical, 1);
         if (share(filter) < least) continue;
-        if (measure_.uncertainty([&](double mu) { return mu * filter(mu) * filter(mu); }) <= 1e-7) return share(filter);
+        if (measure.uncertainty([&](double mu) { return mu * filter(mu) * filter(mu); }) <= 1e-7) return share(filter);
     }
-    return share(implicit_filter(critical_, 1));
+    return share(implicit_filter(critical, 1));
 }
 
 SmoothingWay CostModel::explicit_way(double energy) const {
-    SmoothingWay way{SmoothingScheme::explicit_euler, 0.95 * critical_};
-    const int steps = first_count(most_steps, [&](int t) { return share(explicit_filter(way.lambda, t)) <= energy; });
-    if (steps > most_steps) return way;
-    way.steps = steps;
-    way.energy = share(explicit_filter(way.lambda, steps));
-    way.error = error_of(explicit_filter(way.lambda, steps), way.energy);
-    way.operations = steps * explicit_step_operations();
+    SmoothingWay way{SmoothingScheme::explicit_euler, 0.95 * critical};
+    const auto is_enough = [&](int steps) { return share(explicit_filter(way.lambda, steps)) <= energy; };
+    int enough = 1;
+    while (enough < most_steps && !is_enough(enough)) enough = std::min(2 * enough, most_steps);
+    if (!is_enough(enough)) return way;
+    for (int too_few = enough / 2; enough - too_few > 1;) {
+        const int middle = too_few + (enough - too_few) / 2;
+        (is_enough(middle) ? enough : too_few) = middle;
+    }
+    const auto filter = explicit_filter(way.lambda, enough);
+    way.steps = enough;
+    way.energy = share(filter);
+    way.error = error_of(*this, filter, way.energy);
+    way.operations = enough * explicit_step;
     return way;
 }
 
 SmoothingWay CostModel::implicit_way(double energy, int steps) const {
     SmoothingWay way{SmoothingScheme::implicit_euler};
-    way.lambda = argument_of([&](double lambda) { return share(implicit_filter(lambda, steps)); }, energy, critical_ / steps);
+    way.lambda = argument_of([&](double lambda) { return share(implicit_filter(lambda, steps)); }, energy, critical / steps);
+    const auto filter = implicit_filter(way.lambda, steps);
     way.steps = steps;
-    way.energy = share(implicit_filter(way.lambda, steps));
-    way.error = error_of(implicit_filter(way.lambda, steps), way.energy);
-    way.operations = factor_.factorisation + steps * implicit_step_operations();
+    way.energy = share(filter);
+    way.error = error_of(*this, filter, way.energy);
+    way.operations = factor.factorisation + steps * implicit_step;
     return way;
 }
 
@@ -125,7 +121,7 @@ SmoothingWay CostModel::implicit_way_within(double energy, double error) const {
         const SmoothingWay way = implicit_way(energy, steps);
         (way.error <= error ? high : low) = steps;
         if (way.error <= error) found = way;
-        // Errors fall about as 1/steps, so that each says how many it takes. What does not is halved.
+        // Errors fall about as 1/steps, so each one predicts the number of steps; after eight tries the interval is halved.
         const double enough = std::ceil(steps * way.error / error);
         steps = tries >= 8 ? low + std::max((high - low) / 2, 1) : enough < high ? std::max(static_cast<int>(enough), low + 1) : high - 1;
     }

@@ -6,16 +6,9 @@ namespace {
 
 std::string percent(double share) { return readable_percent(share, 2); }
 
-/// "on cube", "on cube and lily": entries of a list, each with what separates it from the next.
-report::FactList separated(report::FactList entries) {
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        entries[i].push_back("sep"_a = i + 1 == entries.size() ? "" : i + 2 == entries.size() ? " and " : ", ");
-    return entries;
-}
-
 // ---- the shape
 
-/// The largest gap after so many steps that do not diverge, over the motion of the implicit run.
+/// The largest gap of stable runs after some steps, over the motion of the implicit run.
 struct LargestGap {
     double share = 0;
     std::string mesh;
@@ -29,7 +22,7 @@ LargestGap largest_gap(const ModeStudies& studies, int steps) {
     return largest;
 }
 
-/// Is this implicit way cheaper on some mesh, and where does that begin? "36 % to 74 %"
+/// Returns the energies below which this implicit way is cheaper, "36 % to 74 %" over the meshes; empty if it is nowhere.
 std::string cheaper_below(const ModeStudies& studies, std::size_t which) {
     double least = infinity, most = 0;
     for (const ModeStudy& study : studies) {
@@ -40,7 +33,7 @@ std::string cheaper_below(const ModeStudies& studies, std::size_t which) {
     return most > 0 ? span_of(percent(least), percent(most)) : "";
 }
 
-/// The energy below which the explicit result is nearer to the exact flow than one implicit step, wherever it is known; 0: at none.
+/// Returns the energy below which the explicit result is nearer to the exact flow than one implicit step; 0 if it never is.
 double explicit_is_truer_below(const ModeStudy& study) {
     double below = 0;
     for (const SmoothingTarget& target : study.curve) {   // energies descend
@@ -53,11 +46,12 @@ double explicit_is_truer_below(const ModeStudy& study) {
 
 // ---- noise
 
+/// Returns the deviation of a prediction from the measurement.
 double off_of(const NoiseLevelStudy& level, FlowOperator kind, std::string_view name = by_formula) {
     return deviation(*level.of(kind).prediction(name), level.of(kind).measured);
 }
 
-/// The largest mean regret of a rule where the minimum is known; NaN where it was tried nowhere.
+/// Returns the largest mean regret of a rule over the levels with a known minimum; NaN if it was tried on none.
 double largest_regret(const PredictionStudies& studies, std::string_view name) {
     double largest = undefined;
     for (const auto& [study, level] : levels_of(studies)) {
@@ -65,15 +59,6 @@ double largest_regret(const PredictionStudies& studies, std::string_view name) {
         if (const RuleOutcome* rule = own.rule(name); rule && own.minimum_reached()) largest = std::fmax(largest, rule->mean_regret());
     }
     return largest;
-}
-
-/// Does the rule stop after the best iteration wherever it was tried?
-bool stops_late(const PredictionStudies& studies, std::string_view name) {
-    return std::ranges::all_of(levels_of(studies), [&](auto& each) {
-        const OperatorStudy& own = each.part.of(FlowOperator::noisy);
-        const RuleOutcome* rule = own.rule(name);
-        return !rule || rule->mean_chosen() > own.measured.best();
-    });
 }
 
 }   // namespace
@@ -94,17 +79,21 @@ report::Facts shape_facts(const ModeStudies& studies) {
     report::FactList borders;
     for (const ModeStudy& study : studies)
         if (below(study)) borders.push_back({"energy"_a = percent(study.crossings[0]->energy), "mesh"_a = study.name()});
+    for (std::size_t i = 0; i < borders.size(); ++i)
+        borders[i].push_back("sep"_a = i + 1 == borders.size() ? "" : i + 2 == borders.size() ? " and " : ", ");
     const double truer = explicit_is_truer_below(*std::ranges::min_element(studies, {}, explicit_is_truer_below));
-    return {"laws"_a = worst<law_tolerance, "worst"_a = readable(worst, 2), "first"_a = studies.front().name(), "steps"_a = close.steps,
-                             "left"_a = percent(std::abs(close.law(studies.front().subject.top.value))), "gap"_a = first.share> 0
-                           ? percent(first.share)
-                           : "",
+    return {"laws"_a = (worst < law_tolerance),
+            "worst"_a = readable(worst, 2),
+            "first"_a = studies.front().name(),
+            "steps"_a = close.steps,
+            "left"_a = percent(std::abs(close.law(studies.front().subject.top.value))),
+            "gap"_a = (first.share > 0 ? percent(first.share) : ""),
             "gap_steps"_a = counts.empty() ? 0 : counts.front(),
             "gap_mesh"_a = first.mesh,
             "last_gap"_a = last.share > 0 && last.share < first.share ? percent(last.share) : "",
             "last_steps"_a = counts.empty() ? 0 : counts.back(),
             "some"_a = !borders.empty(),
-            "below"_a = separated(borders),
+            "below"_a = borders,
             "everywhere"_a = listed(names_where(studies, [](const ModeStudy& s) { return s.cheaper_everywhere(0); })),
             "nowhere"_a = listed(names_where(studies, [](const ModeStudy& s) { return s.cheaper_nowhere(0); })),
             "truer"_a = truer > 0 ? percent(truer) : "",
@@ -132,6 +121,11 @@ report::Facts noise_facts(const PredictionStudies& studies) {
     const bool fails = own > 0.05 && account.iteration > 0;
     const double sigma_off = std::fmax(1 - least_sigma, most_sigma - 1);   // NaN where σ cannot be estimated
     const double held = largest_regret(studies, by_fixed_operator), by_estimate = largest_regret(studies, by_stein_estimated);
+    const bool stops_late = std::ranges::all_of(levels, [](auto& each) {
+        const OperatorStudy& operated = each.part.of(FlowOperator::noisy);
+        const RuleOutcome* rule = operated.rule(by_discrepancy);
+        return !rule || rule->mean_chosen() > operated.measured.best();
+    });
     return {"seeds"_a = studies.front().seeds,
             "foreseen"_a = off < 0.1,
             "off"_a = percent(off),
@@ -156,7 +150,7 @@ report::Facts noise_facts(const PredictionStudies& studies) {
             "rule_times"_a = by_estimate >= 1 ? readable(1 + by_estimate, 2) : "",
             "held"_a = held > by_estimate ? percent(held) : "",
             "discrepancy"_a = percent(largest_regret(studies, by_discrepancy)),
-            "stops_late"_a = stops_late(studies, by_discrepancy)};
+            "stops_late"_a = stops_late};
 }
 
 }   // namespace meshfolio::modes

@@ -11,8 +11,7 @@ namespace meshfolio::modes {
 
 namespace {
 
-constexpr int lowest_modes = 60;    // of a larger mesh
-constexpr int run_at_most = 2000;   // explicit steps that are run to see whether they do what was said
+constexpr int run_at_most = 2000;   // explicit steps of a way that is tried
 
 struct Modes {
     Vector eigenvalues;
@@ -20,12 +19,13 @@ struct Modes {
     bool all = false;
 };
 
+/// Returns all modes of a small mesh; the lowest and the top one of a larger.
 Modes modes_of(const SmoothingSubject& subject, bool quick) {
     if (subject.preflight().vertices_in_use <= all_modes_at_most) {
-        const auto all = all_modes(subject);
-        return {all->eigenvalues, all->eigenvectors, true};
+        const Spectrum& all = all_modes(subject);
+        return {all.eigenvalues, all.eigenvectors, true};
     }
-    Spectrum lowest = smallest_eigenpairs(subject.laplacian, quick ? 20 : lowest_modes, {.polish = true, .dense_below = 0});
+    Spectrum lowest = smallest_eigenpairs(subject.laplacian, quick ? 20 : 60, {.polish = true, .dense_below = 0});
     Modes modes{std::move(lowest.eigenvalues), std::move(lowest.eigenvectors)};
     modes.eigenvalues.conservativeResize(modes.eigenvalues.size() + 1);
     modes.eigenvalues.tail(1)[0] = subject.top.value;
@@ -34,7 +34,7 @@ Modes modes_of(const SmoothingSubject& subject, bool quick) {
     return modes;
 }
 
-/// Unit coefficients: in each coordinate ±1/√3, of signs that repeat nowhere.
+/// Returns unit coefficients: ±1/√3 in each coordinate, with signs that repeat nowhere.
 Positions unit_coefficients(Eigen::Index modes) {
     Positions W(modes, 3);
     std::uint32_t state = 2463534242u;
@@ -67,7 +67,7 @@ ModeDamping damping_of(const SmoothingSubject& subject, const Modes& modes, Smoo
     return damping;
 }
 
-/// Area-weighted rms over the box diagonal.
+/// Computes the area-weighted rms distance over the box diagonal.
 double distance(const SmoothingSubject& subject, const Positions& A, const Positions& B) {
     const Vector& M = subject.laplacian.M;
     return std::sqrt(M.dot((A - B).rowwise().squaredNorm()) / M.sum()) / subject.diagonal;
@@ -85,21 +85,13 @@ SchemeGap gap_of(const ModeStudy& study, double lambda, int steps, ImplicitSolve
     const Smoothed other = smoothed(subject, SmoothingScheme::explicit_euler, lambda, steps, solver);
     gap.measured = other.blew_up ? undefined : distance(subject, X, other.X);
     const auto explicit_minus_implicit = [&](double mu) { return std::pow(1 - lambda * mu, steps) - std::pow(1 + lambda * mu, -steps); };
-    gap.predicted = study.measure.rms(explicit_minus_implicit) / subject.diagonal;
+    gap.predicted = study.model.measure.rms(explicit_minus_implicit) / subject.diagonal;
     return gap;
 }
 
-/// Dirichlet energy about the first vertex: far from the origin the digits of the differences count.
+/// Computes the Dirichlet energy about the first vertex, because coordinates far from 0 would cost digits.
 double energy_of(const SmoothingSubject& subject, const Positions& X) {
     return dirichlet_energy(subject.laplacian.C, X.rowwise() - X.row(0));
-}
-
-/// Largest over smallest eigenvalue that the coordinates have a part in.
-double spread_of(const SpectralMeasure& measure) {
-    double least = infinity;
-    for (Eigen::Index i = 0; i < measure.nodes.size(); ++i)
-        if (measure.weights[i] > 1e-20 * measure.weights.sum()) least = std::min(least, measure.nodes[i]);
-    return measure.nodes.maxCoeff() / least;
 }
 
 TriedWay tried(const ModeStudy& study, std::size_t target, const SmoothingWay& way, double initial_energy) {
@@ -111,17 +103,18 @@ TriedWay tried(const ModeStudy& study, std::size_t target, const SmoothingWay& w
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const double energy = energy_of(subject, X);
     run.energy = energy / initial_energy;
+
+    const Vector &nodes = study.model.measure.nodes, &weights = study.model.measure.weights;
+    const double spread = nodes.maxCoeff() / (weights.array() > 1e-20 * weights.sum()).select(nodes, infinity).minCoeff();
     const Vector stiffness = subject.laplacian.C.diagonal().cwiseAbs();
     const double of_sums = 8 * X.cwiseAbs().maxCoeff() * stiffness.dot((X.rowwise() - X.row(0)).rowwise().norm()) / energy;
-    run.rounding = epsilon * (of_sums + spread_of(study.measure));
+    run.rounding = epsilon * (of_sums + spread);
     return run;
 }
 
+/// Fills the targets, the curve, the crossings and the tried ways.
 void study_costs(ModeStudy& study, bool quick) {
-    const CostModel model(study.subject, study.measure);
-    study.factor = model.factor();
-    study.explicit_step = model.explicit_step_operations();
-    study.implicit_step = model.implicit_step_operations();
+    const CostModel& model = study.model;
     const double least = model.least_energy(0.005), most = std::max(0.95, least);
     for (const double energy : quick ? std::vector{0.5, 0.1} : std::vector{0.9, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02})
         if (energy >= least) study.targets.push_back(smoothing_target(model, energy));
@@ -169,7 +162,7 @@ ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings) {
     for (const double relative : {0.5, 0.95, 10.0})
         study.dampings.push_back(damping_of(study.subject, modes, SmoothingScheme::implicit_euler, relative, steps));
 
-    study.measure = spectral_measure(study.subject.laplacian, study.subject.mesh().X, lanczos_steps(settings));
+    study.model = cost_model(study.subject, spectral_measure(study.subject.laplacian, study.subject.mesh().X, lanczos_steps(settings)));
     const std::vector<int> counts = settings.iterations.empty() ? std::vector{1, 10, 100} : each_once(settings.iterations);
     ImplicitSolver solver;
     for (const double lambda : steps_of(settings, study.subject.critical, {0.1, 0.5, 0.9})) {

@@ -1,3 +1,5 @@
+#include <span>
+
 #include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
@@ -9,9 +11,10 @@ using Style = report::Series::Style;
 constexpr double invisible = 1e-13;       // factors below are rounding
 constexpr Eigen::Index most_shown = 60;   // points
 
-/// |factor| where it can be seen above rounding.
+/// Returns |factor|; NaN if it is rounding.
 double visible(double factor) { return std::abs(factor) > invisible ? std::abs(factor) : undefined; }
 
+/// Plots the law over μ/μ_max.
 report::Series law_line(const ModeStudy& study, const ModeDamping& damping, std::string name, std::string panel) {
     report::Series line{.name = std::move(name), .panel = std::move(panel)};
     constexpr int points = 240;
@@ -22,7 +25,7 @@ report::Series law_line(const ModeStudy& study, const ModeDamping& damping, std:
     return line;
 }
 
-/// Picks some of the modes, evenly spaced, with the last.
+/// Plots the measured factors of some modes, evenly spaced, with the last.
 report::Series measured_points(const ModeStudy& study, const ModeDamping& damping, std::string name, std::string panel) {
     report::Series points{.name = std::move(name), .style = Style::points, .panel = std::move(panel)};
     const Eigen::Index n = study.eigenvalues.size(), shown = std::min(n, most_shown);
@@ -34,9 +37,8 @@ report::Series measured_points(const ModeStudy& study, const ModeDamping& dampin
 }
 
 double operations_of(const SmoothingWay& way) { return way.steps > 0 ? way.operations : undefined; }
-double error_of(const SmoothingWay& way) { return way.steps > 0 ? 100 * way.error : undefined; }
 
-/// Plots one value of the explicit and of the first implicit ways over energy, a panel each mesh.
+/// Plots one value of the explicit way and of the first implicit ways over the energy, one panel per mesh.
 report::Plot target_plot(const ModeStudies& studies, const std::string& key, std::size_t implicit_ways,
                          double (*value)(const SmoothingWay&)) {
     report::Plot plot{.id = "modes_" + key,
@@ -59,16 +61,9 @@ report::Plot target_plot(const ModeStudies& studies, const std::string& key, std
     return plot;
 }
 
-/// The gaps of one step, at each count of iterations.
-struct GapRow {
-    const ModeStudy& study;
-    std::size_t first;   // of its gaps
-};
-
 }   // namespace
 
 report::Plot damping_plot(const ModeStudy& study) {
-    const auto in_limits = [&](const ModeDamping& d) { return plain_text(d.lambda / study.subject.critical, 3); };
     report::Plot plot{.id = id_of("modes", study.name(), "damping"),
                       .caption = words.line("damping", "steps"_a = study.dampings.front().steps, "mesh"_a = study.name(),
                                             "some"_a = study.all && study.eigenvalues.size() > most_shown),
@@ -78,7 +73,7 @@ report::Plot damping_plot(const ModeStudy& study) {
                       .log_y = true};
     for (int i = 0; i < damped_steps; ++i) {
         const ModeDamping &by_explicit = study.dampings[i], &by_implicit = study.dampings[damped_steps + i];
-        const std::string of_one = in_limits(by_explicit), of_other = in_limits(by_implicit);
+        const std::string of_one = in_limits(study.subject, by_explicit.lambda), of_other = in_limits(study.subject, by_implicit.lambda);
         const std::string panel = words.line("damping.panel", "step"_a = of_one, "implicit"_a = of_other == of_one ? "" : of_other);
         plot.series.push_back(law_line(study, by_explicit, words.line("damping.explicit"), panel));
         plot.series.push_back(measured_points(study, by_explicit, words.line("damping.explicit.measured"), panel));
@@ -89,22 +84,26 @@ report::Plot damping_plot(const ModeStudy& study) {
 }
 
 report::Table gap_table(const ModeStudies& studies) {
+    struct Row {
+        const ModeStudy& study;
+        std::span<const SchemeGap> gaps;   // of one step, at each count of iterations
+    };
     std::vector<int> counts;   // the same at every step of every mesh
-    std::vector<GapRow> rows;
     for (const SchemeGap& gap : studies.front().gaps)
         if (gap.lambda == studies.front().gaps.front().lambda) counts.push_back(gap.steps);
+    std::vector<Row> rows;
     for (const ModeStudy& study : studies)
-        for (std::size_t first = 0; first < study.gaps.size(); first += counts.size()) rows.push_back({study, first});
+        for (std::size_t first = 0; first < study.gaps.size(); first += counts.size())
+            rows.push_back({study, std::span(study.gaps).subspan(first, counts.size())});
     auto gaps = table("modes_gap", words.line("gap"), std::move(rows));
     gaps.column("mesh", [](auto& r) { return r.study.name(); }).column("λ/λ_crit", [](auto& r) {
-        return r.study.gaps[r.first].lambda / r.study.subject.critical;
+        return r.gaps.front().lambda / r.study.subject.critical;
     });
     for (std::size_t i = 0; i < counts.size(); ++i)
-        gaps.column(words.line("gap.motion", "steps"_a = counts[i]), {.unit = "% of box"},
-                    [i](auto& r) { return 100 * r.study.gaps[r.first + i].motion; });
+        gaps.column(words.line("gap.motion", "steps"_a = counts[i]), {.unit = "% of box"}, [i](auto& r) { return 100 * r.gaps[i].motion; });
     for (std::size_t i = 0; i < counts.size(); ++i)
         gaps.column(words.line("gap.share", "steps"_a = counts[i]), {.unit = "% of motion", .digits = 2},
-                    [i](auto& r) { return cell_of(100 * r.study.gaps[r.first + i].share()); });
+                    [i](auto& r) { return cell_of(100 * r.gaps[i].share()); });
     return gaps;
 }
 
@@ -120,13 +119,16 @@ report::Plot cost_plot(const ModeStudies& studies) {
     return plot;
 }
 
-report::Plot truth_plot(const ModeStudies& studies) { return target_plot(studies, "truth", std::size(implicit_steps), error_of); }
+report::Plot truth_plot(const ModeStudies& studies) {
+    return target_plot(studies, "truth", std::size(implicit_steps),
+                       [](const SmoothingWay& way) { return way.steps > 0 ? 100 * way.error : undefined; });
+}
 
 report::Table crossing_table(const ModeStudies& studies) {
     auto crossings = table("modes_crossing", words.line("crossing"), studies);
     crossings.column("mesh", &ModeStudy::name)
-        .column("step", {.unit = "explicit steps"}, [](auto& s) { return s.implicit_step / s.explicit_step; })
-        .column("factorisation", {.unit = "explicit steps"}, [](auto& s) { return s.factor.factorisation / s.explicit_step; })
+        .column("step", {.unit = "explicit steps"}, [](auto& s) { return s.model.implicit_step / s.model.explicit_step; })
+        .column("factorisation", {.unit = "explicit steps"}, [](auto& s) { return s.model.factor.factorisation / s.model.explicit_step; })
         .column("looked down to", {.unit = "% of energy", .digits = 2}, [](auto& s) { return 100 * s.curve.back().energy; });
     for (std::size_t which = 0; which < implicit_way_count; ++which)
         crossings.column(implicit_way_names()[which], {.unit = "% of energy"}, [which](auto& s) {

@@ -1,5 +1,5 @@
 /// @file
-/// What the section "modes" shows of its two parts: what a filter does to the shape, and to noise.
+/// The parts of the section "modes": the effect of a filter on the shape, and on noise.
 #pragma once
 
 #include "questions/modes/mode_study.h"
@@ -11,27 +11,36 @@ inline constexpr report::Words words("modes");
 
 // ---- the shape
 
-/// What the filters leave of each mode of one mesh, by law and measured, at three steps.
+/// Plots the factors of the modes of one mesh, by law and measured, at three steps.
 report::Plot damping_plot(const ModeStudy& study);
+/// Compares the results of the two schemes, one row per step of each mesh.
 report::Table gap_table(const ModeStudies& studies);
-/// Operations, and the distance from the exact flow, over the energy that is left; a panel each mesh.
+/// Plots the operations over the energy left, one panel per mesh.
 report::Plot cost_plot(const ModeStudies& studies);
+/// Plots the distance from the exact flow over the energy left, one panel per mesh.
 report::Plot truth_plot(const ModeStudies& studies);
+/// Shows the energies from which the implicit ways are cheaper.
 report::Table crossing_table(const ModeStudies& studies);
-
-/// What the words say of it.
+/// Collects the facts of the words on the shape.
 report::Facts shape_facts(const ModeStudies& studies);
 
 // ---- noise
 
-report::Table expected_table(const PredictionStudies& studies);
-report::Table own_operator_table(const PredictionStudies& studies);
-report::Table why_table(const PredictionStudies& studies);
-report::Table rule_table(const PredictionStudies& studies);
-/// The clean mesh's operator at all levels; the noisy mesh's own with every prediction, at the highest. A panel each mesh.
-report::Plot expected_plot(const PredictionStudies& studies);
-report::Plot own_operator_plot(const PredictionStudies& studies);
+// Tables have one row per level of each mesh, plots one panel per mesh.
 
+/// Compares expected and measured errors with the clean mesh's operator.
+report::Table expected_table(const PredictionStudies& studies);
+/// Compares predicted and measured errors with the noisy mesh's own operator.
+report::Table own_operator_table(const PredictionStudies& studies);
+/// Shows the parts of the measured error where the formula is farthest from it.
+report::Table why_table(const PredictionStudies& studies);
+/// Compares the rules that choose the iteration.
+report::Table rule_table(const PredictionStudies& studies);
+/// Plots expected and measured errors with the clean mesh's operator, at all levels.
+report::Plot expected_plot(const PredictionStudies& studies);
+/// Plots the measured errors with the noisy mesh's own operator and all predictions, at the highest level.
+report::Plot own_operator_plot(const PredictionStudies& studies);
+/// Collects the facts of the words on noise.
 report::Facts noise_facts(const PredictionStudies& studies);
 
 }   // namespace meshfolio::modes

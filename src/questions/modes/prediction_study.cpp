@@ -1,27 +1,19 @@
+#include "questions/modes/prediction_study.h"
+
 #include <numeric>
 
-#include "questions/modes/work.h"
+#include "base/parallel_tasks.h"
+#include "questions/bench/bench_mesh.h"
 
 namespace meshfolio::modes {
 
 namespace {
 
-/// Step in squared mean edges: that of question 7, so that its runs are among these.
-constexpr double step_in_squared_edges = 0.1;
-/// Derivatives of a run are differences over this many mean edges.
-constexpr double difference_in_edges = 1e-4;
-/// The mesh of the library about the centre of its box, in box diagonals: squares and fourth powers of lengths stay within numbers.
-TriangleMesh in_box_diagonals(const TriangleMesh& mesh) {
-    const Box box = bounding_box(mesh);
-    return moved_to(mesh, (mesh.X.rowwise() - box.centre().transpose()) / box.diagonal());
-}
+constexpr double step_in_squared_edges = 0.1;   // that of question 7, so that its runs are among these
+constexpr double difference_in_edges = 1e-4;    // between two runs for a derivative
 
-PredictedCurve formula(const DenoisingPrediction& prediction, double sigma, int iterations) {
-    const ExpectedError& error = prediction.vertices;
-    return {std::string(by_formula), (error.squared(sigma) / error.weight_sum).head(iterations + 1)};
-}
-
-/// Takes all modes of a small mesh from the spectrum that the chapters share: in box diagonals d, μ is multiplied by d² and φ by d.
+/// Predicts the errors. All modes of a small mesh come from the spectrum that the chapters share: in box diagonals d, μ is multiplied by d²
+/// and φ by d.
 DenoisingPrediction expected_error(const PredictionStudy& study, const LaplaceBeltrami& laplacian, const Positions& X, const Extent& extent,
                                    std::uint64_t seed) {
     PredictionOptions options{study.lambda, extent.iterations, extent.modes_up_to};
@@ -30,73 +22,92 @@ DenoisingPrediction expected_error(const PredictionStudy& study, const LaplaceBe
     if (with_mass > extent.modes_up_to || study.preflight().vertices_in_use != with_mass)
         return denoising_prediction(laplacian, X, options);
     const double d = study.diagonal;
-    Spectrum spectrum = *all_modes(study);
+    Spectrum spectrum = all_modes(study);
     spectrum.eigenvalues *= d * d;
     spectrum.eigenvectors *= d;
     return denoising_prediction(laplacian, X, options, spectrum);
 }
 
-// ---- rules ---------------------------------------------------------------------------------------------------------------
-
-/// Evaluates one rule over the seeds it can be tried on; `choose(seed)` gives its iteration.
-template <class Choose>
-RuleOutcome rule_outcome(std::string_view name, const std::vector<SeedResult>& results, int seeds, Choose choose) {
-    RuleOutcome outcome{std::string(name), {}, {}};
-    for (int s = 0; s < seeds; ++s) {
-        const Vector& error = results[s].errors.vertices;
-        const int t = choose(s);
-        outcome.chosen.push_back(t);
-        outcome.regret.push_back(error.minCoeff() > 0 ? std::sqrt(error[t] / error.minCoeff()) - 1 : 0);
+/// Predicts the error with the operators of other noisy meshes, mean over them: such an operator has noise, but not the one that it
+/// smooths.
+PredictedCurve formula_of_draws(const Work& work, double sigma, std::size_t level, int iterations, OperatorFacts& facts) {
+    const auto draws = static_cast<std::size_t>(work.extent.draws);
+    std::vector<Vector> squares(draws);
+    std::vector<OperatorFacts> drawn(draws);
+    for_each_task(draws, [&](std::size_t d) {
+        const LaplaceBeltrami laplacian = laplace_beltrami(work.noisy(sigma, level, first_draw + static_cast<int>(d)));
+        PredictionOptions options{work.flow.lambda, iterations};
+        options.modes_up_to = 0;
+        options.probe_triples = 2;
+        options.seed = seed_of(work.settings, level, first_probe + work.extent.seeds + static_cast<int>(2 * d));
+        const ExpectedError error = denoising_prediction(laplacian, work.flow.clean.X, options).vertices;
+        squares[d] = error.squared(sigma) / error.weight_sum;
+        const NegativeWeights negative = negative_weights(laplacian.C, work.topology);
+        drawn[d] = {laplacian.M.sum() / work.flow.whole.M.sum(),
+                    double(negative.inside + negative.boundary) / static_cast<double>(work.topology.edges.size())};
+    });
+    PredictedCurve mean{std::string(by_draws), Vector::Zero(iterations + 1)};
+    facts = {0, 0};
+    for (std::size_t d = 0; d < draws; ++d) {
+        mean.square += squares[d] / static_cast<double>(draws);
+        facts.area += drawn[d].area / static_cast<double>(draws);
+        facts.negative_weights += drawn[d].negative_weights / static_cast<double>(draws);
     }
-    return outcome;
+    return mean;
 }
 
-void try_rules(OperatorStudy& study, const LevelResults& results, double sigma, int seeds, int numbers) {
-    const auto& runs = results.of[int(study.kind)];
-    study.rule_seeds = seeds;
+/// Tries the rules on the runs with the operator of the noisy mesh, and adds the mean of Stein's estimates to the predictions.
+void try_rules(OperatorStudy& study, const LevelResults& results, double sigma) {
+    const auto& runs = results.of[int(FlowOperator::noisy)];
+    const std::size_t seeds = results.estimates.size();
+    study.rule_seeds = static_cast<int>(seeds);
     PredictedCurve stein{std::string(by_stein), Vector::Zero(study.measured.square.size())};
-    for (int s = 0; s < seeds; ++s) stein.square += runs[s].risk.risk(sigma) * (3.0 / numbers / seeds);
+    for (std::size_t s = 0; s < seeds; ++s) stein.square += runs[s].risk.risk(sigma) * (3.0 / runs[s].risk.numbers / double(seeds));
     study.predictions.push_back(std::move(stein));
 
-    const auto add = [&](std::string_view name, auto choose) { study.rules.push_back(rule_outcome(name, runs, seeds, choose)); };
-    add(by_stein, [&](std::size_t s) { return runs[s].risk.best(sigma); });
-    const auto estimated = [&](std::size_t s) { return results.estimates[s].sigma; };
-    const bool known = std::ranges::all_of(results.estimates, [](const NoiseLevel& e) { return e.sigma > 0; });
-    if (!known) return;
-    add(by_stein_estimated, [&](std::size_t s) { return runs[s].risk.best(estimated(s)); });
-    add(by_discrepancy, [&](std::size_t s) { return runs[s].risk.by_discrepancy(estimated(s)); });
-    add(by_fixed_operator, [&](std::size_t s) {
-        RiskEstimate fixed = runs[s].risk;
-        fixed.divergence = runs[s].held_fixed;
-        return fixed.best(estimated(s));
+    const auto add = [&](std::string_view name, const auto& choose) {
+        RuleOutcome& outcome = study.rules.emplace_back(RuleOutcome{std::string(name), {}, {}});
+        for (std::size_t s = 0; s < seeds; ++s) {
+            const Vector& error = runs[s].errors.vertices;
+            const int t = choose(runs[s], results.estimates[s].sigma);
+            outcome.chosen.push_back(t);
+            outcome.regret.push_back(error.minCoeff() > 0 ? std::sqrt(error[t] / error.minCoeff()) - 1 : 0);
+        }
+    };
+    add(by_stein, [&](const SeedResult& run, double) { return run.risk.best(sigma); });
+    if (!std::ranges::all_of(results.estimates, [](const NoiseLevel& e) { return e.sigma > 0; })) return;
+    add(by_stein_estimated, [](const SeedResult& run, double estimate) { return run.risk.best(estimate); });
+    add(by_discrepancy, [](const SeedResult& run, double estimate) { return run.risk.by_discrepancy(estimate); });
+    add(by_fixed_operator, [](const SeedResult& run, double estimate) {
+        RiskEstimate fixed = run.risk;
+        fixed.divergence = run.held_fixed;
+        return fixed.best(estimate);
     });
 }
 
-// ---- assembly --------------------------------------------------------------------------------------------------------------
-
-void enter_estimates(NoiseLevelStudy& level, const std::vector<NoiseLevel>& estimates) {
-    for (const NoiseLevel& estimate : estimates) {
-        if (!(estimate.sigma > 0)) continue;
-        level.sigma_ratio.push_back(estimate.sigma / level.sigma);
+NoiseLevelStudy level_study(const PredictionStudy& study, const Work& work, const LevelResults& results, std::size_t l, int iterations) {
+    NoiseLevelStudy level;
+    level.sigma = work.extent.levels[l];
+    level.sigma_edges = level.sigma / study.mean_edge;
+    for (const NoiseLevel& estimate : results.estimates)
+        if (estimate.sigma > 0) level.sigma_ratio.push_back(estimate.sigma / level.sigma);
+    const ExpectedError& error = study.prediction.vertices;
+    const PredictedCurve formula{std::string(by_formula), (error.squared(level.sigma) / error.weight_sum).head(iterations + 1)};
+    for (std::size_t kind = 0; kind < level.operators.size(); ++kind) {
+        OperatorStudy& operated = level.operators[kind];
+        operated.measured = measured_curve(each_of(results.of[kind], &SeedResult::errors));
+        operated.collapsed = static_cast<int>(std::ranges::count(results.of[kind], true, &SeedResult::collapsed));
+        const Vector rms = operated.measured.rms();
+        operated.regret_of_formula = rms.minCoeff() > 0 ? rms[formula.best()] / rms.minCoeff() - 1 : 0;
+        operated.predictions.push_back(formula);
     }
+    OperatorStudy& own = level.operators[int(FlowOperator::noisy)];
+    own.predictions.push_back(formula_of_draws(work, level.sigma, l, iterations, level.facts));
+    try_rules(own, results, level.sigma);
+    return level;
 }
 
-OperatorStudy operator_study(FlowOperator kind, const LevelResults& results, PredictedCurve predicted) {
-    OperatorStudy study;
-    study.kind = kind;
-    std::vector<RunErrors> errors;
-    for (const SeedResult& result : results.of[int(kind)]) {
-        errors.push_back(result.errors);
-        study.collapsed += result.collapsed ? 1 : 0;
-    }
-    study.measured = measured_curve(errors);
-    const Vector rms = study.measured.rms();
-    study.regret_of_formula = rms.minCoeff() > 0 ? rms[predicted.best()] / rms.minCoeff() - 1 : 0;
-    study.predictions.push_back(std::move(predicted));
-    return study;
-}
-
-/// Null without.
+/// Returns the entry of this name; null if there is none.
 template <class Entry>
 const Entry* named(const std::vector<Entry>& entries, std::string_view name) {
     const auto it = std::ranges::find(entries, name, &Entry::name);
@@ -104,23 +115,7 @@ const Entry* named(const std::vector<Entry>& entries, std::string_view name) {
 }
 
 double mean_of(const std::vector<double>& values) {
-    return values.empty() ? std::nan("") : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-/// Distance in standard errors. The spread of few runs may be small by chance, so it is at least that of a mean of 3n squared normal
-/// numbers, the least variance of any quadratic form of them.
-double distance(const ExpectedError& expected, double factor, double sigma, int vertices, const Vector& mean, const Vector& error,
-                int seeds, double rounding) {
-    double farthest = 0;
-    for (Eigen::Index t = 0; t < mean.size(); ++t) {
-        const double noise = sigma * sigma / expected.weight_sum;
-        const double least = noise * expected.noise[t] * std::sqrt(2.0 / (3.0 * vertices * seeds));
-        const double own = noise * expected.noise_error[t];
-        const double predicted = expected.bias[t] / expected.weight_sum + factor * factor * noise * expected.noise[t];
-        const double spread = std::hypot(std::max(error[t], least), own, rounding * predicted);
-        if (spread > 0) farthest = std::max(farthest, std::abs(predicted - mean[t]) / spread);
-    }
-    return farthest;
+    return values.empty() ? undefined : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 }   // namespace
@@ -135,7 +130,7 @@ double deviation(const Vector& predicted_square, const Vector& measured_square) 
 
 double RuleOutcome::mean_chosen() const { return mean_of(chosen); }
 double RuleOutcome::mean_regret() const { return mean_of(regret); }
-double RuleOutcome::worst_regret() const { return regret.empty() ? std::nan("") : *std::ranges::max_element(regret); }
+double RuleOutcome::worst_regret() const { return regret.empty() ? undefined : std::ranges::max(regret); }
 
 const PredictedCurve* OperatorStudy::prediction(std::string_view name) const { return named(predictions, name); }
 const RuleOutcome* OperatorStudy::rule(std::string_view name) const { return named(rules, name); }
@@ -145,10 +140,12 @@ double NoiseLevelStudy::mean_sigma_ratio() const { return mean_of(sigma_ratio); 
 PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& settings) {
     PredictionStudy study;
     study.source = std::move(source);
-    const TriangleMesh clean = in_box_diagonals(study.source->mesh());
+    const Box box = bounding_box(study.mesh());
+    study.diagonal = box.diagonal();
+    // In box diagonals about the centre, squares and fourth powers of lengths neither overflow nor vanish.
+    const TriangleMesh clean = moved_to(study.mesh(), (study.mesh().X.rowwise() - box.centre().transpose()) / study.diagonal);
     const MeshTopology& topology = study.topology();
     const Extent extent = extent_of(settings, clean.vertex_count());
-    study.diagonal = bounding_box(study.source->mesh()).diagonal();
     study.mean_edge = mean_edge_length(clean, topology.edges);
     study.lambda = settings.lambda.empty() ? step_in_squared_edges * study.mean_edge * study.mean_edge
                                            : settings.lambda.front() / (study.diagonal * study.diagonal);
@@ -156,43 +153,38 @@ PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& sett
     study.draws = extent.draws;
 
     const DenoisingFlow flow(clean, study.lambda);
-    const LaplaceBeltrami laplacian = laplace_beltrami(clean);
-    // Bounds the eigenvalues by Gershgorin's theorem.
-    const Vector rows = flow.whole.A.cwiseAbs() * Vector::Ones(flow.whole.size());
+    const Vector rows = flow.whole.A.cwiseAbs() * Vector::Ones(flow.whole.size());   // Gershgorin's bound of the eigenvalues
     study.condition = 1 + study.lambda * rows.cwiseQuotient(flow.whole.M).maxCoeff();
-    study.prediction = expected_error(study, laplacian, clean.X, extent, seed_of(settings, 0, first_probe + 200));
+    study.prediction = expected_error(study, laplace_beltrami(clean), clean.X, extent, seed_of(settings, 0, first_probe + 200));
 
-    std::vector<int> iterations;   // of each level: four times the expected best one
-    for (const double sigma : extent.levels) {
-        const int best = study.prediction.vertices.best(sigma);
-        iterations.push_back(std::min(extent.iterations, std::max(8, 4 * best + 4)));
-    }
+    const std::vector<int> iterations = each_of(extent.levels, [&](double sigma) {
+        return std::min(extent.iterations, std::max(8, 4 * study.prediction.vertices.best(sigma) + 4));
+    });
     const Work work{settings, extent, flow, topology, difference_in_edges * study.mean_edge};
     const std::vector<LevelResults> results = results_of_levels(work, iterations);
-
-    for (std::size_t l = 0; l < extent.levels.size(); ++l) {
-        NoiseLevelStudy level;
-        level.sigma = extent.levels[l];
-        level.sigma_edges = level.sigma / study.mean_edge;
-        enter_estimates(level, results[l].estimates);
-        for (const FlowOperator kind : all_operators) {
-            level.of(kind) = operator_study(kind, results[l], formula(study.prediction, level.sigma, iterations[l]));
-        }
-        OperatorStudy& own = level.of(FlowOperator::noisy);
-        own.predictions.push_back(formula_of_draws(work, level.sigma, l, iterations[l], level.facts));
-        try_rules(own, results[l], level.sigma, extent.rule_seeds, 3 * clean.vertex_count());
-        study.levels.push_back(std::move(level));
-    }
+    for (std::size_t l = 0; l < results.size(); ++l) study.levels.push_back(level_study(study, work, results[l], l, iterations[l]));
     return study;
 }
 
 StandardDistance standard_distance(const PredictionStudy& study, const NoiseLevelStudy& level, double factor) {
     const MeasuredCurve& measured = level.of(FlowOperator::clean).measured;
-    const auto of = [&](const ExpectedError& expected, const Vector& mean, const Vector& error) {
-        return distance(expected, factor, level.sigma, study.vertices(), mean, error, measured.seeds, 1e-15 * study.condition);
+    const double rounding = 1e-15 * study.condition;
+    const auto largest = [&](const ExpectedError& expected, const Vector& mean, const Vector& error) {
+        double farthest = 0;
+        for (Eigen::Index t = 0; t < mean.size(); ++t) {
+            const double noise = level.sigma * level.sigma / expected.weight_sum;
+            // The spread of few runs may be small by chance, so it is at least that of a mean of 3n squared normal numbers, the least
+            // variance of any quadratic form of them.
+            const double least = noise * expected.noise[t] * std::sqrt(2.0 / (3.0 * study.vertices() * measured.seeds));
+            const double own = noise * expected.noise_error[t];
+            const double predicted = expected.bias[t] / expected.weight_sum + factor * factor * noise * expected.noise[t];
+            const double spread = std::hypot(std::max(error[t], least), own, rounding * predicted);
+            if (spread > 0) farthest = std::max(farthest, std::abs(predicted - mean[t]) / spread);
+        }
+        return farthest;
     };
-    return {of(study.prediction.vertices, measured.square, measured.square_error),
-            of(study.prediction.mass, measured.mass, measured.mass_error)};
+    return {largest(study.prediction.vertices, measured.square, measured.square_error),
+            largest(study.prediction.mass, measured.mass, measured.mass_error)};
 }
 
 double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level) {
@@ -212,10 +204,10 @@ ErrorAccount error_account(const NoiseLevelStudy& level) {
             .numbers = (draws[t] - formula[t]) / noise,
             .knowledge = (measured[t] - draws[t]) / noise,
             .measured = measured[t] / noise,
-            .along_own = own.measured.along[t] / (2 * variance),
-            .along_clean = clean.along[t] / (2 * variance),
-            .across_own = (measured[t] - own.measured.along[t]) / variance,
-            .across_clean = (clean.square[t] - clean.along[t]) / variance};
+            .along_own = own.measured.tangential[t] / (2 * variance),
+            .along_clean = clean.tangential[t] / (2 * variance),
+            .across_own = (measured[t] - own.measured.tangential[t]) / variance,
+            .across_clean = (clean.square[t] - clean.tangential[t]) / variance};
 }
 
 }   // namespace meshfolio::modes

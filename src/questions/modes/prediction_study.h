@@ -1,80 +1,31 @@
 /// @file
-/// The error of denoising expected beforehand, the mean of many noisy runs with two operators, and rules that choose the iteration without
-/// the clean mesh.
+/// The error of denoising: predicted beforehand, measured as the mean of many noisy runs with two operators, and reached by rules that
+/// choose the iteration without the clean mesh. All lengths are in box diagonals of the mesh.
 #pragma once
 
 #include "geometry/denoising/denoising_prediction.h"
-#include "geometry/denoising/risk_estimate.h"
-#include "questions/core/section_tools.h"
+#include "questions/modes/runs.h"
 
 namespace meshfolio::modes {
 
-/// The mesh that the smoothing operator is made from.
-enum class FlowOperator { clean, noisy };
-
-/// Implicit smoothing of meshes with the triangles of `clean`.
-struct DenoisingFlow {
-    TriangleMesh clean;
-    OperatorWithMass whole;   // of the clean mesh
-    Positions normals;        // n × 3, of the clean mesh
-    double lambda = 0;        // [length²]
-
-    DenoisingFlow(TriangleMesh mesh, double step);
-};
-
-/// Solvers kept from run to run; each thread has its own.
-struct FlowSolvers {
-    ImplicitSolver clean, own;
-};
-
-/// Runs T steps from Y and returns T + 1 positions; fewer where the operator of Y cannot be factored.
-Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Positions& Y, int iterations, FlowSolvers& solvers);
-/// Extends a run that ended early by its last positions.
-Trajectory kept_at_its_end(Trajectory run, int iterations);
-
-/// Squared errors of one run against the clean mesh after t = 0, 1, … T steps.
-struct RunErrors {
-    Vector vertices;   // mean over the vertices [length²]
-    Vector mass;       // mean with the areas of the clean mesh as weights [length²]
-    Vector along;      // of `vertices`, the part along the clean surface [length²]
-};
-RunErrors errors_of_run(const DenoisingFlow& flow, const Trajectory& run);
-
-/// The errors over all seeds after t = 0, 1, … T steps.
-struct MeasuredCurve {
-    Vector square, square_error;   // mean squared error and its standard error [length²]
-    Vector mass, mass_error;       // the same, weighted by area
-    Vector along;                  // mean of the part along the surface
-    Vector low, high;              // tenth and ninetieth percentile of the rms error [length]
-    int seeds = 0;
-
-    int iterations() const { return static_cast<int>(square.size()) - 1; }
-    Vector rms() const { return square.cwiseSqrt(); }
-    int best() const;   // first iteration with the smallest mean squared error
-};
-/// The mean, in order of the seeds. @throws MeshError without a run
-MeasuredCurve measured_curve(const std::vector<RunErrors>& runs);
-
-int first_smallest(const Vector& values);
-
-/// A mean squared error over the vertices foreseen for t = 0, 1, … T. All lengths of a study are in box diagonals of its mesh.
+/// A prediction of the mean squared error over the vertices for t = 0, 1, … T.
 struct PredictedCurve {
     std::string name;
     Vector square;
 
     int best() const { return first_smallest(square); }
 };
-/// Largest |predicted/measured − 1| of the rms error over the iterations.
+/// Returns the largest |predicted/measured − 1| of the rms error over the iterations; both arguments are squares.
 double deviation(const Vector& predicted_square, const Vector& measured_square);
 inline double deviation(const PredictedCurve& predicted, const MeasuredCurve& measured) {
     return deviation(predicted.square, measured.square);
 }
 
-/// What a rule chose, one value a seed it was tried on.
+/// The choices of a rule, one per seed.
 struct RuleOutcome {
     std::string name;
     std::vector<double> chosen;   // iteration
-    std::vector<double> regret;   // error there over the smallest of that run, less 1
+    std::vector<double> regret;   // rms error there over the smallest of that run, less 1
 
     double mean_chosen() const;
     double mean_regret() const;
@@ -83,21 +34,20 @@ struct RuleOutcome {
 
 /// One operator at one noise level.
 struct OperatorStudy {
-    FlowOperator kind = FlowOperator::clean;
     MeasuredCurve measured;
-    std::vector<PredictedCurve> predictions;   // the formula with the clean mesh's operator first
-    std::vector<RuleOutcome> rules;            // none for the clean mesh's operator: who has it needs no rule
+    std::vector<PredictedCurve> predictions;   // first the formula with the clean mesh's operator
+    std::vector<RuleOutcome> rules;            // none for the clean mesh's operator
     int rule_seeds = 0;
     int collapsed = 0;              // runs that ended early, because triangles collapsed
     double regret_of_formula = 0;   // of the measured mean curve at the formula's best iteration
 
     const PredictedCurve& formula() const { return predictions.front(); }
     bool minimum_reached() const { return measured.best() < measured.iterations(); }
-    const PredictedCurve* prediction(std::string_view name) const;   // null without
-    const RuleOutcome* rule(std::string_view name) const;            // null without
+    const PredictedCurve* prediction(std::string_view name) const;   // null if there is none
+    const RuleOutcome* rule(std::string_view name) const;            // null if there is none
 };
 
-/// What the noise does to the operator of the mesh, mean over the draws. The clean mesh's is that of the study.
+/// The change that noise makes to the operator of the mesh, mean over the draws.
 struct OperatorFacts {
     double area = 1;               // of the noisy mesh over that of the clean one
     double negative_weights = 0;   // share of the edges
@@ -108,10 +58,9 @@ struct NoiseLevelStudy {
     double sigma_edges = 0;   // [mean edges]
     std::array<OperatorStudy, 2> operators;
     OperatorFacts facts;
-    std::vector<double> sigma_ratio;   // σ̂/σ, one a seed the rules were tried on; empty where no patch could be fitted
+    std::vector<double> sigma_ratio;   // σ̂/σ, one per seed that the rules were tried on; empty if no patch could be fitted
 
     const OperatorStudy& of(FlowOperator kind) const { return operators[int(kind)]; }
-    OperatorStudy& of(FlowOperator kind) { return operators[int(kind)]; }
     double mean_sigma_ratio() const;
 };
 
@@ -119,8 +68,8 @@ struct PredictionStudy : OnMesh {
     double diagonal = 0;        // of the bounding box [length of the model]
     double mean_edge = 0;       // [box diagonals]
     double lambda = 0;          // [squared box diagonals]
-    int seeds = 0, draws = 0;   // noisy meshes measured; and others whose operators predict
-    double condition = 1;       // of the clean mesh's M − λC beside M, at most: rounding is multiplied by it
+    int seeds = 0, draws = 0;   // noisy meshes measured, and other ones with operators that predict
+    double condition = 1;       // bound for the clean mesh's M − λC relative to M, which multiplies rounding
     DenoisingPrediction prediction;
     std::vector<NoiseLevelStudy> levels;   // ascending σ
 
@@ -128,21 +77,21 @@ struct PredictionStudy : OnMesh {
 };
 PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& settings);
 
-/// Largest distance between formula and measured mean with the clean operator, in standard errors including rounding.
-/// @param factor  multiplies σ in the formula: a wrong one must be seen
 struct StandardDistance {
     double vertices = 0, mass = 0;
     double larger() const { return std::max(vertices, mass); }
 };
+/// Returns the largest distance between formula and measured mean with the clean operator, in standard errors including rounding.
+/// @param factor  multiplies σ in the formula, for a control that must fail
 StandardDistance standard_distance(const PredictionStudy& study, const NoiseLevelStudy& level, double factor = 1);
-/// Largest relative deviation of the expected from the measured area-weighted error, clean operator, over all iterations.
+/// Returns the deviation() of the expected from the measured area-weighted error, with the clean operator.
 double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level);
 
-/// Explains where the formula is farthest from the measurement: mean squared errors over that of the noise, 3σ².
+/// The parts of the measured error at the iteration where the formula is farthest from it: mean squared errors over that of the noise, 3σ².
 struct ErrorAccount {
     int iteration = 0;
     double formula = 0;     // with the clean mesh's operator
-    double numbers = 0;     // more, because the operator has other numbers: those of other noisy meshes
+    double numbers = 0;     // more, because the operator has the numbers of another noisy mesh
     double knowledge = 0;   // more, because it is made from the same noise that it smooths
     double measured = 0;    // the sum of the three
     /// Squared error along the clean surface over that of the noise, 2σ², and across it over σ².
@@ -150,14 +99,14 @@ struct ErrorAccount {
 };
 ErrorAccount error_account(const NoiseLevelStudy& level);
 
-/// Names of predictions and rules.
+// Names of predictions and rules.
 inline constexpr std::string_view by_formula = "formula, clean operator", by_draws = "formula, operators of other draws",
                                   by_stein = "Stein, σ known", by_stein_estimated = "Stein, σ̂", by_fixed_operator = "Stein, σ̂, held fixed",
                                   by_discrepancy = "discrepancy, σ̂";
 
 using PredictionStudies = std::vector<PredictionStudy>;
 
-/// Every level of every mesh: its study as `whole`, itself as `part`.
+/// Lists every level of every mesh as `part`, with its study as `whole`.
 inline auto levels_of(const PredictionStudies& studies) { return parts_within(studies, &PredictionStudy::levels); }
 
 }   // namespace meshfolio::modes

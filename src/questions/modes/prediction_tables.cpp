@@ -15,7 +15,7 @@ struct Row {
     int steps() const { return own.measured.iterations(); }
 };
 
-/// A table with a row for each level of each mesh; every one begins with mesh and noise.
+/// Makes a table with a row for each level of each mesh and the columns mesh and noise.
 auto begun_table(std::string id, std::string caption, const PredictionStudies& studies, FlowOperator kind = FlowOperator::noisy) {
     std::vector<Row> rows;
     for (const auto& [study, level] : levels_of(studies)) rows.push_back({study, level, level.of(kind)});
@@ -26,38 +26,35 @@ auto begun_table(std::string id, std::string caption, const PredictionStudies& s
     return begun;
 }
 
-/// "23", or "40, still falling" at the end of the run.
+/// Returns "23", or "40, still falling" at the end of the run.
 std::string best_words(int best, int iterations) {
     return std::to_string(best) + (best < iterations || best == 0 ? "" : ", still falling");
 }
 std::string measured_best(const Row& r) { return best_words(r.own.measured.best(), r.steps()); }
 std::string formula_best(const Row& r) { return best_words(r.own.formula().best(), r.steps()); }
 
-/// A cell made from the prediction or the rule of a name; empty where there is none.
-template <class Entry>
-auto cell_from(const Entry* (OperatorStudy::*find)(std::string_view) const, std::string_view name, auto cell) {
+/// Shows the largest deviation of a prediction.
+auto deviation_of(std::string_view name) {
+    return [=](const Row& r) { return 100 * deviation(*r.own.prediction(name), r.own.measured); };
+}
+
+/// Shows the mean iteration that a rule chose; an empty cell if it was not tried.
+auto chosen_by(std::string_view name) {
     return [=](const Row& r) {
-        const Entry* entry = (r.own.*find)(name);
-        return entry == nullptr ? report::Cell() : cell(r, *entry);
+        const RuleOutcome* rule = r.own.rule(name);
+        return rule != nullptr ? report::Cell(rule->mean_chosen()) : report::Cell();
     };
 }
 
-/// Shows the largest deviation of a prediction.
-auto deviation_of(std::string_view name) {
-    return cell_from(&OperatorStudy::prediction, name,
-                     [](const Row& r, const PredictedCurve& p) -> report::Cell { return 100 * deviation(p, r.own.measured); });
-}
-
-/// Shows what a rule chose, and what that cost where the minimum is known.
-auto chosen_by(std::string_view name) {
-    return cell_from(&OperatorStudy::rule, name, [](const Row&, const RuleOutcome& rule) -> report::Cell { return rule.mean_chosen(); });
-}
+/// Shows the regret of a rule; an empty cell if it was not tried or the minimum is not known.
 auto regret_of(std::string_view name, double (RuleOutcome::*regret)() const = &RuleOutcome::mean_regret) {
-    return cell_from(&OperatorStudy::rule, name,
-                     [=](const Row& r, const RuleOutcome& rule) { return cell_of(100 * (rule.*regret)(), r.own.minimum_reached()); });
+    return [=](const Row& r) {
+        const RuleOutcome* rule = r.own.rule(name);
+        return rule != nullptr ? cell_of(100 * (rule->*regret)(), r.own.minimum_reached()) : report::Cell();
+    };
 }
 
-/// √ of the values in % of the box; a negative estimate leaves a gap, and so does what lies beyond `most`.
+/// Plots √ of the values in % of the box. Negative values and values above `most` leave gaps.
 report::Series root_series(std::string name, std::string panel, const Vector& square, Style style, double most = infinity) {
     report::Series series{.name = std::move(name), .style = style, .panel = std::move(panel)};
     for (Eigen::Index t = 0; t < square.size(); ++t)
@@ -74,7 +71,7 @@ report::Series measured_series(std::string name, std::string panel, const Measur
     return series;
 }
 
-/// "measured t = 7"; an error that is smallest at its end has no minimum yet.
+/// Marks iteration t of a curve: "measured t = 7", or "still falling, t = 40" at its end.
 report::Marker marker_at(const std::string& panel, const Vector& square, int t, std::string label) {
     if (t > 0 && t + 1 == square.size()) label = "still falling, t = ";
     return {static_cast<double>(t), 100 * std::sqrt(std::max(square[t], 0.0)), label + std::to_string(t), panel};
@@ -181,7 +178,7 @@ report::Plot own_operator_plot(const PredictionStudies& studies) {
     for (const PredictionStudy& study : studies) {
         const OperatorStudy& own = study.levels.back().of(FlowOperator::noisy);
         plot.series.push_back(measured_series("measured", study.name(), own.measured));
-        // Far beyond what is measured a curve would only flatten the others.
+        // Values far above the measured ones would flatten the other curves.
         for (const PredictedCurve& predicted : own.predictions)
             plot.series.push_back(
                 root_series(predicted.name, study.name(), predicted.square, Style::dashed, 9 * own.measured.square.maxCoeff()));

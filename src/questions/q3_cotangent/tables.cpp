@@ -10,7 +10,8 @@ namespace {
 /// Returns the estimators that have a column in the errors of this question.
 std::vector<const Estimator*> compared_estimators() {
     std::vector<const Estimator*> chosen;
-    std::ranges::copy_if(estimators(), std::back_inserter(chosen), [](const Estimator* e) { return !e->in_q3.empty(); });
+    for (const Estimator& e : estimators())
+        if (!e.in_q3.empty()) chosen.push_back(&e);
     return chosen;
 }
 

@@ -59,10 +59,10 @@ TEST(PredictionRuns, ErrorsAreThoseOfTheMesh) {
     EXPECT_EQ(errors.vertices[0], 0);
     EXPECT_NEAR(errors.vertices[1], 1e-4, 1e-12);
     EXPECT_NEAR(errors.mass[1], 1e-4, 1e-12);
-    EXPECT_LT(errors.along[1], 1e-6) << "outwards is along no surface";
+    EXPECT_LT(errors.tangential[1], 1e-6) << "outwards is along no surface";
     EXPECT_NEAR(std::sqrt(errors.vertices[2]), vertex_rms(mesh.X, Y), 1e-15);
     EXPECT_NEAR(errors.mass[2], std::pow(compare_meshes(mesh, moved_to(mesh, Y)).area_weighted_rms, 2), 1e-12);
-    EXPECT_NEAR(errors.along[2] / errors.vertices[2], 2.0 / 3, 0.07);
+    EXPECT_NEAR(errors.tangential[2] / errors.vertices[2], 2.0 / 3, 0.07);
 }
 
 // A flat mesh is a fixed point of its own operator inside, however its vertices lie: noise along it stays.
