@@ -35,14 +35,6 @@ double rms(const Vector& values) {
     return n == 0 ? 0 : std::sqrt(sum / n);
 }
 
-/// Computes the rms difference between the ends of the edges, where both are defined.
-double rms_jump(const Vector& values, const MeshTopology& topology) {
-    Vector jumps(static_cast<Eigen::Index>(topology.edges.size()));
-    Eigen::Index e = 0;
-    for (const Edge& edge : topology.edges) jumps[e++] = values[edge.a] - values[edge.b];
-    return rms(jumps);
-}
-
 constexpr double curvature_noise = 1e-9;   // curvature × mean edge that rounding in ½‖Lx‖ leaves on a flat mesh
 
 OperatorVariant variant_of(const CurvatureSubject& s, std::string name, const CotangentOptions& options, const Vector& reference) {
@@ -76,8 +68,8 @@ CotangentComparison compare_operators(SharedMesh source) {
     c.precision = c.subject.mean_edge * largest_magnitude(c.cotangent);
     c.rms_uniform = rms(c.uniform);
     c.rms_difference = rms(c.difference);
-    c.jump_uniform = rms_jump(c.uniform, topology);
-    c.jump_cotangent = rms_jump(c.cotangent, topology);
+    c.jump_uniform = rms(differences_along_edges(c.uniform, topology));
+    c.jump_cotangent = rms(differences_along_edges(c.cotangent, topology));
     int opposite = 0, both = 0;
     for (Eigen::Index i = 0; i < c.difference.size(); ++i) {
         if (!std::isfinite(c.difference[i])) continue;

@@ -66,20 +66,20 @@ std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh) {
     return normal;
 }
 
+Vector differences_along_edges(const Vector& values, const MeshTopology& topology) {
+    Vector differences(static_cast<Eigen::Index>(topology.edges.size()));
+    Eigen::Index e = 0;
+    for (const Edge& edge : topology.edges) differences[e++] = values[edge.a] - values[edge.b];
+    return differences;
+}
+
 double roughness(const Vector& values, const MeshTopology& topology) {
-    const auto ninth_decile = [](std::vector<double>& sizes) {
-        if (sizes.empty()) return 0.0;
-        const auto at = sizes.begin() + 9 * (sizes.size() - 1) / 10;
-        std::ranges::nth_element(sizes, at);
-        return *at;
+    const auto ninth_decile = [](const Vector& differences) {
+        const std::vector<double> sizes = sorted_finite(differences.cwiseAbs());
+        return sizes.empty() ? 0.0 : sizes[9 * (sizes.size() - 1) / 10];
     };
-    std::vector<double> jumps, sizes;
-    for (const Edge& edge : topology.edges)
-        if (const double jump = values[edge.a] - values[edge.b]; std::isfinite(jump)) jumps.push_back(std::abs(jump));
-    for (const double value : values)
-        if (std::isfinite(value)) sizes.push_back(std::abs(value));
-    const double size = ninth_decile(sizes);
-    return size > 0 ? ninth_decile(jumps) / size : 0;
+    const double size = ninth_decile(values);
+    return size > 0 ? ninth_decile(differences_along_edges(values, topology)) / size : 0;
 }
 
 double rank_correlation(const Vector& a, const Vector& b) {

@@ -40,6 +40,8 @@ inline double largest_magnitude(const Vector& values) {
     return largest_magnitude(values, [](int) { return true; });
 }
 
+/// Returns value[a] − value[b] of every edge.
+Vector differences_along_edges(const Vector& values, const MeshTopology& topology);
 /// Measures the roughness of a field of finite values: the 90th percentile of |difference| along edges over that of |value|; 0 for zeros.
 double roughness(const Vector& values, const MeshTopology& topology);
 

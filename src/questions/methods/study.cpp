@@ -10,10 +10,6 @@ namespace {
 
 constexpr double s1_share = 0.2;   // of every extent of the box: "noise level 20" of an earlier report
 
-NoiseTrial level_of(const DenoisingSubject& subject, NoiseKind kind, double edges) {
-    return {.kind = kind, .edges = edges, .sigma = edges * subject.mean_edge};
-}
-
 /// Lists the noise to try, kind by kind.
 std::vector<NoiseTrial> levels_of(const DenoisingSubject& subject, const QuestionSettings& settings) {
     std::vector<double> gaussian{0.03, 0.1, 0.3, 1}, others{0.3};
@@ -25,15 +21,17 @@ std::vector<NoiseTrial> levels_of(const DenoisingSubject& subject, const Questio
             if (share > 0) gaussian.push_back(share * subject.diagonal / subject.mean_edge);
         if (gaussian.empty()) gaussian = {0.1};   // no noise, nothing to mend
     }
+    const double s1_edges = s1_share * subject.diagonal / (std::sqrt(3) * subject.mean_edge);
     std::vector<NoiseTrial> trials;
+    const auto add = [&](NoiseKind kind, double edges, bool is_s1) {
+        trials.push_back({.kind = kind, .edges = edges, .sigma = edges * subject.mean_edge, .s1_level = is_s1});
+    };
     for (const NoiseEntry& entry : noise_list()) {
+        const bool is_box = entry.kind == NoiseKind::box;
         // Noise scaled by the box is Gaussian if the box is a cube, so short reports have the one level that an earlier report used.
-        const bool left_out = entry.kind == NoiseKind::box && !settings.laboratory;
-        for (const double edges : entry.kind == NoiseKind::gaussian ? gaussian : others)
-            if (!left_out) trials.push_back(level_of(subject, entry.kind, edges));
-        if (entry.kind != NoiseKind::box || settings.quick || !settings.noise.empty()) continue;
-        trials.push_back(level_of(subject, entry.kind, s1_share * subject.diagonal / (std::sqrt(3) * subject.mean_edge)));
-        trials.back().s1_level = true;
+        if (!is_box || settings.laboratory)
+            for (const double edges : entry.kind == NoiseKind::gaussian ? gaussian : others) add(entry.kind, edges, false);
+        if (is_box && !settings.quick && settings.noise.empty()) add(entry.kind, s1_edges, true);
     }
     return trials;
 }

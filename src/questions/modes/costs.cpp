@@ -58,16 +58,14 @@ SmoothingWay implicit_way_of(const CostModel& model, double energy, const Smooth
 
 }   // namespace
 
-CostModel cost_model(const SmoothingSubject& subject, SpectralMeasure measure) {
+CostModel::CostModel(const SmoothingSubject& subject, SpectralMeasure of_input)
+    : measure(std::move(of_input)),
+      factor(implicit_operations_of(subject)),
+      critical(subject.critical),
+      initial_energy(measure.energy([](double) { return 1.0; })) {
     const OperatorWithMass whole = operator_with_mass(subject.laplacian);
-    const FactorOperations factor = implicit_operations_of(subject);
-    const double initial_energy = measure.energy([](double) { return 1.0; });
-    return {.measure = std::move(measure),
-            .factor = factor,
-            .explicit_step = 3 * double(whole.A.nonZeros()),
-            .implicit_step = 3 * (factor.solve + whole.size()),
-            .critical = subject.critical,
-            .initial_energy = initial_energy};
+    explicit_step = 3 * double(whole.A.nonZeros());
+    implicit_step = 3 * (factor.solve + whole.size());
 }
 
 double CostModel::exact_time(double energy) const {

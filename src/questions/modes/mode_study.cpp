@@ -162,7 +162,7 @@ ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings) {
     for (const double relative : {0.5, 0.95, 10.0})
         study.dampings.push_back(damping_of(study.subject, modes, SmoothingScheme::implicit_euler, relative, steps));
 
-    study.model = cost_model(study.subject, spectral_measure(study.subject.laplacian, study.subject.mesh().X, lanczos_steps(settings)));
+    study.model = {study.subject, spectral_measure(study.subject.laplacian, study.subject.mesh().X, lanczos_steps(settings))};
     const std::vector<int> counts = settings.iterations.empty() ? std::vector{1, 10, 100} : each_once(settings.iterations);
     ImplicitSolver solver;
     for (const double lambda : steps_of(settings, study.subject.critical, {0.1, 0.5, 0.9})) {

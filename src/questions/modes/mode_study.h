@@ -31,6 +31,8 @@ struct CostModel {
     double critical = 0;                           // λ_crit [length²]
     double initial_energy = 0;                     // [length²]
 
+    CostModel() = default;
+    CostModel(const SmoothingSubject& subject, SpectralMeasure of_input);
     /// Returns the energy that a filter f(−L) leaves.
     double share(const auto& filter) const { return measure.energy(filter) / initial_energy; }
     /// Returns the way with the fewest steps at 0.95 λ_crit and at most this energy.
@@ -45,7 +47,6 @@ struct CostModel {
     /// Returns the diffusion time after which the exact flow has this energy. [length²]
     double exact_time(double energy) const;
 };
-CostModel cost_model(const SmoothingSubject& subject, SpectralMeasure measure);
 
 /// One target energy and the ways to reach it.
 struct SmoothingTarget {

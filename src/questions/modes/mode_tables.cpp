@@ -14,28 +14,6 @@ constexpr Eigen::Index most_shown = 60;   // points
 /// Returns |factor|; NaN if it is rounding.
 double visible(double factor) { return std::abs(factor) > invisible ? std::abs(factor) : undefined; }
 
-/// Plots the law over μ/μ_max.
-report::Series law_line(const ModeStudy& study, const ModeDamping& damping, std::string name, std::string panel) {
-    report::Series line{.name = std::move(name), .panel = std::move(panel)};
-    constexpr int points = 240;
-    for (int i = 0; i <= points; ++i) {
-        const double share = double(i) / points;
-        add_point(line, share, visible(damping.law(share * study.subject.top.value)));
-    }
-    return line;
-}
-
-/// Plots the measured factors of some modes, evenly spaced, with the last.
-report::Series measured_points(const ModeStudy& study, const ModeDamping& damping, std::string name, std::string panel) {
-    report::Series points{.name = std::move(name), .style = Style::points, .panel = std::move(panel)};
-    const Eigen::Index n = study.eigenvalues.size(), shown = std::min(n, most_shown);
-    for (Eigen::Index k = 0; k < shown; ++k) {
-        const Eigen::Index i = shown > 1 ? k * (n - 1) / (shown - 1) : 0;
-        add_point(points, study.eigenvalues[i] / study.subject.top.value, visible(damping.measured[i]));
-    }
-    return points;
-}
-
 double operations_of(const SmoothingWay& way) { return way.steps > 0 ? way.operations : undefined; }
 
 /// Plots one value of the explicit way and of the first implicit ways over the energy, one panel per mesh.
@@ -64,21 +42,35 @@ report::Plot target_plot(const ModeStudies& studies, const std::string& key, std
 }   // namespace
 
 report::Plot damping_plot(const ModeStudy& study) {
+    const double top = study.subject.top.value;
+    const Eigen::Index n = study.eigenvalues.size(), shown = std::min(n, most_shown);
     report::Plot plot{.id = id_of("modes", study.name(), "damping"),
                       .caption = words.line("damping", "steps"_a = study.dampings.front().steps, "mesh"_a = study.name(),
-                                            "some"_a = study.all && study.eigenvalues.size() > most_shown),
-                      .alt = words.line("damping.alt", "modes"_a = study.eigenvalues.size()),
+                                            "some"_a = study.all && n > most_shown),
+                      .alt = words.line("damping.alt", "modes"_a = n),
                       .x_label = words.line("damping.x"),
                       .y_label = words.line("damping.y"),
                       .log_y = true};
+    const auto add_curves = [&](const ModeDamping& damping, const std::string& key, const std::string& panel) {
+        report::Series& law = plot.series.emplace_back(report::Series{.name = words.line(key), .panel = panel});
+        constexpr int points = 240;
+        for (int i = 0; i <= points; ++i) {
+            const double share = double(i) / points;
+            add_point(law, share, visible(damping.law(share * top)));
+        }
+        report::Series& measured =
+            plot.series.emplace_back(report::Series{.name = words.line(key + ".measured"), .style = Style::points, .panel = panel});
+        for (Eigen::Index k = 0; k < shown; ++k) {   // some of the modes, evenly spaced, with the last
+            const Eigen::Index i = shown > 1 ? k * (n - 1) / (shown - 1) : 0;
+            add_point(measured, study.eigenvalues[i] / top, visible(damping.measured[i]));
+        }
+    };
     for (int i = 0; i < damped_steps; ++i) {
         const ModeDamping &by_explicit = study.dampings[i], &by_implicit = study.dampings[damped_steps + i];
         const std::string of_one = in_limits(study.subject, by_explicit.lambda), of_other = in_limits(study.subject, by_implicit.lambda);
         const std::string panel = words.line("damping.panel", "step"_a = of_one, "implicit"_a = of_other == of_one ? "" : of_other);
-        plot.series.push_back(law_line(study, by_explicit, words.line("damping.explicit"), panel));
-        plot.series.push_back(measured_points(study, by_explicit, words.line("damping.explicit.measured"), panel));
-        plot.series.push_back(law_line(study, by_implicit, words.line("damping.implicit"), panel));
-        plot.series.push_back(measured_points(study, by_implicit, words.line("damping.implicit.measured"), panel));
+        add_curves(by_explicit, "damping.explicit", panel);
+        add_curves(by_implicit, "damping.implicit", panel);
     }
     return plot;
 }

@@ -62,7 +62,7 @@ TEST(BenchMesh, RandomIsIrregularAndAnisotropicIsStretched) {
     }
 }
 
-TEST(BenchMesh, WhatIsMeasuredIsTheSamePartAtEveryLevel) {
+TEST(BenchMesh, MeasuresTheSamePartOfTheSurfaceAtEveryLevel) {
     for (const KnownSurface& s : known_surfaces()) {
         const auto measured_share = [&](int level) {
             const BenchMesh t = bench_mesh(s, MeshKind::regular, level, 1);
@@ -75,7 +75,7 @@ TEST(BenchMesh, WhatIsMeasuredIsTheSamePartAtEveryLevel) {
     }
 }
 
-TEST(BenchMesh, NormalsAreUnitAndThoseOfTheTriangles) {
+TEST(BenchMesh, NormalsAreUnitVectorsNearThoseOfTheTriangles) {
     for (const KnownSurface& surface : known_surfaces()) {
         for (const MeshKind kind : {MeshKind::regular, MeshKind::jittered}) {
             const BenchMesh b = bench_mesh(surface, kind, 4, 1);
@@ -88,7 +88,7 @@ TEST(BenchMesh, NormalsAreUnitAndThoseOfTheTriangles) {
     }
 }
 
-TEST(BenchMesh, TotalCurvatureOfClosedSurfacesIsThatOfTheGenus) {
+TEST(BenchMesh, TotalCurvatureOfClosedSurfacesFollowsTheGenus) {
     for (const KnownSurface& surface : known_surfaces()) {
         const BenchMesh b = bench_mesh(surface, MeshKind::regular, 5, 1);
         if (b.topology.boundary_edge_count() > 0) continue;
@@ -96,7 +96,7 @@ TEST(BenchMesh, TotalCurvatureOfClosedSurfacesIsThatOfTheGenus) {
     }
 }
 
-TEST(BenchMesh, JitterIsTheSameForTheSameSeedAndOtherForAnother) {
+TEST(BenchMesh, JitterDependsOnTheSeedAlone) {
     const auto positions = [](std::uint64_t seed) { return bench_mesh(known_surface("torus"), MeshKind::jittered, 3, seed).mesh.X; };
     EXPECT_EQ(positions(1), positions(1));
     EXPECT_NE(positions(1), positions(2));
@@ -117,7 +117,7 @@ TEST(BenchMesh, JitterKeepsTheBoundaryAndItsBound) {
     }
 }
 
-TEST(BenchMesh, WhatIsSharedIsMadeOnce) {
+TEST(BenchMesh, MakesSharedValuesOnce) {
     const BenchMesh b = bench_mesh(known_surface("sphere"), MeshKind::regular, 1, 1);
     int made = 0;
     const auto make = [&] { return ++made; };

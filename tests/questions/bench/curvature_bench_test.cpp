@@ -23,14 +23,14 @@ TEST(CurvatureBench, OrderIsTheExponentOfTheFinestThree) {
 }
 
 // log₂ errors 0, 1, 0 over log₂ h 0, 1, 2: slope 0, residual sum of squares ⅔, Σ(x − x̄)² = 2, one degree of freedom; t = tan(0.475 π).
-TEST(CurvatureBench, MarginIsHalfTheIntervalOfStudent) {
+TEST(CurvatureBench, MarginIsHalfStudentsConfidenceInterval) {
     const Order scattered = ErrorHistory{{1, 2, 4}, {1, 2, 1}}.order();
     EXPECT_NEAR(scattered.exponent, 0, 1e-12);
     EXPECT_NEAR(scattered.margin, std::tan(0.475 * M_PI) * std::sqrt(1.0 / 3), 1e-4);
     EXPECT_TRUE(std::isnan((ErrorHistory{{1, 0.5}, {1, 0.5}}.order().margin)));
 }
 
-TEST(CurvatureBench, OrdersAsWords) {
+TEST(CurvatureBench, FormatsOrders) {
     EXPECT_EQ(words_of({-0.5, 0.25}), "−0.50\u202f±\u202f0.25");
     EXPECT_EQ(words_of({1.98, 0.0002}), "1.98\u202f±\u202f<\u202f0.001");
     EXPECT_EQ(words_of({1.98, 0.004}), "1.98\u202f±\u202f0.004");
@@ -38,7 +38,7 @@ TEST(CurvatureBench, OrdersAsWords) {
     EXPECT_EQ(words_of({std::nan(""), std::nan("")}), "–") << "not known, which is not exact";
 }
 
-TEST(CurvatureBench, WordsFollowTheNumbers) {
+TEST(CurvatureBench, TrendWordsFollowTheNumbers) {
     EXPECT_EQ(trend({{1, 0.5, 0.25}, {0.16, 0.04, 0.01}}).substr(0, 5), "falls");
     EXPECT_EQ(trend({{1, 0.5, 0.25}, {0.01, 0.02, 0.04}}).substr(0, 5), "grows");
     EXPECT_NE(trend({{1, 0.5, 0.25}, {0.1, 0.1, 0.1}}).find("without converging"), std::string::npos);
@@ -49,20 +49,20 @@ TEST(CurvatureBench, WordsFollowTheNumbers) {
     EXPECT_TRUE((ErrorHistory{{1, 0.5}, {1e-15, 1e-15}}.order().converges())) << "rounding";
 }
 
-TEST(CurvatureBench, NormalPartOfTheUniformLaplacianIsExactAtAnyPointsOfASphere) {
+TEST(CurvatureBench, NormalPartOfTheUniformLaplacianIsExactOnASphere) {
     const KnownSurface sphere = known_surface("sphere");
     const BenchLevel regular = measured(bench_mesh(sphere, MeshKind::regular, 3, 1));
     const BenchLevel moved = measured(bench_mesh(sphere, MeshKind::jittered, 3, 1));
     EXPECT_LT(regular.error("H.uniform_n").linf, 1e-11);
     EXPECT_LT(moved.error("H.uniform_n").linf, 1e-11);
     EXPECT_GT(moved.error("H.uniform").l2, 0.5);   // while the norm of all of Δx is useless
-    // With the normals that the mesh itself has it is not exact.
+    // With the normals of the mesh itself it is not exact.
     EXPECT_GT(regular.error("H.uniform_own_n").l2, 1e-3);
     EXPECT_LT(regular.error("H.uniform_own_n").l2, 0.02);
     EXPECT_GT(moved.error("H.uniform_own_n").l2, 0.02);
 }
 
-TEST(CurvatureBench, EveryEstimatorHasTheSignAndTheSizeOfTheTruth) {
+TEST(CurvatureBench, EstimatorsHaveTheSignAndMagnitudeOfTheTruth) {
     const BenchMesh sphere = bench_mesh(known_surface("sphere"), MeshKind::regular, 3, 1);
     for (const Estimator& e : estimators()) {
         const Vector& truth = e.quantity == Quantity::H ? sphere.H : sphere.K;
@@ -78,7 +78,7 @@ TEST(CurvatureBench, JitterStopsTheCotangentOperatorFromConverging) {
         EXPECT_EQ(run_on(runs, "torus", kind).errors("H.mixed").order().converges(), kind == MeshKind::regular);
 }
 
-TEST(CurvatureBench, NothingIsMeasuredTwice) {
+TEST(CurvatureBench, MeasuresEachMeshOnce) {
     std::atomic<int> meshes = 0;
     KnownSurface saddle = known_surface("saddle");
     saddle.projected = [&, projected = saddle.projected](const Vector3& p) { return ++meshes, projected(p); };   // jitters random points
@@ -93,7 +93,7 @@ TEST(CurvatureBench, NothingIsMeasuredTwice) {
     EXPECT_EQ(meshes, made);
 }
 
-TEST(CurvatureBench, SameSeedSameNumbers) {
+TEST(CurvatureBench, ResultsDependOnTheSeedAlone) {
     const auto errors = [](std::uint64_t seed) {
         return measured(bench_mesh(known_surface("ellipsoid"), MeshKind::random, 3, seed)).error("H.jet").l2;
     };
@@ -101,7 +101,7 @@ TEST(CurvatureBench, SameSeedSameNumbers) {
     EXPECT_NE(errors(1), errors(2));
 }
 
-TEST(CurvatureBench, EstimatorsHaveKeysAndNamesOfTheirOwn) {
+TEST(CurvatureBench, EstimatorsHaveUniqueKeysAndNames) {
     std::set<std::pair<Quantity, std::string>> names;
     for (const Estimator& e : estimators()) {
         EXPECT_EQ(&estimator(e.key), &e) << e.key;

@@ -24,7 +24,7 @@ TriangleMesh tilted_grid(double bump) {
 
 }   // namespace
 
-TEST(CurvatureSubject, PlanesAreKnownAtAnyTiltAndPlace) {
+TEST(CurvatureSubject, FindsPlanesAtAnyTiltAndPlace) {
     const auto normal = common_plane_normal(tilted_grid(0));
     ASSERT_TRUE(normal.has_value());
     EXPECT_NEAR(std::abs(normal->dot(Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()) * Vector3::UnitZ())), 1, 1e-9);
@@ -32,8 +32,8 @@ TEST(CurvatureSubject, PlanesAreKnownAtAnyTiltAndPlace) {
     EXPECT_FALSE(common_plane_normal(icosphere(1)).has_value());
 }
 
-// In a plane, but not a part of it: folded, on top of itself, or wound round a vertex twice.
-TEST(CurvatureSubject, WhatLiesInAPlaneMoreThanOnceIsNotFlat) {
+// Meshes that lie in a plane folded, doubled, or wound round a vertex twice.
+TEST(CurvatureSubject, SheetsThatCoverAPlaneTwiceAreNotFlat) {
     TriangleMesh sheet = grid_mesh(6, 6, 1, 1);
     ASSERT_TRUE(common_plane_normal(sheet).has_value());
     TriangleMesh folded = sheet;
@@ -68,7 +68,7 @@ TEST(CurvatureSubject, SharedRangeReportsWhatEachFigureClips) {
     EXPECT_EQ(range.clipped_above, 0.25);
 }
 
-TEST(CurvatureSubject, BarsOfPanelsReportValuesBeyondTheirRange) {
+TEST(CurvatureSubject, PanelRangesReportClippedValues) {
     output::Panel panel;
     panel.values = Vector(5);
     panel.values << -2, 0, 0.5, 3, std::nan("");
@@ -92,7 +92,7 @@ TEST(CurvatureSubject, OnATorusKIsPositiveOutsideAndNegativeInside) {
     EXPECT_FALSE(signs_by_distance(subject, Vector::Ones(K.size())).caps_outside());   // positive everywhere
 }
 
-TEST(CurvatureSubject, WhatIsUndefinedIsCalledWhatItIs) {
+TEST(CurvatureSubject, NamesTheCausesOfUndefinedVertices) {
     const auto told = [](const TriangleMesh& mesh, const char* name) {
         return undefined_words(curvature_subject(library_mesh(mesh, name)));
     };
@@ -129,7 +129,7 @@ TEST(CurvatureSubject, RoundedCoordinatesAreDistinguishedFromUnevenRings) {
     EXPECT_FALSE(file.is_rounding(1e-3));
 }
 
-TEST(CurvatureSubject, RanksCorrelateWhateverTheScale) {
+TEST(CurvatureSubject, RankCorrelationDoesNotDependOnTheScale) {
     Vector a(6), b(6);
     a << 1, 2, 3, 4, 5, std::nan("");
     b << 1, 8, 27, 64, 1e6, 0;
@@ -140,7 +140,7 @@ TEST(CurvatureSubject, RanksCorrelateWhateverTheScale) {
     EXPECT_NEAR(rank_correlation(a, b), 0, 1e-12);
 }
 
-TEST(CurvatureSubject, RoughnessIsOfNineInTenAndWithoutUnit) {
+TEST(CurvatureSubject, RoughnessIgnoresOutliersAndUnits) {
     const TriangleMesh grid = grid_mesh(20, 20, 1, 1);
     const MeshTopology topology = topology_of(grid);
     Vector ramp = grid.X.col(0), checks(grid.vertex_count());
@@ -163,7 +163,7 @@ TEST(CurvatureSubject, PanelsOfMeshesOfAnySizeFitIntoOneFrame) {
     EXPECT_EQ(panel.values[5], 3) << "in its own unit";
 }
 
-TEST(CurvatureSubject, CotangentIsExactOnIrregularPlanesAndOthersAreNot) {
+TEST(CurvatureSubject, OnlyCotangentIsExactOnIrregularPlanes) {
     const PlaneTest plane = irregular_plane(std::uint64_t{1});
     EXPECT_GT(plane.negative_weights, 0.01);
     EXPECT_LT(plane.cotangent, 1e-12);

@@ -69,7 +69,7 @@ TEST(LawChecks, ACertificateHoldsExactlyWhereItsChecksPass) {
     EXPECT_FALSE(broken.holds() || all_pass(broken));
 }
 
-TEST(LawChecks, OnlyWhatASurfaceClaimsIsAskedOfIt) {
+TEST(LawChecks, ChecksOnlyTheClaimedProperties) {
     const TriangleMesh sphere = icosphere(2);
     const Vector deficits = angle_deficit(sphere, topology_of(sphere));
     EXPECT_EQ(surface_checks(sphere, deficits, {}, "").size(), 4u);
@@ -82,7 +82,7 @@ TEST(LawChecks, OnlyWhatASurfaceClaimsIsAskedOfIt) {
     EXPECT_TRUE(surface_checks(sphere, deficits, {.manifold = false}, "").empty());
 }
 
-TEST(LawChecks, FlooredCotangentsAreNoFirstVariation) {
+TEST(LawChecks, LeavesOutEnergyLawsWithTrianglesWithoutArea) {
     const TriangleMesh sphere = icosphere(2);
     const auto whole = operator_checks(sphere, laplace_beltrami(sphere), " on ball"),
                floored = operator_checks(sphere, laplace_beltrami(sphere), "", 3);

@@ -8,8 +8,8 @@
 
 using namespace meshfolio;
 
-// An edge of three faces is sharp where one of them goes on from no other, however the faces are oriented.
-TEST(MeshClass, AnEdgeOfThreeFacesIsAFeatureWhereAFinStands) {
+// An edge of three faces is sharp if one of them continues no other, whatever their orientation.
+TEST(MeshClass, AFinMakesAnEdgeAFeature) {
     const TriangleMesh sheet = grid_mesh(5, 5, 1, 1);
     const auto features_with_third_vertex_at = [&](const Eigen::RowVector3d& place) {
         TriangleMesh mesh = sheet;
@@ -26,8 +26,8 @@ TEST(MeshClass, AnEdgeOfThreeFacesIsAFeatureWhereAFinStands) {
     EXPECT_EQ(features_with_third_vertex_at({0.6, 0.3, 0}), 0) << "folded flat onto the sheet";
 }
 
-// All edges count, the sharp ones too: else the median would fall because smoothing takes edges out of what is measured.
-TEST(MeshClass, TheMedianFaceAngleIsThatOfAllEdges) {
+// Sharp edges count too: otherwise smoothing would lower the median by changing the set of edges.
+TEST(MeshClass, TheMedianFaceAngleIncludesAllEdges) {
     const TriangleMesh icosahedron = icosphere(0);
     EXPECT_NEAR(median_face_angle(icosahedron, topology_of(icosahedron)), 180 - 138.189685104221, 1e-9);
     EXPECT_EQ(mesh_character(icosahedron, topology_of(icosahedron)).typical_angle, 0) << "off the feature edges there is none";

@@ -37,12 +37,12 @@ int obtuse_in(const FlatRing& ring) {
 
 const SampleRing flat_samples[]{obtuse_ring_in_a_plane(), uneven_ring_in_a_plane()};
 
-TEST(FlatRing, ItsGapIsTheAngleDeficit) {
+TEST(FlatRing, GapEqualsTheAngleDeficit) {
     for (const SampleRing& sample : {ring_on_a_sphere(), obtuse_ring_in_a_plane(), uneven_ring_in_a_plane()})
         EXPECT_NEAR(ring_of(sample).gap(), angle_deficit(sample.mesh, sample.topology)[sample.vertex], 1e-12);
 }
 
-TEST(FlatRing, LengthsAndAnglesAreThoseOfTheMesh) {
+TEST(FlatRing, KeepsLengthsAndAnglesOfTheMesh) {
     const SampleRing sample = ring_on_a_sphere();
     const FlatRing ring = ring_of(sample);
     const std::vector<int> order = ring_in_order(sample.mesh, sample.topology, sample.vertex);
@@ -57,8 +57,8 @@ TEST(FlatRing, LengthsAndAnglesAreThoseOfTheMesh) {
     }
 }
 
-// The cell that is drawn has the area that K is divided by, in each form, also where a circumcentre lies beyond its triangle.
-TEST(Cells, HaveTheVertexAreas) {
+// The drawn cell has the area that divides K, in each form, even if a circumcentre lies beyond its triangle.
+TEST(Cells, AreasEqualVertexAreas) {
     for (const SampleRing& sample : flat_samples) {
         const FlatRing ring = ring_of(sample);
         for (const AreaForm form : {AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed}) {
@@ -71,7 +71,7 @@ TEST(Cells, HaveTheVertexAreas) {
     }
 }
 
-TEST(Cells, MixedIsVoronoiWithoutObtuseTriangle) {
+TEST(Cells, MixedEqualsVoronoiWithoutObtuseTriangles) {
     const SampleRing &obtuse = flat_samples[0], &acute = flat_samples[1];
     EXPECT_EQ(obtuse_in(ring_of(obtuse)), 1);
     EXPECT_EQ(obtuse_in(ring_of(acute)), 0);
@@ -79,7 +79,7 @@ TEST(Cells, MixedIsVoronoiWithoutObtuseTriangle) {
     EXPECT_NE(cell_of(ring_of(obtuse), AreaForm::mixed), cell_of(ring_of(obtuse), AreaForm::voronoi));
 }
 
-TEST(OneRing, TheSmallestAngleAroundAVertexMayBeAtAnotherCorner) {
+TEST(OneRing, FindsTheSmallestAngleAtAnyCorner) {
     const TriangleMesh ball = icosphere(0);
     EXPECT_NEAR(smallest_angle_around(ball, topology_of(ball), 0), pi / 3, 1e-12);
     TriangleMesh needle;
@@ -88,8 +88,8 @@ TEST(OneRing, TheSmallestAngleAroundAVertexMayBeAtAnotherCorner) {
     EXPECT_NEAR(smallest_angle_around(needle, topology_of(needle), 0), std::atan(0.1), 1e-12) << "at vertex 1";
 }
 
-// Question 3's reason why cotangents cancel the drift: a quarter turn makes w_ij (x_j − x_i) the side of the Voronoi cell.
-TEST(Cells, VoronoiSidesAreTheWeightedEdgesAQuarterTurnOn) {
+// Question 3 explains with this why cotangents cancel the drift: w_ij (x_j − x_i) turned by 90° is a side of the Voronoi cell.
+TEST(Cells, VoronoiSidesAreWeightedEdgesTurnedByAQuarter) {
     const SampleRing& sample = flat_samples[1];
     const FlatRing ring = ring_of(sample);
     const SparseMatrix C = laplace_beltrami(sample.mesh).C;

@@ -21,7 +21,7 @@ constexpr SmoothingScheme both_schemes[] = {SmoothingScheme::explicit_euler, Smo
 
 }   // namespace
 
-TEST(EnergyCheck, PassesFailsOrDecidesNothing) {
+TEST(EnergyCheck, PassesFailsOrIsUndecided) {
     SmoothingRun run;
     run.energy = {1, 0.9, 0.9 + 1e-9};
     run.energy_rounding = {0, 1e-13, 1e-13};
@@ -37,7 +37,7 @@ TEST(EnergyCheck, PassesFailsOrDecidesNothing) {
     EXPECT_TRUE(energy_check("", run).failed());
 }
 
-// Noise makes triangles of which rounding leaves no factor after some steps, each with the operator of the positions before it.
+// Noisy triangles become so thin after some steps with rebuilt operators that M − λC cannot be factored.
 TEST(SmoothUntilCollapse, ARebuiltRunKeepsWhatItReached) {
     const TriangleMesh clean = make_sample("creature");
     const double edge = mean_edge_length(clean);
@@ -59,7 +59,7 @@ TEST(SmoothUntilCollapse, ARebuiltRunKeepsWhatItReached) {
     EXPECT_EQ(smooth_until_collapse(noisy, options, solver).collapse_iteration, 0) << "the solver is as good as new";
 }
 
-TEST(SmoothingStudy, NoStepLeavesTheMesh) {
+TEST(SmoothingStudy, TinyStepsLeaveTheMeshAsItIs) {
     const SmoothingSubject subject = ball_subject();
     for (const auto& step : {explicit_step, implicit_step}) {
         EXPECT_LT((step(subject.laplacian, 0, subject.mesh().X) - subject.mesh().X).cwiseAbs().maxCoeff(), 1e-14);
@@ -73,7 +73,7 @@ TEST(SmoothingStudy, NoStepLeavesTheMesh) {
     }
 }
 
-TEST(SmoothingStudy, OneValueForEveryIterationAndTheInput) {
+TEST(SmoothingStudy, HasOneValuePerIterationAndTheInput) {
     const SmoothingSubject subject = ball_subject();
     for (const SmoothingScheme scheme : both_schemes) {
         const SmoothingRun run = run_smoothing(subject, scheme, 0.4 * subject.critical, 6, {1, 4, 6});
@@ -101,7 +101,7 @@ TEST(SmoothingStudy, ABallShrinksAndItsEnergyFalls) {
             EXPECT_LT(run.energy[t], run.energy[t - 1]);
             EXPECT_LT(run.volume[t], run.volume[t - 1]);
         }
-        // A ball stays one: energy like r², volume like r³, motion 1 − r, angles as they were.
+        // A ball stays a ball: energy ~ r², volume ~ r³, motion 1 − r, equal angles.
         const double r = std::sqrt(run.energy.back());
         EXPECT_NEAR(run.volume.back(), r * r * r, 1e-2 * r * r * r);
         EXPECT_NEAR(run.moved.rms, 1 - r, 1e-2);
@@ -134,7 +134,7 @@ TEST(SmoothingStudy, StepsAreTheGivenOnesOrMultiplesOfTheLimit) {
     EXPECT_EQ(steps_of(settings, subject.critical, {2, 0.5}), (std::vector{0.1, 0.3}));
 }
 
-TEST(SmoothingStudy, ColoursAreCurvatureInMeanEdges) {
+TEST(SmoothingStudy, ColoursAreCurvatureTimesMeanEdge) {
     const SmoothingSubject subject = ball_subject();
     const Vector once = curvature_colours(subject, subject.mesh().X), twice = curvature_colours(subject, 2 * subject.mesh().X);
     EXPECT_NEAR(once.mean(), subject.mean_edge, 0.05 * subject.mean_edge);   // H = 1, positive on a ball
@@ -151,7 +151,7 @@ TEST(SmoothingStudy, SizeIsKeptUntilItFallsBelow) {
     EXPECT_EQ(iterations_keeping_size(run, 0.5), 0);
 }
 
-TEST(SmoothingStudy, TheSizeIsThatOfTheComponentThatLosesMost) {
+TEST(SmoothingStudy, MeasuresTheComponentThatLosesMost) {
     const TriangleMesh large = icosphere(3), small = icosphere(1, 0.1);   // the small one shrinks first
     TriangleMesh both;
     both.X.resize(large.X.rows() + small.X.rows(), 3);

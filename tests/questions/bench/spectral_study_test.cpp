@@ -11,7 +11,7 @@
 using namespace meshfolio;
 using namespace meshfolio::testing_tools;
 
-TEST(SpectralStudy, EveryKOnceAndAscending) {
+TEST(SpectralStudy, RebuildsOncePerKInAscendingOrder) {
     const SpectralStudy study = spectral_study_on(cube_mesh(4), "cube_k", {12, 5, 12, 100000, 5});
     ASSERT_EQ(study.reconstructions.size(), 3u);
     EXPECT_EQ(study.reconstructions[0].k, 5);
@@ -21,7 +21,7 @@ TEST(SpectralStudy, EveryKOnceAndAscending) {
     EXPECT_EQ(study.rms.size(), study.modes() + 1);
 }
 
-TEST(SpectralStudy, DistancesAreThoseOfTheMeshes) {
+TEST(SpectralStudy, DistancesAgreeWithCompareMeshes) {
     const SpectralStudy study = spectral_study_on(ellipsoid_mesh(2, {1.7, 1.1, 0.6}), "egg_distance", {4, 30});
     for (const Reconstruction& r : study.reconstructions) {
         EXPECT_NEAR(r.distance.maxCoeff(), r.difference.max, 1e-12);
@@ -33,7 +33,7 @@ TEST(SpectralStudy, DistancesAreThoseOfTheMeshes) {
     EXPECT_LT(largest_parseval_gap(study), 1e-12);
 }
 
-TEST(SpectralStudy, TheGapIsTheLargest) {
+TEST(SpectralStudy, FindsTheLargestParsevalGap) {
     SpectralStudy study;
     study.reconstructions.resize(3);
     study.reconstructions[0].predicted_rms = 1;
@@ -42,7 +42,7 @@ TEST(SpectralStudy, TheGapIsTheLargest) {
     EXPECT_EQ(largest_parseval_gap(study), 0.5);
 }
 
-TEST(SpectralStudy, SmallestKIsTheFirstBelow) {
+TEST(SpectralStudy, FindsTheSmallestKBelowAnError) {
     const SpectralStudy study = spectral_study_on(torus_mesh(16, 8, 1, 0.4), "torus_smallest", {60});
     for (const double share : {0.3, 0.1, 0.05}) {
         const int k = smallest_k_below(study, share);
@@ -56,7 +56,7 @@ TEST(SpectralStudy, SmallestKIsTheFirstBelow) {
     EXPECT_EQ(smallest_k_below(study, 1), 1);
 }
 
-TEST(SpectralStudy, PowersOfAKnownFall) {
+TEST(SpectralStudy, FindsThePowerOfAKnownLaw) {
     SpectralStudy study;
     study.rms = Vector(65);
     for (int k = 0; k < 65; ++k) study.rms[k] = 3 * std::pow(k + 1e-300, -1.5);
@@ -69,7 +69,7 @@ TEST(SpectralStudy, PowersOfAKnownFall) {
     EXPECT_NEAR(power_law(study, 2, 64).power, 1.5, 0.1);
 }
 
-TEST(SpectralStudy, TheFallIsFittedWhereThereIsError) {
+TEST(SpectralStudy, FitsTheLawOnlyAboveRounding) {
     const SpectralStudy all = spectral_study_on(torus_mesh(16, 8, 1, 0.4), "torus_fall", {5, 128});
     const auto law = fall_of_the_error(all);
     ASSERT_TRUE(law);
@@ -87,7 +87,7 @@ TEST(SpectralStudy, WavelengthsOfTheSphere) {
     EXPECT_NEAR(wavelength(study, 9), 2 * M_PI / std::sqrt(6), 0.02);
 }
 
-TEST(SpectralStudy, RemotenessIsAboveOneWhereTheErrorIsFarOut) {
+TEST(SpectralStudy, RemotenessIsAboveOneForErrorsFarOut) {
     const SpectralStudy study = spectral_study_on(ellipsoid_mesh(2, {4, 1, 1}), "cigar", {5});
     Reconstruction r = study.reconstructions.front();
     r.distance = study.mesh().X.rowwise().norm();
@@ -98,7 +98,7 @@ TEST(SpectralStudy, RemotenessIsAboveOneWhereTheErrorIsFarOut) {
     EXPECT_NEAR(remoteness_of_worst(ball, ball.reconstructions.front()), 1, 1e-9);
 }
 
-TEST(MistakeStudy, TheRightWayIsThatOfTheReconstructions) {
+TEST(MistakeStudy, TheRightErrorEqualsThatOfTheReconstructions) {
     const SpectralStudy study = spectral_study_on(ellipsoid_mesh(3, {1.7, 1.1, 0.6}), "egg_mistakes", {5, 15, 30});
     const std::vector<MistakeErrors> mistakes = mistake_study(study, true);
     for (const Reconstruction& r : study.reconstructions) {
@@ -110,8 +110,8 @@ TEST(MistakeStudy, TheRightWayIsThatOfTheReconstructions) {
     }
 }
 
-// A dumbbell's thin parts lose their girth first.
-TEST(LimbStudy, ThinTubesNeedTheModesThatGoRoundThem) {
+// A ring loses its girth with too few modes.
+TEST(LimbStudy, ThinTubesNeedTheModesAroundThem) {
     TriangleMesh mesh = torus_mesh(96, 24, 1, 0.1);
     const SpectralStudy study = spectral_study_on(mesh, "ring_limbs", {5, 40});
     const LimbStudy limbs = limb_study(study);
@@ -122,7 +122,7 @@ TEST(LimbStudy, ThinTubesNeedTheModesThatGoRoundThem) {
     EXPECT_LT(limbs.errors.back().thin, 0.02) << "at k = 40 it has its girth";
 }
 
-TEST(LimbStudy, SharesOfPlantedErrors) {
+TEST(LimbStudy, FindsPlantedErrors) {
     SpectralStudy study = spectral_study_on(ellipsoid_mesh(3, {3, 1, 1}), "cigar_limbs", {5});
     Reconstruction& r = study.reconstructions.front();
     const Vector along = study.mesh().X.col(0).cwiseAbs();
@@ -139,4 +139,6 @@ TEST(LimbStudy, SharesOfPlantedErrors) {
     EXPECT_TRUE(std::isnan(limb_study(study).errors.front().seen_on_thin)) << "nothing is seen";
 }
 
-TEST(LimbStudy, AnOpenSurfaceHasNone) { EXPECT_FALSE(limb_study(spectral_study_on(grid_mesh(12, 12, 1, 1), "sheet", {5})).measured()); }
+TEST(LimbStudy, OpenSurfacesAreNotMeasured) {
+    EXPECT_FALSE(limb_study(spectral_study_on(grid_mesh(12, 12, 1, 1), "sheet", {5})).measured());
+}

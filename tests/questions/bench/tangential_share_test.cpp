@@ -54,7 +54,7 @@ TEST(TangentialShare, IsOneOnUnevenFlatRings) {
     }
 }
 
-TEST(TangentialShare, KnowsNeitherPlaceNorTurnNorUnit) {
+TEST(TangentialShare, DoesNotDependOnPlaceRotationOrUnit) {
     const TriangleMesh ball = jittered_ball();
     TriangleMesh moved = ball;
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Vector3(1, -2, 0.5).normalized()).toRotationMatrix();
@@ -66,7 +66,7 @@ TEST(TangentialShare, KnowsNeitherPlaceNorTurnNorUnit) {
 }
 
 // The area vectors around the tip add up to that of the outline, so the normal is the axis whatever the outline in its plane.
-TEST(TangentialShare, IsThatOfTheMeanAsideOfTheNormal) {
+TEST(TangentialShare, FollowsFromTheOffsetOfTheMean) {
     TriangleMesh tip = cone(4);
     tip.X.row(1) << 1.8, 0, 0;
     const double aside = (1.8 - 1) / 4, below = 0.7;

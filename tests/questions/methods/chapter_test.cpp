@@ -33,7 +33,7 @@ double gain_of(const NoiseTrial& trial, DenoisingMethod method) {
 
 }   // namespace
 
-TEST(MeshClass, ByTheAnglesBetweenFaces) {
+TEST(MeshClass, FollowsFromTheAnglesBetweenFaces) {
     EXPECT_EQ(character_of(grid_mesh(5, 5, 1, 1)).kind(), MeshClass::flat);
     EXPECT_EQ(character_of(icosphere(3)).kind(), MeshClass::smooth);
     EXPECT_EQ(character_of(cube_mesh(6)).kind(), MeshClass::sharp_edged);
@@ -44,7 +44,7 @@ TEST(MeshClass, ByTheAnglesBetweenFaces) {
     EXPECT_FALSE(character_of(cube_mesh(2)).open);
 }
 
-TEST(MeshClass, OfACubeInNumbers) {
+TEST(MeshClass, HasTheKnownValuesOfACube) {
     const MeshCharacter cube = character_of(cube_mesh(6));
     // 218 vertices, 12 edges with 5 inner vertices each and 8 corners on features.
     EXPECT_NEAR(cube.feature_share, 68.0 / 218, 1e-12);
@@ -67,7 +67,7 @@ TEST(DenoisingSearch, EveryMethodSpendsTheSameBudget) {
     EXPECT_NEAR(search_plan(DenoisingMethod::implicit_flow, budget, 0.1, 1000).unit, 0.01, 1e-15);
 }
 
-TEST(DenoisingSearch, ItsBestCanBeMadeAgain) {
+TEST(DenoisingSearch, TheBestResultCanBeReproduced) {
     const DenoisingLaboratory laboratory = laboratory_of(cube_mesh(5));
     const DenoisingTrials& mesh = laboratory.meshes.front();
     for (const NoiseTrial& trial : mesh.trials) {
@@ -92,7 +92,7 @@ TEST(DenoisingSearch, ItsBestCanBeMadeAgain) {
     }
 }
 
-TEST(DenoisingLaboratory, ABallIsBestMendedByDiffusionThatKeepsTheVolumeAndACubeByNormals) {
+TEST(DenoisingLaboratory, VolumeKeepingDiffusionWinsOnABallAndNormalFiltersOnACube) {
     const NoiseTrial cube = laboratory_of(cube_mesh(8), with_noise_of({0.01})).meshes.front().trials.front();
     const NoiseTrial ball = laboratory_of(icosphere(3), with_noise_of({0.01})).meshes.front().trials.front();
     EXPECT_GT(gain_of(cube, DenoisingMethod::guided_normals), 1.3 * gain_of(cube, DenoisingMethod::volume_rescaled));
@@ -100,7 +100,7 @@ TEST(DenoisingLaboratory, ABallIsBestMendedByDiffusionThatKeepsTheVolumeAndACube
     EXPECT_GT(gain_of(ball, DenoisingMethod::volume_rescaled), 1.2 * gain_of(ball, DenoisingMethod::implicit_flow));
 }
 
-TEST(DenoisingLaboratory, WithHardlyAnyNoiseTheBestIsToLeaveACubeAlone) {
+TEST(DenoisingLaboratory, WithTinyNoiseNoFlowImprovesACube) {
     const DenoisingLaboratory laboratory = laboratory_of(cube_mesh(5), with_noise_of({1e-7}));
     for (const SearchResult& r : laboratory.meshes.front().trials.front().results) {
         if (filters_normals(r.method)) continue;
@@ -108,7 +108,7 @@ TEST(DenoisingLaboratory, WithHardlyAnyNoiseTheBestIsToLeaveACubeAlone) {
     }
 }
 
-TEST(DenoisingLaboratory, MeansOfAClassAreGeometricAndSkipWhatIsNotDefined) {
+TEST(DenoisingLaboratory, AveragesOfAClassAreGeometricAndSkipUndefinedMethods) {
     const DenoisingLaboratory laboratory = laboratory_of(grid_mesh(8, 8, 1, 1));
     const std::vector<ClassResult> classes = class_results(laboratory);
     ASSERT_EQ(classes.size(), 1u);
@@ -124,7 +124,7 @@ TEST(DenoisingLaboratory, MeansOfAClassAreGeometricAndSkipWhatIsNotDefined) {
     }
 }
 
-TEST(DenoisingLaboratory, ALargeMeshIsStudiedOnAPatch) {
+TEST(DenoisingLaboratory, CutsLargeMeshesToAPatch) {
     const DenoisingSubject subject = denoising_subject("ball", icosphere(4), 200);
     EXPECT_TRUE(subject.is_patch());
     EXPECT_LE(subject.mesh.vertex_count(), 200);
@@ -143,7 +143,7 @@ TEST(Methods, TheUsualReportPassesItsChecks) {
     EXPECT_NE(prose_of(answer.section).find("20\u202f% of the box"), std::string::npos);
 }
 
-// A method that only rescales what another leaves turns the normals as that does.
+// A method that only rescales the result of another has the same normals.
 TEST(Methods, ATieInNormalsNamesNoSecondWinner) {
     DenoisingLaboratory laboratory = laboratory_of(cube_mesh(4), with_noise_of({0.01}));
     const auto told_with_angle = [&](double angle_of_the_second) {
@@ -167,7 +167,7 @@ TEST(Methods, ATieInNormalsNamesNoSecondWinner) {
     EXPECT_NE(beaten.find("on " + count + " of " + count + " noisy meshes the normals"), std::string::npos) << beaten;
 }
 
-TEST(Methods, TheTableIsTheStudy) {
+TEST(Methods, TheTableShowsTheStudy) {
     const TriangleMesh box = cube_mesh(4);
     const Answer answer = chapter_of_id("methods").answer(library_of(box, "methods_box"), quick_settings(), no_progress);
     const report::Table& table = table_named(answer.section, "methods_gains");
@@ -183,7 +183,7 @@ TEST(Methods, TheTableIsTheStudy) {
         for (const SearchResult& result : trials[row].results) EXPECT_GE(places[row], result.rms_gain());
 }
 
-TEST(Methods, OddMeshesAreAnswered) {
+TEST(Methods, AnswersForOddMeshes) {
     TriangleMesh triangle;
     triangle.X.resize(3, 3);
     triangle.X << 0, 0, 0, 1, 0, 0, 0, 1, 0;

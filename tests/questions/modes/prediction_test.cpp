@@ -38,7 +38,7 @@ MeasuredCurve curve_of(std::initializer_list<double> squares) {
 
 }   // namespace
 
-TEST(PredictionRuns, StepsAreThoseOfTheSmoother) {
+TEST(PredictionRuns, StepsAgreeWithImplicitStep) {
     const TriangleMesh mesh = lopsided_ball(2);
     const DenoisingFlow flow(mesh, 0.01);
     const Positions Y = with_gaussian_noise(mesh.X, Vector3::Constant(0.03), 9);
@@ -51,7 +51,7 @@ TEST(PredictionRuns, StepsAreThoseOfTheSmoother) {
     EXPECT_LT((noisy[2] - implicit_step(laplace_beltrami(moved_to(mesh, Y)), 0.01, noisy[1])).norm(), 1e-11);
 }
 
-TEST(PredictionRuns, ErrorsAreThoseOfTheMesh) {
+TEST(PredictionRuns, ErrorsAgreeWithCompareMeshes) {
     const TriangleMesh mesh = icosphere(2);
     const DenoisingFlow flow(mesh, 0.01);
     const Positions out = mesh.X * 1.01, Y = with_gaussian_noise(mesh.X, Vector3::Constant(0.1), 3);
@@ -65,8 +65,8 @@ TEST(PredictionRuns, ErrorsAreThoseOfTheMesh) {
     EXPECT_NEAR(errors.tangential[2] / errors.vertices[2], 2.0 / 3, 0.07);
 }
 
-// A flat mesh is a fixed point of its own operator inside, however its vertices lie: noise along it stays.
-TEST(PredictionRuns, TheOwnOperatorDoesNotSeeNoiseAlongAPlane) {
+// A flat mesh is a fixed point of its own operator inside, wherever its vertices lie, so noise along it stays.
+TEST(PredictionRuns, TheOwnOperatorKeepsNoiseAlongAPlane) {
     const TriangleMesh plane = grid_mesh(21, 21, 1, 1);
     const DenoisingFlow flow(plane, 1e-4);
     Positions Y = plane.X;
@@ -100,7 +100,7 @@ TEST(MeasuredCurve, MeanErrorAndPercentiles) {
     EXPECT_THROW(measured_curve({}), MeshError);
 }
 
-TEST(PredictionStudy, TheFormulaIsTheMeasuredMeanAndAWrongSigmaIsNot) {
+TEST(PredictionStudy, TheFormulaAgreesWithTheMeanUnlessSigmaIsWrong) {
     for (const TriangleMesh& mesh : {lopsided_ball(2), lopsided_ball(3)}) {   // 162 vertices: modes; 642: probes in the quick report
         const PredictionStudy study = prediction_study_on(mesh, "expected", {0.005, 0.02});
         EXPECT_EQ(study.prediction.modes > 0, mesh.vertex_count() < 300);
@@ -116,7 +116,7 @@ TEST(PredictionStudy, TheFormulaIsTheMeasuredMeanAndAWrongSigmaIsNot) {
     }
 }
 
-TEST(PredictionStudy, SteinForeseesTheOwnOperator) {
+TEST(PredictionStudy, SteinPredictsTheErrorOfTheOwnOperator) {
     const PredictionStudy study = prediction_study_on(lopsided_ball(3), "stein", {0.02});
     const OperatorStudy& own = study.levels.front().of(FlowOperator::noisy);
     EXPECT_LT(deviation(*own.prediction(by_stein), own.measured), 0.05);
@@ -154,8 +154,8 @@ TEST(PredictionStudy, TheAccountAddsUp) {
     EXPECT_GT(study.levels[1].facts.area, study.levels[0].facts.area);
 }
 
-// The shared spectrum in box diagonals predicts what the operator in box diagonals does.
-TEST(PredictionStudy, TheSharedSpectrumIsThatOfTheScaledMesh) {
+// Scaling the shared spectrum to box diagonals gives the same prediction as an operator in box diagonals.
+TEST(PredictionStudy, TheSharedSpectrumPredictsTheScaledMesh) {
     const PredictionStudy study = prediction_study_on(lopsided_ball(2), "scaled", {0.01});
     ASSERT_GT(study.prediction.modes, 0);
     const TriangleMesh& mesh = study.mesh();

@@ -36,14 +36,14 @@ TEST(ModeStudy, EveryModeFollowsItsLaw) {
     }
 }
 
-TEST(ModeStudy, ADeviationIsSeen) {
+TEST(ModeStudy, AWrongStepDeviatesFromTheLaw) {
     ModeDamping damping = egg_study().dampings.front();
     EXPECT_LT(damping.deviation(egg_study().eigenvalues), 1e-10);
     damping.lambda *= 1.001;   // a law of another step
     EXPECT_GT(damping.deviation(egg_study().eigenvalues), 1e-4);
 }
 
-TEST(ModeStudy, ALargerMeshHasItsLowestModesAndTheTop) {
+TEST(ModeStudy, MeasuresTheLowestModesAndTheTopOfALargerMesh) {
     const ModeStudy study = mode_study(library_mesh(icosphere(4), "ball_modes"), quick_settings());
     EXPECT_FALSE(study.all);
     EXPECT_EQ(study.eigenvalues.size(), 21);
@@ -82,7 +82,7 @@ TEST(CostModel, WaysReachTheirTargets) {
     EXPECT_EQ(model.explicit_way(0.5).steps, model.explicit_way(0.5 + 1e-12).steps);
 }
 
-TEST(CostModel, MoreStepsAreTruer) {
+TEST(CostModel, MoreStepsReduceTheError) {
     const CostModel& model = egg_model();
     double before = INFINITY;
     for (const int steps : {1, 2, 4, 8, 16, 200}) {
@@ -100,8 +100,8 @@ TEST(CostModel, MoreStepsAreTruer) {
     }
 }
 
-// Gauss quadrature, filters and bisection on one side, matrix exponential by the modes on the other.
-TEST(CostModel, TheErrorIsTheDistanceFromTheExactFlow) {
+// Compares Gauss quadrature, filters and a root finder with the matrix exponential by all modes.
+TEST(CostModel, ErrorEqualsTheDistanceFromTheExactFlow) {
     const ModeStudy& study = egg_study();
     const CostModel& model = egg_model();
     const SmoothingWay way = model.implicit_way(0.2, 3);
@@ -124,7 +124,7 @@ TEST(CostModel, TheErrorIsTheDistanceFromTheExactFlow) {
     EXPECT_NEAR(way.error / std::sqrt(gap / motion), 1, 1e-6);
 }
 
-TEST(CostModel, OperationsAreFactorisationAndSteps) {
+TEST(CostModel, OperationsCountFactorisationAndSteps) {
     const CostModel& model = egg_model();
     const SmoothingWay one = model.implicit_way(0.5, 1), three = model.implicit_way(0.5, 3);
     EXPECT_NEAR(three.operations - one.operations, 2 * model.implicit_step, 1e-6);
@@ -133,13 +133,12 @@ TEST(CostModel, OperationsAreFactorisationAndSteps) {
     EXPECT_NEAR(way.operations, way.steps * 3.0 * double(egg_study().subject.laplacian.C.nonZeros()), 1e-6);
 }
 
-// Runs of the solvers have the predicted energies.
 TEST(ModeStudy, RunsHaveThePredictedEnergies) {
     ASSERT_FALSE(egg_study().tried.empty());
     for (const TriedWay& run : egg_study().tried) EXPECT_NEAR(run.energy / run.way.energy, 1, 1e-8);
 }
 
-TEST(CostModel, ACrossingIsWhereItGoesOnBeingCheaper) {
+TEST(CostModel, FindsTheCrossingFromWhichTheWayStaysCheaper) {
     const auto target = [](double energy, double explicit_operations, double implicit_operations) {
         SmoothingTarget t{energy, {}, {{}}};
         t.explicit_way.steps = t.implicit_ways[0].steps = 1;
@@ -171,8 +170,8 @@ TEST(ModeStudy, CrossingsAreWhereTheCostsMeet) {
     EXPECT_GT(met, 0);
 }
 
-// Each further step makes the two results more alike, so that the gap after one step is the one to be told.
-TEST(ModeStudy, TheGapIsToldFromTheFirstStepOn) {
+// Each further step makes the two results more alike, so the facts name the gap after the first step.
+TEST(ModeStudy, TheFactsNameTheGapAfterTheFirstStep) {
     const ModeStudy& study = egg_study();
     ASSERT_EQ(study.gaps.front().steps, 1);
     double largest = 0;
@@ -181,7 +180,7 @@ TEST(ModeStudy, TheGapIsToldFromTheFirstStepOn) {
     EXPECT_EQ(std::get<std::string>(std::ranges::find(facts, "gap", &report::Fact::name)->value), readable_percent(largest, 2));
 }
 
-TEST(ModesSection, WellFormedAndPassesItsChecks) {
+TEST(ModesSection, IsWellFormedAndPassesItsChecks) {
     const Answer answer =
         chapter_of_id("modes").answer(library_of(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_modes_section"), quick_settings(), no_progress);
     expect_well_formed(answer);
