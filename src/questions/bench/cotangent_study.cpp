@@ -70,13 +70,9 @@ CotangentComparison compare_operators(SharedMesh source) {
     c.rms_difference = rms(c.difference);
     c.jump_uniform = rms(differences_along_edges(c.uniform, topology));
     c.jump_cotangent = rms(differences_along_edges(c.cotangent, topology));
-    int opposite = 0, both = 0;
-    for (Eigen::Index i = 0; i < c.difference.size(); ++i) {
-        if (!std::isfinite(c.difference[i])) continue;
-        ++both;
-        opposite += c.uniform[i] * c.cotangent[i] < 0 ? 1 : 0;
-    }
-    c.sign_change = both == 0 ? 0 : double(opposite) / both;
+    const auto is_defined = c.difference.array().isFinite().eval();
+    const auto opposite = is_defined && c.uniform.array() * c.cotangent.array() < 0;
+    c.sign_change = is_defined.any() ? double(opposite.count()) / double(is_defined.count()) : 0;
     c.variants = {variant_of(c.subject, curvature_words.line("variant.half_sum"), {}, c.cotangent),
                   variant_of(c.subject, curvature_words.line("variant.opposite_mean"),
                              {.opposite = CotangentOptions::OppositeVertices::mean}, c.cotangent),

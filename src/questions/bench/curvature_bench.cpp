@@ -147,12 +147,7 @@ BenchLevel measured(const BenchMesh& b) {
 }
 
 ErrorHistory BenchRun::errors(std::string_view key, Norm norm) const {
-    ErrorHistory history;
-    for (const BenchLevel& level : levels) {
-        history.mean_edges.push_back(level.mean_edge);
-        history.errors.push_back(level.error(key).*norm);
-    }
-    return history;
+    return {each_of(levels, &BenchLevel::mean_edge), each_of(levels, [&](const BenchLevel& level) { return level.error(key).*norm; })};
 }
 
 std::vector<std::reference_wrapper<const BenchRun>> of_kind(const BenchRuns& runs, MeshKind kind) {

@@ -80,12 +80,10 @@ Tip tip_of(const Ellipsoid& ellipsoid) {
 }
 
 std::vector<PoleStep> towards_the_pole(const Ellipsoid& ellipsoid) {
-    std::vector<PoleStep> steps;
-    for (const double distance : {0.5, 0.1, 1e-2, 1e-3, 1e-4}) {
+    return each_of(std::array{0.5, 0.1, 1e-2, 1e-3, 1e-4}, [&](double distance) {
         const FundamentalForms forms = ellipsoid_forms(ellipsoid, 0, pi - distance);
-        steps.push_back({distance, forms.I.determinant(), gaussian_curvature(forms)});
-    }
-    return steps;
+        return PoleStep{distance, forms.I.determinant(), gaussian_curvature(forms)};
+    });
 }
 
 DiscreteTips discrete_tips(const Ellipsoid& ellipsoid, bool quick) {
@@ -102,12 +100,7 @@ DiscreteTips discrete_tips(const Ellipsoid& ellipsoid, bool quick) {
 }
 
 ErrorHistory errors_of(const std::vector<DiscreteTip>& tips, double DiscreteTip::*error) {
-    ErrorHistory history;
-    for (const DiscreteTip& tip : tips) {
-        history.mean_edges.push_back(tip.mean_edge);
-        history.errors.push_back(tip.*error);
-    }
-    return history;
+    return {each_of(tips, &DiscreteTip::mean_edge), each_of(tips, error)};
 }
 
 }   // namespace meshfolio

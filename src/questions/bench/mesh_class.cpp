@@ -57,17 +57,21 @@ std::vector<EdgeAngle> edge_angles(const TriangleMesh& mesh, const MeshTopology&
     return angles;
 }
 
-std::vector<char> on_feature_edges(const TriangleMesh& mesh, const std::vector<EdgeAngle>& angles) {
-    std::vector<char> on_feature(mesh.vertex_count(), 0);
-    for (const EdgeAngle& edge : angles)
-        if (edge.degrees > feature_angle) on_feature[edge.a] = on_feature[edge.b] = 1;
-    return on_feature;
+/// Returns the median, the upper one of two; 0 without values.
+double median_of(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + values.size() / 2;
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
 }   // namespace
 
 std::vector<char> feature_vertices(const TriangleMesh& mesh, const MeshTopology& topology) {
-    return on_feature_edges(mesh, edge_angles(mesh, topology));
+    std::vector<char> on_feature(mesh.vertex_count(), 0);
+    for (const EdgeAngle& edge : edge_angles(mesh, topology))
+        if (edge.degrees > feature_angle) on_feature[edge.a] = on_feature[edge.b] = 1;
+    return on_feature;
 }
 
 FlaggedMeans flagged_means(const Vector& values, const std::vector<char>& flags) {
@@ -92,14 +96,6 @@ int sharpest_vertex(const TriangleMesh& mesh, const MeshTopology& topology) {
     return vertex;
 }
 
-/// Returns the median, the upper one of two; 0 without values.
-static double median_of(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + values.size() / 2;
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 std::string_view title_of(MeshClass kind) {
     static constexpr std::array<std::string_view, 4> titles{"flat", "smooth", "sharp-edged", "rough or coarse"};
     return titles[int(kind)];
@@ -112,7 +108,7 @@ MeshClass MeshCharacter::kind() const {
 }
 
 double median_face_angle(const TriangleMesh& mesh, const MeshTopology& topology) {
-    return median_of(each_of(edge_angles(mesh, topology), [](const EdgeAngle& edge) { return edge.degrees; }));
+    return median_of(each_of(edge_angles(mesh, topology), &EdgeAngle::degrees));
 }
 
 Vector vertex_face_angles(const TriangleMesh& mesh, const MeshTopology& topology) {
@@ -128,14 +124,13 @@ Vector vertex_face_angles(const TriangleMesh& mesh, const MeshTopology& topology
 
 MeshCharacter mesh_character(const TriangleMesh& mesh, const MeshTopology& topology) {
     MeshCharacter character;
-    const std::vector<EdgeAngle> angles = edge_angles(mesh, topology);
     std::vector<double> others;
-    for (const EdgeAngle& edge : angles) {
+    for (const EdgeAngle& edge : edge_angles(mesh, topology)) {
         character.largest_angle = std::max(character.largest_angle, edge.degrees);
         if (edge.degrees <= feature_angle) others.push_back(edge.degrees);
     }
     character.typical_angle = median_of(others);
-    const std::vector<char> on_feature = on_feature_edges(mesh, angles);
+    const std::vector<char> on_feature = feature_vertices(mesh, topology);
     if (!on_feature.empty())
         character.feature_share = static_cast<double>(std::ranges::count(on_feature, 1)) / static_cast<double>(on_feature.size());
     character.open = topology.boundary_edge_count() > 0;

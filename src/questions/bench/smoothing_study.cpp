@@ -13,7 +13,7 @@ namespace meshfolio {
 
 namespace {
 
-/// |⟨X, φ⟩_M| over the three coordinates.
+/// Computes |⟨X, φ⟩_M| over the three coordinates, φ the top mode.
 double mode_amplitude(const SmoothingSubject& subject, const Positions& X) {
     const Vector weights = subject.laplacian.M.cwiseProduct(subject.top.mode);   // sums to 0, so the origin may be chosen near
     return ((X.rowwise() - X.row(0)).transpose() * weights).norm();

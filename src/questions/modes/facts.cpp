@@ -8,16 +8,12 @@ std::string percent(double share) { return readable_percent(share, 2); }
 
 // ---- the shape
 
-/// The largest gap of stable runs after some steps, over the motion of the implicit run.
-struct LargestGap {
-    double share = 0;
-    std::string mesh;
-};
-LargestGap largest_gap(const ModeStudies& studies, int steps) {
-    LargestGap largest;
+/// Returns the largest gap of stable runs after some steps, over the motion of the implicit run, and its mesh.
+std::pair<double, std::string> largest_gap(const ModeStudies& studies, int steps) {
+    std::pair<double, std::string> largest;
     for (const ModeStudy& study : studies)
         for (const SchemeGap& gap : study.gaps)
-            if (gap.steps == steps && gap.lambda <= study.subject.critical && gap.share() > largest.share)
+            if (gap.steps == steps && gap.lambda <= study.subject.critical && gap.share() > largest.first)
                 largest = {gap.share(), study.name()};
     return largest;
 }
@@ -70,10 +66,10 @@ report::Facts shape_facts(const ModeStudies& studies) {
     const ModeDamping& close = studies.front().dampings[1];
 
     std::vector<int> counts;
-    for (const SchemeGap& gap : studies.front().gaps) counts.push_back(gap.steps);
+    for (const SchemeGap& each : studies.front().gaps) counts.push_back(each.steps);
     counts = each_once(counts);
-    const LargestGap first = counts.empty() ? LargestGap() : largest_gap(studies, counts.front());
-    const LargestGap last = counts.size() < 2 ? LargestGap() : largest_gap(studies, counts.back());
+    const auto [gap, gap_mesh] = counts.empty() ? std::pair(0.0, std::string()) : largest_gap(studies, counts.front());
+    const double last_gap = counts.size() < 2 ? 0 : largest_gap(studies, counts.back()).first;
 
     const auto below = [](const ModeStudy& s) { return !s.cheaper_nowhere(0) && !s.cheaper_everywhere(0); };
     report::FactList borders;
@@ -87,10 +83,10 @@ report::Facts shape_facts(const ModeStudies& studies) {
             "first"_a = studies.front().name(),
             "steps"_a = close.steps,
             "left"_a = percent(std::abs(close.law(studies.front().subject.top.value))),
-            "gap"_a = (first.share > 0 ? percent(first.share) : ""),
+            "gap"_a = (gap > 0 ? percent(gap) : ""),
             "gap_steps"_a = counts.empty() ? 0 : counts.front(),
-            "gap_mesh"_a = first.mesh,
-            "last_gap"_a = last.share > 0 && last.share < first.share ? percent(last.share) : "",
+            "gap_mesh"_a = gap_mesh,
+            "last_gap"_a = last_gap > 0 && last_gap < gap ? percent(last_gap) : "",
             "last_steps"_a = counts.empty() ? 0 : counts.back(),
             "some"_a = !borders.empty(),
             "below"_a = borders,

@@ -13,24 +13,13 @@ namespace {
 
 constexpr int run_at_most = 2000;   // explicit steps of a way that is tried
 
-struct Modes {
-    Vector eigenvalues;
-    DenseMatrix vectors;
-    bool all = false;
-};
-
-/// Returns all modes of a small mesh; the lowest and the top one of a larger.
-Modes modes_of(const SmoothingSubject& subject, bool quick) {
-    if (subject.preflight().vertices_in_use <= all_modes_at_most) {
-        const Spectrum& all = all_modes(subject);
-        return {all.eigenvalues, all.eigenvectors, true};
-    }
-    Spectrum lowest = smallest_eigenpairs(subject.laplacian, quick ? 20 : 60, {.polish = true, .dense_below = 0});
-    Modes modes{std::move(lowest.eigenvalues), std::move(lowest.eigenvectors)};
+/// Computes the lowest modes and the top one.
+Spectrum some_modes(const SmoothingSubject& subject, bool quick) {
+    Spectrum modes = smallest_eigenpairs(subject.laplacian, quick ? 20 : 60, {.polish = true, .dense_below = 0});
     modes.eigenvalues.conservativeResize(modes.eigenvalues.size() + 1);
     modes.eigenvalues.tail(1)[0] = subject.top.value;
-    modes.vectors.conservativeResize(Eigen::NoChange, modes.vectors.cols() + 1);
-    modes.vectors.rightCols(1) = subject.top.mode;
+    modes.eigenvectors.conservativeResize(Eigen::NoChange, modes.eigenvectors.cols() + 1);
+    modes.eigenvectors.rightCols(1) = subject.top.mode;
     return modes;
 }
 
@@ -49,11 +38,12 @@ Positions unit_coefficients(Eigen::Index modes) {
     return W;
 }
 
-ModeDamping damping_of(const SmoothingSubject& subject, const Modes& modes, SmoothingScheme scheme, double relative, int steps) {
+/// Smooths unit coefficients of the modes and measures what is left of each. @param relative  step over λ_crit
+ModeDamping damping_of(const SmoothingSubject& subject, const Spectrum& modes, SmoothingScheme scheme, double relative, int steps) {
     ModeDamping damping{scheme, relative * subject.critical, steps, {}};
     const OperatorWithMass whole = operator_with_mass(subject.laplacian);
     const Positions W = unit_coefficients(modes.eigenvalues.size());
-    Positions X = modes.vectors * W;
+    Positions X = modes.eigenvectors * W;
     if (scheme == SmoothingScheme::explicit_euler) {
         const ExplicitDiffusion diffusion(whole);
         for (int t = 0; t < steps; ++t) X = diffusion.step(damping.lambda, X);
@@ -62,7 +52,7 @@ ModeDamping damping_of(const SmoothingSubject& subject, const Modes& modes, Smoo
         solver.prepare(whole, damping.lambda);
         for (int t = 0; t < steps; ++t) X = solver.step(X);
     }
-    const Positions coefficients = modes.vectors.transpose() * (subject.laplacian.M.asDiagonal() * X);
+    const Positions coefficients = modes.eigenvectors.transpose() * (subject.laplacian.M.asDiagonal() * X);
     damping.measured = coefficients.cwiseProduct(W).rowwise().sum();
     return damping;
 }
@@ -152,9 +142,9 @@ int lanczos_steps(const QuestionSettings& settings) { return settings.laboratory
 ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings) {
     ModeStudy study;
     study.subject = smoothing_subject(std::move(source));
-    const Modes modes = modes_of(study.subject, settings.quick);
+    study.all = study.subject.preflight().vertices_in_use <= all_modes_at_most;
+    const Spectrum modes = study.all ? all_modes(study.subject) : some_modes(study.subject, settings.quick);
     study.eigenvalues = modes.eigenvalues;
-    study.all = modes.all;
     study.rounding = epsilon * study.subject.mesh().X.cwiseAbs().maxCoeff() / study.subject.diagonal;
     constexpr int steps = 10;
     for (const double relative : {0.5, 0.95, 1.05})
