@@ -4,7 +4,7 @@
 
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/triangle_kind.h"
-#include "questions/bench/known_surfaces.h"
+#include "questions/bench/bench_mesh.h"
 
 namespace meshfolio {
 

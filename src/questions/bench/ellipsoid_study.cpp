@@ -6,7 +6,7 @@
 #include "geometry/operators/vertex_areas.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/vertex_noise.h"
-#include "questions/bench/known_surfaces.h"
+#include "questions/bench/bench_mesh.h"
 
 namespace meshfolio {
 

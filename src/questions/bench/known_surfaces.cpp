@@ -1,4 +1,4 @@
-#include "questions/bench/known_surfaces.h"
+#include "questions/bench/bench_mesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
-#include "questions/modes/runs.h"
+#include "questions/modes/prediction_study.h"
 
 #include <tuple>
 
 #include "base/parallel_tasks.h"
-#include "geometry/denoising/denoising_prediction.h"
 #include "mesh/vertex_noise.h"
 
 namespace meshfolio::modes {
