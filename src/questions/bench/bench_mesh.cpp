@@ -12,7 +12,6 @@
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
-#include "questions/bench/known_surfaces.h"
 
 namespace meshfolio {
 

@@ -2,10 +2,9 @@
 /// Surfaces with curvature in closed form, and meshes of them in five kinds of triangles, with the true curvature at their vertices.
 #pragma once
 
-#include <any>
 #include <cstdint>
 #include <functional>
-#include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "geometry/linear/sparse_types.h"
 #include "geometry/linear/special_values.h"
 #include "mesh/mesh_topology.h"
+#include "questions/core/once_map.h"
 #include "report/words.h"
 
 namespace meshfolio {
@@ -57,18 +57,13 @@ struct BenchMesh {
     std::vector<char> measured;   // at least three edges of level 2 from the boundary
     double mean_edge = 0;         // [length]
 
-    /// Returns the value of this name, which several estimators need; the first call makes it. Not thread-safe.
-    template <class Make>
-    const auto& shared(const std::string& name, const Make& make) const {
-        std::any& kept = kept_[name];
-        if (!kept.has_value()) kept = make();
-        return *std::any_cast<decltype(make())>(&kept);
-    }
+    /// Returns the value of this name, which several estimators need; the first call makes it.
+    const auto& shared(const std::string& name, const auto& make) const { return shared_->value(name, make); }
     const SparseMatrix& C() const;   // cotangent stiffness
     const Vector& angle_deficits() const;
 
 private:
-    mutable std::map<std::string, std::any> kept_;
+    std::shared_ptr<OnceMap> shared_ = std::make_shared<OnceMap>();   // by copies, too
 };
 /// Makes a mesh of the surface with the truth at its vertices; each level halves the edges.
 BenchMesh bench_mesh(const KnownSurface& surface, MeshKind kind, int level, std::uint64_t seed);

@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <span>
+#include <map>
 #include <vector>
 
 #include "questions/bench/bench_mesh.h"

@@ -8,7 +8,7 @@
 
 #include "geometry/operators/vertex_areas.h"
 #include "questions/bench/bench_mesh.h"
-#include "questions/bench/known_surfaces.h"
+#include "questions/bench/bench_mesh.h"
 
 namespace meshfolio {
 

@@ -75,10 +75,7 @@ public:
     /// Returns a view of this library that hands out these roles only: what a chapter reads is what its answer is stored under.
     MeshLibrary offering(std::vector<std::string_view> roles) const;
     /// Returns the value of `key`, made once for this library and its copies; see OnceMap.
-    template <class Make>
-    const auto& once(const std::string& key, const Make& make) const {
-        return values_->value(key, make);
-    }
+    const auto& once(const std::string& key, const auto& make) const { return values_->value(key, make); }
     /// Returns words that are equal exactly where the mesh is, without preparing it: its name and the SHA-256 of its bytes, or the reason
     /// why it cannot be read.
     std::string identity_of(const MeshLookup& lookup, const std::filesystem::path& base) const;

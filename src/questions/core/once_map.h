@@ -17,8 +17,7 @@ class OnceMap {
 public:
     /// Returns the value of `key`, which lives as long as the map. The first caller makes it; others wait for this key alone.
     /// @throws what `make` throws, in all callers that waited for it; the next caller makes the value again
-    template <class Make>
-    const auto& value(const std::string& key, const Make& make) {
+    const auto& value(const std::string& key, const auto& make) {
         using Value = const std::remove_cvref_t<decltype(make())>;
         return *static_cast<Value*>(pointer(key, [&] { return std::make_shared<Value>(make()); }).get());
     }

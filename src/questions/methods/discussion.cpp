@@ -36,17 +36,13 @@ report::Facts winner_facts(const DenoisingLaboratory& laboratory) {
         places_gain = std::max(places_gain, best_gain(trial, &SearchResult::rms_gain));
         shape_gain = std::max(shape_gain, best_gain(trial, &SearchResult::gain));
     }
-    return {"sharp"_a = sharp.trials,
-            "sharp_shape"_a = sharp.by_shape,
-            "sharp_normals"_a = sharp.by_angle,
-            "other"_a = other.trials,
-            "other_shape"_a = other.by_shape,
-            "other_normals"_a = other.by_angle,
-            "differ"_a = differ,
-            "compared"_a = compared,
-            "places_stay"_a = shape_gain > 1.5 * places_gain,
-            "places"_a = readable(places_gain, 2),
-            "shape"_a = readable(shape_gain, 2)};
+    report::Facts facts{"sharp"_a = sharp.trials, "sharp_shape"_a = sharp.by_shape, "sharp_normals"_a = sharp.by_angle,
+                        "other"_a = other.trials, "other_shape"_a = other.by_shape, "other_normals"_a = other.by_angle,
+                        "differ"_a = differ,      "compared"_a = compared};
+    facts.push_back("places_stay"_a = (shape_gain > 1.5 * places_gain));
+    facts.push_back("places"_a = readable(places_gain, 2));
+    facts.push_back("shape"_a = readable(shape_gain, 2));
+    return facts;
 }
 
 /// Compares the kinds of noise at the level of the pictures by their best gains, geometric means over the meshes.

@@ -8,7 +8,6 @@
 #include "geometry/curvature/analytic_surfaces.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
-#include "questions/bench/known_surfaces.h"
 
 using namespace meshfolio;
 
