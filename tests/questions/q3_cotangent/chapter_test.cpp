@@ -88,7 +88,7 @@ TEST(Q3, TheSmallestWeightBelongsToAnEdge) {
 
 TEST(Q3, TheExtentNamesTheLargestMesh) {
     int most = 0;
-    for (const KnownSurface& surface : question_surfaces())
+    for (const KnownSurface& surface : {known_surface("sphere"), known_surface("ellipsoid"), known_surface("torus")})
         most = std::max(most, bench_mesh(surface, MeshKind::regular, refinement_levels(true).back(), 1).mesh.vertex_count());
     const Answer answer = answer_for(icosphere(1), "small3");
     EXPECT_NE(answer.section.extent.find("up to " + readable_count(most) + " vertices"), std::string::npos) << answer.section.extent;
