@@ -75,8 +75,9 @@ struct MeshLibrary::Shelf {
     }
 };
 
-MeshLibrary::MeshLibrary(std::vector<fs::path> data_folders, std::vector<fs::path> own_meshes, const std::vector<fs::path>& listed)
-    : finder_(std::move(data_folders), std::move(own_meshes), listed), shelf_(std::make_shared<Shelf>()) {}
+MeshLibrary::MeshLibrary(std::vector<fs::path> data_folders, std::vector<fs::path> own_meshes, const std::vector<fs::path>& listed,
+                         std::shared_ptr<OnceMap> values)
+    : finder_(std::move(data_folders), std::move(own_meshes), listed), shelf_(std::make_shared<Shelf>()), values_(std::move(values)) {}
 
 SharedMesh MeshLibrary::loaded(const MeshLookup& lookup, const fs::path& base) const {
     const auto mesh = whole(lookup, base);

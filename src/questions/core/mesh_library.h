@@ -44,8 +44,9 @@ struct OnMesh {
 class MeshLibrary {
 public:
     /// @param listed  paths that file() will be asked for: files with the same stem get distinct names, in this order
+    /// @param values  of once(), to share them with other libraries
     MeshLibrary(std::vector<std::filesystem::path> data_folders, std::vector<std::filesystem::path> own_meshes,
-                const std::vector<std::filesystem::path>& listed = {});
+                const std::vector<std::filesystem::path>& listed = {}, std::shared_ptr<OnceMap> values = std::make_shared<OnceMap>());
 
     /// @throws InputError if the file is missing or unusable; UsageError for an unknown role; std::logic_error for one not offered
     SharedMesh role(const std::string& role) const;
@@ -86,7 +87,7 @@ private:
     std::shared_ptr<Shelf> shelf_;
     int most_vertices_ = 0;                                  // 0: any number
     std::optional<std::vector<std::string_view>> offered_;   // roles; none: all
-    std::shared_ptr<OnceMap> values_ = std::make_shared<OnceMap>();   // shared by copies
+    std::shared_ptr<OnceMap> values_;   // shared by copies
 
     SharedMesh loaded(const MeshLookup& lookup, const std::filesystem::path& base) const;
     SharedMesh whole(const MeshLookup& lookup, const std::filesystem::path& base) const;

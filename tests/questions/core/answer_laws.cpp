@@ -190,10 +190,11 @@ void expect_well_formed(const Answer& answer) {
 }
 
 MeshLibrary library_of(const TriangleMesh& mesh, const std::string& name) {
-    static const testing_tools::TemporaryFolder folder;   // of this process: tests run side by side
+    static const auto values = std::make_shared<OnceMap>();   // curvature of known surfaces is measured once for all tests
+    static const testing_tools::TemporaryFolder folder;       // of this process: tests run side by side
     const std::filesystem::path file = folder.path() / (name + ".ply");
     write_mesh(file, mesh);
-    return MeshLibrary({}, {file});
+    return MeshLibrary({}, {file}, {}, values);
 }
 
 }   // namespace meshfolio::testing_tools
