@@ -13,12 +13,6 @@ namespace meshfolio {
 
 namespace {
 
-/// Computes |⟨X, φ⟩_M| over the three coordinates, φ the top mode.
-double mode_amplitude(const SmoothingSubject& subject, const Positions& X) {
-    const Vector weights = subject.laplacian.M.cwiseProduct(subject.top.mode);   // sums to 0, so the origin may be chosen near
-    return ((X.rowwise() - X.row(0)).transpose() * weights).norm();
-}
-
 /// Returns the diagonal of the box of X over that of the input's box.
 double boxes_wide(const SmoothingSubject& subject, const Positions& X) {
     return bounding_box(moved_to(subject.mesh(), X)).diagonal() / subject.diagonal;
@@ -181,7 +175,7 @@ int iterations_keeping_size(const SmoothingRun& run, double share) {
 }
 
 report::Check energy_check(std::string name, const SmoothingRun& run) {
-    constexpr double seen = 1e-9;
+    constexpr double smallest_rise = 1e-9;   // that must not be hidden
     double rise = 0, rounding = std::ranges::max(run.energy_rounding);
     double beyond = 0;   // of the step that rose farthest beyond its rounding
     for (std::size_t t = 1; t < run.energy.size(); ++t) {
@@ -193,7 +187,7 @@ report::Check energy_check(std::string name, const SmoothingRun& run) {
     }
     if (run.result.blew_up) rise = INFINITY;
     report::Check check = check_at_most(std::move(name), 0, rise, rounding);
-    if (!check.passed() || rounding <= seen) return check;
+    if (!check.passed() || rounding <= smallest_rise) return check;
     return undecided(std::move(check), smoothing_words.line("check.energy.undecided"));
 }
 
@@ -210,9 +204,11 @@ Amplification top_mode_amplification(const SmoothingSubject& subject, double lam
     // About the box centre: far from the origin the mode would be lost in the rounding of coordinates.
     Positions X = subject.mesh().X.rowwise() - bounding_box(subject.mesh()).centre().transpose();
     X += height * subject.top.mode * Eigen::RowVector3d::Ones();
-    const double start = mode_amplitude(subject, X);
+    const Vector weights = subject.laplacian.M.cwiseProduct(subject.top.mode);   // sums to 0, so the origin may be chosen near
+    const auto amplitude = [&] { return ((X.rowwise() - X.row(0)).transpose() * weights).norm(); };   // |⟨X, φ⟩_M|
+    const double start = amplitude();
     for (int t = 0; t < steps; ++t) X = explicit_step(subject.laplacian, lambda, X);
-    return {std::pow(std::abs(1 - lambda * subject.top.value), steps), mode_amplitude(subject, X) / start};
+    return {std::pow(std::abs(1 - lambda * subject.top.value), steps), amplitude() / start};
 }
 
 double share_of_top_mode(const SmoothingSubject& subject, const Positions& X) {

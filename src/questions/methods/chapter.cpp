@@ -56,20 +56,20 @@ void add_checks(report::Section& section, const DenoisingLaboratory& laboratory)
     double strength = 0, volume = 0, area = 0, unspent = 0, rounding = 0;
     bool any_volume = false;
     for (const auto& [mesh, trial] : parts_within(laboratory.meshes, &DenoisingTrials::trials)) {
-        const double ratio = trial.spoilt.rms / (std::sqrt(3) * trial.sigma);
+        const double ratio = trial.damage.rms / (std::sqrt(3) * trial.sigma);
         strength = std::max(strength, std::abs(ratio * ratio - 1) / strength_deviation(mesh, trial));
         rounding = std::max(rounding, coordinate_spacing(mesh.subject.mesh) / mesh.subject.mean_edge);
         for (const SearchResult& r : trial.results) {
             if (r.defined && r.failed == 0) unspent = std::max(unspent, std::abs(double(r.steps - laboratory.budget.total())));
             if (r.method == DenoisingMethod::conformal_flow)
-                area = std::max(area, std::abs(r.difference.area_ratio / trial.spoilt.area_ratio - 1));
+                area = std::max(area, std::abs(r.difference.area_ratio / trial.damage.area_ratio - 1));
             if (r.method != DenoisingMethod::volume_rescaled || !r.defined || !mesh.subject.has_volume_to_keep) continue;
             // Noise as large as a component turns it inside out, and no scale undoes that.
             const auto volumes = [&subject = mesh.subject](const Positions& X) {
                 return component_sizes(moved_to(subject.mesh, X), subject.topology).volume;
             };
             if ((volumes(trial.noisy).array() * volumes(r.X).array() <= 0).any()) continue;
-            volume = std::max(volume, std::abs(r.difference.volume_ratio / trial.spoilt.volume_ratio - 1));
+            volume = std::max(volume, std::abs(r.difference.volume_ratio / trial.damage.volume_ratio - 1));
             any_volume = true;
         }
     }

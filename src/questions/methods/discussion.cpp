@@ -76,7 +76,7 @@ report::Facts strength_facts(const DenoisingLaboratory& laboratory) {
     for (const auto& [mesh, trial] : all_trials(laboratory)) {
         if (&trial == &mesh.pictured_trial()) {
             limits.push_back(mesh.subject.largest_eigenvalue / trial.largest_eigenvalue);
-            areas.push_back(trial.spoilt.area_ratio);
+            areas.push_back(trial.damage.area_ratio);
         }
         const SearchResult* best = trial.s1_level ? winner(trial, &SearchResult::gain) : nullptr;
         if (best == nullptr || std::isnan(best->difference.mean_normal_angle)) continue;

@@ -36,7 +36,7 @@ struct NoiseTrial {
     double sigma = 0;        // [length]
     bool s1_level = false;   // σ is 20 % of every extent of the bounding box, as in an earlier report
     Positions noisy = {};
-    MeshDifference spoilt = {};      // the noisy mesh against the clean one
+    MeshDifference damage = {};      // the noisy mesh against the clean one
     double mean_edge = 0;            // of the noisy mesh [length]
     double largest_eigenvalue = 0;   // of its operator [1/length²]
     std::vector<SearchResult> results = {};

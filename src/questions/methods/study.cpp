@@ -145,7 +145,7 @@ DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSetting
         NoiseTrial& trial = mesh.trials[i];
         trial.noisy = with_noise(clean, trial.kind, trial.sigma, settings.seed);
         const TriangleMesh noisy = moved_to(clean, trial.noisy);
-        trial.spoilt = compare_meshes(clean, noisy);
+        trial.damage = compare_meshes(clean, noisy);
         trial.mean_edge = mean_edge_length(noisy, mesh.subject.topology.edges);
         trial.largest_eigenvalue = largest_eigenvalue_of(noisy);
         trial.results.resize(methods);

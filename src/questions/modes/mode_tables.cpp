@@ -67,8 +67,10 @@ report::Plot damping_plot(const ModeStudy& study) {
     };
     for (int i = 0; i < damped_steps; ++i) {
         const ModeDamping &by_explicit = study.dampings[i], &by_implicit = study.dampings[damped_steps + i];
-        const std::string of_one = in_limits(study.subject, by_explicit.lambda), of_other = in_limits(study.subject, by_implicit.lambda);
-        const std::string panel = words.line("damping.panel", "step"_a = of_one, "implicit"_a = of_other == of_one ? "" : of_other);
+        const std::string explicit_step = in_limits(study.subject, by_explicit.lambda),
+                          implicit_step = in_limits(study.subject, by_implicit.lambda);
+        const std::string panel =
+            words.line("damping.panel", "step"_a = explicit_step, "implicit"_a = implicit_step == explicit_step ? "" : implicit_step);
         add_curves(by_explicit, "damping.explicit", panel);
         add_curves(by_implicit, "damping.implicit", panel);
     }
