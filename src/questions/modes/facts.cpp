@@ -52,7 +52,7 @@ double largest_regret(const PredictionStudies& studies, std::string_view name) {
     double largest = undefined;
     for (const auto& [study, level] : levels_of(studies)) {
         const OperatorStudy& own = level.of(FlowOperator::noisy);
-        if (const RuleOutcome* rule = own.rule(name); rule && own.minimum_reached()) largest = std::fmax(largest, rule->mean_regret());
+        if (const RuleOutcome* rule = own.rule(name); rule && own.minimum_reached()) largest = std::fmax(largest, rule->mean_regret);
     }
     return largest;
 }
@@ -109,8 +109,8 @@ report::Facts noise_facts(const PredictionStudies& studies) {
         stein = std::max(stein, off_of(level, FlowOperator::noisy, by_stein));
         const int later = level.of(FlowOperator::noisy).measured.best() - level.of(FlowOperator::noisy).formula().best();
         late = std::max(late, later), early = std::max(early, -later);
-        least_sigma = std::fmin(least_sigma, level.mean_sigma_ratio());
-        most_sigma = std::fmax(most_sigma, level.mean_sigma_ratio());
+        least_sigma = std::fmin(least_sigma, level.sigma_ratio);
+        most_sigma = std::fmax(most_sigma, level.sigma_ratio);
     }
     const auto& [study, level] = *std::ranges::max_element(levels, {}, [](auto& each) { return off_of(each.part, FlowOperator::noisy); });
     const ErrorAccount account = error_account(level);
@@ -120,7 +120,7 @@ report::Facts noise_facts(const PredictionStudies& studies) {
     const bool stops_late = std::ranges::all_of(levels, [](auto& each) {
         const OperatorStudy& operated = each.part.of(FlowOperator::noisy);
         const RuleOutcome* rule = operated.rule(by_discrepancy);
-        return !rule || rule->mean_chosen() > operated.measured.best();
+        return !rule || rule->mean_chosen > operated.measured.best();
     });
     return {"seeds"_a = studies.front().seeds,
             "foreseen"_a = off < 0.1,
@@ -139,7 +139,7 @@ report::Facts noise_facts(const PredictionStudies& studies) {
             "along_own"_a = percent(account.along_own),
             "along_clean"_a = percent(account.along_clean),
             "stein"_a = percent(stein),
-            "no_sigma"_a = std::ranges::all_of(levels, [](auto& each) { return each.part.sigma_ratio.empty(); }),
+            "no_sigma"_a = std::ranges::all_of(levels, [](auto& each) { return std::isnan(each.part.sigma_ratio); }),
             "sigma_off"_a = sigma_off < 0.5 ? percent(sigma_off) : "",
             "sigma_times"_a = sigma_off >= 0.5 ? span_of(readable(least_sigma, 2), readable(most_sigma, 2)) : "",
             "rule"_a = by_estimate < 1 ? percent(by_estimate) : "",

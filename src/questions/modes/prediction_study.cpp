@@ -1,7 +1,5 @@
 #include "questions/modes/prediction_study.h"
 
-#include <numeric>
-
 #include "base/parallel_tasks.h"
 #include "questions/bench/bench_mesh.h"
 
@@ -66,13 +64,17 @@ void try_rules(OperatorStudy& study, const LevelResults& results, double sigma) 
     study.predictions.push_back(std::move(stein));
 
     const auto add = [&](std::string_view name, const auto& choose) {
-        RuleOutcome& outcome = study.rules.emplace_back(RuleOutcome{std::string(name), {}, {}});
+        RuleOutcome& outcome = study.rules.emplace_back(RuleOutcome{std::string(name)});
         for (std::size_t s = 0; s < seeds; ++s) {
             const Vector& error = runs[s].errors.vertices;
             const int t = choose(runs[s], results.estimates[s].sigma);
-            outcome.chosen.push_back(t);
-            outcome.regret.push_back(error.minCoeff() > 0 ? std::sqrt(error[t] / error.minCoeff()) - 1 : 0);
+            const double regret = error.minCoeff() > 0 ? std::sqrt(error[t] / error.minCoeff()) - 1 : 0;
+            outcome.mean_chosen += t;
+            outcome.mean_regret += regret;
+            outcome.worst_regret = std::max(outcome.worst_regret, regret);
         }
+        outcome.mean_chosen /= static_cast<double>(seeds);
+        outcome.mean_regret /= static_cast<double>(seeds);
     };
     add(by_stein, [&](const SeedResult& run, double) { return run.risk.best(sigma); });
     if (!std::ranges::all_of(results.estimates, [](const NoiseLevel& e) { return e.sigma > 0; })) return;
@@ -89,8 +91,11 @@ NoiseLevelStudy level_study(const PredictionStudy& study, const Work& work, cons
     NoiseLevelStudy level;
     level.sigma = work.extent.levels[l];
     level.sigma_edges = level.sigma / study.mean_edge;
+    double ratios = 0;
+    int fitted = 0;
     for (const NoiseLevel& estimate : results.estimates)
-        if (estimate.sigma > 0) level.sigma_ratio.push_back(estimate.sigma / level.sigma);
+        if (estimate.sigma > 0) ratios += estimate.sigma / level.sigma, ++fitted;
+    if (fitted > 0) level.sigma_ratio = ratios / fitted;
     const ExpectedError& error = study.prediction.vertices;
     const PredictedCurve formula{std::string(by_formula), (error.squared(level.sigma) / error.weight_sum).head(iterations + 1)};
     for (std::size_t kind = 0; kind < level.operators.size(); ++kind) {
@@ -114,10 +119,6 @@ const Entry* named(const std::vector<Entry>& entries, std::string_view name) {
     return it == entries.end() ? nullptr : &*it;
 }
 
-double mean_of(const std::vector<double>& values) {
-    return values.empty() ? undefined : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 }   // namespace
 
 double deviation(const Vector& predicted_square, const Vector& measured_square) {
@@ -128,14 +129,8 @@ double deviation(const Vector& predicted_square, const Vector& measured_square) 
     return farthest;
 }
 
-double RuleOutcome::mean_chosen() const { return mean_of(chosen); }
-double RuleOutcome::mean_regret() const { return mean_of(regret); }
-double RuleOutcome::worst_regret() const { return regret.empty() ? undefined : std::ranges::max(regret); }
-
 const PredictedCurve* OperatorStudy::prediction(std::string_view name) const { return named(predictions, name); }
 const RuleOutcome* OperatorStudy::rule(std::string_view name) const { return named(rules, name); }
-
-double NoiseLevelStudy::mean_sigma_ratio() const { return mean_of(sigma_ratio); }
 
 PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& settings) {
     PredictionStudy study;

@@ -118,15 +118,11 @@ inline double deviation(const PredictedCurve& predicted, const MeasuredCurve& me
     return deviation(predicted.square, measured.square);
 }
 
-/// The choices of a rule, one per seed.
+/// The choices of a rule over the seeds. The regret is the rms error at the chosen iteration over the smallest of that run, less 1.
 struct RuleOutcome {
     std::string name;
-    std::vector<double> chosen;   // iteration
-    std::vector<double> regret;   // rms error there over the smallest of that run, less 1
-
-    double mean_chosen() const;
-    double mean_regret() const;
-    double worst_regret() const;
+    double mean_chosen = 0;   // iteration
+    double mean_regret = 0, worst_regret = 0;
 };
 
 /// One operator at one noise level.
@@ -155,10 +151,9 @@ struct NoiseLevelStudy {
     double sigma_edges = 0;   // [mean edges]
     std::array<OperatorStudy, 2> operators;
     OperatorFacts facts;
-    std::vector<double> sigma_ratio;   // σ̂/σ, one per seed that the rules were tried on; empty if no patch could be fitted
+    double sigma_ratio = undefined;   // mean σ̂/σ over the seeds that the rules were tried on; NaN if no patch could be fitted
 
     const OperatorStudy& of(FlowOperator kind) const { return operators[int(kind)]; }
-    double mean_sigma_ratio() const;
 };
 
 struct PredictionStudy : OnMesh {

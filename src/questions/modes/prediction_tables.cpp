@@ -42,15 +42,15 @@ auto deviation_of(std::string_view name) {
 auto chosen_by(std::string_view name) {
     return [=](const Row& r) {
         const RuleOutcome* rule = r.own.rule(name);
-        return rule != nullptr ? report::Cell(rule->mean_chosen()) : report::Cell();
+        return rule != nullptr ? report::Cell(rule->mean_chosen) : report::Cell();
     };
 }
 
 /// Shows the regret of a rule; an empty cell if it was not tried or the minimum is not known.
-auto regret_of(std::string_view name, double (RuleOutcome::*regret)() const = &RuleOutcome::mean_regret) {
+auto regret_of(std::string_view name, double RuleOutcome::*regret = &RuleOutcome::mean_regret) {
     return [=](const Row& r) {
         const RuleOutcome* rule = r.own.rule(name);
-        return rule != nullptr ? cell_of(100 * (rule->*regret)(), r.own.minimum_reached()) : report::Cell();
+        return rule != nullptr ? cell_of(100 * rule->*regret, r.own.minimum_reached()) : report::Cell();
     };
 }
 
@@ -131,7 +131,7 @@ report::Table rule_table(const PredictionStudies& studies) {
                        words.line("rules", "seeds"_a = studies.front().levels.front().of(FlowOperator::noisy).rule_seeds,
                                   "mesh"_a = studies.front().name()),
                        studies)
-        .column("σ̂/σ", [](auto& r) { return cell_of(r.level.mean_sigma_ratio()); })
+        .column("σ̂/σ", [](auto& r) { return cell_of(r.level.sigma_ratio); })
         .column("best, measured", measured_best)
         .column("chosen", {.unit = "mean"}, chosen_by(by_stein_estimated))
         .column("regret", {.unit = "%", .digits = 2}, regret_of(by_stein_estimated))
