@@ -1,83 +1,51 @@
-// The section "stability": the limit of explicit smoothing proved, and what explicit and implicit runs do on both sides of it.
+// The section "stability": its checks, parameters and blocks in their order.
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {
 
 namespace {
 
-/// 1e-8, unless the rounding of a large factor forbids it.
-report::Check width_check(std::string name, const StabilityCertificate& proved) {
-    constexpr double wanted = 1e-8;
-    report::Check check = check_at_most(std::move(name), wanted, proved.relative_width());
-    if (check.passed() || proved.rounding < 0.2 * wanted) return check;
-    return undecided(std::move(check), words.line("check.width.undecided", "entries"_a = proved.factor_nonzeros));
-}
-
-/// Is undecided where semidefiniteness is neither proved nor refuted.
-report::Check semidefinite_check(std::string name, const StabilityCertificate& proved) {
-    const Definiteness& d = proved.bottom;
-    report::Check check = check_at_least(std::move(name), 0, (d.indefinite() ? d.mu_high : d.mu_low) / proved.mu_high, 1e-10);
-    if (d.semidefinite() || d.indefinite()) return check;
-    return undecided(std::move(check),
-                     words.line("check.semidefinite.undecided", "low"_a = readable(d.mu_low, 2), "high"_a = readable(d.mu_high, 2)));
-}
-
-void add_operator_checks(report::Section& section, const std::string& mesh, const OperatorLimit& limit) {
+/// Checks the proof of one limit, and the runs on either side of it.
+void add_limit_checks(report::Section& section, const std::string& mesh, const OperatorLimit& limit) {
     const auto name = [&](std::string_view key) { return words.line(key, "operator"_a = limit.name, "mesh"_a = mesh); };
     const StabilityCertificate& proved = limit.certificate;
+    constexpr double wanted = 1e-8;
+    report::Check width = check_at_most(name("check.width"), wanted, proved.relative_width());
+    if (!width.passed() && proved.rounding >= 0.2 * wanted)   // of a large factor
+        width = undecided(std::move(width), words.line("check.width.undecided", "entries"_a = proved.factor_nonzeros));
+
+    const Definiteness& bottom = proved.bottom;
+    const double lowest = bottom.indefinite() ? bottom.mu_high : bottom.mu_low;
+    report::Check semidefinite = check_at_least(name("check.semidefinite"), 0, lowest / proved.mu_high, 1e-10);
+    if (!bottom.semidefinite() && !bottom.indefinite())
+        semidefinite = undecided(std::move(semidefinite), words.line("check.semidefinite.undecided", "low"_a = readable(bottom.mu_low, 2),
+                                                                     "high"_a = readable(bottom.mu_high, 2)));
+
     const ModeGrowth& below = limit.below;
-    append_checks(section, {width_check(name("check.width"), proved), semidefinite_check(name("check.semidefinite"), proved),
-                            check_at_least(name("check.gershgorin"), 1, proved.top.upper_bound / proved.mu_high, 1e-8),
+    append_checks(section, {width, semidefinite, check_at_least(name("check.gershgorin"), 1, proved.top.upper_bound / proved.mu_high, 1e-8),
                             check_near(name("check.growth"), 1, over_predicted(limit.beyond), 1e-3),
                             check_at_most(name("check.decay"), 1, *std::max_element(below.factor.begin() + 1, below.factor.end())),
                             check_at_most(name("check.decay_by_law"), 0, below.factor.back() - below.predicted(below.steps()), 1e-6)});
 }
 
-void add_limit_checks(report::Section& section, const Studies& studies, const RebuiltFlow& flow) {
-    for (const StabilityStudy& study : studies) {
-        for (const OperatorLimit* limit : study.operators()) add_operator_checks(section, study.name(), *limit);
-        add(section, check_at_most(words.line("check.uniform", "mesh"_a = study.name()), 2, study.uniform.certificate.mu_low));
-    }
-    add(section, check_at_most(words.line("check.adaptive", "mesh"_a = flow.name()), 2, largest_product(flow.adaptive.run)));
-}
-
 void add_plane_checks(report::Section& section, const SmoothingMaps& maps) {
-    const auto name = [&](std::string_view key) { return words.line(key, "mesh"_a = maps.name()); };
-    const int last = maps.iterations.back();
-    int below = 0, implicit = 0, late = 0, early = 0, compared = 0;
-    for (std::size_t step = 0; step < maps.lambdas.size(); ++step) {
-        const double lambda = maps.lambdas[step];
-        const int blow_up = maps.explicit_map.blow_up[step];
-        implicit += maps.implicit_map.blow_up[step] > 0 ? 1 : 0;
-        below += lambda < maps.subject.critical && blow_up > 0 ? 1 : 0;
-        if (lambda <= maps.subject.critical) continue;
-        const double latest = 1.1 * maps.known_modes().latest(lambda) + 1;
-        late += latest < last && !(blow_up > 0 && blow_up <= latest) ? 1 : 0;
-        if (!maps.all) continue;
-        ++compared;
-        const int earliest = maps.all->earliest(lambda, last);
-        early += blow_up > 0 && (earliest == 0 || blow_up < earliest) ? 1 : 0;
-    }
-    append_checks(section, {check_near(name("check.explicit"), 0, below, 0), check_near(name("check.implicit"), 0, implicit, 0),
-                            check_near(name("check.late"), 0, late, 0, words.line("check.late.note"))});
-    if (compared > 0) add(section, check_near(name("check.early"), 0, early, 0));
-    add(section, check_near(name("check.factorisations"), 1, double(maps.implicit_map.factorisations) / double(maps.lambdas.size()), 0));
-}
-
-/// The planes are of two meshes at most, of one in a quick look, of all in the laboratory.
-LibraryMeshes meshes_of_planes(const Studies& studies, const QuestionSettings& settings) {
-    LibraryMeshes meshes = each_of(studies, [](const StabilityStudy& study) { return study.source; });
-    const std::size_t most = settings.laboratory ? meshes.size() : settings.quick ? 1 : 2;
-    meshes.resize(std::min(meshes.size(), most));
-    return meshes;
+    const BlowUps found = blow_ups_of({&maps, 1});
+    const auto none = [&](std::string_view key, int runs, const std::string& note = "") {
+        return check_near(words.line(key, "mesh"_a = maps.name()), 0, runs, 0, note);
+    };
+    append_checks(section, {none("check.explicit", found.within_lost), none("check.implicit", found.implicit_lost),
+                            none("check.late", found.late, words.line("check.late.note"))});
+    if (maps.all && found.beyond > 0) add(section, none("check.early", found.early));
+    add(section, check_near(words.line("check.factorisations", "mesh"_a = maps.name()), 1,
+                            double(maps.implicit_map().factorisations) / double(maps.lambdas.size()), 0));
 }
 
 void add_record(report::Section& section, const Studies& studies, const Planes& planes) {
     for (const StabilityStudy& study : studies) {
-        const double critical = study.cotangent.critical();
+        const double critical = study.cotangent().critical();
         section.parameters[words.line("parameter.critical", "mesh"_a = study.name())] = {plain_text(critical, 10), critical, "length²"};
     }
-    section.parameters[words.line("parameter.steps")] = studies.front().cotangent.beyond.steps();
+    section.parameters[words.line("parameter.steps")] = studies.front().cotangent().beyond.steps();
     section.parameters["operator"] = words.line("parameter.operators");
     for (const SmoothingMaps& maps : planes) {
         const auto relative = each_of(maps.lambdas, [&](double lambda) { return lambda / maps.subject.critical; });
@@ -99,7 +67,9 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const StabilityStudy& last = studies.back();
     progress("rebuilt flow of " + last.name());
     const RebuiltFlow flow = rebuilt_flow(last, settings);
-    const auto planes = studies_of(meshes_of_planes(studies, settings), "planes of smoothing", settings, progress, section, smoothing_maps);
+    LibraryMeshes studied = each_of(studies, [](const StabilityStudy& study) { return study.source; });
+    if (!settings.laboratory) studied.resize(std::min<std::size_t>(studied.size(), settings.quick ? 1 : 2));
+    const auto planes = studies_of(studied, "planes of smoothing", settings, progress, section, smoothing_maps);
     const report::Facts facts = facts_of(studies, flow, planes);
     section.answer = words.say("answer", facts);
 
@@ -107,7 +77,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "limit", facts);
     add(section, certificate_table(studies), unit_table(studies));
     add_top_mode_figure(answer, studies);
-    add(section, growth_plot(last));   // the law is one
+    add(section, growth_plot(last));   // all meshes obey one law
     add_words(section, words, "rebuilt", facts);
     add(section, flow_table(flow), flow_plot(flow));
     add_words(section, words, "planes", facts);
@@ -115,7 +85,12 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_place_figure(answer, planes);
     add(section, region_table(planes), blow_up_table(planes), plane_table(planes));
 
-    add_limit_checks(section, studies, flow);
+    for (const StabilityStudy& study : studies) {
+        for (const OperatorLimit& limit : study.limits) add_limit_checks(section, study.name(), limit);
+        const double mu_low = study.uniform().certificate.mu_low;
+        add(section, check_at_most(words.line("check.uniform", "mesh"_a = study.name()), 2, mu_low));
+    }
+    add(section, check_at_most(words.line("check.adaptive", "mesh"_a = flow.name()), 2, largest_product(flow.adaptive.run)));
     for (const SmoothingMaps& maps : planes) add_plane_checks(section, maps);
     add_record(section, studies, planes);
     return answer;

@@ -7,12 +7,9 @@ namespace meshfolio::stability {
 
 namespace {
 
-/// The direction of the renderer's three-quarter view, precise enough to see a patch from above.
-const Vector3 towards_viewer = Vector3(0.53, 0.37, 0.76).normalized();
-
-/// The positions turned about a vertex so that its normal faces the viewer.
+/// The positions turned about a vertex so that its normal faces the viewer of the renderer's three-quarter view.
 Positions turned(const TriangleMesh& mesh, int vertex) {
-    const Vector3 normal = vertex_normals(mesh).row(vertex);
+    const Vector3 normal = vertex_normals(mesh).row(vertex), towards_viewer = Vector3(0.53, 0.37, 0.76).normalized();
     if (!(normal.squaredNorm() > 0)) return mesh.X;
     const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(normal, towards_viewer).toRotationMatrix();
     return (mesh.X.rowwise() - mesh.X.row(vertex)) * turn.transpose();
@@ -52,7 +49,7 @@ void add_top_mode_figure(Answer& answer, const Studies& studies) {
     std::vector<output::Panel> near;
     for (const StabilityStudy& study : studies) {
         const int vertex = study.limiting.vertex;
-        const Vector& mode = study.cotangent.certificate.top.mode;
+        const Vector& mode = study.cotangent().certificate.top.mode;
         const Vector height = mode / mode.cwiseAbs().maxCoeff();
         const std::string label = words.line("top_modes.panel", "mesh"_a = study.name(), "vertex"_a = vertex);
         const Neighbourhood patch = neighbourhood(study.mesh(), study.topology(), vertex, rings);
@@ -100,7 +97,7 @@ void add_place_figure(Answer& answer, const Planes& planes) {
             }
             request.panels.push_back(smoothing_panel(maps.subject, place->X, name, letter));
             if (letter != "d") continue;
-            const double size = maps.implicit_map.size[maps.index(place->step, place->row)];
+            const double size = maps.implicit_map().size[maps.index(place->step, place->row)];
             left.push_back(words.line("places.left", "mesh"_a = maps.name(), "size"_a = share_left(size)));
         }
     }

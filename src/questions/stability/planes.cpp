@@ -8,67 +8,34 @@ namespace meshfolio::stability {
 
 namespace {
 
-constexpr double vanished = 1e-6;   // of the box diagonal: what is smaller has no normals that mean anything
-
-/// Cells per factor of ten, and the decades on either side of the limit.
-struct PlaneGrid {
-    int steps_per_decade, steps_below, steps_beyond, counts_per_decade, iterations;
-};
-PlaneGrid grid_of(const QuestionSettings& settings) {
-    if (settings.laboratory) return {10, 12, 22, 8, 200};
-    if (settings.quick) return {3, 4, 6, 4, 30};
-    return {5, 6, 10, 6, 100};
-}
-
-/// Spaces the steps so that the limit lies between two cells.
-std::vector<double> relative_steps(const PlaneGrid& grid) {
-    std::vector<double> steps;
-    for (int i = -grid.steps_below; i < grid.steps_beyond; ++i) steps.push_back(std::pow(10, (i + 0.5) / grid.steps_per_decade));
-    return steps;
-}
-
-/// The bundled noisy meshes before their noise.
+/// The bundled noisy meshes before their noise; nothing for other meshes.
 std::optional<TriangleMesh> clean_mesh(const LibraryMesh& source) {
-    if (!source.input.stand_in) return {};
     std::optional<TriangleMesh> clean;
-    if (source.input.role == "plane_ns") clean = uneven_plane_sample(0);
-    if (source.input.role == "fandisk_ns") clean = make_sample("fandisk_like");
+    if (source.input.stand_in && source.input.role == "plane_ns") clean = uneven_plane_sample(0);
+    if (source.input.stand_in && source.input.role == "fandisk_ns") clean = make_sample("fandisk_like");
     if (clean && clean->F != source.mesh().F) clean.reset();
     return clean;
 }
 
-struct Measured {
-    double moved, error, size, angle, inverted;
-};
+/// Measures the positions of a run and writes the values into cell i of the map.
+/// @param first_normals  of the faces of the input
+void measure(const SmoothingMaps& maps, const Positions& first_normals, const Positions& X, std::size_t i, SchemeMap& map) {
+    const auto size_of = [&](const TriangleMesh& mesh) { return maps.closed ? signed_volume(mesh) : surface_area(mesh); };
+    const TriangleMesh& input = maps.subject.mesh();
+    const TriangleMesh mesh = moved_to(input, X);
+    map.moved[i] = vertex_rms(input.X, X) / maps.subject.diagonal;
+    if (maps.clean) map.error[i] = vertex_rms(maps.clean->X, X) / maps.subject.diagonal;
+    map.size[i] = size_of(mesh) / size_of(input);
 
-class Ruler {
-public:
-    explicit Ruler(const SmoothingMaps& maps)
-        : maps_(maps), mesh_(maps.subject.mesh()), normals_(face_normals(mesh_)), size_(size_of(mesh_)) {}
-
-    Measured operator()(const Positions& X) const {
-        Measured m{vertex_rms(mesh_.X, X) / maps_.subject.diagonal, undefined, undefined, undefined, undefined};
-        if (maps_.clean) m.error = vertex_rms(maps_.clean->X, X) / maps_.subject.diagonal;
-        const TriangleMesh mesh = moved_to(mesh_, X);
-        m.size = size_of(mesh) / size_;
-        if (bounding_box(mesh).diagonal() < vanished * maps_.subject.diagonal) return m;
-        m.angle = smallest_angle(mesh);
-        const Positions now = face_normals(mesh);
-        m.inverted = double((now.cwiseProduct(normals_).rowwise().sum().array() < 0).count()) / std::max(mesh.face_count(), 1);
-        return m;
-    }
-
-private:
-    double size_of(const TriangleMesh& mesh) const { return maps_.closed ? signed_volume(mesh) : surface_area(mesh); }
-
-    const SmoothingMaps& maps_;
-    const TriangleMesh& mesh_;
-    Positions normals_;
-    double size_;
-};
+    constexpr double vanished = 1e-6;   // of the box diagonal: a smaller surface has no meaningful normals
+    if (bounding_box(mesh).diagonal() < vanished * maps.subject.diagonal) return;
+    map.angle[i] = smallest_angle(mesh);
+    const Positions normals = face_normals(mesh);
+    map.inverted[i] = double((normals.cwiseProduct(first_normals).rowwise().sum().array() < 0).count()) / std::max(mesh.face_count(), 1);
+}
 
 /// Makes one run and measures it at the iterations of the plane.
-void run_step(const SmoothingMaps& maps, const Ruler& ruler, std::size_t step, SchemeMap& map, ImplicitSolver& solver) {
+void run_step(const SmoothingMaps& maps, const Positions& first_normals, std::size_t step, SchemeMap& map, ImplicitSolver& solver) {
     SmoothingOptions options{.scheme = map.scheme, .lambda = maps.lambdas[step], .iterations = maps.iterations.back()};
     std::size_t row = 0;
     const bool compared = !map.apart.empty() && maps.relative(step) < 0.5;
@@ -76,14 +43,9 @@ void run_step(const SmoothingMaps& maps, const Ruler& ruler, std::size_t step, S
     options.after_step = [&](int iteration, const Positions& X) {
         if (compared) beside = explicit_step(maps.subject.laplacian, options.lambda, beside);
         if (iteration != maps.iterations[row]) return true;
-        const Measured m = ruler(X);
         const std::size_t i = maps.index(step, row);
-        map.moved[i] = m.moved;
-        if (!map.error.empty()) map.error[i] = m.error;
-        map.size[i] = m.size;
-        map.angle[i] = m.angle;
-        map.inverted[i] = m.inverted;
-        if (compared) map.apart[i] = vertex_rms(beside, X) / maps.subject.diagonal / m.moved;
+        measure(maps, first_normals, X, i, map);
+        if (compared) map.apart[i] = vertex_rms(beside, X) / maps.subject.diagonal / map.moved[i];
         ++row;
         return true;
     };
@@ -103,21 +65,17 @@ SchemeMap scheme_map(const SmoothingMaps& maps, SmoothingScheme scheme) {
     if (maps.clean) map.error = nothing;
     if (scheme == SmoothingScheme::implicit_euler) map.apart = nothing;
     map.blow_up.assign(maps.lambdas.size(), 0);
-    const Ruler ruler(maps);
-    // Every other λ with a solver of its own: how many there are must not depend on the processors.
-    constexpr std::size_t lanes = 2;
+    const Positions first_normals = face_normals(maps.subject.mesh());
+    constexpr std::size_t lanes = 2;   // each with a solver and every other λ; the number must not depend on the processors
     std::array<ImplicitSolver, lanes> solvers;
     for_each_task(lanes, [&](std::size_t lane) {
-        for (std::size_t step = lane; step < maps.lambdas.size(); step += lanes) run_step(maps, ruler, step, map, solvers[lane]);
+        for (std::size_t step = lane; step < maps.lambdas.size(); step += lanes) run_step(maps, first_normals, step, map, solvers[lane]);
     });
-    for (const ImplicitSolver& solver : solvers) {
-        map.analyses += solver.work().analyses;
-        map.factorisations += solver.work().factorisations;
-    }
+    for (const ImplicitSolver& solver : solvers) map.factorisations += solver.work().factorisations;
     return map;
 }
 
-/// @param modes  M-normalised, a column each
+/// The modes with their heights in the input. @param modes  M-normalised, a column each
 GrowingModes growing_modes(const SmoothingSubject& subject, const Vector& eigenvalues, const DenseMatrix& modes) {
     const Vector& M = subject.laplacian.M;
     const Positions near = subject.mesh().X.rowwise() - subject.mesh().X.row(0);
@@ -131,30 +89,6 @@ GrowingModes growing_modes(const SmoothingSubject& subject, const Vector& eigenv
     return growing;
 }
 
-/// The iteration at which one of the modes higher than `least` gets to the blow-up distance; NaN where none grows.
-double first_alone(const GrowingModes& modes, double lambda, double least) {
-    double first = undefined;
-    for (Eigen::Index i = 0; i < modes.eigenvalues.size(); ++i) {
-        const double growth = lambda * modes.eigenvalues[i] - 1;
-        if (!(growth > 1) || modes.heights[i] < least) continue;
-        const double height = std::max(modes.heights[i], modes.rounding);
-        const double t = std::max(std::log(modes.distance / height) / std::log(growth), 0.0);
-        if (!(first <= t)) first = t;
-    }
-    return first;
-}
-
-/// The last row that shows the surface within its frame.
-std::optional<std::size_t> last_in_view(const SmoothingMaps& maps, const SchemeMap& map, std::size_t step) {
-    std::optional<std::size_t> last;
-    for (std::size_t row = 0; row < maps.iterations.size(); ++row) {
-        const double moved = map.moved[maps.index(step, row)];
-        if (!(moved < 0.05) && row > 0) break;
-        if (std::isfinite(moved)) last = row;
-    }
-    return last;
-}
-
 std::vector<MapPlace> places_of(const SmoothingMaps& maps) {
     std::vector<MapPlace> places;
     const auto add = [&](const char* letter, SmoothingScheme scheme, std::size_t step, std::size_t row) {
@@ -165,24 +99,38 @@ std::vector<MapPlace> places_of(const SmoothingMaps& maps) {
     const auto step = static_cast<std::size_t>(beyond - maps.lambdas.begin());
     const std::size_t last = maps.iterations.size() - 1, largest = maps.lambdas.size() - 1;
     if (step > 0) add("a", SmoothingScheme::explicit_euler, step - 1, last);
-    const auto seen = step < maps.lambdas.size() ? last_in_view(maps, maps.explicit_map, step) : std::nullopt;
-    if (seen) {
-        add("b", SmoothingScheme::explicit_euler, step, *seen);
-        add("c", SmoothingScheme::implicit_euler, step, *seen);
+
+    std::optional<std::size_t> in_view;   // the last row that shows the first unstable step within its frame
+    for (std::size_t row = 0; step <= largest && row <= last; ++row) {
+        const double moved = maps.explicit_map().moved[maps.index(step, row)];
+        if (!(moved < 0.05) && row > 0) break;
+        if (std::isfinite(moved)) in_view = row;
     }
-    std::size_t left = last;   // while a twentieth is left to be seen
-    while (left > 0 && !(maps.implicit_map.size[maps.index(largest, left)] > 0.05)) --left;
+    if (in_view) {
+        add("b", SmoothingScheme::explicit_euler, step, *in_view);
+        add("c", SmoothingScheme::implicit_euler, step, *in_view);
+    }
+    std::size_t left = last;   // the last row with a twentieth of the size, else the first
+    while (left > 0 && !(maps.implicit_map().size[maps.index(largest, left)] > 0.05)) --left;
     add("d", SmoothingScheme::implicit_euler, largest, left);
-    if (const auto best = maps.best(maps.explicit_map)) add("e", SmoothingScheme::explicit_euler, maps.step_of(*best), maps.row_of(*best));
-    if (const auto best = maps.best(maps.implicit_map)) add("f", SmoothingScheme::implicit_euler, maps.step_of(*best), maps.row_of(*best));
+    for (const SchemeMap& map : maps.schemes)
+        if (const auto best = maps.best(map))
+            add(&map == &maps.explicit_map() ? "e" : "f", map.scheme, maps.step_of(*best), maps.row_of(*best));
     return places;
 }
 
 }   // namespace
 
-double GrowingModes::blow_up(double lambda) const { return first_alone(*this, lambda, 0); }
-
-double GrowingModes::latest(double lambda) const { return first_alone(*this, lambda, 1e4 * rounding); }
+double GrowingModes::blow_up(double lambda, double least_height) const {
+    double first = undefined;
+    for (Eigen::Index i = 0; i < eigenvalues.size(); ++i) {
+        const double growth = lambda * eigenvalues[i] - 1;
+        if (!(growth > 1) || heights[i] < least_height) continue;
+        const double t = std::max(std::log(distance / std::max(heights[i], rounding)) / std::log(growth), 0.0);
+        if (!(first <= t)) first = t;
+    }
+    return first;
+}
 
 int GrowingModes::earliest(double lambda, int last) const {
     const Vector growth = (lambda * eigenvalues.array() - 1).abs();
@@ -210,32 +158,36 @@ std::vector<int> spaced_iterations(int last, int per_decade) {
     return each_once(counts);
 }
 
-EqualTime largest_difference_at_equal_time(const SmoothingMaps& maps, const SchemeMap& map) {
-    EqualTime largest;
-    for (std::size_t many = 0; many < map.moved.size(); ++many) {
+double largest_difference_at_equal_time(const SmoothingMaps& maps) {
+    const PlaneValues& moved = maps.implicit_map().moved;
+    double largest = 0;
+    for (std::size_t many = 0; many < moved.size(); ++many) {
         for (std::size_t few = 0; few < many; ++few) {
-            if (maps.iterations[maps.row_of(many)] != 10 * maps.iterations[maps.row_of(few)]) continue;
-            const double large = maps.lambdas[maps.step_of(few)], small = maps.lambdas[maps.step_of(many)];
-            if (std::abs(large / small / 10 - 1) > 1e-9) continue;
-            const double difference = map.moved[many] / map.moved[few] - 1;
-            const bool counts = large < maps.subject.critical || &map == &maps.implicit_map;
-            if (counts && std::abs(difference) > std::abs(largest.difference)) largest = {many, few, difference};
+            const double ratio = maps.lambdas[maps.step_of(few)] / maps.lambdas[maps.step_of(many)];
+            const bool tenfold = maps.iterations[maps.row_of(many)] == 10 * maps.iterations[maps.row_of(few)];
+            if (tenfold && std::abs(ratio / 10 - 1) <= 1e-9) largest = std::max(largest, std::abs(moved[many] / moved[few] - 1));
         }
     }
     return largest;
 }
 
 SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings) {
-    const PlaneGrid grid = grid_of(settings);
+    struct Grid {
+        int steps_per_decade, steps_below, steps_beyond, counts_per_decade, iterations;
+    };
+    const Grid grid = settings.laboratory ? Grid{10, 12, 22, 8, 200} : settings.quick ? Grid{3, 4, 6, 4, 30} : Grid{5, 6, 10, 6, 100};
+    std::vector<double> relative_steps;   // the limit lies between two of them
+    for (int i = -grid.steps_below; i < grid.steps_beyond; ++i) relative_steps.push_back(std::pow(10, (i + 0.5) / grid.steps_per_decade));
+
     SmoothingMaps maps;
     maps.subject = smoothing_subject(std::move(source));
     maps.closed = maps.subject.preflight().encloses_volume();
     maps.clean = clean_mesh(*maps.subject.source);
     if (maps.clean) maps.input_error = vertex_rms(maps.clean->X, maps.subject.mesh().X) / maps.subject.diagonal;
-    maps.lambdas = steps_of(settings, maps.subject.critical, relative_steps(grid));
+    maps.lambdas = steps_of(settings, maps.subject.critical, relative_steps);
     maps.iterations = spaced_iterations(std::max(last_or(settings.iterations, grid.iterations), 1), grid.counts_per_decade);
-    run_tasks([&] { maps.explicit_map = scheme_map(maps, SmoothingScheme::explicit_euler); },
-              [&] { maps.implicit_map = scheme_map(maps, SmoothingScheme::implicit_euler); });
+    run_tasks([&] { maps.schemes[0] = scheme_map(maps, SmoothingScheme::explicit_euler); },
+              [&] { maps.schemes[1] = scheme_map(maps, SmoothingScheme::implicit_euler); });
 
     const LargestEigenvalue& top = maps.subject.top;
     maps.top = growing_modes(maps.subject, Vector::Constant(1, top.value), top.mode);

@@ -1,8 +1,6 @@
-#include "questions/stability/study.h"
-
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operators/uniform_laplacian.h"
-#include "questions/bench/smoothing_study.h"
+#include "questions/stability/parts.h"
 
 namespace meshfolio::stability {
 
@@ -21,21 +19,14 @@ OperatorLimit operator_limit(std::string name, OperatorKind kind, const LaplaceB
     return limit;
 }
 
-/// The first triangle whose normal has turned by more than 90° from that given; −1 without any.
-int first_turned(const TriangleMesh& mesh, const Positions& normals) {
-    const Positions now = face_normals(mesh);
-    for (int t = 0; t < mesh.face_count(); ++t)
-        if (now.row(t).dot(normals.row(t)) < 0) return t;
-    return -1;
-}
-
-WatchedRun watched_run(const TriangleMesh& mesh, SmoothingOptions options) {
-    WatchedRun watched{.run = {}, .lambda = options.lambda, .iterations = options.iterations};
+WatchedRun watched_run(std::string name, const TriangleMesh& mesh, SmoothingOptions options) {
+    WatchedRun watched{.name = std::move(name), .lambda = options.lambda, .iterations = options.iterations};
     const Positions normals = face_normals(mesh);
     options.after_step = [&](int iteration, const Positions& X) {
         if (watched.turned_iteration > 0) return true;
-        watched.turned_face = first_turned(moved_to(mesh, X), normals);
-        if (watched.turned_face >= 0) watched.turned_iteration = iteration;
+        const Positions now = face_normals(moved_to(mesh, X));
+        for (int t = 0; t < mesh.face_count() && watched.turned_face < 0; ++t)
+            if (now.row(t).dot(normals.row(t)) < 0) watched.turned_face = t, watched.turned_iteration = iteration;
         return true;
     };
     watched.run = smooth(mesh, options);
@@ -60,29 +51,27 @@ LimitingVertex limiting_vertex(const LaplaceBeltrami& laplacian, const LibraryMe
 StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settings) {
     StabilityStudy study;
     study.source = std::move(source);
-    study.mean_edge = mean_edge_length(study.mesh());
-    study.diagonal = bounding_box(study.mesh()).diagonal();
+    const TriangleMesh& mesh = study.mesh();
+    study.mean_edge = mean_edge_length(mesh);
+    study.diagonal = bounding_box(mesh).diagonal();
     const int steps = settings.quick ? 200 : 500;
-    const LaplaceBeltrami laplacian = laplace_beltrami(study.mesh());
-    study.cotangent = operator_limit("cotangent", OperatorKind::cotan, laplacian, study.mesh(), study.mean_edge, steps);
-    study.uniform = operator_limit("uniform", OperatorKind::uniform, uniform_operator(study.mesh(), study.topology()), study.mesh(),
-                                   study.mean_edge, steps);
-    study.limiting = limiting_vertex(laplacian, *study.source, study.cotangent.certificate.top.vertex);
+    const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
+    study.limits = {
+        operator_limit("cotangent", OperatorKind::cotan, laplacian, mesh, study.mean_edge, steps),
+        operator_limit("uniform", OperatorKind::uniform, uniform_operator(mesh, study.topology()), mesh, study.mean_edge, steps)};
+    study.limiting = limiting_vertex(laplacian, *study.source, study.cotangent().certificate.top.vertex);
     return study;
 }
 
 RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& settings) {
+    const double critical = study.cotangent().critical();
     RebuiltFlow flow;
     flow.source = study.source;
-    flow.lambda = 0.5 * study.cotangent.critical();
-    flow.share = 0.95;
-    flow.iterations = settings.quick ? 20 : 30;
-    flow.beyond = 2;   // the top mode triples in each step
-    SmoothingOptions options{.lambda = flow.lambda, .iterations = flow.iterations, .rebuild = true, .monitor = true};
-    flow.fixed = watched_run(study.mesh(), options);
+    SmoothingOptions options{.lambda = 0.5 * critical, .iterations = settings.quick ? 20 : 30, .rebuild = true, .monitor = true};
+    flow.fixed = watched_run("rebuilt, fixed λ", study.mesh(), options);
     options.adaptive = flow.share;
-    flow.adaptive = watched_run(study.mesh(), options);
-    flow.frozen = watched_run(study.mesh(), {.lambda = flow.beyond * study.cotangent.critical(), .iterations = 100, .monitor = true});
+    flow.adaptive = watched_run("rebuilt, adaptive λ", study.mesh(), options);
+    flow.frozen = watched_run("frozen, fixed λ", study.mesh(), {.lambda = flow.beyond * critical, .iterations = 100, .monitor = true});
     return flow;
 }
 
