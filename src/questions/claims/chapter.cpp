@@ -7,13 +7,22 @@ namespace meshfolio::claims {
 
 namespace {
 
-int count_of(const std::vector<JudgedClaim>& judged, Verdict verdict) {
-    return static_cast<int>(std::ranges::count_if(judged, [&](const JudgedClaim& j) { return j.decision.verdict == verdict; }));
+using Ledger = std::vector<JudgedClaim>;
+
+int count_of(const Ledger& ledger, Verdict verdict) {
+    return static_cast<int>(std::ranges::count_if(ledger, [&](const JudgedClaim& j) { return j.decision.verdict == verdict; }));
 }
 
-void add_claims_with(report::Section& section, const std::vector<JudgedClaim>& judged, Verdict verdict, std::string_view key) {
+report::Text summary_of(const Ledger& ledger) {
+    return words.say("summary", "claims"_a = ledger.size(), "holds"_a = count_of(ledger, Verdict::holds),
+                     "conditional"_a = count_of(ledger, Verdict::conditional), "refuted"_a = count_of(ledger, Verdict::refuted),
+                     "undecidable"_a = count_of(ledger, Verdict::undecidable));
+}
+
+/// Adds the message about the claims with this verdict, if there are any.
+void add_claims_with(report::Section& section, const Ledger& ledger, Verdict verdict, std::string_view key) {
     report::Text claims;
-    for (const JudgedClaim& j : judged) {
+    for (const JudgedClaim& j : ledger) {
         if (j.decision.verdict != verdict) continue;
         report::extend(claims, claims.empty() ? "" : ", ",
                        words.say("claim_and_source", "claim"_a = j.claim->id, "source"_a = j.claim->source().name));
@@ -21,23 +30,13 @@ void add_claims_with(report::Section& section, const std::vector<JudgedClaim>& j
     if (!claims.empty()) add_words(section, words, key, "claims"_a = claims);
 }
 
-void add_discussion(report::Section& section, const std::vector<JudgedClaim>& judged) {
-    add_words(section, words, "discussion", "summary"_a = ledger_summary(judged));
-    add_claims_with(section, judged, Verdict::refuted, "discussion.refuted");
-    add_claims_with(section, judged, Verdict::conditional, "discussion.conditional");
-    add_words(section, words, "discussion.rules");
-}
-
-bool decided(const JudgedClaim& judged) { return judged.decision.verdict != Verdict::undecidable; }
-
-/// The cell of a claim that is decided; else an empty one.
-template <class CellOf>
-auto if_decided(CellOf cell_of) {
-    return [cell_of](const JudgedClaim& j) { return decided(j) ? detail::cell(cell_of(j)) : report::Cell(); };
-}
-
-report::Table ledger_table(const std::vector<JudgedClaim>& judged) {
-    return table("claims_ledger", words.line("ledger"), judged)
+report::Table ledger_table(const Ledger& ledger) {
+    const auto if_decided = [](auto cell_of_claim) {
+        return [=](const JudgedClaim& j) {
+            return j.decision.verdict == Verdict::undecidable ? report::Cell() : detail::cell(cell_of_claim(j));
+        };
+    };
+    return table("claims_ledger", words.line("ledger"), ledger)
         .column("no.", {.reference = true}, [](auto& j) { return j.claim->id; })
         .column("source", {.filter = true}, [](auto& j) { return j.claim->source().name; })
         .column("question", {.filter = true, .reference = true}, [](auto& j) { return j.claim->question; })
@@ -49,9 +48,9 @@ report::Table ledger_table(const std::vector<JudgedClaim>& judged) {
         .sortable();
 }
 
-report::EntryList ledger_entries(const std::vector<JudgedClaim>& judged) {
+report::EntryList ledger_entries(const Ledger& ledger) {
     report::EntryList list{"Claim", {}};
-    for (const JudgedClaim& j : judged) {
+    for (const JudgedClaim& j : ledger) {
         const Source& source = j.claim->source();
         list.entries.push_back({std::string(j.claim->id),
                                 words.say(source.citation.empty() ? "entry" : "entry.cited", "source"_a = source.name,
@@ -61,9 +60,8 @@ report::EntryList ledger_entries(const std::vector<JudgedClaim>& judged) {
     return list;
 }
 
-}   // namespace
-
-report::Check ledger_check(const std::vector<JudgedClaim>& judged) {
+/// Checks that the rules, applied again to each case, give the verdicts of the ledger.
+report::Check ledger_check(const Ledger& ledger) {
     const auto differs = [](const JudgedClaim& j) {
         std::set<bool> sides;   // of the threshold
         if (j.measurement.undecidable.empty())
@@ -75,26 +73,21 @@ report::Check ledger_check(const std::vector<JudgedClaim>& judged) {
                                                      : Verdict::refuted;
         return again != j.decision.verdict;
     };
-    return check_near(words.line("check.followed"), 0, double(std::ranges::count_if(judged, differs)), 0);
+    return check_near(words.line("check.followed"), 0, double(std::ranges::count_if(ledger, differs)), 0);
 }
 
-report::Text ledger_summary(const std::vector<JudgedClaim>& judged) {
-    return words.say("summary", "claims"_a = judged.size(), "holds"_a = count_of(judged, Verdict::holds),
-                     "conditional"_a = count_of(judged, Verdict::conditional), "refuted"_a = count_of(judged, Verdict::refuted),
-                     "undecidable"_a = count_of(judged, Verdict::undecidable));
-}
+}   // namespace
 
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("claims")};
     report::Section& section = answer.section;
     ClaimBench bench(library, settings);
-    std::vector<JudgedClaim> ledger;
+    Ledger ledger;
     for (const Claim& claim : claim_list()) {
         progress("claim: " + claim.said());
         ledger.push_back(judged(claim, bench));
     }
-    section.inputs = bench.inputs();
-    section.warnings = bench.warnings();
+    bench.enter_inputs(section);
 
     add_words(section, words, "method", "holds"_a = shown(Verdict::holds), "conditional"_a = shown(Verdict::conditional),
               "refuted"_a = shown(Verdict::refuted), "undecidable"_a = shown(Verdict::undecidable));
@@ -103,11 +96,14 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     for (report::Plot& plot : bench.plots) add(section, std::move(plot));
     add_words(section, words, "every_claim");
     add(section, ledger_entries(ledger));
-    add_discussion(section, ledger);
+    add_words(section, words, "discussion", "summary"_a = summary_of(ledger));
+    add_claims_with(section, ledger, Verdict::refuted, "discussion.refuted");
+    add_claims_with(section, ledger, Verdict::conditional, "discussion.conditional");
+    add_words(section, words, "discussion.rules");
     add(section, ledger_check(ledger));
 
     section.parameters = {{"rules", words.line("parameter.rules")}, {"noise", words.line("parameter.noise", "seed"_a = settings.seed)}};
-    section.extent = report::plain(ledger_summary(ledger));
+    section.extent = report::plain(summary_of(ledger));
     section.answer = words.say("answer", "claims"_a = ledger.size(), "holds"_a = count_of(ledger, Verdict::holds));
     return answer;
 }
@@ -116,7 +112,7 @@ extern const Chapter chapter{
     .id = "claims",
     .code = {{"decide", "src/questions/claims/claim.cpp"},
              {"claim_list", "src/questions/claims/claim.cpp"},
-             {"ClaimBench", "src/questions/claims/claim_bench.h"},
+             {"ClaimBench", "src/questions/claims/parts.h"},
              {"report_mesh", "src/questions/core/stand_ins.cpp"},
              {"answer", "src/questions/claims/chapter.cpp"}},
     .roles = {"armadillo", "plane", "lilium", "plane_ns", "fandisk_ns", "cube", "cube8", "sphere", "ellipsoid", "torus", "bumpy_cube",

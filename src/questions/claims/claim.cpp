@@ -19,13 +19,11 @@ constexpr std::array sources{Source{"s0", "S0"},
                              Source{"taubin", "Taubin 1995", "taubin_1995"},
                              Source{"desbrun", "Desbrun et al. 1999", "desbrun_1999"}};
 
-/// The one of `chosen` whose value is nearest to the threshold; ratios where that makes sense, so that sizes count alike.
-std::size_t nearest_to_threshold(const Rule& rule, const std::vector<Case>& cases, const std::vector<std::size_t>& chosen) {
-    return *std::ranges::min_element(chosen, {}, [&](std::size_t i) {
-        const double value = cases[i].value;
-        return value > 0 && rule.threshold > 0 ? std::abs(std::log(value / rule.threshold)) : 1e3 + std::abs(value - rule.threshold);
-    });
-}
+/// Key and symbol of each verdict.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> verdicts{
+    {{"holds", "✓"}, {"conditional", "◐"}, {"refuted", "✗"}, {"undecidable", "?"}}};
+
+std::string word_of(Verdict verdict) { return words.line("verdict." + std::string(verdicts[int(verdict)].first)); }
 
 /// "3 %", "2 mean edges", "1 mean edge".
 std::string with_unit_of(const Rule& rule, const std::string& number) {
@@ -42,10 +40,6 @@ std::string values_of(const JudgedClaim& judged, const std::vector<std::size_t>&
     }));
 }
 
-/// Key and symbol of each verdict.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> verdicts{
-    {{"holds", "✓"}, {"conditional", "◐"}, {"refuted", "✗"}, {"undecidable", "?"}}};
-
 Measurement unmeasured(const Error& error) { return {.undecidable = words.line("unmeasured", "why"_a = error.what())}; }
 
 Measurement measured(const Claim& claim, ClaimBench& bench) try {
@@ -53,6 +47,7 @@ Measurement measured(const Claim& claim, ClaimBench& bench) try {
     const Measurable about = bench.measurable(claim.about);
     if (!about.why_not.empty()) return {.undecidable = about.why_not};
     Measurement measurement = claim.measure(bench, about.meshes);
+    if (measurement.remarked) measurement.remark = words.say(std::string(claim.id) + ".remark");
     measurement.meshes = bench.called(about.meshes);
     return measurement;
 } catch (const MeshError& error) {   // too large, without an operator
@@ -75,17 +70,18 @@ const std::vector<Claim>& claim_list() {
     return all;
 }
 
+Measure::Measure(Case (*case_on)(ClaimBench&, std::string_view))
+    : Measure([=](ClaimBench& bench, const MeshNames& meshes) {
+          return Measurement{.cases = each_of(meshes, [&](std::string_view mesh) { return case_on(bench, mesh); })};
+      }) {}
+
 JudgedClaim judged(const Claim& claim, ClaimBench& bench) {
     JudgedClaim result{&claim, measured(claim, bench), {}};
     result.decision = decide(claim.rule, result.measurement);
     return result;
 }
 
-std::string word_of(Verdict verdict) { return words.line("verdict." + std::string(verdicts[int(verdict)].first)); }
-
-std::string_view symbol_of(Verdict verdict) { return verdicts[int(verdict)].second; }
-
-std::string shown(Verdict verdict) { return std::string(symbol_of(verdict)) + " " + word_of(verdict); }
+std::string shown(Verdict verdict) { return std::string(verdicts[int(verdict)].second) + " " + word_of(verdict); }
 
 std::string Claim::said() const { return words.line(std::string(id) + ".said"); }
 
@@ -97,7 +93,7 @@ const Source& Claim::source() const {
 
 std::string with_unit(double value, const Rule& rule) {
     const bool count = std::trunc(value) == value && std::abs(value) < 1e4;
-    int digits = 3;   // more where the value would otherwise be printed as if it were the threshold
+    int digits = 3;   // more if the value would otherwise be printed as if it were the threshold
     while (digits < 8 && value != rule.threshold && readable(value, digits) == readable(rule.threshold, digits)) ++digits;
     return with_unit_of(rule, count ? plain_text(value) : readable(value, digits));
 }
@@ -124,7 +120,11 @@ Decision decide(const Rule& rule, const Measurement& measurement) {
         return decision;
     }
     decision.verdict = decision.beyond.empty() ? Verdict::holds : decision.within.empty() ? Verdict::refuted : Verdict::conditional;
-    decision.deciding = nearest_to_threshold(rule, measurement.cases, decision.beyond.empty() ? decision.within : decision.beyond);
+    const auto distance = [&](std::size_t i) {   // as a ratio if both are positive, so that sizes count alike
+        const double value = measurement.cases[i].value;
+        return value > 0 && rule.threshold > 0 ? std::abs(std::log(value / rule.threshold)) : 1e3 + std::abs(value - rule.threshold);
+    };
+    decision.deciding = *std::ranges::min_element(decision.beyond.empty() ? decision.within : decision.beyond, {}, distance);
     return decision;
 }
 
@@ -136,16 +136,16 @@ report::Text rule_text(const JudgedClaim& judged) {
 
 report::Text verdict_text(const JudgedClaim& judged) {
     const auto& [verdict, within, beyond, deciding, why] = judged.decision;
-    const std::string word = word_of(verdict);
-    const report::Fact shown = "verdict"_a =
-        std::string(symbol_of(verdict)) + "\u00a0" + static_cast<char>(word[0] - 'a' + 'A') + word.substr(1);
+    std::string word = word_of(verdict);
+    word.front() = static_cast<char>(word.front() - 'a' + 'A');
+    const report::Fact shown = "verdict"_a = std::string(verdicts[int(verdict)].second) + "\u00a0" + word;
     if (verdict == Verdict::undecidable) return words.say("judged.undecidable", shown, "why"_a = why);
     report::Text t =
         verdict == Verdict::conditional
             ? words.say("judged.conditional", shown, "within"_a = values_of(judged, within), "beyond"_a = values_of(judged, beyond))
             : words.say("judged", shown, "values"_a = values_of(judged, verdict == Verdict::holds ? within : beyond));
     if (!judged.measurement.figure.empty()) go_on(t, words.say("shown_in", "figure"_a = judged.measurement.figure));
-    if (!judged.measurement.remark.empty()) go_on(t, judged.measurement.remark);
+    go_on(t, judged.measurement.remark);
     if (!judged.measurement.meshes.empty()) go_on(t, words.say("measured_on", "meshes"_a = judged.measurement.meshes));
     return t;
 }

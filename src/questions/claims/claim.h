@@ -1,6 +1,6 @@
 /// @file
-/// A claim that someone made, as data: what it is about, the rule that would make it true, the measurement, and the verdict that follows
-/// from all of them. Its words are messages: "<id>.said" of what is claimed, "<id>.case…" and "<id>.remark…" of what was measured.
+/// Claims of earlier reports and papers as data: what each is about, the rule that makes it true, its measurement, and the verdict.
+/// The words of a claim are messages: "<id>.said" is the claim, "<id>.case…" and "<id>.remark…" describe what was measured.
 ///
 /// What a claim is about (About) decides, before anything is measured, which meshes may be measured:
 ///   - A claim about formulas, or about surfaces that the program makes, names no mesh. It is always measured.
@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,12 +25,12 @@ namespace meshfolio::claims {
 
 enum class Verdict { holds, conditional, refuted, undecidable };
 
-std::string word_of(Verdict verdict);          // "holds", "holds with condition", "refuted", "not decidable here"
-std::string_view symbol_of(Verdict verdict);   // "✓", "◐", "✗", "?"
+/// "✓ holds", "◐ holds with condition", "✗ refuted", "? not decidable here".
+std::string shown(Verdict verdict);
 
-/// What makes a claim true: one quantity on the right side of one threshold, in every case it is measured in.
+/// The condition under which a claim is true: a quantity on the right side of a threshold, in every case.
 struct Rule {
-    std::string_view quantity;   // "apart": the message "quantity.apart" is what is measured
+    std::string_view quantity;   // "apart": the message "quantity.apart" names it
     std::string_view unit;       // "%"; empty: a pure number
     enum class Relation { at_most, at_least } relation = Relation::at_most;
     double threshold = 0;   // in that unit
@@ -38,6 +39,7 @@ struct Rule {
 };
 /// "≤ 5 %".
 std::string words_of(const Rule& rule);
+/// The quantity in words: "Dirichlet energy left, over that of the input".
 std::string quantity_of(const Rule& rule);
 
 /// The quantity under one condition that the claim does not exclude: a mesh, a step, a kind of triangles.
@@ -61,7 +63,7 @@ enum class Property {
     above_1500_vertices,   // 150 modes are then a small share
 };
 
-/// Which meshes a claim is about.
+/// The meshes that a claim is about.
 struct About {
     enum class Scope { any_mesh, its_kind, itself };
     MeshNames meshes = {};                   // none: formulas, or surfaces that the program makes
@@ -72,28 +74,35 @@ struct About {
 
 struct Measurement {
     std::vector<Case> cases = {};
-    std::string undecidable = {};   // why nothing can be decided here: then the cases do not count
-    report::Text remark = {};       // what explains the numbers
+    std::string undecidable = {};   // the reason why nothing can be decided here: then the cases do not count
+    report::Text remark = {};       // explains the numbers
+    bool remarked = false;          // the remark is the message "<id>.remark", which states no facts
     std::string meshes = {};        // measured on: "creature, in place of bunny.off"; empty: none of the library
     std::string figure = {};        // id of the plot that shows it; empty: none
 };
 
-/// Follows from the rule and the numbers alone: holds where all cases satisfy the rule, refuted where none does, else conditional. Cases
-/// without a finite value decide nothing.
+/// Follows from the rule and the numbers alone: holds if all cases satisfy the rule, refuted if none does, else conditional. Cases without
+/// a finite value decide nothing.
 struct Decision {
     Verdict verdict = Verdict::undecidable;
     std::vector<std::size_t> within, beyond;   // cases that satisfy the rule, and that do not
     std::size_t deciding = 0;                  // the case nearest to the threshold among those that turn the scale
-    std::string why;                           // of undecidable
+    std::string why;                           // the claim is undecidable
 };
 Decision decide(const Rule& rule, const Measurement& measurement);
 
 class ClaimBench;
 
+/// Measures a claim on those of its meshes that may be measured: each another mesh, at least as many as are compared.
+struct Measure : std::function<Measurement(ClaimBench& bench, const MeshNames& meshes)> {
+    using function::function;
+    Measure(Case (*case_on)(ClaimBench& bench, std::string_view mesh));   // a case for each mesh
+};
+
 /// The least run in which a claim is measured.
 enum class Effort { quick, full };
 
-/// Who claims it.
+/// The author of a claim.
 struct Source {
     std::string_view key;             // "taubin"
     std::string_view name;            // "S0", "Taubin 1995"
@@ -105,8 +114,7 @@ struct Claim {
     std::string_view question;   // "q5"
     About about;
     Rule rule;
-    /// @param meshes  of `about`, those that may be measured: each another mesh, at least as many as are compared
-    Measurement (*measure)(ClaimBench& bench, const MeshNames& meshes) = nullptr;
+    Measure measure = {};
     Effort effort = Effort::quick;
 
     /// The claim, paraphrased.
@@ -114,7 +122,7 @@ struct Claim {
     const Source& source() const;
 };
 
-/// A claim with what was measured and what follows.
+/// A claim with its measurement and the decision that follows.
 struct JudgedClaim {
     const Claim* claim = nullptr;
     Measurement measurement;
@@ -123,22 +131,20 @@ struct JudgedClaim {
     /// The deciding value of a decided claim.
     double deciding_value() const { return measurement.cases[decision.deciding].value; }
 };
+/// Measures a claim and applies its rule. A claim that cannot be measured here is undecidable, with the reason.
+JudgedClaim judged(const Claim& claim, ClaimBench& bench);
 
 /// "0.35 %", "0.35": a value with the unit of the rule.
 std::string with_unit(double value, const Rule& rule);
-
-/// The rule, and on which meshes it was measured.
+/// "Required: Dirichlet energy left, over that of the input, ≤ 2 %."
 report::Text rule_text(const JudgedClaim& judged);
-/// Verdict, deciding number and what explains it, generated from the numbers.
+/// The verdict, the deciding numbers, the remark, and the meshes measured.
 report::Text verdict_text(const JudgedClaim& judged);
 
-// By subject; each file states a rule for every claim before anything is measured.
+// Claims by subject.
 extern const std::vector<Claim> curvature_claims, spectral_claims, explicit_claims, implicit_claims, denoising_claims, fandisk_claims,
     paper_claims;
-/// Those of four earlier reports on the same coursework, S0 to S3, and of the papers they rest on: by question, then by source.
+/// The claims of four earlier reports on the same coursework, S0 to S3, and of the papers they rest on: by question, then by subject.
 const std::vector<Claim>& claim_list();
-
-/// Measures a claim and applies its rule. What cannot be measured here is undecidable, with the reason.
-JudgedClaim judged(const Claim& claim, ClaimBench& bench);
 
 }   // namespace meshfolio::claims

@@ -9,38 +9,23 @@ namespace meshfolio::claims {
 
 namespace {
 
-/// Vertices beyond which a claim would take longer than the section has.
-int largest_mesh(const QuestionSettings& settings) { return settings.laboratory ? 200000 : settings.quick ? 7000 : 12000; }
+/// Property p is missing: the message "lacks." + missing[p].
+constexpr std::array missing{
+    "flat", "not_flat", "closed", "flat_with_edges", "negative_weights", "unequal_areas", "clean_form_known", "above_1500_vertices"};
 
-bool same_mesh(const TriangleMesh& a, const TriangleMesh& b) {
-    const bool same_size = a.X.rows() == b.X.rows() && a.F.rows() == b.F.rows();
-    return same_size && a.X == b.X && a.F == b.F;
+SmoothingOptions options_of(const RunKey& key) {
+    return {.scheme = key.scheme, .laplacian = key.laplacian, .lambda = key.lambda, .iterations = key.iterations, .rebuild = key.rebuild};
 }
 
-bool has_negative_weights(const SparseMatrix& C) {
-    for (int column = 0; column < C.outerSize(); ++column)
-        for (SparseMatrix::InnerIterator entry(C, column); entry; ++entry)
-            if (entry.row() != entry.col() && entry.value() < -1e-12 * std::abs(C.coeff(column, column))) return true;
-    return false;
-}
-
-/// The key of the message that says that a mesh lacks this property.
-std::string key_of_lacking(Property property) {
-    static constexpr std::array keys{
-        "flat", "not_flat", "closed", "flat_with_edges", "negative_weights", "unequal_areas", "clean_form_known", "above_1500_vertices"};
-    return std::string("lacks.") + keys[int(property)];
-}
-
-/// What a run or a noisy run is made with.
-SmoothingOptions options_of(const auto& key) {
-    return {.scheme = key.scheme, .laplacian = key.laplacian, .lambda = key.lambda, .iterations = key.iterations};
-}
-
-/// What the map keeps under the key, made when it is first asked for.
+/// The value that the map has for the key; made when it is first asked for.
 template <class Map, class Make>
 const auto& kept(Map& map, const typename Map::key_type& key, const Make& make) {
     const auto found = map.find(key);
     return found != map.end() ? found->second : map.emplace(key, make()).first->second;
+}
+
+void add_once(Names& names, const std::string& name) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
 }
 
 }   // namespace
@@ -48,7 +33,7 @@ const auto& kept(Map& map, const typename Map::key_type& key, const Make& make) 
 const ReportMesh& ClaimBench::mesh(std::string_view name) {
     const ReportMesh& found = kept(meshes_, std::string(name), [&] { return report_mesh(library_, name); });
     const int n = found.mesh->mesh().vertex_count();
-    if (n > largest_mesh(settings_))
+    if (n > (settings_.laboratory ? 200000 : settings_.quick ? 7000 : 12000))
         throw MeshError(found.mesh->name + " has " + std::to_string(n) + " vertices, more than a run without laboratory = true measures");
     return found;
 }
@@ -66,11 +51,6 @@ bool ClaimBench::is_itself(std::string_view name) {
            agrees(subject(name).critical, m.entry->critical);
 }
 
-bool ClaimBench::in_scope(std::string_view name, About::Scope scope) {
-    if (scope == any_mesh || is_itself(name)) return true;
-    return scope == its_kind && !mesh(name).own && !mesh(name).entry;   // a bundled mesh is of the kind that its role names
-}
-
 bool ClaimBench::has(std::string_view name, Property property) {
     const PreparedMesh& prepared = *mesh(name).mesh->prepared;
     if (property == flat || property == not_flat) return common_plane_normal(prepared.mesh).has_value() == (property == flat);
@@ -82,39 +62,47 @@ bool ClaimBench::has(std::string_view name, Property property) {
         return character.kind() == MeshClass::sharp_edged && character.typical_angle < 2;
     }
     const auto& [C, areas, copies] = subject(name).laplacian;
-    return property == negative_weights ? has_negative_weights(C) : areas.minCoeff() < 0.99 * areas.maxCoeff();
+    if (property == unequal_areas) return areas.minCoeff() < 0.99 * areas.maxCoeff();
+    for (int column = 0; column < C.outerSize(); ++column)
+        for (SparseMatrix::InnerIterator entry(C, column); entry; ++entry)
+            if (entry.row() != entry.col() && entry.value() < -1e-12 * std::abs(C.coeff(column, column))) return true;
+    return false;
 }
 
 Measurable ClaimBench::measurable(const About& about) {
+    const auto reason_against = [&](std::string_view name) -> std::string {   // empty: the mesh may be measured
+        const ReportMesh& here = mesh(name);
+        const bool of_its_kind = about.scope == its_kind && !here.own && !here.entry;   // a bundled mesh, by its role
+        if (about.scope != any_mesh && !of_its_kind && !is_itself(name))
+            return words.line(about.scope == itself ? "elsewhere.itself" : "elsewhere.kind", "asked"_a = here.asked,
+                              "here"_a = here.mesh->name);
+        for (const Property property : about.properties)
+            if (!has(name, property)) return words.line("lacks." + std::string(missing[int(property)]), "mesh"_a = here.mesh->name);
+        return "";
+    };
     Measurable result;
     Names reasons;
-    const auto refuse = [&](const std::string& reason) {
-        if (std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
-    };
-    const auto counted_already = [&](std::string_view name) {
-        return std::ranges::any_of(result.meshes,
-                                   [&](std::string_view before) { return same_mesh(mesh(before).mesh->mesh(), mesh(name).mesh->mesh()); });
-    };
-    const auto enter = [&](std::string_view name) {
-        const std::string& here = mesh(name).mesh->name;
-        if (!in_scope(name, about.scope)) {
-            return refuse(words.line(about.scope == About::Scope::itself ? "elsewhere.itself" : "elsewhere.kind",
-                                     "asked"_a = mesh(name).asked, "here"_a = here));
-        }
-        const auto lacks = std::ranges::find_if(about.properties, [&](Property property) { return !has(name, property); });
-        if (lacks != about.properties.end()) return refuse(words.line(key_of_lacking(*lacks), "mesh"_a = here));
-        if (!counted_already(name)) result.meshes.push_back(name);
-    };
     for (const std::string_view name : about.meshes) {
+        std::string reason;
         try {
-            enter(name);
+            reason = reason_against(name);
         } catch (const MeshError& error) {   // too large, without an operator
-            refuse(error.what());
+            reason = error.what();
         }
+        if (!reason.empty()) {
+            add_once(reasons, reason);
+            continue;
+        }
+        const TriangleMesh& here = mesh(name).mesh->mesh();
+        const bool counted = std::ranges::any_of(result.meshes, [&](std::string_view before) {
+            const TriangleMesh& other = mesh(before).mesh->mesh();
+            return other.X.rows() == here.X.rows() && other.F.rows() == here.F.rows() && other.X == here.X && other.F == here.F;
+        });
+        if (!counted) result.meshes.push_back(name);
     }
     const std::size_t needed = about.meshes.empty() ? 0 : about.compared;
     if (result.meshes.size() >= needed) return result;
-    if (needed > 1 && reasons.empty()) refuse(words.line("one_mesh"));
+    if (needed > 1 && reasons.empty()) reasons.push_back(words.line("one_mesh"));
     result.why_not = listed(reasons);
     return result;
 }
@@ -158,19 +146,18 @@ const Smoothed& ClaimBench::run(std::string_view name, const RunKey& key) {
 
 double ClaimBench::motion(std::string_view name, const RunKey& key) { return vertex_rms(mesh(name).mesh->mesh().X, run(name, key).X); }
 
-const std::vector<double>& ClaimBench::denoised(std::string_view name, const NoisyKey& key) {
+const std::vector<double>& ClaimBench::denoised(std::string_view name, const RunKey& key) {
     const LibraryMesh& source = *mesh(name).mesh;
-    return kept(noisy_runs_, {&source, key.tied()}, [&] {
-        const TriangleMesh& clean = source.mesh();
-        const TriangleMesh noisy = moved_to(clean, with_gaussian_noise(clean.X, key.sigma, settings_.seed));
-        std::vector<double> errors{vertex_rms(clean.X, noisy.X)};
+    return kept(noisy_runs_, {&source, key}, [&] {
+        const Positions& clean = source.mesh().X;
+        const Positions noisy = with_gaussian_noise(clean, Vector3(key.sigma.data()), settings_.seed);
+        std::vector<double> errors{vertex_rms(clean, noisy)};
         SmoothingOptions options = options_of(key);
-        options.rebuild = key.rebuild;
         options.after_step = [&](int, const Positions& X) {
-            errors.push_back(vertex_rms(clean.X, X));
+            errors.push_back(vertex_rms(clean, X));
             return true;
         };
-        smooth_until_collapse(noisy, options, solvers_[&source]);
+        smooth_until_collapse(moved_to(source.mesh(), noisy), options, solvers_[&source]);
         return errors;
     });
 }
@@ -191,26 +178,17 @@ BenchRun ClaimBench::curvature(const std::string& surface, MeshKind kind, int co
 }
 
 const PlaneTest& ClaimBench::plane() {
-    if (!plane_) plane_ = std::make_unique<PlaneTest>(irregular_plane(settings_.seed));
+    if (!plane_) plane_ = irregular_plane(settings_.seed);
     return *plane_;
 }
 
-std::vector<report::Input> ClaimBench::inputs() const {
-    std::vector<report::Input> inputs;
-    for (const auto& [name, found] : meshes_)
-        if (!found.own || inputs.empty()) inputs.push_back(found.input());
-    return inputs;
-}
-
-Names ClaimBench::warnings() const {
-    Names warnings;
+void ClaimBench::enter_inputs(report::Section& section) const {
     for (const auto& [name, found] : meshes_) {
-        report::Section section;
-        enter_input(*found.mesh, section);
-        for (const std::string& warning : section.warnings)
-            if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+        if (!found.own || section.inputs.empty()) section.inputs.push_back(found.input());
+        report::Section of_mesh;
+        enter_input(*found.mesh, of_mesh);
+        for (const std::string& warning : of_mesh.warnings) add_once(section.warnings, warning);
     }
-    return warnings;
 }
 
 double roughness(const SmoothingSubject& subject, const Positions& X) {

@@ -8,74 +8,61 @@ namespace meshfolio::claims {
 
 namespace {
 
-/// A surface in one kind of triangles.
-struct Sampling {
-    const char* surface;
-    MeshKind kind;
-    std::string said() const { return sampled(kind, surface); }
-};
-constexpr std::array samplings{Sampling{"ellipsoid", MeshKind::regular}, Sampling{"torus", MeshKind::regular},
-                               Sampling{"ellipsoid", MeshKind::random}, Sampling{"torus", MeshKind::random}};
-
 int level_of(const ClaimBench& bench) { return bench.settings().laboratory ? 5 : bench.settings().quick ? 3 : 4; }
 
-BenchRun run_on(ClaimBench& bench, const Sampling& s, int coarser = 0) {
-    const int level = level_of(bench);
-    return bench.curvature(s.surface, s.kind, level - coarser, level);
-}
-double error_of(ClaimBench& bench, const Sampling& s, std::string_view estimator) { return run_on(bench, s).finest().error(estimator).l2; }
-double uniform_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, "H.uniform"); }
-double cotangent_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, "H.barycentric"); }
-double deficit_error(ClaimBench& bench, const Sampling& s) { return error_of(bench, s, "K.barycentric"); }
-
-/// The error of the first estimator, over the least of the others, on every sampling.
-template <double (*error)(ClaimBench&, const Sampling&), double (*... others)(ClaimBench&, const Sampling&)>
-Measurement error_ratio(ClaimBench& bench, const MeshNames&) {
-    return {.cases = each_of(samplings, [&](const Sampling& s) {
-                return Case{s.said(), error(bench, s) / std::min({others(bench, s)...})};
-            })};
+/// The runs of both surfaces in both kinds of triangles.
+BenchRuns runs_of(ClaimBench& bench) {
+    BenchRuns runs;
+    for (const MeshKind kind : {MeshKind::regular, MeshKind::random})
+        for (const char* surface : {"ellipsoid", "torus"}) runs.push_back(bench.curvature(surface, kind, level_of(bench), level_of(bench)));
+    return runs;
 }
 
-Measurement cotangent_over_deficit(ClaimBench& bench, const MeshNames& meshes) {
-    Measurement m = error_ratio<cotangent_error, deficit_error>(bench, meshes);
-    m.remark = words.say("claims_s1_over_deficit.remark");
-    return m;
+constexpr std::string_view by_uniform = "H.uniform", by_cotangent = "H.barycentric", by_deficit = "K.barycentric";
+
+/// The error of one estimator, over the least error of the others.
+Measure error_ratio(std::string_view estimator, std::vector<std::string_view> others) {
+    return [=](ClaimBench& bench, const MeshNames&) {
+        Measurement m;
+        for (const BenchRun& run : runs_of(bench)) {
+            const auto error = [&](std::string_view key) { return run.finest().error(key).l2; };
+            m.cases.push_back({sampled(run.kind, run.surface), error(estimator) / std::ranges::min(each_of(others, error))});
+        }
+        return m;
+    };
 }
 
 Measurement uniform_inaccurate(ClaimBench& bench, const MeshNames&) {
-    return {.cases = each_of(samplings,
-                             [&](const Sampling& s) {
-                                 return Case{s.said(), 100 * uniform_error(bench, s)};
-                             }),
-            .remark = words.say("claims_s0_uniform.remark")};
+    Measurement m{.remarked = true};
+    for (const BenchRun& run : runs_of(bench)) m.cases.push_back({sampled(run.kind, run.surface), 100 * run.finest().error(by_uniform).l2});
+    return m;
 }
 
 Measurement not_influenced(ClaimBench& bench, const MeshNames&) {
     Measurement m;
-    for (const char* surface : {"sphere", "ellipsoid"}) {
-        const Sampling s{surface, MeshKind::random};
-        for (const BenchLevel& level : run_on(bench, s, 1).levels)
-            m.cases.push_back({words.line("claims_s0_irregular.case", "sampling"_a = s.said(), "vertices"_a = level.vertices),
-                               100 * level.error("H.barycentric").l2});
-    }
-    m.remark = words.say("claims_s0_irregular.remark", "error"_a = readable(100 * cotangent_error(bench, samplings[0])));
+    const int level = level_of(bench);
+    for (const char* surface : {"sphere", "ellipsoid"})
+        for (const BenchLevel& at : bench.curvature(surface, MeshKind::random, level - 1, level).levels)
+            m.cases.push_back(
+                {words.line("claims_s0_irregular.case", "sampling"_a = sampled(MeshKind::random, surface), "vertices"_a = at.vertices),
+                 100 * at.error(by_cotangent).l2});
+    const double regular = bench.curvature("ellipsoid", MeshKind::regular, level, level).finest().error(by_cotangent).l2;
+    m.remark = words.say("claims_s0_irregular.remark", "error"_a = readable(100 * regular));
     if (m.cases[3].value > 0.7 * m.cases[2].value) go_on(m.remark, words.say("claims_s0_irregular.remark.stays"));
     return m;
 }
 
-std::vector<Case> on_flat_square(double value) { return {{words.line("case.flat_square"), value}}; }
-
 Measurement uniform_on_flat(ClaimBench& bench, const MeshNames&) {
-    return {.cases = on_flat_square(bench.plane().uniform), .remark = words.say("claims_s0_drift.remark")};
+    return {.cases = {{words.line("case.flat_square"), bench.plane().uniform}}, .remarked = true};
 }
 
 Measurement cotangent_on_flat(ClaimBench& bench, const MeshNames&) {
-    return {.cases = on_flat_square(bench.plane().cotangent),
+    return {.cases = {{words.line("case.flat_square"), bench.plane().cotangent}},
             .remark = words.say("claims_s2_artefacts.remark", "uniform"_a = readable(bench.plane().uniform, 2))};
 }
 
-/// How far one implicit step from a height of 1 at a single vertex, 0 elsewhere, gets out of [0, 1]: where weights are ≥ 0 it cannot. The
-/// vertex is an end of the edge with the most negative weight, the step a tenth of the squared mean edge.
+/// The largest distance of the heights from [0, 1] after one implicit step, from a height of 1 at a single vertex; 0 if no weight is
+/// negative. The vertex is an end of the edge with the most negative weight, the step a tenth of the squared mean edge.
 double overshoot(const TriangleMesh& mesh, OperatorKind kind) {
     const SparseMatrix weights = laplace_beltrami(mesh).C;
     Eigen::Index raised = 0;
@@ -124,14 +111,14 @@ Measurement uniform_on_plane(ClaimBench& bench, const MeshNames&) {
 Measurement parameters_of_the_tip(ClaimBench&, const MeshNames&) {
     const Vector3 tip(flat_ellipsoid.a, 0, 0);
     const auto miss = [&](double v) { return (ellipsoid_point(flat_ellipsoid, 0, v) - tip).norm() / flat_ellipsoid.a; };
-    return {.cases = {{"(u, v) = (0, π)", miss(pi)}}, .remark = words.say("claims_s3_tip.remark")};
+    return {.cases = {{"(u, v) = (0, π)", miss(pi)}}, .remarked = true};
 }
 
 Measurement places_of_extrema(ClaimBench&, const MeshNames&) {
     const auto ratio = [](const Ellipsoid& e) {
         return Case{(e.b < e.c ? "b < c, " : "b > c, ") + axes_text(e), tip_curvature_by_angle(e, 0) / tip_curvature_by_angle(e, pi / 2)};
     };
-    return {.cases = each_of(std::array{tall_ellipsoid, flat_ellipsoid}, ratio), .remark = words.say("claims_s3_extrema.remark")};
+    return {.cases = each_of(std::array{tall_ellipsoid, flat_ellipsoid}, ratio), .remarked = true};
 }
 
 }   // namespace
@@ -139,15 +126,15 @@ Measurement places_of_extrema(ClaimBench&, const MeshNames&) {
 extern const std::vector<Claim> curvature_claims{
     {"claims_s0_uniform", "q1", {}, {"uniform_error", "%", at_least, 10}, uniform_inaccurate},
     {"claims_s0_drift", "q1", {}, {"flat_h", "", at_least, 0.01}, uniform_on_flat},
-    {"claims_s1_deficit", "q1", {}, {"error_ratio", "", at_most, 1}, error_ratio<deficit_error, uniform_error>},
+    {"claims_s1_deficit", "q1", {}, {"error_ratio", "", at_most, 1}, error_ratio(by_deficit, {by_uniform})},
     {"claims_s3_plane_uniform", "q1", {{"plane"}, {flat}, its_kind}, {"flat_h", "", at_most, 0.001}, uniform_on_plane},
     {"claims_s3_plane_structure", "q1", {{"plane"}, {flat}, itself}, {"flat_h", "", at_least, 0.01}, structure_on_plane},
     {"claims_s3_tip", "q2", {}, {"tip_distance", "", at_most, 1e-9}, parameters_of_the_tip},
     {"claims_s3_extrema", "q2", {}, {"normal_curvatures", "", at_least, 1}, places_of_extrema},
     {"claims_s0_irregular", "q3", {}, {"random_error", "%", at_most, 5}, not_influenced},
-    {"claims_s0_best", "q3", {}, {"error_over_others", "", at_most, 1}, error_ratio<cotangent_error, uniform_error, deficit_error>},
-    {"claims_s1_cotangent", "q3", {}, {"error_ratio", "", at_most, 0.5}, error_ratio<cotangent_error, uniform_error>},
-    {"claims_s1_over_deficit", "q3", {}, {"error_ratio", "", at_most, 1}, cotangent_over_deficit},
+    {"claims_s0_best", "q3", {}, {"error_over_others", "", at_most, 1}, error_ratio(by_cotangent, {by_uniform, by_deficit})},
+    {"claims_s1_cotangent", "q3", {}, {"error_ratio", "", at_most, 0.5}, error_ratio(by_cotangent, {by_uniform})},
+    {"claims_s1_over_deficit", "q3", {}, {"error_ratio", "", at_most, 1}, remarked(error_ratio(by_cotangent, {by_deficit}))},
     {"claims_s2_artefacts", "q3", {}, {"flat_h", "", at_most, 1e-9}, cotangent_on_flat},
     {"claims_s3_clamp", "q3", {}, {"overshoot", "", at_most, 1e-12}, clamping_is_harmless},
     {"claims_s3_plane_rapid", "q3", {{"plane"}, {}, itself}, {"jumps", "", at_most, 1}, less_rapid_on_plane}};

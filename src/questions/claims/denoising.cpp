@@ -8,20 +8,17 @@ namespace meshfolio::claims {
 
 namespace {
 
-/// σ of S0's three experiments on the bunny, and its step. [length], [length²]
-constexpr std::array bunny_sigmas{0.0011, 0.0013, 0.0015};
-constexpr double bunny_step = 5e-7;
+constexpr std::array bunny_sigmas{0.0011, 0.0013, 0.0015};   // of S0's three experiments [length]
 
-NoisyKey bunny_noise(ClaimBench& bench, double sigma, int iterations, OperatorKind kind = OperatorKind::cotan, bool rebuild = false) {
-    // A stand-in gets the same multiple of its squared mean edge: what a step does to noise depends on the edges.
-    return {.sigma = Vector3::Constant(bench.raw_length("bunny", sigma)),
-            .lambda = bench.raw_length("bunny", bunny_step, 2),
-            .iterations = iterations,
-            .laplacian = kind,
-            .rebuild = rebuild};
+/// Errors along S0's experiment. A stand-in gets the same multiples of its mean edge: the effect of a step on noise depends on the edges.
+std::vector<double> bunny_errors(ClaimBench& bench, double sigma, int iterations, OperatorKind kind = OperatorKind::cotan,
+                                 bool rebuild = false) {
+    constexpr double step = 5e-7;   // [length²]
+    const double here = bench.raw_length("bunny", sigma);
+    return bench.denoised("bunny", {implicit_euler, bench.raw_length("bunny", step, 2), iterations, kind, rebuild, {here, here, here}});
 }
 
-/// "σ = 0.0011" on the bunny; what it is brought to on another mesh.
+/// "σ = 0.0011" on the bunny, "σ = 0.236 mean edges" on another mesh.
 std::string sigma_text(ClaimBench& bench, double sigma) {
     if (bench.is_itself("bunny")) return "σ = " + plain_text(sigma);
     return "σ = " + readable(sigma / bench.mesh("bunny").entry->mean_edge) + " mean edges";
@@ -29,7 +26,7 @@ std::string sigma_text(ClaimBench& bench, double sigma) {
 
 using Curves = std::vector<std::vector<double>>;
 
-/// Is the least error before the end? One that still falls has no minimum yet.
+/// True if the least error is before the end: an error that still falls has no minimum yet.
 bool has_minimum(const std::vector<double>& errors) { return best_of(errors) + 1 < static_cast<int>(errors.size()); }
 
 report::Plot curves_of(ClaimBench& bench, const Curves& curves) {
@@ -51,7 +48,7 @@ report::Plot curves_of(ClaimBench& bench, const Curves& curves) {
 }
 
 Curves bunny_curves(ClaimBench& bench) {
-    return each_of(bunny_sigmas, [&](double sigma) { return bench.denoised("bunny", bunny_noise(bench, sigma, 45)); });
+    return each_of(bunny_sigmas, [&](double sigma) { return bunny_errors(bench, sigma, 45); });
 }
 
 Measurement minima_in_order(ClaimBench& bench, const MeshNames&) {
@@ -70,10 +67,7 @@ Measurement minima_in_order(ClaimBench& bench, const MeshNames&) {
 Measurement curves_meet(ClaimBench& bench, const MeshNames&) {
     const Curves curves = bunny_curves(bench);
     const auto larger = [&](std::size_t t) { return 100 * (curves.back()[t] / curves.front()[t] - 1); };
-    return {.cases = each_of(std::array{20, 45},
-                             [&](int t) {
-                                 return Case{counted(t, "iteration"), larger(t)};
-                             }),
+    return {.cases = {{counted(20, "iteration"), larger(20)}, {counted(45, "iteration"), larger(45)}},
             .remark = words.say("claims_s0_curves_meet.remark", "apart"_a = readable(larger(0)))};
 }
 
@@ -90,8 +84,8 @@ Measurement minima_of_report(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     Names minima;
     for (const Variant& v : variants) {
-        const auto errors = [&](double sigma) { return bench.denoised("bunny", bunny_noise(bench, sigma, iterations, v.kind, v.rebuild)); };
-        const std::vector<double> low = errors(0.0013), high = errors(0.0015);
+        const std::vector<double> low = bunny_errors(bench, 0.0013, iterations, v.kind, v.rebuild);
+        const std::vector<double> high = bunny_errors(bench, 0.0015, iterations, v.kind, v.rebuild);
         const auto off = [](const std::vector<double>& run, double said) { return 100 * std::abs(best_of(run) - said) / said; };
         const bool found = has_minimum(low) && has_minimum(high);
         const std::size_t reached = std::min(low.size(), high.size());
@@ -104,42 +98,33 @@ Measurement minima_of_report(ClaimBench& bench, const MeshNames&) {
 }
 
 /// Noise of that share of the box diagonal; implicit steps of a tenth of a squared mean edge, so that the best comes after several.
-NoisyKey gentle_run(ClaimBench& bench, std::string_view name, double relative, int iterations) {
+RunKey gentle_run(ClaimBench& bench, std::string_view name, double relative, int iterations) {
     const LibraryMesh& source = *bench.mesh(name).mesh;
-    const double edge = source.preflight().mean_edge;
-    return {.sigma = Vector3::Constant(relative * bounding_box(source.mesh()).diagonal()),
-            .lambda = 0.1 * edge * edge,
-            .iterations = iterations};
+    const double edge = source.preflight().mean_edge, sigma = relative * bounding_box(source.mesh()).diagonal();
+    return {.scheme = implicit_euler, .lambda = 0.1 * edge * edge, .iterations = iterations, .sigma = {sigma, sigma, sigma}};
 }
 
-TriangleMesh noisy_mesh(ClaimBench& bench, std::string_view name, const NoisyKey& key) {
+TriangleMesh noisy_mesh(ClaimBench& bench, std::string_view name, const RunKey& key) {
     const TriangleMesh& clean = bench.mesh(name).mesh->mesh();
-    return moved_to(clean, with_gaussian_noise(clean.X, key.sigma, bench.settings().seed));
+    return moved_to(clean, with_gaussian_noise(clean.X, Vector3(key.sigma.data()), bench.settings().seed));
 }
 
 /// rms error on sharp edges over that elsewhere, at the best of 15 iterations; NaN without either.
-double edges_over_rest(ClaimBench& bench, std::string_view name) {
+Case edges_over_rest(ClaimBench& bench, std::string_view name) {
     const LibraryMesh& source = *bench.mesh(name).mesh;
     const TriangleMesh& clean = source.mesh();
-    NoisyKey key = gentle_run(bench, name, 0.003, 15);
+    RunKey key = gentle_run(bench, name, 0.003, 15);
     key.iterations = best_of(bench.denoised(name, key));
     const Positions X = smooth(noisy_mesh(bench, name, key), {.scheme = key.scheme, .lambda = key.lambda, .iterations = key.iterations}).X;
     const std::vector<char> on_edge = feature_vertices(clean, source.topology());
     const FlaggedMeans squares = flagged_means((X - clean.X).rowwise().squaredNorm(), on_edge);
-    return std::sqrt(squares.there / squares.elsewhere);
-}
-
-Measurement better_where_flat(ClaimBench& bench, const MeshNames& meshes) {
-    const auto at_edges = [&](std::string_view name) {
-        return Case{words.line("claims_s0_flat.case", "mesh"_a = bench.mesh(name).mesh->name), edges_over_rest(bench, name)};
-    };
-    return {.cases = each_of(meshes, at_edges), .remark = words.say("claims_s0_flat.remark")};
+    return {words.line("claims_s0_flat.case", "mesh"_a = source.name), std::sqrt(squares.there / squares.elsewhere)};
 }
 
 std::string level_text(double relative) { return words.line("case.noise", "share"_a = readable_percent(relative)); }
 
-/// What is left of the noise over what is lost of the clean mesh, both rms, at the first step of λ after which the clean mesh has no more
-/// than half of its roughness. Both are smoothed by the operator of the clean mesh, which is linear: their difference is the noise.
+/// rms of the noise that is left over that of the detail that is lost, after the first step of λ that halves the roughness of the clean
+/// mesh. The operator of the clean mesh smooths both meshes; it is linear, so their difference is the noise.
 double noise_over_detail(const SmoothingSubject& clean, const TriangleMesh& noisy, double lambda) {
     ImplicitSolver solver;
     solver.prepare(operator_with_mass(clean.laplacian), lambda);
@@ -155,7 +140,7 @@ double noise_over_detail(const SmoothingSubject& clean, const TriangleMesh& nois
 
 Measurement details_go_first(ClaimBench& bench, const MeshNames&) {
     constexpr double little = 0.001, much = 0.03;   // the claim is about nothing less than much; the flow is linear in the noise
-    const NoisyKey key = gentle_run(bench, "cow", much, 1);
+    const RunKey key = gentle_run(bench, "cow", much, 1);
     const double ratio = noise_over_detail(bench.subject("cow"), noisy_mesh(bench, "cow", key), key.lambda / 10);
     return {.cases = {{level_text(much), ratio}},
             .remark = words.say("claims_s2_too_much.remark", "low"_a = readable_percent(little),
@@ -163,7 +148,7 @@ Measurement details_go_first(ClaimBench& bench, const MeshNames&) {
 }
 
 Measurement low_noise_keeps_features(ClaimBench& bench, const MeshNames&) {
-    Measurement m{.remark = words.say("claims_s2_low_noise.remark")};
+    Measurement m{.remarked = true};
     for (const double relative : {0.001, 0.003}) {   // more is not little
         const std::vector<double>& errors = bench.denoised("cow", gentle_run(bench, "cow", relative, 20));
         m.cases.push_back({level_text(relative), errors.front() / std::ranges::min(errors)});
@@ -178,11 +163,13 @@ constexpr int box_iterations = 10;     // S1 took 200 of steps it does not name;
 Sweep step_sweep(ClaimBench& bench, std::string_view name, double percent) {
     const LibraryMesh& source = *bench.mesh(name).mesh;
     const double edge = source.preflight().mean_edge;
+    const Vector3 sigma = 0.01 * percent * bounding_box(source.mesh()).extent();
     Sweep sweep;
     for (const double multiple : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0}) {
-        const NoisyKey key{
-            .sigma = 0.01 * percent * bounding_box(source.mesh()).extent(), .lambda = multiple * edge * edge, .iterations = box_iterations};
-        const std::vector<double> errors = bench.denoised(name, key);
+        const std::vector<double>& errors = bench.denoised(name, {.scheme = implicit_euler,
+                                                                  .lambda = multiple * edge * edge,
+                                                                  .iterations = box_iterations,
+                                                                  .sigma = {sigma[0], sigma[1], sigma[2]}});
         sweep.steps.push_back(multiple);
         sweep.errors.push_back(errors.back());
         sweep.noisy = errors.front();
@@ -203,15 +190,12 @@ Measurement more_noise_worse_result(ClaimBench& bench, const MeshNames&) {
                       {words.line("claims_s1_worse.case.best_steps"), high.least() / low.least()}}};
 }
 
-Measurement low_noise_works(ClaimBench& bench, const MeshNames& meshes) {
-    const auto gained = [&](std::string_view name) {
-        const Sweep sweep = step_sweep(bench, name, 1);
-        return Case{bench.mesh(name).mesh->name + ", 1 % noise", sweep.noisy / sweep.least()};
-    };
-    return {.cases = each_of(meshes, gained), .remark = words.say("claims_s1_low_noise.remark")};
+Case little_noise(ClaimBench& bench, std::string_view name) {
+    const Sweep sweep = step_sweep(bench, name, 1);
+    return {bench.mesh(name).mesh->name + ", 1 % noise", sweep.noisy / sweep.least()};
 }
 
-/// Nothing is recovered where not even the best step helps: the same threshold as for little noise, from the other side.
+/// Nothing is recovered if not even the best step helps; the threshold is that of little noise.
 Measurement hopeless_noise(ClaimBench& bench, const MeshNames& meshes) {
     Measurement m;
     Names left;
@@ -230,10 +214,20 @@ extern const std::vector<Claim> denoising_claims{
     {"claims_s0_minima_order", "q7", {{"bunny"}}, {"minimum_later", "", at_least, 1}, minima_in_order, full},
     {"claims_s0_minima", "q7", {{"bunny"}, {}, itself}, {"deviation", "%", at_most, 34}, minima_of_report, full},
     {"claims_s0_curves_meet", "q7", {{"bunny"}}, {"most_over_least_noise", "%", at_most, 5}, curves_meet, full},
-    {"claims_s0_flat", "q7", {{"fandisk", "bunny"}, {flat_with_edges}}, {"edges_over_rest", "", at_least, 1.1}, better_where_flat, full},
+    {"claims_s0_flat",
+     "q7",
+     {{"fandisk", "bunny"}, {flat_with_edges}},
+     {"edges_over_rest", "", at_least, 1.1},
+     remarked(edges_over_rest),
+     full},
     {"claims_s2_low_noise", "q7", {{"cow"}, {not_flat}}, {"gain_of_iteration", "", at_least, 2}, low_noise_keeps_features, full},
     {"claims_s2_too_much", "q7", {{"cow"}, {not_flat}}, {"noise_over_detail", "", at_least, 1}, details_go_first, full},
-    {"claims_s1_low_noise", "q7", {{"bunny", "cow"}, {not_flat}}, {"gain_of_step", "", at_least, helping_gain}, low_noise_works, full},
+    {"claims_s1_low_noise",
+     "q7",
+     {{"bunny", "cow"}, {not_flat}},
+     {"gain_of_step", "", at_least, helping_gain},
+     remarked(little_noise),
+     full},
     {"claims_s1_larger_step", "q7", {{"bunny"}, {not_flat}}, {"best_steps", "", at_least, 2}, more_noise_larger_step, full},
     {"claims_s1_worse", "q7", {{"bunny"}, {not_flat}}, {"five_over_one", "", at_least, 1.5}, more_noise_worse_result, full},
     {"claims_s1_hopeless", "q7", {{"bunny", "cow"}, {not_flat}}, {"gain_of_step", "", at_most, helping_gain}, hopeless_noise, full}};

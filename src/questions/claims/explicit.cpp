@@ -7,7 +7,7 @@ namespace meshfolio::claims {
 
 namespace {
 
-/// A step over the limit of the operator with ½, and over that without it, whose L is twice as large.
+/// The step of the report over the limits of the operators with and without ½; without ½ the limit is half as large.
 Measurement bunny_limit(ClaimBench& bench, const MeshNames&) {
     const double critical = bench.subject("bunny").critical, share = 2e-7 / critical;
     return {.cases = {{words.line("claims_s0_bunny_limit.case.half"), share}, {words.line("claims_s0_bunny_limit.case.whole"), 2 * share}},
@@ -27,56 +27,45 @@ Measurement bunny_zigzag(ClaimBench& bench, const MeshNames&) {
     return m;
 }
 
-/// Half-width of the last finite positions of a run, in box diagonals of the mesh.
-double reach(ClaimBench& bench, std::string_view name, const RunKey& key) {
-    const Box box = bounding_box(bench.mesh(name).mesh->mesh());
-    const Positions& X = bench.run(name, key).X;
-    return (X.rowwise() - box.centre().transpose()).rowwise().norm().maxCoeff() / box.diagonal();
+/// Largest distance from the centre in the last finite positions of 100 steps, in box diagonals of the mesh.
+Case bunny_reach(ClaimBench& bench, double lambda) {
+    const double step = bench.raw_step("bunny", lambda);
+    const Box box = bounding_box(bench.mesh("bunny").mesh->mesh());
+    const Positions& X = bench.run("bunny", {explicit_euler, step, 100}).X;
+    return {words.line("claims_s0_bunny_too_large.case", "lambda"_a = readable(lambda, 1),
+                       "limits"_a = readable(step / bench.subject("bunny").critical)),
+            (X.rowwise() - box.centre().transpose()).rowwise().norm().maxCoeff() / box.diagonal()};
 }
-
-Measurement bunny_too_large(ClaimBench& bench, const MeshNames&) {
-    const auto reached = [&](double lambda) {
-        const double step = bench.raw_step("bunny", lambda);
-        return Case{words.line("claims_s0_bunny_too_large.case", "lambda"_a = readable(lambda, 1),
-                               "limits"_a = readable(step / bench.subject("bunny").critical)),
-                    reach(bench, "bunny", {explicit_euler, step, 100})};
-    };
-    return {.cases = each_of(std::array{8e-7, 3e-6, 1e-5, 1e-4}, reached), .remark = words.say("claims_s0_bunny_too_large.remark")};
-}
+const Measure bunny_too_large = remarked(at_each({8e-7, 3e-6, 1e-5, 1e-4}, bunny_reach));
 
 /// Roughness left by ten steps of λ, over that left by a hundred of λ/10.
-double coarse_over_fine(ClaimBench& bench, std::string_view name, double lambda, OperatorKind kind = OperatorKind::cotan) {
-    const SmoothingSubject& s = bench.subject(name);
-    return roughness(s, bench.run(name, {explicit_euler, lambda, 10, kind}).X) /
-           roughness(s, bench.run(name, {explicit_euler, lambda / 10, 100, kind}).X);
+double coarse_over_fine(ClaimBench& bench, double lambda, OperatorKind kind = OperatorKind::cotan) {
+    const SmoothingSubject& s = bench.subject("bunny");
+    return roughness(s, bench.run("bunny", {explicit_euler, lambda, 10, kind}).X) /
+           roughness(s, bench.run("bunny", {explicit_euler, lambda / 10, 100, kind}).X);
 }
 
 Measurement small_steps(ClaimBench& bench, const MeshNames&) {
     Measurement m;
     double below = 0;
     for (const double share : {0.25, 0.5, 0.9, 1.5}) {
-        m.cases.push_back(
-            {"λ = " + plain_text(share) + " λ_crit", coarse_over_fine(bench, "bunny", share * bench.subject("bunny").critical)});
+        m.cases.push_back({"λ = " + plain_text(share) + " λ_crit", coarse_over_fine(bench, share * bench.subject("bunny").critical)});
         if (share < 1) below = std::max(below, std::abs(m.cases.back().value - 1));
     }
     m.remark = words.say("claims_s0_small_steps.remark", "change"_a = readable_percent(below, 2));
     return m;
 }
 
-Measurement small_uniform_steps(ClaimBench& bench, const MeshNames&) {
-    const auto compared = [&](double lambda) {
-        return Case{"uniform, λ = " + plain_text(lambda), coarse_over_fine(bench, "bunny", lambda, OperatorKind::uniform)};
-    };
-    return {.cases = each_of(std::array{0.05, 0.5, 1.0}, compared), .remark = words.say("claims_s2_small_steps.remark")};
+Case uniform_steps(ClaimBench& bench, double lambda) {
+    return {"uniform, λ = " + plain_text(lambda), coarse_over_fine(bench, lambda, OperatorKind::uniform)};
 }
+const Measure small_uniform_steps = remarked(at_each({0.05, 0.5, 1}, uniform_steps));
 
-/// √(mean squared distance of the vertices from their mean). [length]
-double size_of(const Positions& X) { return std::sqrt((X.rowwise() - X.colwise().mean()).squaredNorm() / double(X.rows())); }
-
-/// What `iterations` steps of 10⁻³ leave of the cube's size.
+/// rms distance of the cube's vertices from their mean after so many steps of 10⁻³, over that of the input.
 double size_left(ClaimBench& bench, int iterations) {
+    const auto size = [](const Positions& X) { return std::sqrt((X.rowwise() - X.colwise().mean()).squaredNorm() / double(X.rows())); };
     const RunKey key{explicit_euler, bench.raw_step("cube", 1e-3), iterations};
-    return size_of(bench.run("cube", key).X) / size_of(bench.mesh("cube").mesh->mesh().X);
+    return size(bench.run("cube", key).X) / size(bench.mesh("cube").mesh->mesh().X);
 }
 
 Measurement cube_too_large(ClaimBench& bench, const MeshNames&) {
@@ -84,13 +73,13 @@ Measurement cube_too_large(ClaimBench& bench, const MeshNames&) {
             .remark = words.say("claims_s0_cube_too_large.remark", "size"_a = readable_percent(size_left(bench, 100)))};
 }
 
-Measurement cube_deforms(ClaimBench& bench, const MeshNames&) {
-    const auto shrunk = [&](int t) { return Case{counted(t, "iteration"), 100 * (1 - size_left(bench, t))}; };
-    return {.cases = each_of(std::array{1, 10, 100}, shrunk), .remark = words.say("claims_s0_cube_deforms.remark")};
+Case cube_shrunk(ClaimBench& bench, double t) {
+    return {counted(static_cast<int>(t), "iteration"), 100 * (1 - size_left(bench, static_cast<int>(t)))};
 }
+const Measure cube_deforms = remarked(at_each({1, 10, 100}, cube_shrunk));
 
 Measurement limits_differ(ClaimBench& bench, const MeshNames& meshes) {
-    Measurement m{.remark = words.say("claims_s0_limits_differ.remark")};
+    Measurement m{.remarked = true};
     const auto limit = [&](std::string_view name) {   // [squared mean edges]
         const SmoothingSubject& subject = bench.subject(name);
         return subject.critical / (subject.mean_edge * subject.mean_edge);
@@ -105,7 +94,7 @@ Measurement limits_differ(ClaimBench& bench, const MeshNames& meshes) {
 }
 
 Measurement largest_stable_is_best(ClaimBench& bench, const MeshNames& meshes) {
-    Measurement m{.remark = words.say("claims_s1_largest_stable.remark"), .figure = "claims_steps"};
+    Measurement m{.remarked = true, .figure = "claims_steps"};
     report::Plot plot{.id = m.figure, .x_label = "λ/λ_crit", .y_label = "roughness left, of the input", .log_y = true};
     for (const std::string_view name : meshes) {
         const SmoothingSubject& s = bench.subject(name);
@@ -125,21 +114,17 @@ Measurement largest_stable_is_best(ClaimBench& bench, const MeshNames& meshes) {
     return m;
 }
 
-/// Second singular value over the first, of the positions about their mean.
-double second_extent(const Positions& X) {
-    const Positions centred = X.rowwise() - X.colwise().mean();
-    const Eigen::Vector3d squares = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(centred.transpose() * centred).eigenvalues();
-    return std::sqrt(std::max(0.0, squares[1]) / squares[2]);
-}
-
+/// Second singular value over the first, of the positions about their mean, after 100 steps beyond the limit.
 Measurement collapses_to_a_line(ClaimBench& bench, const MeshNames& meshes) {
-    Measurement m{.remark = words.say("claims_s1_line.remark")};
+    Measurement m{.remarked = true};
     for (const std::string_view name : meshes) {
         const SmoothingSubject& s = bench.subject(name);
         for (const double share : {1.5, 4.0}) {
             // The claim is about the final shape: the run must not stop early.
             const SmoothingOptions options{.lambda = share * s.critical, .iterations = 100, .blow_up_at = 1e100};
-            m.cases.push_back({s.name() + ", " + plain_text(share) + " λ_crit", 100 * second_extent(smooth(s.mesh(), options).X)});
+            const Positions X = smooth(s.mesh(), options).X, centred = X.rowwise() - X.colwise().mean();
+            const Eigen::Vector3d squares = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(centred.transpose() * centred).eigenvalues();
+            m.cases.push_back({s.name() + ", " + plain_text(share) + " λ_crit", 100 * std::sqrt(std::max(0.0, squares[1]) / squares[2])});
         }
     }
     return m;
@@ -157,16 +142,14 @@ Measurement unstable_at_15(ClaimBench& bench, const MeshNames&) {
 Measurement good_at_0005(ClaimBench& bench, const MeshNames&) {
     return {.cases = {{"the uniform operator", 0.005 / bench.uniform_limit("bunny")},
                       {"the cotangent operator", 0.005 / bench.subject("bunny").critical}},
-            .remark = words.say("claims_s2_good_step.remark")};
+            .remarked = true};
 }
 
 Measurement distorts_beyond_one(ClaimBench& bench, const MeshNames&) {
     const double limit = bench.uniform_limit("fandisk_ns");
-    return {.cases = each_of(std::array{1.05, 1.2, 1.5, 2.0},
-                             [&](double lambda) {
-                                 return Case{"λ = " + plain_text(lambda), lambda / limit};
-                             }),
-            .remark = words.say("claims_s3_beyond_one.remark", "limit"_a = readable(limit, 4))};
+    Measurement m{.remark = words.say("claims_s3_beyond_one.remark", "limit"_a = readable(limit, 4))};
+    for (const double lambda : {1.05, 1.2, 1.5, 2.0}) m.cases.push_back({"λ = " + plain_text(lambda), lambda / limit});
+    return m;
 }
 
 }   // namespace

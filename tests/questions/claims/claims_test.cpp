@@ -9,7 +9,6 @@
 #include "geometry/measures/mesh_laws.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/samples/sample_shapes.h"
-#include "questions/claims/claim_bench.h"
 #include "questions/claims/parts.h"
 #include "questions/core/study_laws.h"
 #include "shared_meshes.h"
@@ -55,8 +54,6 @@ Measurement sphere_curvature_measured(ClaimBench& bench, const MeshNames&) {
     return m;
 }
 
-using Measure = Measurement (*)(ClaimBench&, const MeshNames&);
-
 Claim planted(const Rule& rule, Measure measure, const About& about = {}) { return {"claims_planted", "q5", about, rule, measure}; }
 
 Verdict judged_verdict(const Rule& rule, Measure measure) {
@@ -85,10 +82,10 @@ TEST(ClaimRule, WhatIsNotDefinedDecidesNothing) {
     EXPECT_EQ(verdict_of(rule, {std::nan("")}), Verdict::undecidable);
     EXPECT_EQ(verdict_of(rule, {}), Verdict::undecidable);
     EXPECT_EQ(verdict_of(rule, {INFINITY, 7}), Verdict::refuted);
-    Measurement told = measured({1});
-    told.undecidable = "the mesh is not there";
-    EXPECT_EQ(decide(rule, told).verdict, Verdict::undecidable);
-    EXPECT_EQ(decide(rule, told).why, "the mesh is not there");
+    Measurement absent = measured({1});
+    absent.undecidable = "the mesh is not there";
+    EXPECT_EQ(decide(rule, absent).verdict, Verdict::undecidable);
+    EXPECT_EQ(decide(rule, absent).why, "the mesh is not there");
 }
 
 TEST(ClaimRule, TheDecidingCaseIsTheOneNearestToTheThreshold) {
@@ -157,7 +154,7 @@ TEST(ClaimList, EveryClaimIsComplete) {
         EXPECT_TRUE(claim.said().ends_with("."));
         EXPECT_FALSE(quantity_of(claim.rule).empty());
         EXPECT_TRUE(std::isfinite(claim.rule.threshold));
-        EXPECT_NE(claim.measure, nullptr);
+        EXPECT_TRUE(claim.measure);
         EXPECT_NO_THROW(chapter_of_id(claim.question));
         const Source& source = claim.source();
         const bool report = source.name.size() == 2 && source.name[0] == 'S';
