@@ -7,10 +7,10 @@ namespace meshfolio::reproductions {
 
 namespace {
 
-/// What it asks is the message "row.<row>".
+/// A requirement of the coursework; the message "row.<row>" says what it asks for.
 struct RequiredRow {
     int row;
-    std::string_view section;   // the one that answers it, too; empty: experiments alone
+    std::string_view section;   // also answers it; empty: experiments alone
     bool remarked = false;      // by "row.<row>.remark"
 
     std::string key() const { return "row." + std::to_string(row); }
@@ -28,23 +28,7 @@ static_assert(required_rows.front().row == limits::first_row && required_rows.ba
 
 bool reproduces(const Experiment& experiment, int row) { return std::ranges::find(experiment.rows, row) != experiment.rows.end(); }
 
-/// "S0 (1), S1 (2)": the reports with experiments on a row, and how many.
-std::string reports_on(const std::vector<Experiment>& experiments, int row) {
-    std::map<std::string, int> counts;
-    for (const Experiment& experiment : experiments)
-        if (reproduces(experiment, row)) ++counts[experiment.from];
-    Names reports;
-    for (const auto& [from, count] : counts) reports.push_back(from + " (" + std::to_string(count) + ")");
-    return joined(reports, ", ");
-}
-
 report::Cell cell_if_said(const std::string& said) { return said.empty() ? report::Cell() : report::Cell(said); }
-
-/// "Q4" for a question, the title of another section.
-std::string section_name(std::string_view id) {
-    if (id.empty()) return "";
-    return report::is_question(id) ? "Q" + std::string(id.substr(1)) : chapter_of_id(id).title();
-}
 
 void reproduce(const Reproduction& r, const MeshLibrary& library) {
     const auto do_again = [&](auto experiment_of, auto add) {
@@ -67,7 +51,7 @@ void reproduce(const Reproduction& r, const MeshLibrary& library) {
     }
 }
 
-/// Does the experiment; what its mesh does not allow stands in its place, and the other experiments go on.
+/// Does the experiment, or says in its place why its mesh does not allow it.
 /// @return whether it was done
 bool is_reproduced(const Reproduction& r, const MeshLibrary& library) {
     const auto failed = [&](const Error& error) {
@@ -85,14 +69,23 @@ bool is_reproduced(const Reproduction& r, const MeshLibrary& library) {
     }
 }
 
-std::string number_of(std::size_t index) { return (index < 9 ? "0" : "") + std::to_string(index + 1); }
-
 }   // namespace
 
 report::Table coverage_table(const std::vector<Experiment>& bundled, const std::vector<Experiment>& done,
                              const std::vector<Experiment>& failed) {
-    const auto reports_of = [](const std::vector<Experiment>& experiments) {
-        return [&experiments](const RequiredRow& row) { return cell_if_said(reports_on(experiments, row.row)); };
+    const auto reports_of = [](const std::vector<Experiment>& experiments) {   // "S0 (1), S1 (2)": how many of each report
+        return [&experiments](const RequiredRow& required) {
+            std::map<std::string, int> counts;
+            for (const Experiment& experiment : experiments)
+                if (reproduces(experiment, required.row)) ++counts[experiment.from];
+            Names reports;
+            for (const auto& [from, count] : counts) reports.push_back(from + " (" + std::to_string(count) + ")");
+            return cell_if_said(joined(reports, ", "));
+        };
+    };
+    const auto answered_in = [](const RequiredRow& row) {   // "Q4" for a question, the title of another section
+        const std::string id(row.section);
+        return cell_if_said(id.empty() ? "" : report::is_question(id) ? "Q" + id.substr(1) : chapter_of_id(id).title());
     };
     return table("reproductions_coverage", words.line("coverage"), required_rows)
         .column("row", &RequiredRow::row)
@@ -100,7 +93,7 @@ report::Table coverage_table(const std::vector<Experiment>& bundled, const std::
         .column("experiments of", reports_of(bundled))
         .column("done here", reports_of(done))
         .column("could not be done", reports_of(failed))
-        .column("answered in", [](const RequiredRow& row) { return cell_if_said(section_name(row.section)); })
+        .column("answered in", answered_in)
         .column("remark", [](auto& row) { return row.remarked ? report::Cell(words.line(row.key() + ".remark")) : report::Cell(); });
 }
 
@@ -113,12 +106,6 @@ std::vector<int> uncovered_rows(const std::vector<Experiment>& experiments) {
     return rows;
 }
 
-std::set<int> rows_of(const std::vector<Experiment>& experiments) {
-    std::set<int> rows;
-    for (const Experiment& experiment : experiments) rows.insert(experiment.rows.begin(), experiment.rows.end());
-    return rows;
-}
-
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("reproductions")};
     report::Section& section = answer.section;
@@ -126,23 +113,26 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     const std::size_t place_of_coverage = section.blocks.size();
     std::vector<Experiment> done, failed;
     std::set<std::string> reports;
+    std::set<int> rows;   // done
     for (std::size_t i = 0; i < settings.experiments.size(); ++i) {
-        const Reproduction r{answer, settings.experiments[i], settings, "reproductions_" + number_of(i)};
+        const Experiment& experiment = settings.experiments[i];
+        const Reproduction r{answer, experiment, settings, (i < 9 ? "reproductions_0" : "reproductions_") + std::to_string(i + 1)};
         progress(r.where());
-        (is_reproduced(r, library) ? done : failed).push_back(r.experiment);
-        reports.insert(r.experiment.from);
+        const bool is_done = is_reproduced(r, library);
+        (is_done ? done : failed).push_back(experiment);
+        if (is_done) rows.insert(experiment.rows.begin(), experiment.rows.end());
+        reports.insert(experiment.from);
     }
     section.blocks.insert(section.blocks.begin() + static_cast<std::ptrdiff_t>(place_of_coverage),
                           coverage_table(settings.bundled_experiments, done, failed));
     add(section, check_at_most(words.line("check.done"), 0, double(failed.size())));
     if (!settings.bundled_experiments.empty())
         add(section, check_at_most(words.line("check.rows"), 0, double(uncovered_rows(settings.bundled_experiments).size())));
-    const std::size_t rows = rows_of(done).size();
     section.parameters = {{"experiments", settings.experiments.size()},
                           {"taken from", words.line(settings.own_experiments ? "parameter.own" : "parameter.bundled")}};
     section.extent = words.line(settings.experiments.empty() ? "extent.none" : "extent", "experiments"_a = done.size(),
-                                "reports"_a = listed({reports.begin(), reports.end()}), "rows"_a = rows);
-    section.answer = words.say("answer", "all"_a = required_rows.size(), "here"_a = rows, "failed"_a = failed.size());
+                                "reports"_a = listed({reports.begin(), reports.end()}), "rows"_a = rows.size());
+    section.answer = words.say("answer", "all"_a = required_rows.size(), "here"_a = rows.size(), "failed"_a = failed.size());
     return answer;
 }
 

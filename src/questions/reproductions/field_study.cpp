@@ -1,8 +1,7 @@
-#include "questions/reproductions/parts.h"
-
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
+#include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {
 
@@ -29,8 +28,11 @@ Vector deficit_over_area(const TriangleMesh& mesh, const Vector& areas) {
     return values;
 }
 
-/// The field estimated on this surface, without its summary.
-ExperimentField estimate(const TriangleMesh& surface, const MeshTopology& topology, ExperimentField e, double h) {
+/// Estimates the field at the positions X of its mesh, without its summary.
+void estimate(ExperimentField& e, const Positions& X) {
+    const double h = e.mesh->mean_edge;
+    const MeshTopology& topology = e.mesh->used->topology();
+    const TriangleMesh surface = moved_to(e.mesh->mesh(), X);
     if (e.colour == ExperimentColour::gauss) {
         const Vector areas = vertex_areas(surface, e.area);
         e.inside = h * h * gaussian_curvature(surface, topology, areas);
@@ -48,68 +50,58 @@ ExperimentField estimate(const TriangleMesh& surface, const MeshTopology& topolo
             e.drawn[v] = e.inside[v];   // with its sign
         else if (std::isfinite(e.drawn[v]))
             e.largest_boundary = std::fmax(e.largest_boundary, std::abs(e.drawn[v]));
-    return e;
-}
-
-ExperimentField field_of(const ExperimentMesh& mesh, ExperimentField field) {
-    field = estimate(mesh.mesh(), mesh.used->topology(), std::move(field), mesh.mean_edge);
-    field.summary = summary_of(field.inside);
-    const int count = field.summary.count;
-    field.positive = count > 0 ? double((field.inside.array() > 0).count()) / count : std::nan("");
-    field.largest_inside = count > 0 ? std::max(std::abs(field.summary.minimum), std::abs(field.summary.maximum)) : std::nan("");
-    return field;
-}
-
-/// √(Σ M |x − y|²/ΣM).
-double mass_rms_of(const Vector& M, const Positions& X, const Positions& Y) {
-    return std::sqrt(M.dot((X - Y).rowwise().squaredNorm()) / M.sum());
 }
 
 }   // namespace
 
 Vector colours_of(const ExperimentMesh& mesh, ExperimentColour colour, const Positions& X) {
     if (colour == ExperimentColour::none) return {};
-    if (colour == ExperimentColour::distance) return (X - mesh.mesh().X).rowwise().norm() * (100 / mesh.diagonal);
-    return estimate(moved_to(mesh.mesh(), X), mesh.used->topology(), {.colour = colour}, mesh.mean_edge).drawn;
+    if (colour == ExperimentColour::distance) return (X - mesh.mesh().X).rowwise().norm() * mesh.percent();
+    ExperimentField field{{&mesh}, colour};
+    estimate(field, X);
+    return field.drawn;
 }
 
-CurvatureExperiment curvature_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings) {
-    CurvatureExperiment result;
-    result.meshes = experiment_meshes(library, experiment, settings);
-    for (std::size_t m = 0; m < result.meshes.size(); ++m)
+Done<ExperimentField> curvature_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings) {
+    Done<ExperimentField> done;
+    done.meshes = experiment_meshes(library, experiment, settings);
+    for (const ExperimentMesh& mesh : done.meshes)
         for (const ExperimentColour colour : experiment.colours)
             for (const OperatorKind kind : experiment.operators)
                 for (const AreaForm area : experiment.areas) {
                     const bool first_kind = kind == experiment.operators.front(), first_area = area == experiment.areas.front();
                     if (colour != ExperimentColour::h_cotan && !first_kind) continue;   // neither depends on the operator
                     if (colour == ExperimentColour::h_uniform && !first_area) continue;
-                    result.fields.push_back(field_of(result.meshes[m], {.mesh = m, .colour = colour, .kind = kind, .area = area}));
+                    ExperimentField& field = done.results.emplace_back(ExperimentField{{&mesh, kind, area}, colour});
+                    estimate(field, mesh.mesh().X);
+                    field.summary = summary_of(field.inside);
+                    const ValueSummary& s = field.summary;
+                    field.positive = s.count > 0 ? double((field.inside.array() > 0).count()) / s.count : std::nan("");
+                    field.largest_inside = s.count > 0 ? std::max(std::abs(s.minimum), std::abs(s.maximum)) : std::nan("");
                 }
-    return result;
+    return done;
 }
 
-ReconstructionExperiment reconstruction_experiment(const MeshLibrary& library, const Experiment& experiment,
-                                                   const QuestionSettings& settings) {
-    ReconstructionExperiment result;
-    result.meshes = experiment_meshes(library, experiment, settings);
-    for (std::size_t m = 0; m < result.meshes.size(); ++m) {
-        const TriangleMesh& mesh = result.meshes[m].mesh();
+Done<RebuiltMesh> reconstruction_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings) {
+    Done<RebuiltMesh> done;
+    done.meshes = experiment_meshes(library, experiment, settings);
+    for (const ExperimentMesh& original : done.meshes)
         for (const OperatorKind kind : experiment.operators)
             for (const AreaForm area : experiment.areas) {
+                const TriangleMesh& mesh = original.mesh();
                 const LaplaceBeltrami laplacian = laplace_operator(mesh, kind, area);
                 const Spectrum spectrum = smallest_eigenpairs(laplacian, experiment.k.back());
-                std::vector<int> counts;
-                for (const int k : experiment.k) counts.push_back(std::min(k, static_cast<int>(spectrum.eigenvalues.size())));
-                for (const int k : each_once(counts)) {
-                    RebuiltMesh rebuilt{m, kind, area, k, reconstruct(spectrum, laplacian.M, mesh.X, k), {}, 0, 0};
+                const auto modes = static_cast<int>(spectrum.eigenvalues.size());
+                for (const int k : each_once(each_of(experiment.k, [&](int asked) { return std::min(asked, modes); }))) {
+                    RebuiltMesh rebuilt{{&original, kind, area}, k, reconstruct(spectrum, laplacian.M, mesh.X, k)};
                     rebuilt.difference = compare_meshes(mesh, moved_to(mesh, rebuilt.X));
-                    rebuilt.mass_rms = mass_rms_of(laplacian.M, mesh.X, rebuilt.X);
+                    const Vector squares = (mesh.X - rebuilt.X).rowwise().squaredNorm();
+                    rebuilt.mass_rms = std::sqrt(laplacian.M.dot(squares) / laplacian.M.sum());
                     rebuilt.residual = spectrum.residuals.head(k).maxCoeff();
-                    result.rebuilt.push_back(std::move(rebuilt));
+                    done.results.push_back(std::move(rebuilt));
                 }
             }
-    }
-    return result;
+    return done;
 }
 
 }   // namespace meshfolio::reproductions

@@ -1,25 +1,16 @@
-#include "questions/reproductions/parts.h"
-
 #include <Eigen/Geometry>
 #include <set>
 
 #include "mesh/vertex_noise.h"
+#include "questions/reproductions/parts.h"
 
 namespace meshfolio::reproductions {
 
 namespace {
 
-constexpr double out_of_bounds = 3;   // box diagonals from the centre: where a step is no longer usable
-
-bool looks_at_noise(const Experiment& experiment) {
-    return experiment.kind == ExperimentKind::denoising || experiment.kind == ExperimentKind::error_curve;
-}
-
-ExperimentMesh measured(const OriginalMesh& original, SharedMesh used, const Experiment& experiment) {
-    ExperimentMesh mesh;
-    mesh.originals = {original};
-    mesh.used = std::move(used);
-    mesh.label = mesh.used->name;
+ExperimentMesh experiment_mesh(const OriginalMesh& original, SharedMesh used, const Experiment& experiment) {
+    ExperimentMesh mesh{{original}, std::move(used)};
+    mesh.name = mesh.used->name;
     mesh.stand_in = mesh.used->input.stand_in || mesh.used->input.role != original.name;
     const Box box = bounding_box(mesh.mesh());
     mesh.extent = box.extent();
@@ -31,33 +22,27 @@ ExperimentMesh measured(const OriginalMesh& original, SharedMesh used, const Exp
     return mesh;
 }
 
-/// Files of one name from several places, or a mesh and another's stand-in, get numbers.
-void tell_apart(std::vector<ExperimentMesh>& meshes) {
-    std::set<std::string> taken;
-    for (ExperimentMesh& mesh : meshes)
-        for (int number = 2; !taken.insert(mesh.label).second; ++number) mesh.label = mesh.used->name + "_" + std::to_string(number);
-}
-
-/// Calls `visit` with every combination of mesh, operator, area form, method and λ.
+/// Calls `visit` with every combination of mesh, operator, area form, method and λ, and λ on the mesh.
 template <class Visit>
-void for_each_combination(const Experiment& experiment, const std::vector<ExperimentMesh>& meshes, Visit visit) {
-    for (std::size_t m = 0; m < meshes.size(); ++m)
+void for_each_variant(const Experiment& experiment, const std::vector<ExperimentMesh>& meshes, Visit visit) {
+    for (const ExperimentMesh& mesh : meshes)
         for (const OperatorKind kind : experiment.operators)
             for (const AreaForm area : experiment.areas) {
-                const SmoothingSubject subject = smoothing_subject(meshes[m].used, kind, area);
+                const SmoothingSubject subject = smoothing_subject(mesh.used, kind, area);
                 ImplicitSolver solver;   // one symbolic analysis for all λ
                 for (const SmoothingMethod& method : experiment.methods)
-                    for (const double lambda : experiment.lambda) visit(m, subject, method, lambda, solver);
+                    for (const double given : experiment.lambda)
+                        visit(Variant{&mesh, kind, area, method, given}, lambda_on(experiment, mesh, kind, given, subject.critical),
+                              subject, solver);
             }
 }
 
-NoisyRun noisy_run(const ExperimentMesh& mesh, const Experiment& experiment, NoisyRun run, ImplicitSolver& solver) {
-    const TriangleMesh& clean = mesh.mesh();
-    run.sigma = noise_on(experiment, mesh, run.noise);
-    run.noisy = std::make_shared<const TriangleMesh>(moved_to(clean, with_gaussian_noise(clean.X, run.sigma, experiment.seed)));
-    run.rms = {vertex_rms(clean.X, run.noisy->X)};
-    run.best_X = run.noisy->X;
-
+/// Smooths the noisy mesh and measures it after each iteration.
+void run_noisy(const Experiment& experiment, NoisyRun& run, ImplicitSolver& solver) {
+    const TriangleMesh& clean = run.mesh->mesh();
+    const TriangleMesh noisy = moved_to(clean, with_gaussian_noise(clean.X, run.sigma, experiment.seed));
+    run.rms = {vertex_rms(clean.X, noisy.X)};
+    run.noisy_X = run.best_X = noisy.X;
     SmoothingOptions options{.scheme = run.method.scheme,
                              .laplacian = run.kind,
                              .lambda = run.lambda,
@@ -70,17 +55,16 @@ NoisyRun noisy_run(const ExperimentMesh& mesh, const Experiment& experiment, Noi
             run.best = iteration;
             run.best_X = X;
         }
-        if (std::binary_search(experiment.iterations.begin(), experiment.iterations.end(), iteration)) run.snapshots.push_back(X);
+        if (std::ranges::binary_search(experiment.iterations, iteration)) run.snapshots.push_back(X);
         return true;
     };
-    const Smoothed result = smooth_until_collapse(*run.noisy, options, solver);
+    const Smoothed result = smooth_until_collapse(noisy, options, solver);
     run.blew_up = result.blew_up;
     run.collapse_iteration = result.collapse_iteration;
     run.blow_up_iteration = result.blow_up_iteration;
     const Positions normals = face_normals(clean);
-    run.noisy_angle = mean_normal_angle(normals, face_normals(*run.noisy));
+    run.noisy_angle = mean_normal_angle(normals, face_normals(noisy));
     run.last_angle = mean_normal_angle(normals, face_normals(moved_to(clean, result.X)));
-    return run;
 }
 
 }   // namespace
@@ -89,27 +73,30 @@ std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const 
     std::vector<ExperimentMesh> meshes;
     if (experiment.meshes.empty()) return meshes;
     if (library.has_own_meshes()) {
-        for (const auto& own : library.own_meshes()) meshes.push_back(measured(experiment.meshes.front(), own, experiment));
+        for (const auto& own : library.own_meshes()) meshes.push_back(experiment_mesh(experiment.meshes.front(), own, experiment));
         return meshes;
     }
     for (const OriginalMesh& original : experiment.meshes) {
         const auto used = library.original(original.name, original.file, original.stand_in, settings.base);
-        const auto same = std::find_if(meshes.begin(), meshes.end(), [&](const ExperimentMesh& mesh) {
+        const auto same = std::ranges::find_if(meshes, [&](const ExperimentMesh& mesh) {
             return mesh.stand_in && used->input.stand_in && mesh.used->input.file == used->input.file;
         });
         if (same != meshes.end())
             same->originals.push_back(original);
         else
-            meshes.push_back(measured(original, used, experiment));
+            meshes.push_back(experiment_mesh(original, used, experiment));
     }
-    tell_apart(meshes);
+    std::set<std::string> taken;   // files of one name from several places, or a mesh and another's stand-in, get numbers
+    for (ExperimentMesh& mesh : meshes)
+        for (int number = 2; !taken.insert(mesh.name).second; ++number) mesh.name = mesh.used->name + "_" + std::to_string(number);
     return meshes;
 }
 
 Carried lambda_rule(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind) {
     if (!mesh.stand_in || experiment.lambda_unit != StepUnit::raw || is_dimensionless(kind)) return Carried::as_given;
     const OriginalMesh& original = mesh.originals.front();
-    if (looks_at_noise(experiment)) return original.mean_edge > 0 ? Carried::by_edge : Carried::as_given;
+    const bool noisy = experiment.kind == ExperimentKind::denoising || experiment.kind == ExperimentKind::error_curve;
+    if (noisy) return original.mean_edge > 0 ? Carried::by_edge : Carried::as_given;
     return original.lambda_crit > 0 ? Carried::by_limit : Carried::as_given;
 }
 
@@ -134,8 +121,8 @@ Vector3 noise_on(const Experiment& experiment, const ExperimentMesh& mesh, doubl
     return Vector3::Constant(carried ? noise / mesh.originals.front().mean_edge * mesh.mean_edge : noise);
 }
 
-UsableStep largest_usable_step(const SmoothingSubject& subject, int iterations) {
-    SmoothingOptions options{.laplacian = subject.kind, .iterations = iterations, .area = subject.area, .blow_up_at = out_of_bounds};
+double largest_usable_step(const SmoothingSubject& subject, int iterations) {
+    SmoothingOptions options{.laplacian = subject.kind, .iterations = iterations, .area = subject.area, .blow_up_at = 3};
     const auto usable = [&](double lambda) {
         options.lambda = lambda;
         return !smooth(subject.mesh(), options).blew_up;
@@ -147,45 +134,35 @@ UsableStep largest_usable_step(const SmoothingSubject& subject, int iterations) 
         const double middle = 0.5 * (low + high);
         (usable(middle) ? low : high) = middle;
     }
-    return {0, subject.critical, low, iterations};
+    return low;
 }
 
-SmoothingExperiment smoothing_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings) {
-    SmoothingExperiment result;
-    result.meshes = experiment_meshes(library, experiment, settings);
-    for_each_combination(
-        experiment, result.meshes,
-        [&](std::size_t m, const SmoothingSubject& subject, const SmoothingMethod& method, double given, ImplicitSolver& solver) {
-            const double lambda = lambda_on(experiment, result.meshes[m], subject.kind, given, subject.critical);
-            ExperimentRun run{m, method, subject.kind, subject.area, given, subject.critical, {}};
-            run.run =
-                run_smoothing(subject, method.scheme, lambda, experiment.iterations.back(), experiment.iterations, solver, method.rebuild);
-            result.runs.push_back(std::move(run));
-        });
-    if (!experiment.search) return result;
-    for (std::size_t m = 0; m < result.meshes.size(); ++m) {
-        const SmoothingSubject subject = smoothing_subject(result.meshes[m].used, experiment.operators.front(), experiment.areas.front());
-        result.usable.push_back(largest_usable_step(subject, experiment.iterations.back()));
-        result.usable.back().mesh = m;
+SmoothingExperiment smoothing_experiment(const MeshLibrary& library, const Experiment& e, const QuestionSettings& settings) {
+    SmoothingExperiment done;
+    done.meshes = experiment_meshes(library, e, settings);
+    for_each_variant(e, done.meshes, [&](const Variant& v, double lambda, const SmoothingSubject& subject, ImplicitSolver& solver) {
+        const int last = e.iterations.back();
+        done.results.push_back(
+            {v, subject.critical, run_smoothing(subject, v.method.scheme, lambda, last, e.iterations, solver, v.method.rebuild)});
+    });
+    for (std::size_t m = 0; e.search && m < done.meshes.size(); ++m) {
+        const SmoothingSubject subject = smoothing_subject(done.meshes[m].used, e.operators.front(), e.areas.front());
+        done.usable.push_back({&done.meshes[m], largest_usable_step(subject, e.iterations.back()), subject.critical});
     }
-    return result;
+    return done;
 }
 
-NoisyExperiment noisy_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings) {
-    NoisyExperiment result;
-    result.meshes = experiment_meshes(library, experiment, settings);
-    for_each_combination(
-        experiment, result.meshes,
-        [&](std::size_t m, const SmoothingSubject& subject, const SmoothingMethod& method, double given, ImplicitSolver& solver) {
-            for (std::size_t level = 0; level < experiment.noise.size(); ++level) {
-                NoisyRun run{.mesh = m, .method = method, .kind = subject.kind, .area = subject.area, .given = given};
-                run.lambda = lambda_on(experiment, result.meshes[m], subject.kind, given, subject.critical);
-                run.noise = experiment.noise[level];
-                run.minimum_said = experiment.minimum.empty() ? 0 : experiment.minimum[level];
-                result.runs.push_back(noisy_run(result.meshes[m], experiment, std::move(run), solver));
-            }
-        });
-    return result;
+Done<NoisyRun> noisy_experiment(const MeshLibrary& library, const Experiment& e, const QuestionSettings& settings) {
+    Done<NoisyRun> done;
+    done.meshes = experiment_meshes(library, e, settings);
+    for_each_variant(e, done.meshes, [&](const Variant& v, double lambda, const SmoothingSubject&, ImplicitSolver& solver) {
+        for (std::size_t level = 0; level < e.noise.size(); ++level) {
+            NoisyRun& run = done.results.emplace_back(NoisyRun{v, lambda, e.noise[level], noise_on(e, *v.mesh, e.noise[level])});
+            run.minimum_said = e.minimum.empty() ? 0 : e.minimum[level];
+            run_noisy(e, run, solver);
+        }
+    });
+    return done;
 }
 
 }   // namespace meshfolio::reproductions

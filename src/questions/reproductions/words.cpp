@@ -6,17 +6,7 @@ namespace meshfolio::reproductions {
 
 namespace {
 
-/// "bunny.off", or "the dragon, which is not to be had".
-std::string original_words(const OriginalMesh& original) {
-    return original.file.empty() ? words.line("original.lost", "mesh"_a = original.name) : original.file;
-}
-
-std::string mesh_words(const ExperimentMesh& mesh) {
-    return words.line(mesh.stand_in ? "mesh.stand_in" : "mesh.itself", "file"_a = mesh.used->input.file,
-                      "vertices"_a = mesh.mesh().vertex_count(), "originals"_a = listed(each_of(mesh.originals, original_words)));
-}
-
-/// How raw numbers of the original became numbers here; empty when they are as given.
+/// States how raw numbers of the original became numbers here; empty if they are as given.
 report::Text carried_words(const Experiment& experiment, const ExperimentMesh& mesh) {
     const OriginalMesh& original = mesh.originals.front();
     const auto rule = experiment.lambda.empty() ? Carried::as_given : lambda_rule(experiment, mesh, experiment.operators.front());
@@ -39,6 +29,13 @@ void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshe
     const Experiment& e = r.experiment;
     add(r.section(),
         report::Heading{words.line("heading", "rows"_a = sentence_case(rows_text(e.rows)), "report"_a = e.from, "name"_a = e.name)});
+    const auto original_words = [](const OriginalMesh& original) {
+        return original.file.empty() ? words.line("original.lost", "mesh"_a = original.name) : original.file;
+    };
+    const auto mesh_words = [&](const ExperimentMesh& mesh) {
+        return words.line(mesh.stand_in ? "mesh.stand_in" : "mesh.itself", "file"_a = mesh.used->input.file,
+                          "vertices"_a = mesh.mesh().vertex_count(), "originals"_a = listed(each_of(mesh.originals, original_words)));
+    };
     report::BulletList list;
     if (!e.said.empty()) list.items.push_back(words.say("opening.said", "said"_a = e.said));
     if (!meshes.empty()) list.items.push_back(words.say("opening.here", "meshes"_a = joined(each_of(meshes, mesh_words))));
@@ -66,11 +63,15 @@ std::string noise_text(const Experiment& experiment, double noise) {
     return chosen_text(noise) + (experiment.noise_unit == NoiseUnit::edge ? " h̄" : "");
 }
 
-std::string variant_text(const Experiment& experiment, OperatorKind kind, AreaForm area, const SmoothingMethod& method) {
-    std::string variant = name_of(method);
-    if (experiment.operators.size() > 1 || kind != OperatorKind::cotan) variant += ", " + std::string(operator_entry(kind).title);
-    if (experiment.areas.size() > 1 || area != AreaForm::barycentric) variant += ", " + std::string(name_of(area)) + " areas";
-    return variant;
+std::string variant_text(const Experiment& experiment, const Variant& v) {
+    std::string text = name_of(v.method);
+    if (experiment.operators.size() > 1 || v.kind != OperatorKind::cotan) text += ", " + std::string(operator_entry(v.kind).title);
+    if (experiment.areas.size() > 1 || v.area != AreaForm::barycentric) text += ", " + std::string(name_of(v.area)) + " areas";
+    return text;
+}
+
+std::string run_text(const Experiment& experiment, const Variant& v) {
+    return variant_text(experiment, v) + ", λ = " + given_text(experiment, v.given);
 }
 
 std::string chosen_text(double x) { return brief_text(x, 3); }
@@ -92,12 +93,17 @@ std::string key_of(ExperimentColour colour) {
 }
 
 output::FigureRequest figure_on(const Reproduction& r, const ExperimentMesh& mesh, const std::string& first_panel) {
-    const std::string id = r.id_of(mesh.name());
+    const std::string id = r.id_of(mesh.name);
     return {.id = id,
             .title = r.experiment.from + ": " + r.experiment.name,
             .subtitle = mesh.used->input.file,
             .panels = {
                 panel_of(*mesh.used, id + "_" + first_panel, first_panel, colours_of(mesh, r.experiment.colours.front(), mesh.mesh().X))}};
+}
+
+void add_panel(output::FigureRequest& figure, const Reproduction& r, const ExperimentMesh& mesh, const Positions& X, std::string label) {
+    figure.panels.push_back(panel_of(moved_to(mesh.mesh(), X), figure.id + "_" + std::to_string(figure.panels.size()), std::move(label),
+                                     colours_of(mesh, r.experiment.colours.front(), X)));
 }
 
 std::optional<output::ColorRange> range_of(const Reproduction& r, ExperimentColour colour, const std::vector<output::Panel>& panels) {

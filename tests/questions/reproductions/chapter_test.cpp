@@ -119,7 +119,7 @@ TEST(Reproductions, ARunThatCollapsesKeepsWhatItReached) {
     e.noise = {0.01};
     e.noise_unit = NoiseUnit::box;
     e.minimum = {2};
-    const NoisyRun run = noisy_experiment(MeshLibrary({}, {}), e, quick_settings()).runs.front();
+    const NoisyRun run = noisy_experiment(MeshLibrary({}, {}), e, quick_settings()).results.front();
     ASSERT_GT(run.collapse_iteration, 2);
     EXPECT_EQ(int(run.rms.size()), run.collapse_iteration) << "before any step, and after each that was made";
     EXPECT_LT(run.best, run.collapse_iteration);
@@ -168,8 +168,8 @@ TEST(ReproductionWords, AreThoseOfTheReport) {
     EXPECT_EQ(noise_text(e, 0.0013), "0.0013");
     e.noise_unit = NoiseUnit::box;
     EXPECT_EQ(noise_text(e, 0.01), "1\u202f% of the box");
-    EXPECT_EQ(variant_text(e, OperatorKind::cotan, AreaForm::barycentric, {}), "explicit");
-    EXPECT_EQ(variant_text(e, OperatorKind::uniform, AreaForm::barycentric, {SmoothingScheme::implicit_euler, true}),
+    EXPECT_EQ(variant_text(e, {}), "explicit");
+    EXPECT_EQ(variant_text(e, {.kind = OperatorKind::uniform, .method = {SmoothingScheme::implicit_euler, true}}),
               "implicit-rebuilt, uniform");
     EXPECT_EQ(range_text({2, 1, 1.5}), "1 to 2");
     EXPECT_EQ(range_text({1, 1}), "1");
