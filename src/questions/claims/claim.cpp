@@ -43,7 +43,7 @@ std::string values_of(const JudgedClaim& judged, const std::vector<std::size_t>&
 Measurement unmeasured(const Error& error) { return {.undecidable = words.line("unmeasured", "why"_a = error.what())}; }
 
 Measurement measured(const Claim& claim, ClaimBench& bench) try {
-    if (claim.effort == Effort::full && bench.settings().quick) return {.undecidable = words.line("not_in_quick_run")};
+    if (claim.effort == full && bench.settings().quick) return {.undecidable = words.line("not_in_quick_run")};
     const Measurable about = bench.measurable(claim.about);
     if (!about.why_not.empty()) return {.undecidable = about.why_not};
     Measurement measurement = claim.measure(bench, about.meshes);
@@ -61,8 +61,7 @@ Measurement measured(const Claim& claim, ClaimBench& bench) try {
 const std::vector<Claim>& claim_list() {
     static const std::vector<Claim> all = [] {
         std::vector<Claim> claims;
-        for (const auto* part :
-             {&curvature_claims, &spectral_claims, &explicit_claims, &implicit_claims, &denoising_claims, &fandisk_claims, &paper_claims})
+        for (const auto* part : {&curvature_claims, &spectral_claims, &explicit_claims, &implicit_claims, &denoising_claims})
             claims.insert(claims.end(), part->begin(), part->end());
         std::ranges::stable_sort(claims, {}, &Claim::question);
         return claims;

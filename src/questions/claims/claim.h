@@ -2,13 +2,11 @@
 /// Claims of earlier reports and papers as data: what each is about, the rule that makes it true, its measurement, and the verdict.
 /// The words of a claim are messages: "<id>.said" is the claim, "<id>.case…" and "<id>.remark…" describe what was measured.
 ///
-/// What a claim is about (About) decides, before anything is measured, which meshes may be measured:
-///   - A claim about formulas, or about surfaces that the program makes, names no mesh. It is always measured.
-///   - A claim about any mesh names those that its author used. Any mesh in their places decides it.
-///   - A claim about a kind of mesh ("the noisy plane") is decided by the mesh itself or by the bundled mesh made for its role. The user's
-///     mesh never decides it, because its kind is not known.
-///   - A claim about one mesh itself has a step or a number of iterations or modes that belongs to its triangles. Only that mesh decides
-///     it. It is known by its counts, mean edge and λ_crit, or as the assignment's file in a data folder.
+/// Which meshes decide a claim follows from its scope (About), before anything is measured:
+///   - without meshes: a claim about formulas, or about surfaces that the program makes; it is always measured
+///   - any_mesh: the meshes that its author used, or any mesh in their places
+///   - its_kind ("the noisy plane"): the mesh itself, or the bundled mesh made for its role; not the user's, because its kind is not known
+///   - itself: that mesh alone, because a step or a number of iterations or modes belongs to its triangles
 /// A mesh without a property that the claim needs is left out, and a mesh in two places counts once. A claim with too few meshes left is
 /// not decidable here.
 #pragma once
@@ -56,9 +54,9 @@ enum class Property {
     flat,                  // all vertices lie in one plane
     not_flat,              // else noise has no normal direction, and there are no features
     closed,                // no boundary: encloses a volume
-    flat_with_edges,       // sharp-edged as MeshClass has it, and half of the other edges lie between faces that meet at less than 2°
+    flat_with_edges,       // MeshClass::sharp_edged, with an angle below 2° between the faces at half of the other edges
     negative_weights,      // some cotangent weight is below 0
-    unequal_areas,         // the areas of the vertices differ, by 1 % or more
+    unequal_areas,         // the areas of the vertices differ by 1 % or more
     clean_known,           // the surface under the noise is known, vertex by vertex
     above_1500_vertices,   // 150 modes are then a small share
 };
@@ -66,7 +64,7 @@ enum class Property {
 /// The meshes that a claim is about.
 struct About {
     enum class Scope { any_mesh, its_kind, itself };
-    MeshNames meshes = {};                   // none: formulas, or surfaces that the program makes
+    MeshNames meshes = {};
     std::vector<Property> properties = {};   // that every mesh must have
     Scope scope = Scope::any_mesh;
     std::size_t compared = 1;   // how many different meshes the claim compares
@@ -81,14 +79,15 @@ struct Measurement {
     std::string figure = {};        // id of the plot that shows it; empty: none
 };
 
-/// Follows from the rule and the numbers alone: holds if all cases satisfy the rule, refuted if none does, else conditional. Cases without
-/// a finite value decide nothing.
+/// The verdict that follows from the rule and the numbers alone.
 struct Decision {
     Verdict verdict = Verdict::undecidable;
     std::vector<std::size_t> within, beyond;   // cases that satisfy the rule, and that do not
     std::size_t deciding = 0;                  // the case nearest to the threshold among those that turn the scale
     std::string why;                           // the claim is undecidable
 };
+/// Decides that a claim holds if all cases satisfy the rule, is refuted if none does, else is conditional. Cases without a finite value
+/// decide nothing.
 Decision decide(const Rule& rule, const Measurement& measurement);
 
 class ClaimBench;
@@ -98,9 +97,6 @@ struct Measure : std::function<Measurement(ClaimBench& bench, const MeshNames& m
     using function::function;
     Measure(Case (*case_on)(ClaimBench& bench, std::string_view mesh));   // a case for each mesh
 };
-
-/// The least run in which a claim is measured.
-enum class Effort { quick, full };
 
 /// The author of a claim.
 struct Source {
@@ -115,10 +111,9 @@ struct Claim {
     About about;
     Rule rule;
     Measure measure = {};
-    Effort effort = Effort::quick;
+    enum class Effort { quick, full } effort = Effort::quick;   // the least run in which it is measured
 
-    /// The claim, paraphrased.
-    std::string said() const;
+    std::string said() const;   // the claim, paraphrased
     const Source& source() const;
 };
 
@@ -128,8 +123,7 @@ struct JudgedClaim {
     Measurement measurement;
     Decision decision;
 
-    /// The deciding value of a decided claim.
-    double deciding_value() const { return measurement.cases[decision.deciding].value; }
+    double deciding_value() const { return measurement.cases[decision.deciding].value; }   // of a decided claim
 };
 /// Measures a claim and applies its rule. A claim that cannot be measured here is undecidable, with the reason.
 JudgedClaim judged(const Claim& claim, ClaimBench& bench);
@@ -141,9 +135,7 @@ report::Text rule_text(const JudgedClaim& judged);
 /// The verdict, the deciding numbers, the remark, and the meshes measured.
 report::Text verdict_text(const JudgedClaim& judged);
 
-// Claims by subject.
-extern const std::vector<Claim> curvature_claims, spectral_claims, explicit_claims, implicit_claims, denoising_claims, fandisk_claims,
-    paper_claims;
+extern const std::vector<Claim> curvature_claims, spectral_claims, explicit_claims, implicit_claims, denoising_claims;
 /// The claims of four earlier reports on the same coursework, S0 to S3, and of the papers they rest on: by question, then by subject.
 const std::vector<Claim>& claim_list();
 

@@ -125,9 +125,8 @@ const SmoothingSubject& ClaimBench::subject(std::string_view name) {
 }
 
 double ClaimBench::uniform_limit(std::string_view name) {
-    const auto& source = mesh(name).mesh;
-    return kept(uniform_limits_, source.get(),
-                [&] { return largest_stable_step(largest_eigenvalue(uniform_operator(source->mesh(), source->topology()))); });
+    const LibraryMesh& source = *mesh(name).mesh;
+    return largest_stable_step(largest_eigenvalue(uniform_operator(source.mesh(), source.topology())));
 }
 
 double ClaimBench::raw_step(std::string_view name, double lambda) {
@@ -160,6 +159,19 @@ const std::vector<double>& ClaimBench::denoised(std::string_view name, const Run
         smooth_until_collapse(moved_to(source.mesh(), noisy), options, solvers_[&source]);
         return errors;
     });
+}
+
+Sweep ClaimBench::sweep(std::string_view noisy, RunKey key, std::vector<double> lambdas) {
+    const Positions clean = clean_form(noisy).value();
+    const auto error_of = [&](const Positions& X) {
+        return noisy == "plane_ns" ? std::sqrt((X.col(2) - clean.col(2)).squaredNorm() / double(X.rows())) : vertex_rms(X, clean);
+    };
+    Sweep sweep{std::move(lambdas), {}, error_of(mesh(noisy).mesh->mesh().X)};
+    for (const double lambda : sweep.steps) {
+        key.lambda = lambda;
+        sweep.errors.push_back(error_of(run(noisy, key).X));
+    }
+    return sweep;
 }
 
 const SpectralStudy& ClaimBench::spectrum(std::string_view name) {

@@ -1,5 +1,7 @@
-// Claims about estimates of curvature, held against surfaces whose curvature is known, and about the ellipsoid.
+// Claims about estimates of curvature, tested on surfaces of known curvature, and about the ellipsoid.
+#include "geometry/curvature/curvature.h"
 #include "geometry/curvature/fundamental_forms.h"
+#include "geometry/measures/mesh_laws.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "questions/bench/ellipsoid_study.h"
 #include "questions/claims/parts.h"
@@ -85,6 +87,38 @@ Measurement clamping_is_harmless(ClaimBench& bench, const MeshNames&) {
                                 "curvature"_a = readable(plane.clamped, 2))};
 }
 
+Case angle_sum(ClaimBench& bench, std::string_view name) {
+    const LibraryMesh& source = *bench.mesh(name).mesh;
+    const Preflight& p = source.preflight();
+    const Vector deficits = angle_deficit(source.mesh(), source.topology());
+    return {source.name + ", χ = " + std::to_string(p.euler_characteristic),
+            p.manifold() ? gauss_bonnet_error(deficits, p.euler_characteristic) : std::nan("")};
+}
+const Measure gauss_bonnet = remarked(angle_sum);
+
+/// Order of the error of the cotangent H with these areas, between a coarse and a fine mesh.
+double order_on(ClaimBench& bench, const std::string& surface, MeshKind kind, const std::string& areas) {
+    const int level = level_of(bench);
+    return bench.curvature(surface, kind, level - 1, level).errors("H." + areas).order().exponent;
+}
+
+Measurement mixed_areas_converge(ClaimBench& bench, const MeshNames&) {
+    Measurement m;
+    for (const MeshKind kind : {MeshKind::regular, MeshKind::random})
+        for (const char* surface : {"sphere", "ellipsoid", "torus"})
+            m.cases.push_back({sampled(kind, surface), order_on(bench, surface, kind, "mixed")});
+    return m;
+}
+
+Measurement no_pointwise_convergence(ClaimBench& bench, const MeshNames&) {
+    Measurement m;
+    for (const char* areas : {"barycentric", "mixed"})
+        m.cases.push_back(
+            {words.line("claims_wardetzky_pointwise.case", "areas"_a = areas, "sampling"_a = sampled(MeshKind::random, "sphere")),
+             order_on(bench, "sphere", MeshKind::random, areas)});
+    return m;
+}
+
 // ---- the plane of the assignment --------------------------------------------------------------------------------------------
 
 Measurement structure_on_plane(ClaimBench& bench, const MeshNames&) {
@@ -110,15 +144,16 @@ Measurement uniform_on_plane(ClaimBench& bench, const MeshNames&) {
 
 Measurement parameters_of_the_tip(ClaimBench&, const MeshNames&) {
     const Vector3 tip(flat_ellipsoid.a, 0, 0);
-    const auto miss = [&](double v) { return (ellipsoid_point(flat_ellipsoid, 0, v) - tip).norm() / flat_ellipsoid.a; };
-    return {.cases = {{"(u, v) = (0, π)", miss(pi)}}, .remarked = true};
+    const double miss = (ellipsoid_point(flat_ellipsoid, 0, pi) - tip).norm() / flat_ellipsoid.a;
+    return {.cases = {{"(u, v) = (0, π)", miss}}, .remarked = true};
 }
 
 Measurement places_of_extrema(ClaimBench&, const MeshNames&) {
-    const auto ratio = [](const Ellipsoid& e) {
-        return Case{(e.b < e.c ? "b < c, " : "b > c, ") + axes_text(e), tip_curvature_by_angle(e, 0) / tip_curvature_by_angle(e, pi / 2)};
-    };
-    return {.cases = each_of(std::array{tall_ellipsoid, flat_ellipsoid}, ratio), .remarked = true};
+    Measurement m{.remarked = true};
+    for (const Ellipsoid& e : {tall_ellipsoid, flat_ellipsoid})
+        m.cases.push_back(
+            {(e.b < e.c ? "b < c, " : "b > c, ") + axes_text(e), tip_curvature_by_angle(e, 0) / tip_curvature_by_angle(e, pi / 2)});
+    return m;
 }
 
 }   // namespace
@@ -137,6 +172,9 @@ extern const std::vector<Claim> curvature_claims{
     {"claims_s1_over_deficit", "q3", {}, {"error_ratio", "", at_most, 1}, remarked(error_ratio(by_cotangent, {by_deficit}))},
     {"claims_s2_artefacts", "q3", {}, {"flat_h", "", at_most, 1e-9}, cotangent_on_flat},
     {"claims_s3_clamp", "q3", {}, {"overshoot", "", at_most, 1e-12}, clamping_is_harmless},
-    {"claims_s3_plane_rapid", "q3", {{"plane"}, {}, itself}, {"jumps", "", at_most, 1}, less_rapid_on_plane}};
+    {"claims_s3_plane_rapid", "q3", {{"plane"}, {}, itself}, {"jumps", "", at_most, 1}, less_rapid_on_plane},
+    {"claims_meyer_gauss_bonnet", "q1", {{"armadillo", "plane", "lilium", "torus"}}, {"gauss_bonnet", "", at_most, 1e-9}, gauss_bonnet},
+    {"claims_meyer_mixed", "q3", {}, {"order", "", at_least, 1.5}, mixed_areas_converge, full},
+    {"claims_wardetzky_pointwise", "q3", {}, {"order", "", at_most, 0.5}, no_pointwise_convergence, full}};
 
 }   // namespace meshfolio::claims

@@ -29,38 +29,31 @@ using Curves = std::vector<std::vector<double>>;
 /// True if the least error is before the end: an error that still falls has no minimum yet.
 bool has_minimum(const std::vector<double>& errors) { return best_of(errors) + 1 < static_cast<int>(errors.size()); }
 
-report::Plot curves_of(ClaimBench& bench, const Curves& curves) {
+Curves bunny_curves(ClaimBench& bench) {
+    return each_of(bunny_sigmas, [&](double sigma) { return bunny_errors(bench, sigma, 45); });
+}
+
+Measurement minima_in_order(ClaimBench& bench, const MeshNames&) {
+    const Curves curves = bunny_curves(bench);
     report::Plot plot{.id = "claims_noise", .x_label = "iteration", .y_label = "rms error [% of the box diagonal]"};
+    Measurement m{.figure = plot.id};
     Names minima;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        report::Series series{.name = sigma_text(bench, bunny_sigmas[i])};
+        report::Series& series = plot.series.emplace_back(report::Series{.name = sigma_text(bench, bunny_sigmas[i])});
         for (std::size_t t = 0; t < curves[i].size(); ++t)
             add_point(series, double(t), 100 * curves[i][t] / bench.subject("bunny").diagonal);
         const int best = best_of(curves[i]);
         plot.markers.push_back({double(best), series.y[best],
                                 words.line(has_minimum(curves[i]) ? "plot.noise.minimum" : "plot.noise.falling", "iteration"_a = best)});
         minima.push_back(std::to_string(best));
-        plot.series.push_back(std::move(series));
+        if (i == 0) continue;
+        const bool found = has_minimum(curves[i]) && has_minimum(curves[i - 1]);
+        m.cases.push_back(
+            {series.name + " after " + plot.series[i - 1].name, found ? double(best - best_of(curves[i - 1])) : std::nan("")});
     }
     plot.caption = words.line(bench.is_itself("bunny") ? "plot.noise" : "plot.noise.elsewhere", "minima"_a = listed(minima),
                               "mesh"_a = bench.mesh("bunny").mesh->name);
-    return plot;
-}
-
-Curves bunny_curves(ClaimBench& bench) {
-    return each_of(bunny_sigmas, [&](double sigma) { return bunny_errors(bench, sigma, 45); });
-}
-
-Measurement minima_in_order(ClaimBench& bench, const MeshNames&) {
-    Measurement m;
-    const Curves curves = bunny_curves(bench);
-    for (std::size_t i = 1; i < curves.size(); ++i) {
-        const bool found = has_minimum(curves[i]) && has_minimum(curves[i - 1]);
-        m.cases.push_back({sigma_text(bench, bunny_sigmas[i]) + " after " + sigma_text(bench, bunny_sigmas[i - 1]),
-                           found ? double(best_of(curves[i]) - best_of(curves[i - 1])) : std::nan("")});
-    }
-    bench.plots.push_back(curves_of(bench, curves));
-    m.figure = bench.plots.back().id;
+    bench.plots.push_back(std::move(plot));
     return m;
 }
 
@@ -72,26 +65,22 @@ Measurement curves_meet(ClaimBench& bench, const MeshNames&) {
 }
 
 Measurement minima_of_report(ClaimBench& bench, const MeshNames&) {
-    struct Variant {
-        OperatorKind kind;
-        bool rebuild;
-        const char* name;
-    };
-    constexpr std::array variants{
-        Variant{OperatorKind::cotan, false, "with ½, L kept"}, Variant{OperatorKind::cotan_no_half, false, "without ½, L kept"},
-        Variant{OperatorKind::cotan, true, "with ½, L rebuilt"}, Variant{OperatorKind::cotan_no_half, true, "without ½, L rebuilt"}};
     constexpr int iterations = 40;
     Measurement m;
     Names minima;
-    for (const Variant& v : variants) {
-        const std::vector<double> low = bunny_errors(bench, 0.0013, iterations, v.kind, v.rebuild);
-        const std::vector<double> high = bunny_errors(bench, 0.0015, iterations, v.kind, v.rebuild);
-        const auto off = [](const std::vector<double>& run, double said) { return 100 * std::abs(best_of(run) - said) / said; };
-        const bool found = has_minimum(low) && has_minimum(high);
-        const std::size_t reached = std::min(low.size(), high.size());
-        m.cases.push_back({v.name, found ? std::max(off(low, 3), off(high, 7)) : std::nan("")});
-        minima.push_back(words.line("claims_s0_minima.remark.variant", "low"_a = best_of(low), "high"_a = best_of(high),
-                                    "variant"_a = v.name, "collapse"_a = reached <= iterations ? reached : 0));
+    for (const bool rebuild : {false, true}) {
+        for (const OperatorKind kind : {OperatorKind::cotan, OperatorKind::cotan_no_half}) {
+            const std::vector<double> low = bunny_errors(bench, 0.0013, iterations, kind, rebuild);
+            const std::vector<double> high = bunny_errors(bench, 0.0015, iterations, kind, rebuild);
+            const auto off = [](const std::vector<double>& run, double said) { return 100 * std::abs(best_of(run) - said) / said; };
+            const bool found = has_minimum(low) && has_minimum(high);
+            const std::size_t reached = std::min(low.size(), high.size());
+            const std::string variant =
+                std::string(kind == OperatorKind::cotan ? "with ½, L " : "without ½, L ") + (rebuild ? "rebuilt" : "kept");
+            m.cases.push_back({variant, found ? std::max(off(low, 3), off(high, 7)) : std::nan("")});
+            minima.push_back(words.line("claims_s0_minima.remark.variant", "low"_a = best_of(low), "high"_a = best_of(high),
+                                        "variant"_a = variant, "collapse"_a = reached <= iterations ? reached : 0));
+        }
     }
     m.remark = words.say("claims_s0_minima.remark", "minima"_a = joined(minima, ", "));
     return m;
@@ -121,27 +110,26 @@ Case edges_over_rest(ClaimBench& bench, std::string_view name) {
     return {words.line("claims_s0_flat.case", "mesh"_a = source.name), std::sqrt(squares.there / squares.elsewhere)};
 }
 
+const Measure better_where_flat = remarked(edges_over_rest);
+
 std::string level_text(double relative) { return words.line("case.noise", "share"_a = readable_percent(relative)); }
 
-/// rms of the noise that is left over that of the detail that is lost, after the first step of λ that halves the roughness of the clean
-/// mesh. The operator of the clean mesh smooths both meshes; it is linear, so their difference is the noise.
-double noise_over_detail(const SmoothingSubject& clean, const TriangleMesh& noisy, double lambda) {
-    ImplicitSolver solver;
-    solver.prepare(operator_with_mass(clean.laplacian), lambda);
-    const double half = roughness(clean, clean.mesh().X) / 2;
-    Positions shape = clean.mesh().X, both = noisy.X;
-    for (int step = 0; step < 400; ++step) {
-        shape = solver.step(shape);
-        both = solver.step(both);
-        if (roughness(clean, shape) <= half) return vertex_rms(both, shape) / vertex_rms(shape, clean.mesh().X);
-    }
-    return std::nan("");
-}
-
+/// rms of the noise that is left over that of the detail that is lost, after the first step that halves the roughness of the clean mesh.
+/// The operator of the clean mesh smooths both meshes; it is linear, so their difference is the noise.
 Measurement details_go_first(ClaimBench& bench, const MeshNames&) {
     constexpr double little = 0.001, much = 0.03;   // the claim is about nothing less than much; the flow is linear in the noise
     const RunKey key = gentle_run(bench, "cow", much, 1);
-    const double ratio = noise_over_detail(bench.subject("cow"), noisy_mesh(bench, "cow", key), key.lambda / 10);
+    const SmoothingSubject& clean = bench.subject("cow");
+    ImplicitSolver solver;
+    solver.prepare(operator_with_mass(clean.laplacian), key.lambda / 10);
+    Positions shape = clean.mesh().X, both = noisy_mesh(bench, "cow", key).X;
+    const double half = roughness(clean, shape) / 2;
+    double ratio = undefined;
+    for (int step = 0; step < 400 && std::isnan(ratio); ++step) {
+        shape = solver.step(shape);
+        both = solver.step(both);
+        if (roughness(clean, shape) <= half) ratio = vertex_rms(both, shape) / vertex_rms(shape, clean.mesh().X);
+    }
     return {.cases = {{level_text(much), ratio}},
             .remark = words.say("claims_s2_too_much.remark", "low"_a = readable_percent(little),
                                 "low_ratio"_a = readable(little / much * ratio, 2))};
@@ -156,8 +144,8 @@ Measurement low_noise_keeps_features(ClaimBench& bench, const MeshNames&) {
     return m;
 }
 
-constexpr double helping_gain = 1.2;   // of the rms error: less is no help
-constexpr int box_iterations = 10;     // S1 took 200 of steps it does not name; ten of larger ones reach as far
+constexpr double helpful = 1.2;      // of the rms error: less is no help
+constexpr int box_iterations = 10;   // S1 took 200 of steps it does not name; ten of larger ones reach as far
 
 /// Tries steps from 0.01 to 100 squared mean edges, with noise of `percent` % of the box in each axis.
 Sweep step_sweep(ClaimBench& bench, std::string_view name, double percent) {
@@ -208,28 +196,65 @@ Measurement hopeless_noise(ClaimBench& bench, const MeshNames& meshes) {
     return m;
 }
 
+/// Best of several implicit steps with either operator, on the noisy machine part.
+struct OperatorSweeps {
+    Sweep uniform, cotangent;
+    double edge = 0;   // mean [length]
+};
+OperatorSweeps operator_sweeps(ClaimBench& bench) {
+    const double edge = bench.mesh("fandisk_ns").mesh->preflight().mean_edge;
+    const std::vector<double> uniform{0.1, 0.2, 0.4, 0.8, 1.6};
+    // Δ_uniform ≈ h²/4 Δ: the same diffusion with either operator.
+    const std::vector<double> cotangent = each_of(uniform, [&](const double lambda) { return lambda * edge * edge / 4; });
+    return {bench.sweep("fandisk_ns", {implicit_euler, 0, 3, OperatorKind::uniform}, uniform),
+            bench.sweep("fandisk_ns", {implicit_euler, 0, 3, OperatorKind::cotan}, cotangent), edge};
+}
+
+Measurement uniform_larger(ClaimBench& bench, const MeshNames&) {
+    const OperatorSweeps s = operator_sweeps(bench);
+    const double uniform = s.uniform.best_step(), cotangent = s.cotangent.best_step();
+    return {
+        .cases = {{words.line("claims_s3_uniform_larger.case"), uniform * s.edge * s.edge / 4 / cotangent}},
+        .remark = words.say("claims_s3_uniform_larger.remark", "uniform"_a = readable(uniform, 2), "cotangent"_a = readable(cotangent, 2))};
+}
+
+Measurement cotangent_better(ClaimBench& bench, const MeshNames&) {
+    const OperatorSweeps s = operator_sweeps(bench);
+    const auto in_edges = [&](double length) { return readable(length / s.edge, 2); };
+    return {.cases = {{words.line("claims_s3_cotangent_denoises.case"), s.cotangent.least() / s.uniform.least()}},
+            .remark = words.say("claims_s3_cotangent_denoises.remark", "noise"_a = in_edges(s.uniform.noisy),
+                                "uniform"_a = in_edges(s.uniform.least()), "cotangent"_a = in_edges(s.cotangent.least()))};
+}
+
+/// The least error of 60 explicit steps of 1 over that of 10 implicit steps of 5, with noise of this share of the mean edge.
+Case explicit_over_implicit(ClaimBench& bench, double share) {
+    const double sigma = share * bench.mesh("fandisk").mesh->preflight().mean_edge;
+    const auto least = [&](SmoothingScheme scheme, double lambda, int iterations) {
+        const RunKey key{scheme, lambda, iterations, OperatorKind::uniform, false, {sigma, sigma, sigma}};
+        return std::ranges::min(bench.denoised("fandisk", key));
+    };
+    return {words.line("claims_s3_implicit_needed.case", "share"_a = plain_text(share)),
+            least(explicit_euler, 1, 60) / least(implicit_euler, 5, 10)};
+}
+
+const Measure noise_needs_implicit = remarked(at_each({0.2, 0.5, 1}, explicit_over_implicit));
+const About a_fandisk{{"fandisk_ns"}, {clean_known}, its_kind};
+
 }   // namespace
 
 extern const std::vector<Claim> denoising_claims{
     {"claims_s0_minima_order", "q7", {{"bunny"}}, {"minimum_later", "", at_least, 1}, minima_in_order, full},
     {"claims_s0_minima", "q7", {{"bunny"}, {}, itself}, {"deviation", "%", at_most, 34}, minima_of_report, full},
     {"claims_s0_curves_meet", "q7", {{"bunny"}}, {"most_over_least_noise", "%", at_most, 5}, curves_meet, full},
-    {"claims_s0_flat",
-     "q7",
-     {{"fandisk", "bunny"}, {flat_with_edges}},
-     {"edges_over_rest", "", at_least, 1.1},
-     remarked(edges_over_rest),
-     full},
+    {"claims_s0_flat", "q7", {{"fandisk", "bunny"}, {flat_with_edges}}, {"edges_over_rest", "", at_least, 1.1}, better_where_flat, full},
     {"claims_s2_low_noise", "q7", {{"cow"}, {not_flat}}, {"gain_of_iteration", "", at_least, 2}, low_noise_keeps_features, full},
     {"claims_s2_too_much", "q7", {{"cow"}, {not_flat}}, {"noise_over_detail", "", at_least, 1}, details_go_first, full},
-    {"claims_s1_low_noise",
-     "q7",
-     {{"bunny", "cow"}, {not_flat}},
-     {"gain_of_step", "", at_least, helping_gain},
-     remarked(little_noise),
-     full},
+    {"claims_s1_low_noise", "q7", {{"bunny", "cow"}, {not_flat}}, {"gain_of_step", "", at_least, helpful}, remarked(little_noise), full},
     {"claims_s1_larger_step", "q7", {{"bunny"}, {not_flat}}, {"best_steps", "", at_least, 2}, more_noise_larger_step, full},
     {"claims_s1_worse", "q7", {{"bunny"}, {not_flat}}, {"five_over_one", "", at_least, 1.5}, more_noise_worse_result, full},
-    {"claims_s1_hopeless", "q7", {{"bunny", "cow"}, {not_flat}}, {"gain_of_step", "", at_most, helping_gain}, hopeless_noise, full}};
+    {"claims_s1_hopeless", "q7", {{"bunny", "cow"}, {not_flat}}, {"gain_of_step", "", at_most, helpful}, hopeless_noise, full},
+    {"claims_s3_implicit_needed", "q7", {{"fandisk"}}, {"least_explicit", "", at_least, 1.1}, noise_needs_implicit, full},
+    {"claims_s3_uniform_larger", "q7", a_fandisk, {"best_uniform", "", at_least, 1.5}, uniform_larger, full},
+    {"claims_s3_cotangent_denoises", "q7", a_fandisk, {"least_cotangent", "", at_most, 0.9}, cotangent_better, full}};
 
 }   // namespace meshfolio::claims

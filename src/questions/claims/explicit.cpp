@@ -1,6 +1,7 @@
 // Claims about explicit smoothing: which step is good, which is the largest stable one, and what lies beyond it.
 #include <Eigen/Dense>
 
+#include "geometry/measures/mesh_laws.h"
 #include "questions/claims/parts.h"
 
 namespace meshfolio::claims {
@@ -152,6 +153,46 @@ Measurement distorts_beyond_one(ClaimBench& bench, const MeshNames&) {
     return m;
 }
 
+/// Compares the error at this λ with that at the best of five.
+Measure good_step(double lambda) {
+    return [=](ClaimBench& bench, const MeshNames& meshes) {
+        const auto with = [&](SmoothingScheme scheme) {
+            return bench.sweep(meshes.front(), {scheme, 0, 10, OperatorKind::uniform}, {0.1, 0.25, 0.5, 0.75, 1.0});
+        };
+        const Sweep by_explicit = with(explicit_euler), by_implicit = with(implicit_euler);
+        Measurement m;
+        m.cases = {{"explicit", by_explicit.at(lambda) / by_explicit.least()}, {"implicit", by_implicit.at(lambda) / by_implicit.least()}};
+        m.remark =
+            words.say("best_steps", "explicit"_a = plain_text(by_explicit.best_step()), "implicit"_a = plain_text(by_implicit.best_step()));
+        return m;
+    };
+}
+
+Measurement taubin_keeps_volume(ClaimBench& bench, const MeshNames& meshes) {
+    constexpr double lambda = 0.6307, mu = -0.6732;   // Taubin's example for the uniform operator: pass-band 1/λ + 1/μ = 0.1
+    Measurement m;
+    double shrunk = 0;
+    for (const std::string_view name : meshes) {
+        const LibraryMesh& source = *bench.mesh(name).mesh;
+        const SmoothingOptions options{
+            .scheme = taubin, .laplacian = OperatorKind::uniform, .lambda = lambda, .taubin_mu = mu, .iterations = 50};
+        const double before = signed_volume(source.mesh());
+        const auto lost = [&](const Positions& X) { return 1 - signed_volume(moved_to(source.mesh(), X)) / before; };
+        m.cases.push_back({source.name + ", 50 double steps", 100 * lost(smooth(source.mesh(), options).X)});
+        shrunk = std::max(shrunk, lost(bench.run(name, {explicit_euler, lambda, 50, OperatorKind::uniform}).X));
+    }
+    m.remark = words.say("claims_taubin_volume.remark", "shrunk"_a = readable_percent(shrunk, 2));
+    return m;
+}
+
+/// λ_crit with the stiffness of the intrinsic Delaunay triangulation and the areas of the mesh, over that of the mesh.
+Case delaunay_over_own(ClaimBench& bench, std::string_view name) {
+    const LibraryMesh& source = *bench.mesh(name).mesh;
+    const LaplaceBeltrami delaunay = laplace_operator(source.mesh(), OperatorKind::idt_original_mass);
+    return {source.name, largest_stable_step(largest_eigenvalue(delaunay)) / bench.subject(name).critical};
+}
+const Measure delaunay_limit = remarked(delaunay_over_own);
+
 }   // namespace
 
 extern const std::vector<Claim> explicit_claims{
@@ -167,6 +208,10 @@ extern const std::vector<Claim> explicit_claims{
     {"claims_s1_line", "q5", {{"bunny", "cow"}}, {"second_extent", "%", at_most, 5}, collapses_to_a_line},
     {"claims_s2_unstable", "q5", {{"bunny"}}, {"step_over_limit", "", at_least, 1}, unstable_at_15, full},
     {"claims_s2_good_step", "q5", {{"bunny"}, {}, itself}, {"step_over_limit", "", at_most, 1}, good_at_0005},
-    {"claims_s3_beyond_one", "q5", {{"fandisk_ns"}}, {"step_over_limit", "", at_least, 1}, distorts_beyond_one, full}};
+    {"claims_s3_beyond_one", "q5", {{"fandisk_ns"}}, {"step_over_limit", "", at_least, 1}, distorts_beyond_one, full},
+    {"claims_s3_plane_step", "q5", {{"plane_ns"}, {clean_known}, its_kind}, {"over_best_step", "", at_most, 1.1}, good_step(1)},
+    {"claims_s3_fandisk_step", "q5", {{"fandisk_ns"}, {clean_known}, itself}, {"over_best_step", "", at_most, 1.1}, good_step(0.5), full},
+    {"claims_rippa_delaunay", "q5", {{"bunny", "lilium", "plane_ns"}}, {"delaunay_limit", "", at_least, 1 - 1e-9}, delaunay_limit, full},
+    {"claims_taubin_volume", "q5", {{"bunny", "bumpy_cube"}, {closed}}, {"volume_lost", "%", at_most, 1}, taubin_keeps_volume, full}};
 
 }   // namespace meshfolio::claims

@@ -140,6 +140,15 @@ Measurement smooths_more(ClaimBench& bench, const MeshNames&) {
     return m;
 }
 
+Measurement implicit_step_beats_ten(ClaimBench& bench, const MeshNames&) {
+    const SmoothingSubject& s = bench.subject("fandisk_ns");
+    const RunKey one{implicit_euler, 10, 1, OperatorKind::uniform}, ten{explicit_euler, 1, 10, OperatorKind::uniform};
+    const auto left = [&](const RunKey& key) { return roughness(s, bench.run("fandisk_ns", key).X); };
+    const double operations = implicit_operations(bench.run("fandisk_ns", one), 1) / explicit_operations(s, 10);
+    return {.cases = {{"roughness left", left(one) / left(ten)}, {words.line("claims_desbrun_one_step.case"), operations}},
+            .remarked = true};
+}
+
 }   // namespace
 
 extern const std::vector<Claim> implicit_claims{
@@ -152,6 +161,7 @@ extern const std::vector<Claim> implicit_claims{
     {"claims_s1_same_as_explicit", "q6", {{"bunny"}}, {"apart", "%", at_most, 5}, same_as_explicit, full},
     {"claims_s2_smooths_more", "q6", {{"bunny"}}, {"energies", "", at_most, 0.99}, smooths_more, full},
     {"claims_s3_five_stable", "q6", {{"fandisk_ns"}}, {"energy", "", at_most, 1}, stable_at_five, full},
-    {"claims_s3_iterations_for_step", "q6", {{"bunny"}}, {"apart", "%", at_most, 10}, iterations_for_step, full}};
+    {"claims_s3_iterations_for_step", "q6", {{"bunny"}}, {"apart", "%", at_most, 10}, iterations_for_step, full},
+    {"claims_desbrun_one_step", "q6", {{"fandisk_ns"}}, {"implicit_over_explicit", "", at_most, 1}, implicit_step_beats_ten, full}};
 
 }   // namespace meshfolio::claims

@@ -16,7 +16,7 @@ inline constexpr report::Words words("claims");
 
 using enum Rule::Relation;
 using enum Property;
-using enum Effort;
+using enum Claim::Effort;
 using enum About::Scope;
 using enum SmoothingScheme;
 
@@ -36,6 +36,18 @@ struct RunKey {
     std::array<double, 3> sigma{};   // of seeded Gaussian noise along each axis [length]
 
     auto operator<=>(const RunKey&) const = default;
+};
+
+/// Index of the smallest value: the best iteration.
+int best_of(const std::vector<double>& errors);
+
+/// The error left by each of several steps.
+struct Sweep {
+    std::vector<double> steps, errors;   // errors: rms [length]
+    double noisy = 0;                    // before smoothing [length]
+    double best_step() const { return steps[best_of(errors)]; }
+    double least() const { return std::ranges::min(errors); }
+    double at(double step) const { return errors[std::ranges::find(steps, step) - steps.begin()]; }
 };
 
 /// Meshes, operators, runs and spectra, each computed once and shared by the claims.
@@ -62,9 +74,9 @@ public:
     /// λ_crit of the uniform operator.
     double uniform_limit(std::string_view name);
 
-    /// Carries a step over from the original mesh: on a stand-in it is the same multiple of the largest stable step. [length²]
+    /// Carries a step over from the original mesh: on a stand-in, the same multiple of the largest stable step. [length²]
     double raw_step(std::string_view name, double lambda);
-    /// Carries a length (or an area, with power 2) over from the original mesh: on a stand-in it is the same multiple of the mean edge.
+    /// Carries a length (or with power 2 an area) over from the original mesh: on a stand-in, the same multiple of the mean edge.
     double raw_length(std::string_view name, double length, int power = 1);
 
     /// The result of a run without noise.
@@ -73,6 +85,9 @@ public:
     double motion(std::string_view name, const RunKey& key);
     /// rms error of a run with noise against the mesh itself, after t = 0, 1, … iterations, up to the collapse of a rebuilt run. [length]
     const std::vector<double>& denoised(std::string_view name, const RunKey& key);
+
+    /// The errors left on a noisy mesh, with a known clean form, by runs that differ in λ alone; on the plane only heights count.
+    Sweep sweep(std::string_view noisy, RunKey key, std::vector<double> lambdas);
 
     /// Computes 150 modes, fewer on smaller meshes.
     const SpectralStudy& spectrum(std::string_view name);
@@ -92,7 +107,6 @@ private:
     const QuestionSettings& settings_;
     std::map<std::string, ReportMesh> meshes_;
     std::map<const LibraryMesh*, SmoothingSubject> subjects_;
-    std::map<const LibraryMesh*, double> uniform_limits_;
     std::map<const LibraryMesh*, SpectralStudy> spectra_;
     std::map<const LibraryMesh*, ImplicitSolver> solvers_;
     std::map<std::pair<const LibraryMesh*, RunKey>, Smoothed> runs_;
@@ -122,18 +136,6 @@ double roughness(const SmoothingSubject& subject, const Positions& X);
 double implicit_operations(const Smoothed& run, int steps);
 /// Multiply–adds of so many explicit steps.
 double explicit_operations(const SmoothingSubject& subject, int steps);
-
-/// Index of the smallest value: the best iteration.
-int best_of(const std::vector<double>& errors);
-
-/// The error left by each of several steps.
-struct Sweep {
-    std::vector<double> steps, errors;   // errors: rms [length]
-    double noisy = 0;                    // before smoothing [length]
-    double best_step() const { return steps[best_of(errors)]; }
-    double least() const { return std::ranges::min(errors); }
-    double at(double step) const { return errors[std::ranges::find(steps, step) - steps.begin()]; }
-};
 
 /// "random triangles on the torus".
 inline std::string sampled(MeshKind kind, std::string_view surface) {
