@@ -30,43 +30,31 @@ bool reproduces(const Experiment& experiment, int row) { return std::ranges::fin
 
 report::Cell cell_if_said(const std::string& said) { return said.empty() ? report::Cell() : report::Cell(said); }
 
-void reproduce(const Reproduction& r, const MeshLibrary& library) {
+/// Says in the place of an experiment why its mesh does not allow it. @return false
+bool add_failure(const Reproduction& r, const Error& error) {
+    add_opening(r, {});
+    add_words(r.section(), words, "could_not_be_done", "why"_a = printable(error.what()));
+    return false;
+}
+
+/// Does the experiment again. @return whether its mesh allows it
+bool reproduce(const Reproduction& r, const MeshLibrary& library) try {
     const auto do_again = [&](auto experiment_of, auto add) {
         const auto done = experiment_of(library, r.experiment, r.settings);
         for (const ExperimentMesh& mesh : done.meshes) enter_input(*mesh.used, r.section());
         add(r, done);
     };
-    switch (r.experiment.kind) {
-        case ExperimentKind::curvature:
-            return do_again(curvature_experiment, add_curvature_reproduction);
-        case ExperimentKind::forms:
-            return add_forms_reproduction(r);
-        case ExperimentKind::reconstruction:
-            return do_again(reconstruction_experiment, add_reconstruction_reproduction);
-        case ExperimentKind::smoothing:
-            return do_again(smoothing_experiment, add_smoothing_reproduction);
-        case ExperimentKind::denoising:
-        case ExperimentKind::error_curve:
-            return do_again(noisy_experiment, add_noisy_reproduction);
-    }
-}
-
-/// Does the experiment, or says in its place why its mesh does not allow it.
-/// @return whether it was done
-bool is_reproduced(const Reproduction& r, const MeshLibrary& library) {
-    const auto failed = [&](const Error& error) {
-        add_opening(r, {});
-        add_words(r.section(), words, "could_not_be_done", "why"_a = printable(error.what()));
-        return false;
-    };
-    try {
-        reproduce(r, library);
-        return true;
-    } catch (const MeshError& error) {
-        return failed(error);
-    } catch (const SolverError& error) {
-        return failed(error);
-    }
+    const ExperimentKind kind = r.experiment.kind;
+    if (kind == ExperimentKind::curvature) do_again(curvature_experiment, add_curvature_reproduction);
+    if (kind == ExperimentKind::forms) add_forms_reproduction(r);
+    if (kind == ExperimentKind::reconstruction) do_again(reconstruction_experiment, add_reconstruction_reproduction);
+    if (kind == ExperimentKind::smoothing) do_again(smoothing_experiment, add_smoothing_reproduction);
+    if (is_noisy(r.experiment)) do_again(noisy_experiment, add_noisy_reproduction);
+    return true;
+} catch (const MeshError& error) {
+    return add_failure(r, error);
+} catch (const SolverError& error) {
+    return add_failure(r, error);
 }
 
 }   // namespace
@@ -118,7 +106,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
         const Experiment& experiment = settings.experiments[i];
         const Reproduction r{answer, experiment, settings, (i < 9 ? "reproductions_0" : "reproductions_") + std::to_string(i + 1)};
         progress(r.where());
-        const bool is_done = is_reproduced(r, library);
+        const bool is_done = reproduce(r, library);
         (is_done ? done : failed).push_back(experiment);
         if (is_done) rows.insert(experiment.rows.begin(), experiment.rows.end());
         reports.insert(experiment.from);

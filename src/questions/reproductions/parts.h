@@ -140,7 +140,9 @@ struct NoisyRun : Variant {
     /// The error after t iterations. [% of the box diagonal]
     double percent(int t) const { return mesh->percent() * rms[t]; }
 };
-/// Runs every combination of mesh, operator, area form, method, λ and noise level: experiments of the kinds denoising and error_curve.
+/// True for the kinds denoising and error_curve.
+inline bool is_noisy(const Experiment& e) { return e.kind == ExperimentKind::denoising || e.kind == ExperimentKind::error_curve; }
+/// Runs every combination of mesh, operator, area form, method, λ and noise level.
 Done<NoisyRun> noisy_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings);
 
 /// One experiment, and the answer that its blocks are added to.

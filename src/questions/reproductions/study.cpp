@@ -95,8 +95,7 @@ std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const 
 Carried lambda_rule(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind) {
     if (!mesh.stand_in || experiment.lambda_unit != StepUnit::raw || is_dimensionless(kind)) return Carried::as_given;
     const OriginalMesh& original = mesh.originals.front();
-    const bool noisy = experiment.kind == ExperimentKind::denoising || experiment.kind == ExperimentKind::error_curve;
-    if (noisy) return original.mean_edge > 0 ? Carried::by_edge : Carried::as_given;
+    if (is_noisy(experiment)) return original.mean_edge > 0 ? Carried::by_edge : Carried::as_given;
     return original.lambda_crit > 0 ? Carried::by_limit : Carried::as_given;
 }
 

@@ -7,7 +7,7 @@ namespace {
 std::string at_most(double x) { return readable(rounded_up(x, 2), 2); }
 std::string percent_at_most(double x) { return readable_percent(rounded_up(x, 2), 2); }
 
-void append(report::Facts& facts, report::Facts more) { std::ranges::move(more, std::back_inserter(facts)); }
+report::Facts list_of(auto... facts) { return {std::move(facts)...}; }
 
 report::Facts limit_facts(const Studies& studies) {
     int limits = 0, semidefinite = 0, refuted = 0;
@@ -27,19 +27,12 @@ report::Facts limit_facts(const Studies& studies) {
         return span_of(readable(low, digits), readable(high, digits));
     };
     const ModeGrowth& beyond = studies.front().cotangent().beyond;
-    return {"limits"_a = limits,
-            "both"_a = limits == 2,
-            "semidefinite"_a = semidefinite,
-            "proved"_a = semidefinite == limits,
-            "width"_a = at_most(widest),
-            "refuted"_a = refuted,
-            "steps"_a = beyond.steps(),
-            "growth_mesh"_a = studies.back().name(),
-            "growth"_a = readable(beyond.predicted(beyond.steps()), 2),
-            "off"_a = at_most(off),
-            "left"_a = at_most(highest),
-            "uniform"_a = range(3, [](const StabilityStudy& s) { return s.uniform().critical(); }),
-            "cotangent"_a = range(2, [](const StabilityStudy& s) { return s.cotangent().critical() / (s.mean_edge * s.mean_edge); })};
+    return list_of(
+        "limits"_a = limits, "both"_a = limits == 2, "semidefinite"_a = semidefinite, "proved"_a = semidefinite == limits,
+        "width"_a = at_most(widest), "refuted"_a = refuted, "steps"_a = beyond.steps(), "growth_mesh"_a = studies.back().name(),
+        "growth"_a = readable(beyond.predicted(beyond.steps()), 2), "off"_a = at_most(off), "left"_a = at_most(highest),
+        "uniform"_a = range(3, [](const StabilityStudy& s) { return s.uniform().critical(); }),
+        "cotangent"_a = range(2, [](const StabilityStudy& s) { return s.cotangent().critical() / (s.mean_edge * s.mean_edge); }));
 }
 
 /// The fact that says why the limiting vertex is fast. Its rate is weights over area; each has its share of it on a logarithmic scale.
@@ -63,23 +56,16 @@ report::Text diagnosis(const WatchedRun& watched) {
 report::Facts flow_facts(const RebuiltFlow& flow) {
     const Smoothed &fixed = flow.fixed.run, &adaptive = flow.adaptive.run, &frozen = flow.frozen.run;
     const auto share = [&](const WatchedRun& run) { return readable_percent(double(run.inverted) / flow.mesh().face_count(), 1); };
-    return {"flow_mesh"_a = flow.name(),
-            "crosses"_a = fixed.crossing_iteration,
-            "largest"_a = readable(largest_product(fixed), 3),
-            "fixed_run"_a = diagnosis(flow.fixed),
-            "survives"_a = fixed.crossing_iteration > 0 && !fixed.blew_up && fixed.collapse_iteration == 0,
-            "share"_a = readable(flow.share, 3),
-            "adaptive_crosses"_a = adaptive.crossing_iteration,
-            "adaptive_run"_a = diagnosis(flow.adaptive),
-            "time"_a = readable_percent(adaptive.time / (flow.fixed.lambda * flow.fixed.iterations), 2),
-            "shrinks"_a = adaptive.steps.back().lambda < 0.5 * flow.fixed.lambda,
-            "turned"_a = flow.fixed.inverted + flow.adaptive.inverted,
-            "fixed_turned"_a = share(flow.fixed),
-            "adaptive_turned"_a = share(flow.adaptive),
-            "times"_a = readable(flow.beyond, 1),
-            "frozen_factor"_a = readable(frozen.steps.front().top - 1, 2),
-            "frozen_run"_a = diagnosis(flow.frozen),
-            "frozen_survives"_a = frozen.blew_up ? 0 : frozen.iterations};
+    return list_of(
+        "flow_mesh"_a = flow.name(), "crosses"_a = fixed.crossing_iteration, "largest"_a = readable(largest_product(fixed), 3),
+        "fixed_run"_a = diagnosis(flow.fixed),
+        "survives"_a = fixed.crossing_iteration > 0 && !fixed.blew_up && fixed.collapse_iteration == 0, "share"_a = readable(flow.share, 3),
+        "adaptive_crosses"_a = adaptive.crossing_iteration, "adaptive_run"_a = diagnosis(flow.adaptive),
+        "time"_a = readable_percent(adaptive.time / (flow.fixed.lambda * flow.fixed.iterations), 2),
+        "shrinks"_a = adaptive.steps.back().lambda < 0.5 * flow.fixed.lambda, "turned"_a = flow.fixed.inverted + flow.adaptive.inverted,
+        "fixed_turned"_a = share(flow.fixed), "adaptive_turned"_a = share(flow.adaptive), "times"_a = readable(flow.beyond, 1),
+        "frozen_factor"_a = readable(frozen.steps.front().top - 1, 2), "frozen_run"_a = diagnosis(flow.frozen),
+        "frozen_survives"_a = frozen.blew_up ? 0 : frozen.iterations);
 }
 
 report::Facts run_facts(const Planes& planes) {
@@ -88,21 +74,14 @@ report::Facts run_facts(const Planes& planes) {
     const Gap gap = largest_gap(planes);
     const SmoothingMaps& maps = gap.maps ? *gap.maps : planes.front();
     const double at_equal_time = largest_of(planes, largest_difference_at_equal_time);
-    return {"faults"_a = found.within_lost + found.implicit_lost,
-            "beyond"_a = found.beyond,
-            "lost"_a = found.beyond_lost,
-            "all_lost"_a = found.beyond > 0 && found.beyond_lost == found.beyond,
-            "late"_a = std::lround(found.off),
-            "plane_mesh"_a = planes.front().name(),
-            "hidden"_a = listed(names_where(planes, is_hidden)),
-            "hidden_known"_a = std::ranges::all_of(planes, [&](auto& m) { return !is_hidden(m) || m.all; }),
-            "gap"_a = gap.maps ? percent_at_most(gap.apart) : "",
-            "gap_mesh"_a = maps.name(),
-            "gap_t"_a = maps.iterations[maps.row_of(gap.cell)],
-            "gap_fades"_a = (gap.last < 0.5 * gap.apart),
-            "gap_last"_a = percent_at_most(gap.last),
-            "last_t"_a = maps.iterations.back(),
-            "equal_time"_a = (at_equal_time > 0) ? percent_at_most(at_equal_time) : ""};
+    return list_of("faults"_a = found.within_lost + found.implicit_lost, "beyond"_a = found.beyond, "lost"_a = found.beyond_lost,
+                   "all_lost"_a = found.beyond > 0 && found.beyond_lost == found.beyond, "late"_a = std::lround(found.off),
+                   "plane_mesh"_a = planes.front().name(), "hidden"_a = listed(names_where(planes, is_hidden)),
+                   "hidden_known"_a = std::ranges::all_of(planes, [&](auto& m) { return !is_hidden(m) || m.all; }),
+                   "gap"_a = gap.maps ? percent_at_most(gap.apart) : "", "gap_mesh"_a = maps.name(),
+                   "gap_t"_a = maps.iterations[maps.row_of(gap.cell)], "gap_fades"_a = (gap.last < 0.5 * gap.apart),
+                   "gap_last"_a = percent_at_most(gap.last), "last_t"_a = maps.iterations.back(),
+                   "equal_time"_a = (at_equal_time > 0) ? percent_at_most(at_equal_time) : "");
 }
 
 /// The fact that says which scheme comes nearest to the clean mesh, by more than 2 %; empty if no clean mesh is known.
@@ -124,9 +103,9 @@ report::Facts result_facts(const Planes& planes) {
     for (const SmoothingMaps& maps : planes)
         for (const double size : maps.implicit_map().size)
             if (size < least) least = size, least_mesh = maps.name();   // NaN is left out
-    report::Facts facts{"turned_explicit"_a = turned(&SmoothingMaps::explicit_map),
-                        "turned_implicit"_a = turned(&SmoothingMaps::implicit_map), "least_mesh"_a = least_mesh,
-                        "least"_a = least < 1e-6 ? "" : readable_percent(least, 2)};
+    report::Facts facts =
+        list_of("turned_explicit"_a = turned(&SmoothingMaps::explicit_map), "turned_implicit"_a = turned(&SmoothingMaps::implicit_map),
+                "least_mesh"_a = least_mesh, "least"_a = least < 1e-6 ? "" : readable_percent(least, 2));
     for (const std::string_view fact : {"neither", "by_explicit", "by_implicit", "by_both"})
         facts.emplace_back(fact, listed(names_where(planes, [=](auto& maps) { return nearest(maps) == fact; })));
     return facts;
@@ -174,9 +153,8 @@ report::Facts facts_of(const Studies& studies, const RebuiltFlow& flow, const Pl
     report::Facts facts = limit_facts(studies);
     for (const std::string_view cause : {"whole", "boundary", "usual", "area", "weights", "area_and_weights"})
         facts.emplace_back(cause, listed(names_where(studies, [=](auto& study) { return cause_of(study) == cause; })));
-    append(facts, flow_facts(flow));
-    append(facts, run_facts(planes));
-    append(facts, result_facts(planes));
+    for (report::Facts more : {flow_facts(flow), run_facts(planes), result_facts(planes)})
+        std::ranges::move(more, std::back_inserter(facts));
     return facts;
 }
 
