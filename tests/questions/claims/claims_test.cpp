@@ -1,4 +1,4 @@
-// The ledger of claims: the rule decides, planted claims come out as they must, and every claim of the list is complete.
+// The ledger of claims: verdicts follow from the rules, planted claims get the right verdicts, and every claim of the list is complete.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,9 +28,9 @@ Measurement measured(std::vector<double> values) {
 
 Verdict verdict_of(const Rule& rule, std::vector<double> values) { return decide(rule, measured(std::move(values))).verdict; }
 
-// ---- planted claims, measured as those of the ledger are ------------------------------------------------------------------
+// ---- planted claims, measured like those of the ledger --------------------------------------------------------------------
 
-/// Roughness after 400 explicit steps, of that at the start.
+/// Roughness after 400 explicit steps of this share of the limit, over that at the start.
 Measurement energy_after(ClaimBench& bench, double share) {
     const SmoothingSubject& s = bench.subject("sphere");
     const Positions& X = bench.run("sphere", {SmoothingScheme::explicit_euler, share * s.critical, 400}).X;
@@ -65,7 +65,7 @@ Verdict judged_verdict(const Rule& rule, Measure measure) {
 
 }   // namespace
 
-TEST(ClaimRule, AllCasesSomeCasesNoCase) {
+TEST(ClaimRule, TheVerdictDependsOnHowManyCasesSatisfyIt) {
     const Rule rule{"x", "", at_most, 5};
     EXPECT_EQ(verdict_of(rule, {1, 5}), Verdict::holds);
     EXPECT_EQ(verdict_of(rule, {1, 5.0001}), Verdict::conditional);
@@ -76,7 +76,7 @@ TEST(ClaimRule, AllCasesSomeCasesNoCase) {
     EXPECT_EQ(verdict_of(other, {4}), Verdict::refuted);
 }
 
-TEST(ClaimRule, WhatIsNotDefinedDecidesNothing) {
+TEST(ClaimRule, UndefinedCasesDecideNothing) {
     const Rule rule{"x", "", at_most, 5};
     EXPECT_EQ(verdict_of(rule, {std::nan(""), 1}), Verdict::holds);
     EXPECT_EQ(verdict_of(rule, {std::nan("")}), Verdict::undecidable);
@@ -96,7 +96,7 @@ TEST(ClaimRule, TheDecidingCaseIsTheOneNearestToTheThreshold) {
     EXPECT_EQ(decide({"x", "", at_least, 0}, measured({-3, -1, -2})).deciding, 1u);
 }
 
-TEST(ClaimRule, IsASentence) {
+TEST(ClaimRule, TheRuleTextIsASentence) {
     JudgedClaim judged;
     Claim claim;
     judged.claim = &claim;
@@ -116,7 +116,7 @@ TEST(ClaimRule, AChangedResultChangesTheVerdict) {
         const JudgedClaim before = judged(claim, bench);
         if (before.decision.verdict == Verdict::undecidable) continue;
         Measurement other = before.measurement;
-        // Reflected about the threshold, by ratio where that keeps the sign: on the other side, and never on it.
+        // Reflects each value about the threshold, so that it lies on the other side and never on it.
         for (Case& c : other.cases) c.value = 2 * claim.rule.threshold - c.value + (claim.rule.relation == at_most ? 1e-12 : -1e-12);
         const Verdict after = decide(claim.rule, other).verdict;
         const Verdict opposite = before.decision.verdict == Verdict::holds     ? Verdict::refuted
@@ -170,7 +170,7 @@ TEST(ClaimList, EveryClaimIsComplete) {
 
 namespace {
 
-/// How many meshes it was given: decides every claim that reaches it.
+/// A case with the number of meshes given; it decides every claim that is measured.
 Measurement meshes_given(ClaimBench&, const MeshNames& meshes) {
     Measurement m;
     m.cases = {{"meshes", double(meshes.size())}};
@@ -195,7 +195,7 @@ Decision decision_of(std::string_view id, const MeshLibrary& library, const Ques
     return judged(claim_named(id), bench).decision;
 }
 
-/// Is it about one mesh or a kind of mesh by its words alone, or does it compare several? Written without a look at About.
+/// True if the words of the claim name a mesh or a kind of mesh, or compare several meshes; independent of About.
 bool names_what_a_mesh_is(const Claim& claim) {
     const std::string said = claim.said();
     const auto says = [&](const char* part) { return said.find(part) != std::string::npos; };
@@ -203,7 +203,7 @@ bool names_what_a_mesh_is(const Claim& claim) {
            says("Each object");
 }
 
-/// A closed surface of several bumps, and triangles of all shapes.
+/// A closed surface with several bumps and triangles of all shapes.
 TriangleMesh blob() {
     TriangleMesh mesh = icosphere(2);
     for (Eigen::Index i = 0; i < mesh.X.rows(); ++i) {
@@ -239,12 +239,13 @@ TEST(ClaimAbout, OneMeshInEveryRoleDecidesNothingAboutAnother) {
         ClaimBench bench(library, settings);
         int general = 0;
         for (const Claim& claim : claim_list()) {
-            if (claim.about.meshes.empty()) continue;   // made by the program: the same on every mesh
+            if (claim.about.meshes.empty()) continue;   // on surfaces that the program makes
             const JudgedClaim result = judged(claim, bench);
             const bool elsewhere = names_what_a_mesh_is(claim) || claim.about.scope != About::Scope::any_mesh || claim.about.compared > 1;
             if (elsewhere) {
                 EXPECT_EQ(result.decision.verdict, Verdict::undecidable) << claim.id << " on " << name;
-                EXPECT_NE(result.decision.why, "the quantity is not defined on this mesh") << claim.id << ": that is found out before";
+                EXPECT_NE(result.decision.why, "the quantity is not defined on this mesh")
+                    << claim.id << ": a property excludes the mesh before it is measured";
             } else {
                 general += result.decision.verdict != Verdict::undecidable ? 1 : 0;
             }
@@ -272,7 +273,7 @@ TEST(ClaimAbout, AMeshIsNotComparedWithItself) {
     const Decision own = decision_on(library_of(blob(), "about_alone"), two);
     EXPECT_EQ(own.verdict, Verdict::undecidable);
     EXPECT_EQ(own.why, "it compares different meshes, and here one takes the place of all");
-    // One mesh under two names and in two formats.
+    // One mesh under two names.
     const testing_tools::TemporaryFolder folder;
     write_mesh(folder.path() / "bunny.off", blob());
     write_mesh(folder.path() / "cow.off", blob());
@@ -281,19 +282,19 @@ TEST(ClaimAbout, AMeshIsNotComparedWithItself) {
     EXPECT_EQ(decision_on(MeshLibrary({folder.path()}, {}), two).verdict, Verdict::holds) << "the cube is another";
 }
 
-TEST(ClaimAbout, AMeshIsKnownByItsMeasuresAndNotByItsName) {
+TEST(ClaimAbout, AMeshIsIdentifiedByItsMeasuresAndNotByItsName) {
     const testing_tools::TemporaryFolder folder;
     write_mesh(folder.path() / "bunny.off", blob());
     const Decision impostor = decision_on(MeshLibrary({folder.path()}, {}), {{"bunny"}, {}, About::Scope::itself});
     EXPECT_EQ(impostor.verdict, Verdict::undecidable);
     EXPECT_EQ(impostor.why, "it is about bunny.off itself, and bunny says nothing about that mesh");
-    TriangleMesh cube{Positions(8, 3), Faces(12, 3)};   // which way the sides are halved counts, too: the bundled one is another
+    TriangleMesh cube{Positions(8, 3), Faces(12, 3)};   // the bundled cube has other diagonals in its sides
     cube.X << -0.5, -0.5, 0.5, 0.5, -0.5, 0.5, -0.5, 0.5, 0.5, 0.5, 0.5, 0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, -0.5, -0.5, -0.5, 0.5, -0.5,
         -0.5;
     cube.F << 0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5, 4, 5, 6, 6, 5, 7, 6, 7, 0, 0, 7, 1, 1, 7, 3, 3, 7, 5, 6, 0, 4, 4, 0, 2;
     const About the_cube{{"cube"}, {}, About::Scope::itself};
     EXPECT_EQ(decision_on(MeshLibrary({}, {}), the_cube).verdict, Verdict::undecidable);
-    EXPECT_EQ(decision_on(library_of(cube, "about_unit_cube"), the_cube).verdict, Verdict::holds) << "one's own copy of it";
+    EXPECT_EQ(decision_on(library_of(cube, "about_unit_cube"), the_cube).verdict, Verdict::holds) << "a copy of the mesh itself";
     cube.X *= 1.01;
     EXPECT_EQ(decision_on(library_of(cube, "about_other_cube"), the_cube).verdict, Verdict::undecidable);
 }
@@ -318,12 +319,12 @@ TEST(ClaimAbout, AMeshWithoutThePropertyIsLeftOut) {
     EXPECT_EQ(why(patch, "about_l", Property::above_1500_vertices), "about_l has no more than 1500 vertices");
     EXPECT_EQ(why(icosphere(4), "about_m", Property::above_1500_vertices), "");
     EXPECT_EQ(why(patch, "plane_noisy", Property::clean_known), "the surface under the noise of plane_noisy is not known")
-        << "whatever one's own file is called";
+        << "whatever the name of the user's file";
     EXPECT_EQ(decision_of("claims_s3_clamp_stable", library_of(sphere, "about_n")).verdict, Verdict::undecidable)
-        << "clamping what is not there says nothing";
+        << "there is no weight to clamp";
 }
 
-TEST(ClaimsSection, BundledMeshes) {
+TEST(ClaimsSection, IsWellFormedOnTheBundledMeshes) {
     const Answer answer = chapter_of_id("claims").answer(MeshLibrary({}, {}), quick_settings(), no_progress);
     expect_well_formed(answer);
     expect_checks_pass(answer.section);
@@ -331,13 +332,13 @@ TEST(ClaimsSection, BundledMeshes) {
     EXPECT_EQ(ledger.rows.size(), claim_list().size());
     EXPECT_TRUE(ledger.sortable);
     const std::string prose = prose_of(answer.section);
-    EXPECT_NE(prose.find("creature in place of bunny.off"), std::string::npos) << "what stands in is told";
+    EXPECT_NE(prose.find("creature in place of bunny.off"), std::string::npos) << "the stand-in is named";
     EXPECT_NE(prose.find("a quick run does not measure it"), std::string::npos);
-    const std::string first = report::plain(answer.section.answer);   // stands in the opening table: no report is named there
+    const std::string first = report::plain(answer.section.answer);   // part of the opening table, which names no report
     for (const char* source : {"S0", "S1", "S2", "S3", "report"}) EXPECT_EQ(first.find(source), std::string::npos) << first;
 }
 
-TEST(ClaimsSection, MeshesOfTheUser) {
+TEST(ClaimsSection, IsWellFormedOnMeshesOfTheUser) {
     TriangleMesh one{Positions(3, 3), Faces(1, 3)};
     one.X << 0, 0, 0, 1, 0, 0, 0, 1, 0;
     one.F << 0, 1, 2;
@@ -352,9 +353,9 @@ TEST(ClaimsSection, MeshesOfTheUser) {
     }
 }
 
-// ---- rules that test what is claimed ---------------------------------------------------------------------------------------
+// ---- rules that test the claims --------------------------------------------------------------------------------------------
 
-// Whether a clamped operator is exact on a plane says nothing of its stability.
+// The exactness of a clamped operator on a plane says nothing about its stability.
 TEST(ClaimRules, ClampedWeightsAreJudgedByStability) {
     const MeshLibrary library({}, {});
     const QuestionSettings settings = quick_settings();
@@ -366,14 +367,14 @@ TEST(ClaimRules, ClampedWeightsAreJudgedByStability) {
     EXPECT_EQ(report::plain(claim.measurement.remark).find("range by 0"), std::string::npos) << "negative weights do leave it";
 }
 
-// The bundled stand-in ends 1.53 % as thick as long.
-TEST(ClaimRules, ALineIsWhatLooksLikeOne) {
+// The final shape of the bundled stand-in is 1.53 % as thick as long.
+TEST(ClaimRules, AThinShapeCountsAsALineAndASlabDoesNot) {
     const Rule& rule = claim_named("claims_s1_line").rule;
     EXPECT_TRUE(rule.satisfied_by(1.53));
     EXPECT_FALSE(rule.satisfied_by(20)) << "a slab";
 }
 
-// At noise level 20 smoothing takes two thirds of the noise, and what is left is still more than a mean edge.
+// At noise level 20 smoothing removes two thirds of the noise; the rest is still more than a mean edge.
 TEST(ClaimRules, NothingIsRecoveredOnlyWhereNoStepHelps) {
     const JudgedClaim little = [] {
         const MeshLibrary library = library_of(icosphere(4), "rule_ball");
@@ -387,7 +388,7 @@ TEST(ClaimRules, NothingIsRecoveredOnlyWhereNoStepHelps) {
     for (const double gain : {0.5, 1.1, 1.3, 3.0}) EXPECT_NE(none.satisfied_by(gain), some.satisfied_by(gain)) << "never both of a gain";
 }
 
-// The order of loss, not the error: on fine triangles a large error in mean edges is a small one.
+// The claim is about the order of loss, not about the error: on fine triangles an error of many mean edges is small.
 TEST(ClaimRules, DetailsAreLostFirstOnlyWhereTheNoiseOutlivesThem) {
     const auto ratio_on = [](const TriangleMesh& mesh, const std::string& name) {
         const MeshLibrary library = library_of(mesh, name);
@@ -404,8 +405,8 @@ TEST(ClaimRules, DetailsAreLostFirstOnlyWhereTheNoiseOutlivesThem) {
         return mesh;
     };
     const double fine = ratio_on(with_bumps(16), "rule_fine_bumps"), coarse = ratio_on(with_bumps(7), "rule_coarse_bumps");
-    EXPECT_GT(fine, 1) << "gone before the noise is";
-    EXPECT_LT(coarse, 1) << "the noise is gone first, although it is as strong";
+    EXPECT_GT(fine, 1) << "the details vanish before the noise";
+    EXPECT_LT(coarse, 1) << "the noise vanishes first, although it is as strong";
 }
 
 // ---- the meshes of the reports --------------------------------------------------------------------------------------------
@@ -430,7 +431,7 @@ bool originals_are_there() { return std::filesystem::exists(mesh_folder / "class
 
 // The numbers expected below were measured independently.
 
-TEST(ClaimsOnOriginals, ConstantsOfTheOriginals) {
+TEST(ClaimsOnOriginals, TheOriginalsHaveTheListedMeasures) {
     NEEDS_ORIGINALS();
     const MeshLibrary library({mesh_folder / "classic"}, {});
     for (const StandIn& entry : stand_in_list()) {
@@ -443,7 +444,7 @@ TEST(ClaimsOnOriginals, ConstantsOfTheOriginals) {
     }
 }
 
-TEST(ClaimsOnOriginals, BunnyLimitMatchesWithTheFactorOneHalf) {
+TEST(ClaimsOnOriginals, TheBunnyLimitMatchesWithTheFactorOneHalf) {
     NEEDS_ORIGINALS();
     const JudgedClaim claim = judged_on_originals("claims_s0_bunny_limit");
     EXPECT_EQ(claim.decision.verdict, Verdict::conditional);
@@ -475,14 +476,14 @@ TEST(ClaimsOnOriginals, ExplicitEqualsImplicitAtTheSameStep) {
     EXPECT_NEAR(claim.measurement.cases[0].value, 100 * 0.0014 / 0.40, 0.03);
 }
 
-TEST(ClaimsOnOriginals, IterationsStandForTheStepInPart) {
+TEST(ClaimsOnOriginals, MoreIterationsPartlyReplaceALargerStep) {
     NEEDS_ORIGINALS();
     const JudgedClaim claim = judged_on_originals("claims_s3_iterations_for_step");
     EXPECT_EQ(claim.decision.verdict, Verdict::conditional);
     EXPECT_NEAR(claim.measurement.cases.back().value, 100 * 0.054 / 0.40, 0.4);
 }
 
-TEST(ClaimsOnOriginals, UniformLimitsExplainSTwoAndSThree) {
+TEST(ClaimsOnOriginals, UniformLimitsExplainTheReportsS2AndS3) {
     NEEDS_ORIGINALS();
     const JudgedClaim claim = judged_on_originals("claims_s2_unstable");
     EXPECT_EQ(claim.decision.verdict, Verdict::holds);
@@ -512,7 +513,7 @@ TEST(ClaimsOnOriginals, ThePlaneOfTheCourseIsFlat) {
     EXPECT_LT(claim.measurement.cases[0].value, 1e-12);
 }
 
-TEST(ClaimsOnOriginals, RestOfTheTable) {
+TEST(ClaimsOnOriginals, TheOtherClaimsHaveTheVerdictsMeasuredBefore) {
     NEEDS_ORIGINALS();
     EXPECT_EQ(judged_on_originals("claims_s0_nonlinear").decision.verdict, Verdict::refuted);
     EXPECT_EQ(judged_on_originals("claims_s3_tip").decision.verdict, Verdict::refuted);

@@ -45,7 +45,7 @@ std::vector<Experiment> one_of_each() {
     return all;
 }
 
-/// The cell of a row of the requirements in the coverage table; empty text for an empty cell.
+/// The text of a cell in the row of a requirement in the coverage table; empty for an empty cell.
 std::string covered(const report::Table& table, int row, const std::string& column) {
     const auto rows = numbers(table, "row");
     const auto column_cells = cells(table, column);
@@ -97,7 +97,7 @@ TEST(Reproductions, AnImpossibleExperimentIsReportedAndTheOthersRun) {
     settings.bundled_experiments.clear();
     const Answer answer = chapter_of_id("reproductions").answer(MeshLibrary({}, {}), settings, no_progress);
     expect_well_formed(answer);
-    EXPECT_TRUE(answer.section.warnings.empty()) << "it is a failure, no warning";
+    EXPECT_TRUE(answer.section.warnings.empty()) << "a failure is no warning";
     EXPECT_EQ(check_named(answer.section, "experiments that could not be done").measured, 1);
     EXPECT_FALSE(check_named(answer.section, "experiments that could not be done").passed());
     EXPECT_NE(prose_of(answer.section).find("Could not be done"), std::string::npos);
@@ -109,7 +109,7 @@ TEST(Reproductions, AnImpossibleExperimentIsReportedAndTheOthersRun) {
     EXPECT_EQ(answer.figures.size(), 1u);
 }
 
-TEST(Reproductions, ARunThatCollapsesKeepsWhatItReached) {
+TEST(Reproductions, ARunThatCollapsesKeepsItsMeasurements) {
     Experiment e = experiment_of(ExperimentKind::error_curve, 29);
     e.meshes = {{"creature", "no_such_creature.off", "creature.obj", 0, 0, 0}};
     e.methods = {{SmoothingScheme::implicit_euler, true}};
@@ -135,7 +135,7 @@ TEST(Reproductions, ARunThatCollapsesKeepsWhatItReached) {
     EXPECT_EQ(end.label, "collapsed at step " + std::to_string(run.collapse_iteration));
 }
 
-TEST(Coverage, SaysWhoAnswersEachRow) {
+TEST(Coverage, ListsExperimentsAndSectionsForEachRow) {
     const std::vector<Experiment> bundled{experiment_of(ExperimentKind::smoothing, 20), experiment_of(ExperimentKind::smoothing, 20),
                                           experiment_of(ExperimentKind::curvature, 22)};
     const report::Table table = coverage_table(bundled, {bundled[2]}, {});
@@ -148,7 +148,7 @@ TEST(Coverage, SaysWhoAnswersEachRow) {
     EXPECT_EQ(covered(table, 10, "remark").find("the dragon"), 0u);
 }
 
-TEST(Coverage, ARowWithoutAnswerIsFoundAndFailsItsCheck) {
+TEST(Coverage, ARowWithoutAnAnswerFailsTheCheck) {
     const std::vector<Experiment> some{experiment_of(ExperimentKind::smoothing, 22)};
     const std::vector<int> missing = uncovered_rows(some);
     EXPECT_EQ(std::count(missing.begin(), missing.end(), 22), 0);
@@ -158,7 +158,7 @@ TEST(Coverage, ARowWithoutAnswerIsFoundAndFailsItsCheck) {
     EXPECT_FALSE(check_named(answer.section, "rows 7 to 34 that neither a bundled experiment nor a section answers").passed());
 }
 
-TEST(ReproductionWords, AreThoseOfTheReport) {
+TEST(ReproductionWords, StateParametersAsTheReportDoes) {
     Experiment e = experiment_of(ExperimentKind::smoothing, 20);
     EXPECT_EQ(rows_text({20}), "row 20");
     EXPECT_EQ(rows_text({7, 8, 9}), "rows 7, 8 and 9");

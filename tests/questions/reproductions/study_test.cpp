@@ -19,7 +19,7 @@ namespace {
 
 const OriginalMesh missing_ball{"ball", "no_such_ball.off", "sphere.obj", 2e-3, 0.05, 3.5};
 
-/// On the bundled sphere in place of a ball whose limit is 2e-3, mean edge 0.05.
+/// An experiment on a ball with the limit 2e-3 and the mean edge 0.05; the bundled sphere stands in for it.
 Experiment experiment_of(ExperimentKind kind) {
     Experiment e;
     e.rows = {20};
@@ -36,7 +36,7 @@ const MeshLibrary bundled_meshes({}, {});
 
 }   // namespace
 
-TEST(ExperimentNames, RoundTripAndRefuse) {
+TEST(ExperimentNames, AreReadBackAndUnknownOnesAreRefused) {
     for (const std::string& name : experiment_kind_names()) EXPECT_EQ(name_of(experiment_kind_named(name)), name);
     for (const std::string& name : smoothing_method_names()) EXPECT_EQ(name_of(smoothing_method_named(name)), name);
     for (const std::string& name : noise_unit_names()) EXPECT_EQ(name_of(noise_unit_named(name)), name);
@@ -61,7 +61,7 @@ TEST(ExperimentMeshes, StandInsAreReportedAndSharedOnesAppearOnce) {
     EXPECT_NEAR(meshes[0].mean_edge, mean_edge_length(meshes[0].mesh()), 1e-15);
 }
 
-TEST(ExperimentMeshes, TheOriginalIsUsedWhereItIs) {
+TEST(ExperimentMeshes, TheOriginalIsUsedIfItIsThere) {
     const TemporaryFolder folder;
     write_mesh(folder.path() / "no_such_ball.off", ellipsoid_mesh(1, {1, 1, 1}));
     const MeshLibrary library({folder.path()}, {});
@@ -126,7 +126,7 @@ TEST(ExperimentParameters, CarryOverByTheirRules) {
     EXPECT_NEAR(noise_on(noisy, mesh, 0.01).z(), 0.01 * mesh.mean_edge, 1e-15);
 }
 
-TEST(ExperimentParameters, AreAsGivenWhereTheOriginalIsNotMeasured) {
+TEST(ExperimentParameters, StayAsGivenIfTheOriginalIsNotMeasured) {
     Experiment e = experiment_of(ExperimentKind::smoothing);
     e.meshes[0].lambda_crit = e.meshes[0].mean_edge = 0;
     const ExperimentMesh mesh = experiment_meshes(bundled_meshes, e, {}).at(0);
@@ -137,7 +137,7 @@ TEST(ExperimentParameters, AreAsGivenWhereTheOriginalIsNotMeasured) {
     EXPECT_EQ(noise_on(e, mesh, 0.5).x(), 0.5);
 }
 
-// λ = 1e-7 and 100 steps on a stand-in of the bunny: within the limit with the half of C, beyond it without.
+// On a stand-in of the bunny λ = 1e-7 is within the limit of C with the factor ½, and beyond it without the factor.
 TEST(SmoothingExperiments, TheMissingHalfHalvesTheLimit) {
     Experiment e = experiment_of(ExperimentKind::smoothing);
     e.meshes = {{"bunny", "", "sphere.obj", 1.93e-7, 0, 0}};
@@ -158,12 +158,12 @@ TEST(SmoothingExperiments, TheMissingHalfHalvesTheLimit) {
                 1, 1e-4);
 }
 
-TEST(SmoothingExperiments, TheUsableStepIsWhereTheTopModeLeavesTheBox) {
+TEST(SmoothingExperiments, TheUsableStepKeepsTheMeshInBounds) {
     const auto source = library_mesh(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_usable");
     const SmoothingSubject subject = smoothing_subject(source);
     const double few = largest_usable_step(subject, 20), many = largest_usable_step(subject, 200);
     EXPECT_GE(many, subject.critical * (1 - 1e-12));
-    EXPECT_GT(few, many) << "more steps bear less";
+    EXPECT_GT(few, many) << "more steps need a smaller λ";
     SmoothingOptions options;
     options.iterations = 20;
     options.blow_up_at = 3;
@@ -173,7 +173,7 @@ TEST(SmoothingExperiments, TheUsableStepIsWhereTheTopModeLeavesTheBox) {
     EXPECT_TRUE(smooth(source->mesh(), options).blew_up);
 }
 
-TEST(SmoothingExperiments, ImplicitStaysAndRebuiltIsAnotherRun) {
+TEST(SmoothingExperiments, ImplicitRunsAreStableAndRebuildingChangesThem) {
     Experiment e = experiment_of(ExperimentKind::smoothing);
     e.methods = {{SmoothingScheme::implicit_euler, false}, {SmoothingScheme::implicit_euler, true}};
     e.lambda = {20};
@@ -185,7 +185,7 @@ TEST(SmoothingExperiments, ImplicitStaysAndRebuiltIsAnotherRun) {
     EXPECT_GT(vertex_rms(done.results[0].run.result.X, done.results[1].run.result.X), 1e-6);
 }
 
-TEST(NoisyExperiments, NoiseIsAsAskedAndItsMinimumFound) {
+TEST(NoisyExperiments, NoiseHasTheGivenLevelAndTheMinimumIsFound) {
     Experiment e = experiment_of(ExperimentKind::error_curve);
     e.methods = {{SmoothingScheme::implicit_euler, false}};
     e.lambda = {0.05};
@@ -218,12 +218,12 @@ TEST(NoisyExperiments, WithoutNoiseNothingIsGained) {
     EXPECT_EQ(done.results[0].rms.front(), 0);
 }
 
-TEST(CurvatureExperiments, ASphereIsBentOutwardsEverywhere) {
+TEST(CurvatureExperiments, CurvatureIsPositiveOnASphere) {
     Experiment e = experiment_of(ExperimentKind::curvature);
     e.colours = {ExperimentColour::h_uniform, ExperimentColour::gauss, ExperimentColour::h_cotan};
     e.operators = {OperatorKind::cotan, OperatorKind::cotan_no_half};
     const auto done = curvature_experiment(bundled_meshes, e, {});
-    ASSERT_EQ(done.results.size(), 4u) << "H by two operators, K and uniform H once";
+    ASSERT_EQ(done.results.size(), 4u) << "cotangent H for each operator, K and uniform H once";
     const double h = done.meshes[0].mean_edge;
     for (const ExperimentField& field : done.results) {
         EXPECT_EQ(field.positive, 1) << name_of(field.colour);
@@ -234,7 +234,7 @@ TEST(CurvatureExperiments, ASphereIsBentOutwardsEverywhere) {
     EXPECT_NEAR(done.results[3].summary.median / done.results[2].summary.median, 2, 1e-9) << "without the half twice as much";
 }
 
-TEST(CurvatureExperiments, OnAPlaneEverythingSeenIsTheBoundary) {
+TEST(CurvatureExperiments, OnAPlaneOnlyTheBoundaryHasValues) {
     Experiment e = experiment_of(ExperimentKind::curvature);
     e.meshes = {{"plane", "", "plane.obj", 0, 0, 0}};
     e.colours = {ExperimentColour::h_cotan, ExperimentColour::gauss};
@@ -251,7 +251,7 @@ TEST(CurvatureExperiments, OnAPlaneEverythingSeenIsTheBoundary) {
               32);
 }
 
-TEST(ColoursOf, AreThoseOfTheMovedMesh) {
+TEST(ColoursOf, AreComputedOnTheMovedMesh) {
     Experiment e = experiment_of(ExperimentKind::smoothing);
     const ExperimentMesh mesh = experiment_meshes(bundled_meshes, e, {}).at(0);
     EXPECT_EQ(colours_of(mesh, ExperimentColour::none, mesh.mesh().X).size(), 0);
@@ -261,7 +261,7 @@ TEST(ColoursOf, AreThoseOfTheMovedMesh) {
     EXPECT_NEAR((4 * twice - before).cwiseAbs().maxCoeff() / before.maxCoeff(), 0, 1e-12) << "K falls with the square of the size";
 }
 
-TEST(ReconstructionExperiments, ErrorFallsInTheOperatorsOwnMass) {
+TEST(ReconstructionExperiments, TheErrorFallsInTheNormOfTheOperatorsMass) {
     Experiment e = experiment_of(ExperimentKind::reconstruction);
     e.operators = {OperatorKind::cotan, OperatorKind::edge_normalised};
     e.k = {4, 9, 30};

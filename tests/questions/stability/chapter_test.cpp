@@ -23,7 +23,7 @@ TEST(StabilitySection, BundledMeshesPassTheirOwnChecks) {
     }
 }
 
-TEST(StabilitySection, WellFormedOnAMeshOfTheUser) {
+TEST(StabilitySection, IsWellFormedOnAMeshOfTheUser) {
     const Answer answer =
         chapter_of_id("stability").answer(library_of(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_stab"), quick_settings(), no_progress);
     expect_well_formed(answer);
@@ -48,8 +48,7 @@ TEST(StabilitySection, UnitsAreConvertedBothWays) {
                 1, 1e-11);
 }
 
-// The rows of the uniform operator sum to 2: its Gershgorin bound is 2 but for the rounding that is counted in, and 0.9999 is no other
-// step.
+// The rows of the uniform operator sum to 2, so its Gershgorin bound is 2 plus counted rounding; the safe step is not printed as 0.9999.
 TEST(StabilitySection, ASafeStepOfOneIsPrintedAsOneAndHeadsNameTheirRounding) {
     const report::Table table =
         certificate_table({stability_study(library_mesh(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_heads"), quick_settings())});
@@ -62,7 +61,7 @@ TEST(StabilitySection, ASafeStepOfOneIsPrintedAsOneAndHeadsNameTheirRounding) {
     }
 }
 
-TEST(StabilityStudy, GrowsAndDecaysByTheLaw) {
+TEST(StabilityStudy, TheTopModeGrowsAndDecaysByTheLaw) {
     const StabilityStudy study = stability_study(library_mesh(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_law"), quick_settings());
     for (const OperatorLimit& limit : study.limits) {
         EXPECT_NEAR(limit.beyond.factor.back() / std::pow(1.02, 200), 1, 1e-6) << limit.name;
@@ -72,8 +71,8 @@ TEST(StabilityStudy, GrowsAndDecaysByTheLaw) {
     EXPECT_LE(study.uniform().certificate.mu_high, 2 * (1 + 1e-8));
 }
 
-// One vertex moved next to its neighbour: small area, large weights, a narrow angle.
-TEST(StabilityStudy, NamesTheVertexThatSetsTheLimit) {
+// A vertex close to its neighbour has a small area, large weights and a narrow angle.
+TEST(StabilityStudy, FindsTheVertexThatSetsTheLimit) {
     TriangleMesh mesh = icosphere(3);
     const int near = topology_of(mesh).neighbours.begin(100)[0];
     mesh.X.row(100) += 0.95 * (mesh.X.row(near) - mesh.X.row(100));
@@ -88,14 +87,14 @@ TEST(StabilityStudy, AnAdaptiveFlowNeverCrosses) {
     for (const char* role : {"armadillo", "plane_ns"}) {
         const StabilityStudy study = stability_study(MeshLibrary({}, {}).role(role), quick_settings());
         const RebuiltFlow flow = rebuilt_flow(study, quick_settings());
-        EXPECT_GT(flow.fixed.run.crossing_iteration, 1) << role << ": half the limit of the input is too much later on";
+        EXPECT_GT(flow.fixed.run.crossing_iteration, 1) << role << ": later on, half the limit of the input exceeds the limit";
         EXPECT_EQ(flow.adaptive.run.crossing_iteration, 0) << role;
         EXPECT_LE(largest_product(flow.adaptive.run), 2 * flow.share) << role;
         EXPECT_LE(flow.adaptive.run.time, flow.fixed.lambda * flow.fixed.iterations * (1 + 1e-12)) << role;
     }
 }
 
-// The top mode triples in each step: it reaches a thousand diagonals where it is largest.
+// The top mode triples in each step, and reaches a thousand diagonals at the vertex where it is largest.
 TEST(StabilityStudy, AFrozenRunBeyondTheLimitBlowsUpAtTheVertexThatSetsIt) {
     const auto source = MeshLibrary({}, {}).role("armadillo");
     const StabilityStudy study = stability_study(source, quick_settings());
@@ -126,7 +125,7 @@ TEST(StabilitySection, ACollapsingFlowIsReported) {
     EXPECT_NE(prose.find("Both limits are proved"), std::string::npos);
 }
 
-TEST(StabilitySection, WhatMakesAVertexFastFollowsWeightsOverArea) {
+TEST(StabilitySection, TheDiscussionNamesWhyTheLimitingVertexIsFast) {
     const Answer ball = chapter_of_id("stability").answer(library_of(icosphere(2), "even_ball"), quick_settings(), no_progress);
     const std::string even = prose_of(ball.section);
     EXPECT_EQ(even.find("because of"), std::string::npos) << "all triangles are alike";
@@ -139,7 +138,7 @@ TEST(StabilitySection, WhatMakesAVertexFastFollowsWeightsOverArea) {
     EXPECT_EQ(pinched.find("no single spot"), std::string::npos);
 }
 
-TEST(StabilityFigures, ANeighbourhoodIsWhatLiesWithinSoManyEdges) {
+TEST(StabilityFigures, ANeighbourhoodHasTheTrianglesWithinSomeEdges) {
     const TriangleMesh mesh = icosphere(3);
     const MeshTopology topology = topology_of(mesh);
     const Neighbourhood one = neighbourhood(mesh, topology, 200, 1);
@@ -148,7 +147,8 @@ TEST(StabilityFigures, ANeighbourhoodIsWhatLiesWithinSoManyEdges) {
     EXPECT_EQ(one.original[one.vertex], 200);
     const Vector3 normal = vertex_normals(one.mesh).row(one.vertex);
     EXPECT_GT(normal.dot(Vector3(0.53, 0.37, 0.76).normalized()), 0.999) << "towards the viewer";
-    EXPECT_NEAR(surface_area(neighbourhood(mesh, topology, 200, 100).mesh) / surface_area(mesh), 1, 1e-12) << "all of it, not stretched";
+    EXPECT_NEAR(surface_area(neighbourhood(mesh, topology, 200, 100).mesh) / surface_area(mesh), 1, 1e-12)
+        << "the whole mesh, not stretched";
 }
 
 TEST(StabilitySection, RealMeshes) { check_real_meshes(chapter_of_id("stability").answer); }

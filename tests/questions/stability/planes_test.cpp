@@ -53,8 +53,7 @@ TEST(StabilityPlanes, TheLimitLiesHalfWayBetweenTwoSteps) {
     EXPECT_NEAR(nearest_below * nearest_beyond, 1, 1e-12);
 }
 
-// Each cell is what a run of its own gives, whichever lane it was in.
-TEST(StabilityPlanes, CellsAreThoseOfSingleRuns) {
+TEST(StabilityPlanes, EachCellEqualsARunOfItsOwn) {
     const SmoothingMaps& maps = egg_maps();
     for (const SchemeMap& map : maps.schemes) {
         for (const std::size_t step : {std::size_t{0}, std::size_t{3}, maps.lambdas.size() - 1}) {
@@ -87,7 +86,7 @@ TEST(StabilityPlanes, EachImplicitStepSizeIsFactorisedOnce) {
     EXPECT_EQ(maps.explicit_map().factorisations, 0);
 }
 
-TEST(StabilityPlanes, RunsBlowUpBeyondTheLimitOnlyAndWhenTheModesSay) {
+TEST(StabilityPlanes, RunsBlowUpOnlyBeyondTheLimitAndWhenTheModesPredict) {
     const SmoothingMaps& maps = egg_maps();
     ASSERT_TRUE(maps.all.has_value());
     int blown = 0;
@@ -108,7 +107,7 @@ TEST(StabilityPlanes, RunsBlowUpBeyondTheLimitOnlyAndWhenTheModesSay) {
     EXPECT_GE(blown, 4);
 }
 
-// With the top mode seeded, its height and factor give the iteration in closed form.
+// The height and the growth factor of a mode give the iteration in closed form.
 TEST(GrowingModes, FollowTheClosedForm) {
     GrowingModes modes;
     modes.eigenvalues = Vector::Constant(1, 4.0);
@@ -120,8 +119,8 @@ TEST(GrowingModes, FollowTheClosedForm) {
     EXPECT_EQ(modes.earliest(0.75, 10), 0);
     EXPECT_TRUE(std::isnan(modes.blow_up(0.5)));
     modes.heights[0] = 0;
-    EXPECT_NEAR(modes.blow_up(0.75), std::log(1e19) / std::log(2.0), 1e-9) << "rounding is a height too";
-    EXPECT_TRUE(std::isnan(modes.blow_up(0.75, modes.noticeable()))) << "but nothing to rely on";
+    EXPECT_NEAR(modes.blow_up(0.75), std::log(1e19) / std::log(2.0), 1e-9) << "the height is at least the rounding";
+    EXPECT_TRUE(std::isnan(modes.blow_up(0.75, modes.noticeable()))) << "but rounding is no reliable height";
 }
 
 TEST(StabilityPlanes, AreTheSameInAnyUnit) {
@@ -156,7 +155,7 @@ TEST(StabilityPlanes, EqualTimeIsComparedAtEqualTime) {
     EXPECT_GT(largest_difference_at_equal_time(egg_maps()), 0) << "(1 + x)^−10 falls below (1 + 10x)^−1";
 }
 
-// Schemes lose different cells: shares of all cells would not compare.
+// Different cells of the two schemes blow up, so the counts are of usable cells.
 TEST(StabilityPlanes, TurnedTrianglesAreCountedAmongTheCellsThatHaveThem) {
     SmoothingMaps maps = egg_maps();
     std::fill(maps.schemes[0].inverted.begin(), maps.schemes[0].inverted.end(), NAN);
@@ -170,22 +169,23 @@ TEST(StabilityPlanes, TurnedTrianglesAreCountedAmongTheCellsThatHaveThem) {
     EXPECT_EQ(numbers(table, "at most"), (std::vector<double>{50, 0}));
 }
 
-// Two runs may move vertices equally far to different places: what is told is how far apart they are, in every cell below half the limit.
+// Two runs may move vertices equally far to different places, so the gap is the distance between their results, in cells below half the
+// limit.
 TEST(StabilityPlanes, TheGapBetweenTheSchemesIsADistanceOfPositions) {
     const SmoothingMaps& maps = egg_maps();
     double largest = 0, amounts = 0;
     int compared = 0;
     for (std::size_t i = 0; i < maps.implicit_map().apart.size(); ++i) {
-        const double told = maps.implicit_map().apart[i], limits = maps.relative(maps.step_of(i));
-        EXPECT_EQ(std::isnan(told), limits >= 0.5);
+        const double gap = maps.implicit_map().apart[i], limits = maps.relative(maps.step_of(i));
+        EXPECT_EQ(std::isnan(gap), limits >= 0.5);
         if (limits >= 0.5) continue;
         ++compared;
         SmoothingOptions options{.lambda = maps.lambdas[maps.step_of(i)], .iterations = maps.iterations[maps.row_of(i)]};
         const Positions by_explicit = smooth(egg(), options).X;
         options.scheme = SmoothingScheme::implicit_euler;
         const Positions by_implicit = smooth(egg(), options).X;
-        EXPECT_NEAR(told, vertex_rms(by_explicit, by_implicit) / vertex_rms(egg().X, by_implicit), 1e-9);
-        largest = std::max(largest, told);
+        EXPECT_NEAR(gap, vertex_rms(by_explicit, by_implicit) / vertex_rms(egg().X, by_implicit), 1e-9);
+        largest = std::max(largest, gap);
         amounts = std::max(amounts, std::abs(maps.explicit_map().moved[i] / maps.implicit_map().moved[i] - 1));
     }
     EXPECT_GT(compared, 0);
@@ -193,7 +193,7 @@ TEST(StabilityPlanes, TheGapBetweenTheSchemesIsADistanceOfPositions) {
     EXPECT_LE(amounts, largest * (1 + 1e-12)) << "the triangle inequality";
 }
 
-TEST(StabilityPlanes, WhatIsLeftOfTheLargestStepIsMeasured) {
+TEST(StabilityPlanes, TheCaptionStatesTheSizeThatTheLargestStepLeaves) {
     Answer answer;
     SmoothingMaps maps = egg_maps();
     const auto place = std::ranges::find(maps.places, "d", &MapPlace::letter);
@@ -213,7 +213,7 @@ TEST(StabilityPlanes, TakesTheStepsAndIterationsOfTheSettings) {
     EXPECT_EQ(maps.iterations.back(), 5);
 }
 
-TEST(StabilitySection, AnswersForDegenerateMeshes) {
+TEST(StabilitySection, IsWellFormedOnDegenerateMeshes) {
     for (const TriangleMesh& mesh : {cube_mesh(1), icosphere(0)}) {
         const Answer answer = chapter_of_id("stability").answer(library_of(mesh, "tiny_maps"), quick_settings(), no_progress);
         expect_well_formed(answer);
