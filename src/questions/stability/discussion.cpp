@@ -78,8 +78,8 @@ report::Facts run_facts(const Planes& planes) {
                    "all_lost"_a = found.beyond > 0 && found.beyond_lost == found.beyond, "late"_a = std::lround(found.off),
                    "plane_mesh"_a = planes.front().name(), "hidden"_a = listed(names_where(planes, is_hidden)),
                    "hidden_known"_a = std::ranges::all_of(planes, [&](auto& m) { return !is_hidden(m) || m.all; }),
-                   "gap"_a = gap.maps ? percent_at_most(gap.apart) : "", "gap_mesh"_a = maps.name(),
-                   "gap_t"_a = maps.iterations[maps.row_of(gap.cell)], "gap_fades"_a = (gap.last < 0.5 * gap.apart),
+                   "gap"_a = gap.maps ? percent_at_most(gap.largest) : "", "gap_mesh"_a = maps.name(),
+                   "gap_t"_a = maps.iterations[maps.row_of(gap.cell)], "gap_fades"_a = (gap.last < 0.5 * gap.largest),
                    "gap_last"_a = percent_at_most(gap.last), "last_t"_a = maps.iterations.back(),
                    "equal_time"_a = (at_equal_time > 0) ? percent_at_most(at_equal_time) : "");
 }
@@ -140,10 +140,10 @@ BlowUps blow_ups_of(std::span<const SmoothingMaps> planes) {
 Gap largest_gap(const Planes& planes) {
     Gap gap;
     for (const SmoothingMaps& maps : planes) {
-        const PlaneValues& apart = maps.implicit_map().apart;
-        for (std::size_t i = 0; i < apart.size(); ++i) {
-            if (apart[i] > gap.apart) gap.maps = &maps, gap.cell = i, gap.apart = apart[i];
-            if (maps.row_of(i) + 1 == maps.iterations.size() && apart[i] > gap.last) gap.last = apart[i];
+        const PlaneValues& gaps = maps.implicit_map().gap;
+        for (std::size_t i = 0; i < gaps.size(); ++i) {
+            if (gaps[i] > gap.largest) gap.maps = &maps, gap.cell = i, gap.largest = gaps[i];
+            if (maps.row_of(i) + 1 == maps.iterations.size() && gaps[i] > gap.last) gap.last = gaps[i];
         }
     }
     return gap;

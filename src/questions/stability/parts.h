@@ -87,7 +87,7 @@ struct SchemeMap {
     PlaneValues size;           // volume over that of the input; for an open mesh, area over area
     PlaneValues angle;          // smallest [rad]
     PlaneValues inverted;       // share of the triangles that face away from their first normals
-    PlaneValues apart;          // of the implicit scheme, below half the limit: rms distance from the explicit result over `moved`
+    PlaneValues gap;            // of the implicit scheme, below half the limit: rms distance from the explicit result over `moved`
     std::vector<int> blow_up;   // iteration at which the run of each λ blew up; 0: it did not
     int factorisations = 0;
 
@@ -172,8 +172,8 @@ BlowUps blow_ups_of(std::span<const SmoothingMaps> planes);
 struct Gap {
     const SmoothingMaps* maps = nullptr;   // null: no cell is compared
     std::size_t cell = 0;
-    double apart = 0;   // in this cell, over the distance moved
-    double last = 0;    // the largest after all iterations, on any mesh
+    double largest = 0;   // in this cell
+    double last = 0;      // the largest after all iterations, on any mesh
 };
 
 // ---- the section ----------------------------------------------------------------------------------------------------------

@@ -38,14 +38,14 @@ void measure(const SmoothingMaps& maps, const Positions& first_normals, const Po
 void run_step(const SmoothingMaps& maps, const Positions& first_normals, std::size_t step, SchemeMap& map, ImplicitSolver& solver) {
     SmoothingOptions options{.scheme = map.scheme, .lambda = maps.lambdas[step], .iterations = maps.iterations.back()};
     std::size_t row = 0;
-    const bool compared = !map.apart.empty() && maps.relative(step) < 0.5;
-    Positions beside = compared ? maps.subject.mesh().X : Positions();   // after as many explicit steps
+    const bool compared = !map.gap.empty() && maps.relative(step) < 0.5;
+    Positions by_explicit = compared ? maps.subject.mesh().X : Positions();   // after as many explicit steps
     options.after_step = [&](int iteration, const Positions& X) {
-        if (compared) beside = explicit_step(maps.subject.laplacian, options.lambda, beside);
+        if (compared) by_explicit = explicit_step(maps.subject.laplacian, options.lambda, by_explicit);
         if (iteration != maps.iterations[row]) return true;
         const std::size_t i = maps.index(step, row);
         measure(maps, first_normals, X, i, map);
-        if (compared) map.apart[i] = vertex_rms(beside, X) / maps.subject.diagonal / map.moved[i];
+        if (compared) map.gap[i] = vertex_rms(by_explicit, X) / maps.subject.diagonal / map.moved[i];
         ++row;
         return true;
     };
@@ -63,7 +63,7 @@ SchemeMap scheme_map(const SmoothingMaps& maps, SmoothingScheme scheme) {
     const PlaneValues nothing(maps.lambdas.size() * maps.iterations.size(), undefined);
     map.moved = map.size = map.angle = map.inverted = nothing;
     if (maps.clean) map.error = nothing;
-    if (scheme == SmoothingScheme::implicit_euler) map.apart = nothing;
+    if (scheme == SmoothingScheme::implicit_euler) map.gap = nothing;
     map.blow_up.assign(maps.lambdas.size(), 0);
     const Positions first_normals = face_normals(maps.subject.mesh());
     constexpr std::size_t lanes = 2;   // each with a solver and every other λ; the number must not depend on the processors

@@ -7,9 +7,6 @@ namespace {
 
 using Style = report::Series::Style;
 
-/// A bound rounded to twelve digits, which hides the rounding that is counted in.
-double but_for_rounding(double bound) { return rounded(bound, 12); }
-
 /// The growth of a mode at some fifteen steps of the run: points as measured, or a dashed line as predicted.
 /// @param first  the step to begin with, in strides: points of runs that obey one law alternate
 report::Series curve(const std::string& name, const std::string& step, const ModeGrowth& growth, bool measured, double first = 0) {
@@ -56,6 +53,8 @@ report::Map::Panel panel_of_scheme(const SmoothingMaps& maps, const SchemeMap& s
 
 }   // namespace
 
+// The safe step has twelve digits before it is rounded down, which hide the rounding that its bound counts in.
+
 report::Table certificate_table(const Studies& studies) {
     return table("stability_certificates", words.line("certificates"), parts_within(studies, &StabilityStudy::limits))
         .column("mesh", [](auto& r) { return r.whole.name(); })
@@ -69,7 +68,7 @@ report::Table certificate_table(const Studies& studies) {
         .column("below 0", {.unit = "of μ_max", .digits = 2, .rounding = Rounding::up},
                 [](auto& r) { return -r.part.certificate.bottom.mu_low / r.part.certificate.mu_high; })
         .column("safe λ", {.unit = "length², rounded down", .digits = 4, .rounding = Rounding::down},
-                [](auto& r) { return but_for_rounding(r.part.certificate.lambda_safe()); });
+                [](auto& r) { return rounded(r.part.certificate.lambda_safe(), 12); });
 }
 
 report::Table unit_table(const Studies& studies) {
@@ -80,7 +79,7 @@ report::Table unit_table(const Studies& studies) {
         .column("mesh", &StabilityStudy::name)
         .column("λ_crit/h̄²", [](auto& s) { return step_in_units(s.cotangent().critical(), s.cotangent().critical(), s.mean_edge).h2; })
         .column("safe λ", {.unit = "τ, rounded down", .digits = 4, .rounding = Rounding::down},
-                [=](auto& s) { return but_for_rounding(tau(s, s.cotangent().certificate.lambda_safe())); })
+                [=](auto& s) { return rounded(tau(s, s.cotangent().certificate.lambda_safe()), 12); })
         .column("0.01 h̄²", {.unit = "τ"}, [=](auto& s) { return tau(s, 0.01 * s.mean_edge * s.mean_edge); })
         .column("ten steps of τ = ½", {.unit = "% of box"},
                 [](auto& s) { return 100 * smoothing_strength(5 * s.cotangent().critical(), s.diagonal); })
@@ -246,7 +245,7 @@ report::Table plane_table(const Planes& planes) {
         .column("size", {.unit = "% of input"}, value(&SchemeMap::size, 100))
         .column("smallest angle", {.unit = "°"}, value(&SchemeMap::angle, 180 / pi))
         .column("turned triangles", {.unit = "%"}, value(&SchemeMap::inverted, 100))
-        .column("explicit apart", {.unit = "% of moved"}, value(&SchemeMap::apart, 100))
+        .column("explicit apart", {.unit = "% of moved"}, value(&SchemeMap::gap, 100))
         .file_only();
 }
 

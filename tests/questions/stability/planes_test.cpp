@@ -175,8 +175,8 @@ TEST(StabilityPlanes, TheGapBetweenTheSchemesIsADistanceOfPositions) {
     const SmoothingMaps& maps = egg_maps();
     double largest = 0, amounts = 0;
     int compared = 0;
-    for (std::size_t i = 0; i < maps.implicit_map().apart.size(); ++i) {
-        const double gap = maps.implicit_map().apart[i], limits = maps.relative(maps.step_of(i));
+    for (std::size_t i = 0; i < maps.implicit_map().gap.size(); ++i) {
+        const double gap = maps.implicit_map().gap[i], limits = maps.relative(maps.step_of(i));
         EXPECT_EQ(std::isnan(gap), limits >= 0.5);
         if (limits >= 0.5) continue;
         ++compared;
@@ -189,7 +189,7 @@ TEST(StabilityPlanes, TheGapBetweenTheSchemesIsADistanceOfPositions) {
         amounts = std::max(amounts, std::abs(maps.explicit_map().moved[i] / maps.implicit_map().moved[i] - 1));
     }
     EXPECT_GT(compared, 0);
-    EXPECT_EQ(largest_gap({maps}).apart, largest);
+    EXPECT_EQ(largest_gap({maps}).largest, largest);
     EXPECT_LE(amounts, largest * (1 + 1e-12)) << "the triangle inequality";
 }
 
