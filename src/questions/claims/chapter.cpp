@@ -1,4 +1,4 @@
-// The section "claims": what earlier reports and papers say, measured again and judged, each by its rule.
+// The section "claims": claims of earlier reports and papers, measured again and judged by their rules.
 #include <set>
 
 #include "questions/claims/parts.h"

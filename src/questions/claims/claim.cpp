@@ -23,6 +23,7 @@ constexpr std::array sources{Source{"s0", "S0"},
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> verdicts{
     {{"holds", "✓"}, {"conditional", "◐"}, {"refuted", "✗"}, {"undecidable", "?"}}};
 
+/// "holds", "holds with condition", "refuted", "not decidable here".
 std::string word_of(Verdict verdict) { return words.line("verdict." + std::string(verdicts[int(verdict)].first)); }
 
 /// "3 %", "2 mean edges", "1 mean edge".
@@ -48,7 +49,7 @@ Measurement measured(const Claim& claim, ClaimBench& bench) try {
     if (!about.why_not.empty()) return {.undecidable = about.why_not};
     Measurement measurement = claim.measure(bench, about.meshes);
     if (measurement.remarked) measurement.remark = words.say(std::string(claim.id) + ".remark");
-    measurement.meshes = bench.called(about.meshes);
+    measurement.meshes = listed(each_of(about.meshes, [&](std::string_view name) { return bench.mesh(name).called(); }));
     return measurement;
 } catch (const MeshError& error) {   // too large, without an operator
     return unmeasured(error);

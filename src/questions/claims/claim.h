@@ -37,7 +37,7 @@ struct Rule {
 };
 /// "≤ 5 %".
 std::string words_of(const Rule& rule);
-/// The quantity in words: "Dirichlet energy left, over that of the input".
+/// The quantity in words: "best step for much noise over that for little".
 std::string quantity_of(const Rule& rule);
 
 /// The quantity under one condition that the claim does not exclude: a mesh, a step, a kind of triangles.
@@ -75,7 +75,7 @@ struct Measurement {
     std::string undecidable = {};   // the reason why nothing can be decided here: then the cases do not count
     report::Text remark = {};       // explains the numbers
     bool remarked = false;          // the remark is the message "<id>.remark", which states no facts
-    std::string meshes = {};        // measured on: "creature, in place of bunny.off"; empty: none of the library
+    std::string meshes = {};        // measured on: "bunny and creature in place of cow.off"; empty: none of the library
     std::string figure = {};        // id of the plot that shows it; empty: none
 };
 
@@ -84,7 +84,7 @@ struct Decision {
     Verdict verdict = Verdict::undecidable;
     std::vector<std::size_t> within, beyond;   // cases that satisfy the rule, and that do not
     std::size_t deciding = 0;                  // the case nearest to the threshold among those that turn the scale
-    std::string why;                           // the claim is undecidable
+    std::string why;                           // the reason, if the claim is undecidable
 };
 /// Decides that a claim holds if all cases satisfy the rule, is refuted if none does, else is conditional. Cases without a finite value
 /// decide nothing.

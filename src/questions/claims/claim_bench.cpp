@@ -9,7 +9,7 @@ namespace meshfolio::claims {
 
 namespace {
 
-/// Property p is missing: the message "lacks." + missing[p].
+/// For each Property, the key of the message "lacks.<key>" that it is missing.
 constexpr std::array missing{
     "flat", "not_flat", "closed", "flat_with_edges", "negative_weights", "unequal_areas", "clean_form_known", "above_1500_vertices"};
 
@@ -17,7 +17,7 @@ SmoothingOptions options_of(const RunKey& key) {
     return {.scheme = key.scheme, .laplacian = key.laplacian, .lambda = key.lambda, .iterations = key.iterations, .rebuild = key.rebuild};
 }
 
-/// The value that the map has for the key; made when it is first asked for.
+/// The value of the map for the key; calls `make` if there is none yet.
 template <class Map, class Make>
 const auto& kept(Map& map, const typename Map::key_type& key, const Make& make) {
     const auto found = map.find(key);
@@ -36,10 +36,6 @@ const ReportMesh& ClaimBench::mesh(std::string_view name) {
     if (n > (settings_.laboratory ? 200000 : settings_.quick ? 7000 : 12000))
         throw MeshError(found.mesh->name + " has " + std::to_string(n) + " vertices, more than a run without laboratory = true measures");
     return found;
-}
-
-std::string ClaimBench::called(const MeshNames& names) {
-    return listed(each_of(names, [&](std::string_view name) { return mesh(name).called(); }));
 }
 
 bool ClaimBench::is_itself(std::string_view name) {

@@ -12,7 +12,7 @@ namespace {
 
 int level_of(const ClaimBench& bench) { return bench.settings().laboratory ? 5 : bench.settings().quick ? 3 : 4; }
 
-/// The runs of both surfaces in both kinds of triangles.
+/// The ellipsoid and the torus, in regular and in random triangles.
 BenchRuns runs_of(ClaimBench& bench) {
     BenchRuns runs;
     for (const MeshKind kind : {MeshKind::regular, MeshKind::random})
@@ -63,7 +63,7 @@ Measurement cotangent_on_flat(ClaimBench& bench, const MeshNames&) {
             .remark = words.say("claims_s2_artefacts.remark", "uniform"_a = readable(bench.plane().uniform, 2))};
 }
 
-/// The largest distance of the heights from [0, 1] after one implicit step, from a height of 1 at a single vertex; 0 if no weight is
+/// Raises one vertex to the height 1, makes one implicit step, and returns the largest distance of a height from [0, 1]; 0 if no weight is
 /// negative. The vertex is an end of the edge with the most negative weight, the step a tenth of the squared mean edge.
 double overshoot(const TriangleMesh& mesh, OperatorKind kind) {
     const SparseMatrix weights = laplace_beltrami(mesh).C;
@@ -96,7 +96,7 @@ Case angle_sum(ClaimBench& bench, std::string_view name) {
 }
 const Measure gauss_bonnet = remarked(angle_sum);
 
-/// Order of the error of the cotangent H with these areas, between a coarse and a fine mesh.
+/// Order of convergence of the cotangent H with these areas, between a coarse and a fine mesh.
 double order_on(ClaimBench& bench, const std::string& surface, MeshKind kind, const std::string& areas) {
     const int level = level_of(bench);
     return bench.curvature(surface, kind, level - 1, level).errors("H." + areas).order().exponent;

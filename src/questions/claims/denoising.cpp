@@ -1,4 +1,4 @@
-// Claims about denoising by diffusion, on meshes whose clean form is known, and about how much noise it takes.
+// Claims about denoising by diffusion, on meshes with a known clean form, and about the noise that it can remove.
 #include "geometry/operators/vertices_with_mass.h"
 #include "mesh/vertex_noise.h"
 #include "questions/bench/mesh_class.h"
@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::array bunny_sigmas{0.0011, 0.0013, 0.0015};   // of S0's three experiments [length]
 
-/// Errors along S0's experiment. A stand-in gets the same multiples of its mean edge: the effect of a step on noise depends on the edges.
+/// rms errors along S0's experiment. A stand-in gets the same multiples of its mean edge: the effect of a step on noise depends on the
+/// edges.
 std::vector<double> bunny_errors(ClaimBench& bench, double sigma, int iterations, OperatorKind kind = OperatorKind::cotan,
                                  bool rebuild = false) {
     constexpr double step = 5e-7;   // [length²]
@@ -86,7 +87,7 @@ Measurement minima_of_report(ClaimBench& bench, const MeshNames&) {
     return m;
 }
 
-/// Noise of that share of the box diagonal; implicit steps of a tenth of a squared mean edge, so that the best comes after several.
+/// A run with noise of this share of the box diagonal, and implicit steps of a tenth of a squared mean edge, of which several are best.
 RunKey gentle_run(ClaimBench& bench, std::string_view name, double relative, int iterations) {
     const LibraryMesh& source = *bench.mesh(name).mesh;
     const double edge = source.preflight().mean_edge, sigma = relative * bounding_box(source.mesh()).diagonal();
@@ -98,7 +99,7 @@ TriangleMesh noisy_mesh(ClaimBench& bench, std::string_view name, const RunKey& 
     return moved_to(clean, with_gaussian_noise(clean.X, Vector3(key.sigma.data()), bench.settings().seed));
 }
 
-/// rms error on sharp edges over that elsewhere, at the best of 15 iterations; NaN without either.
+/// rms error on sharp edges over that elsewhere, at the best of 15 iterations; NaN without sharp edges or without other vertices.
 Case edges_over_rest(ClaimBench& bench, std::string_view name) {
     const LibraryMesh& source = *bench.mesh(name).mesh;
     const TriangleMesh& clean = source.mesh();
@@ -183,7 +184,7 @@ Case little_noise(ClaimBench& bench, std::string_view name) {
     return {bench.mesh(name).mesh->name + ", 1 % noise", sweep.noisy / sweep.least()};
 }
 
-/// Nothing is recovered if not even the best step helps; the threshold is that of little noise.
+/// Measures the gain of the best step; if even that step does not help, nothing is recovered.
 Measurement hopeless_noise(ClaimBench& bench, const MeshNames& meshes) {
     Measurement m;
     Names left;
@@ -196,7 +197,7 @@ Measurement hopeless_noise(ClaimBench& bench, const MeshNames& meshes) {
     return m;
 }
 
-/// Best of several implicit steps with either operator, on the noisy machine part.
+/// The errors of several implicit steps with either operator, on the noisy machine part.
 struct OperatorSweeps {
     Sweep uniform, cotangent;
     double edge = 0;   // mean [length]

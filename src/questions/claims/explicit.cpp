@@ -1,4 +1,4 @@
-// Claims about explicit smoothing: which step is good, which is the largest stable one, and what lies beyond it.
+// Claims about explicit smoothing: good steps, the largest stable step, and steps beyond it.
 #include <Eigen/Dense>
 
 #include "geometry/measures/mesh_laws.h"
@@ -62,7 +62,7 @@ Case uniform_steps(ClaimBench& bench, double lambda) {
 }
 const Measure small_uniform_steps = remarked(at_each({0.05, 0.5, 1}, uniform_steps));
 
-/// rms distance of the cube's vertices from their mean after so many steps of 10⁻³, over that of the input.
+/// rms distance of the cube's vertices from their mean after `iterations` steps of 10⁻³, over that of the input.
 double size_left(ClaimBench& bench, int iterations) {
     const auto size = [](const Positions& X) { return std::sqrt((X.rowwise() - X.colwise().mean()).squaredNorm() / double(X.rows())); };
     const RunKey key{explicit_euler, bench.raw_step("cube", 1e-3), iterations};
@@ -153,7 +153,7 @@ Measurement distorts_beyond_one(ClaimBench& bench, const MeshNames&) {
     return m;
 }
 
-/// Compares the error at this λ with that at the best of five.
+/// Measures the error left by ten steps of this λ, over that of the best of five λ, for either scheme.
 Measure good_step(double lambda) {
     return [=](ClaimBench& bench, const MeshNames& meshes) {
         const auto with = [&](SmoothingScheme scheme) {

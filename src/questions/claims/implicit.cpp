@@ -1,4 +1,4 @@
-// Claims about implicit smoothing: that it is stable, that it equals explicit smoothing, and what it costs.
+// Claims about implicit smoothing: its stability, its difference from explicit smoothing, and its cost.
 #include "geometry/smoothing/dirichlet_energy.h"
 #include "questions/claims/parts.h"
 
@@ -6,13 +6,14 @@ namespace meshfolio::claims {
 
 namespace {
 
-/// Dirichlet energy that a run leaves of the bunny's.
+/// Dirichlet energy of the bunny after a run, over that before.
 double energy_left(ClaimBench& bench, const RunKey& key) {
     const SmoothingSubject& s = bench.subject("bunny");
     return dirichlet_energy(s.laplacian.C, bench.run("bunny", key).X) / s.initial_energy;
 }
 
-/// Dirichlet energy left, by the run's own operator, which its steps cannot raise; rounded to a millionth, because of needles.
+/// Dirichlet energy after a run over that before, in the run's own operator, which its steps cannot raise. Rounded to 10⁻⁶, because needles
+/// leave rounding errors below.
 double own_energy_left(ClaimBench& bench, std::string_view name, const RunKey& key) {
     const TriangleMesh& mesh = bench.subject(name).mesh();
     const SparseMatrix C = laplace_operator(mesh, key.laplacian).C;

@@ -1,5 +1,5 @@
 /// @file
-/// The bench that measures claims, and the words and helpers that the files of the chapter share.
+/// The bench that measures claims, and what the files of the chapter share.
 #pragma once
 
 #include "geometry/smoothing/laplacian_smoothing.h"
@@ -59,8 +59,6 @@ public:
 
     /// @throws MeshError if the mesh has more vertices than this run has time for
     const ReportMesh& mesh(std::string_view name);
-    /// "bunny and creature in place of cow.off".
-    std::string called(const MeshNames& names);
     /// True if the named mesh itself is there, and no stand-in: by its counts, mean edge and λ_crit to 10⁻⁴ if those are known, else by the
     /// assignment's file in a data folder.
     bool is_itself(std::string_view name);
@@ -129,12 +127,12 @@ inline Measure remarked(const Measure& measure) {
     };
 }
 
-/// √(Σ A_i|(Lx)_i|²), four times the integral of H²: how bent the surface is, zigzags above all. [1]
+/// √(Σ A_i|(Lx)_i|²), the root of four times the integral of H²; zigzags dominate it. [1]
 double roughness(const SmoothingSubject& subject, const Positions& X);
 
-/// Multiply–adds of so many implicit steps, with a lower bound nnz²/n of the factorisation.
+/// Multiply–adds of `steps` implicit steps and of their factorisation, which counts with its lower bound nnz²/n.
 double implicit_operations(const Smoothed& run, int steps);
-/// Multiply–adds of so many explicit steps.
+/// Multiply–adds of `steps` explicit steps.
 double explicit_operations(const SmoothingSubject& subject, int steps);
 
 /// "random triangles on the torus".

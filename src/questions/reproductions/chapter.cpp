@@ -1,4 +1,4 @@
-// The section "reproductions": the experiments of four earlier reports done again, with their own parameters.
+// The section "reproductions": the experiments of four earlier reports, done again with their own parameters.
 #include <set>
 
 #include "questions/reproductions/parts.h"
@@ -30,7 +30,7 @@ bool reproduces(const Experiment& experiment, int row) { return std::ranges::fin
 
 report::Cell cell_if_said(const std::string& said) { return said.empty() ? report::Cell() : report::Cell(said); }
 
-/// Says in the place of an experiment why its mesh does not allow it. @return false
+/// Adds, in place of an experiment, the reason why its mesh does not allow it. @return false
 bool add_failure(const Reproduction& r, const Error& error) {
     add_opening(r, {});
     add_words(r.section(), words, "could_not_be_done", "why"_a = printable(error.what()));

@@ -28,7 +28,7 @@ Vector deficit_over_area(const TriangleMesh& mesh, const Vector& areas) {
     return values;
 }
 
-/// Estimates the field at the positions X of its mesh, without its summary.
+/// Estimates the field at the positions X of its mesh; leaves its summary empty.
 void estimate(ExperimentField& e, const Positions& X) {
     const double h = e.mesh->mean_edge;
     const MeshTopology& topology = e.mesh->used->topology();

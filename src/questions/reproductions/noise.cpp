@@ -30,7 +30,7 @@ void add_denoising_figure(const Reproduction& r, const Done<NoisyRun>& done, con
     add_figure(r.answer, figure, words.line("denoised.caption", "file"_a = figure.subtitle));
 }
 
-/// The first run of the variant with minima nearest to those of the report. Stand-ins have other triangles: the first variant.
+/// The first run of the variant with minima nearest to those of the report; on stand-ins, which have other triangles, the first variant.
 const NoisyRun& shown_variant(const Done<NoisyRun>& done) {
     const NoisyRun* nearest = &done.results.front();
     double least = std::numeric_limits<double>::infinity();

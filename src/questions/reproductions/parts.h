@@ -33,14 +33,14 @@ std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const 
 
 /// The rule by which parameters of an experiment carry over to a mesh.
 enum class Carried { as_given, by_limit, by_edge };
-/// A raw λ becomes on a stand-in the same multiple of λ_crit, or with noise of the squared mean edge. The uniform operator, other units and
-/// originals of unknown measure keep λ as given.
+/// On a stand-in a raw λ becomes the same multiple of λ_crit, or for noisy experiments of the squared mean edge. The uniform operator,
+/// other units and originals of unknown measure keep λ as given.
 Carried lambda_rule(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind);
 /// λ on this mesh. [length²; none for the uniform operator]
 /// @param critical  λ_crit of the operator on this mesh, for unit tau
 double lambda_on(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind, double lambda, double critical);
 
-/// A raw σ carries over as the same share of the mean edge.
+/// On a stand-in a raw σ becomes the same share of the mean edge.
 Carried noise_rule(const Experiment& experiment, const ExperimentMesh& mesh);
 /// σ along each axis on this mesh. [length]
 Vector3 noise_on(const Experiment& experiment, const ExperimentMesh& mesh, double noise);
@@ -104,7 +104,7 @@ struct ExperimentRun : Variant {
     double share() const { return run.lambda / critical; }
     bool is(SmoothingScheme scheme) const { return method.scheme == scheme; }
 };
-/// The largest step whose `iterations` explicit steps leave every vertex within three box diagonals of the centre, to a thousandth.
+/// The largest λ with which `iterations` explicit steps leave every vertex within three box diagonals of the centre, to a thousandth.
 /// [length²]
 double largest_usable_step(const SmoothingSubject& subject, int iterations);
 

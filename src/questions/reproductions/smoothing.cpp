@@ -5,7 +5,7 @@ namespace meshfolio::reproductions {
 
 namespace {
 
-/// True if the positions would cover a few pixels of the picture at most.
+/// True if the positions cover at most a few pixels of the picture.
 bool has_shrunk_away(const ExperimentMesh& mesh, const Positions& X) {
     return bounding_box(moved_to(mesh.mesh(), X)).diagonal() < 0.01 * mesh.diagonal;
 }
@@ -105,7 +105,7 @@ using Runs = std::vector<const ExperimentRun*>;
 
 double last_energy(const ExperimentRun* run) { return run->run.energy.back(); }
 
-/// Adds how many of these runs blew up, their shares of the limit, and their energies or the iterations in which they blew up.
+/// Adds the number of these runs that blew up, their shares of the limit, and their energies or the iterations in which they blew up.
 void add_outcome(report::Text& text, const Runs& runs, std::string_view what) {
     if (runs.empty()) return;
     Runs whole;

@@ -22,7 +22,7 @@ ExperimentMesh experiment_mesh(const OriginalMesh& original, SharedMesh used, co
     return mesh;
 }
 
-/// Calls `visit` with every combination of mesh, operator, area form, method and λ, and λ on the mesh.
+/// Calls `visit` with every variant, its λ on the mesh, its subject, and a solver for all λ of an operator.
 template <class Visit>
 void for_each_variant(const Experiment& experiment, const std::vector<ExperimentMesh>& meshes, Visit visit) {
     for (const ExperimentMesh& mesh : meshes)

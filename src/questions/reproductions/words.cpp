@@ -6,7 +6,7 @@ namespace meshfolio::reproductions {
 
 namespace {
 
-/// States how raw numbers of the original became numbers here; empty if they are as given.
+/// Says how raw parameters of the original were scaled to this mesh; empty if they are as given.
 report::Text carried_words(const Experiment& experiment, const ExperimentMesh& mesh) {
     const OriginalMesh& original = mesh.originals.front();
     const auto rule = experiment.lambda.empty() ? Carried::as_given : lambda_rule(experiment, mesh, experiment.operators.front());

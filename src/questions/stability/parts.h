@@ -53,7 +53,7 @@ StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settin
 /// The growth of the mode over the whole run, measured over predicted; 1 if the run obeys the law.
 inline double over_predicted(const ModeGrowth& growth) { return growth.factor.back() / growth.predicted(growth.steps()); }
 
-/// A run, and the first triangle whose normal turned by more than 90° from that in the input.
+/// A run, and the first triangle that turned: its normal differs by more than 90° from that in the input.
 struct WatchedRun {
     std::string name;     // "rebuilt, fixed λ"
     double lambda = 0;    // asked for [length²]
@@ -194,7 +194,7 @@ report::Table flow_table(const RebuiltFlow& flow);
 report::Plot flow_plot(const RebuiltFlow& flow);
 /// The error over the plane, or the motion if no clean mesh is known; explicit beside implicit.
 report::Map error_map(const SmoothingMaps& maps);
-/// What each scheme does over its plane: usable cells, turned triangles, the best error.
+/// Usable cells, turned triangles and the best error of each scheme.
 report::Table region_table(const Planes& planes);
 /// Every cell of the planes, for programs.
 report::Table plane_table(const Planes& planes);

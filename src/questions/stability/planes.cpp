@@ -8,7 +8,7 @@ namespace meshfolio::stability {
 
 namespace {
 
-/// The bundled noisy meshes before their noise; nothing for other meshes.
+/// A bundled noisy mesh without its noise; nothing for other meshes.
 std::optional<TriangleMesh> clean_mesh(const LibraryMesh& source) {
     std::optional<TriangleMesh> clean;
     if (source.input.stand_in && source.input.role == "plane_ns") clean = uneven_plane_sample(0);
@@ -17,8 +17,7 @@ std::optional<TriangleMesh> clean_mesh(const LibraryMesh& source) {
     return clean;
 }
 
-/// Measures the positions of a run and writes the values into cell i of the map.
-/// @param first_normals  of the faces of the input
+/// Measures the positions X of a run and writes the values into cell i of the map. @param first_normals  of the faces of the input
 void measure(const SmoothingMaps& maps, const Positions& first_normals, const Positions& X, std::size_t i, SchemeMap& map) {
     const auto size_of = [&](const TriangleMesh& mesh) { return maps.closed ? signed_volume(mesh) : surface_area(mesh); };
     const TriangleMesh& input = maps.subject.mesh();
