@@ -95,8 +95,7 @@ Done<RebuiltMesh> reconstruction_experiment(const MeshLibrary& library, const Ex
                 for (const int k : each_once(each_of(experiment.k, [&](int asked) { return std::min(asked, modes); }))) {
                     RebuiltMesh rebuilt{{&original, kind, area}, k, reconstruct(spectrum, laplacian.M, mesh.X, k)};
                     rebuilt.difference = compare_meshes(mesh, moved_to(mesh, rebuilt.X));
-                    const Vector squares = (mesh.X - rebuilt.X).rowwise().squaredNorm();
-                    rebuilt.mass_rms = std::sqrt(laplacian.M.dot(squares) / laplacian.M.sum());
+                    rebuilt.mass_rms = std::sqrt(laplacian.M.dot((mesh.X - rebuilt.X).rowwise().squaredNorm()) / laplacian.M.sum());
                     rebuilt.residual = spectrum.residuals.head(k).maxCoeff();
                     done.results.push_back(std::move(rebuilt));
                 }
