@@ -8,7 +8,6 @@
 #include "base/file_bytes.h"
 #include "questions/core/section_tools.h"
 #include "questions/core/stand_ins.h"
-#include "report/escape.h"
 #include "report/words.h"
 #include "run/arguments.h"
 #include "run/console.h"
@@ -49,7 +48,7 @@ std::vector<MeshLookup> meshes_read_by(const Chapter& chapter, const ReportSetti
 /// Returns false for file names that JSON cannot hold: they would come back changed.
 bool has_plain_names(const report::Section& section) {
     return std::ranges::all_of(section.inputs, [](const report::Input& input) {
-        return report::valid_utf8(input.file) == input.file && report::valid_utf8(input.asked) == input.asked;
+        return printable(input.file) == input.file && printable(input.asked) == input.asked;
     });
 }
 

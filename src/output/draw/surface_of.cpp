@@ -50,7 +50,7 @@ render::ValueRange value_range(const ColorRange& range) {
     for (const render::Colormap& map : render::colormap_list()) known.emplace_back(map.name);
     if (std::ranges::find(known, range.colormap) == known.end())
         throw UsageError("unknown colour map " + in_quotes(range.colormap),
-                         suggestion(range.colormap, known) + "known are " + joined(known, ", "));
+                         suggestion(range.colormap, known) + "known are " + meshfolio::joined(known, ", "));
     return {&render::colormap_named(range.colormap), range.low, range.high, range.logarithmic};
 }
 

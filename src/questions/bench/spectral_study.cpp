@@ -5,7 +5,6 @@
 
 #include "geometry/measures/local_thickness.h"
 #include "geometry/operators/laplace_operator.h"
-#include "geometry/spectrum/spectral_mistakes.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
 
 namespace meshfolio {

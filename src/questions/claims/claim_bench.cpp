@@ -1,5 +1,6 @@
 #include "geometry/operators/uniform_laplacian.h"
 #include "mesh/vertex_noise.h"
+#include "questions/core/experiment.h"
 #include "questions/bench/curvature_subject.h"
 #include "questions/bench/estimators.h"
 #include "questions/bench/mesh_class.h"

@@ -76,6 +76,8 @@ struct Chapter {
     ChapterCost cost;
     Answer (*answer)(const MeshLibrary& meshes, const QuestionSettings& settings, const Progress& progress);
     const LabOffer* lab = nullptr;   // its panel of the live laboratory; null: none
+    /// Values that `batch` takes: the key of each, and the column of this chapter's tables (or the table) that has it, without the id.
+    std::vector<std::pair<std::string_view, std::string_view>> batch = {};
     bool on_request = false;         // about earlier reports: only in a report that asks for it
     bool never_left_out = false;     // also where the time is short; true of every question
     bool verifies_program = false;   // `meshfolio verify` runs it

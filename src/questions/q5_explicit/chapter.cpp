@@ -44,6 +44,7 @@ extern const Chapter chapter{
              .length = {50, 20}},
     .answer = answer,
     .lab = &lab,
+    .batch = {{"lambda_critical", "limits-lambda-crit"}},
 };
 
 }   // namespace meshfolio::q5_explicit

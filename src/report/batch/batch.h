@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -60,25 +61,26 @@ struct BatchRow {
     std::vector<Section> sections = {};   // checks alone
 };
 
-/// A cell of a row: its key in batch.json, its column in batch.csv, and the id of the column of the report that it comes from (empty: from
-/// the inputs of a section).
+/// A cell of a row: its key in batch.json, and its column in batch.csv.
 struct BatchFact {
     Cell BatchRow::*cell;
-    const char *key, *name, *source;
+    const char *key, *name;
 };
-inline constexpr BatchFact batch_facts[] = {
-    {&BatchRow::vertices, "vertices", "vertices", ""},
-    {&BatchRow::edges, "edges", "edges", "certificates_connectivity-edges"},
-    {&BatchRow::triangles, "triangles", "triangles", ""},
-    {&BatchRow::components, "components", "components", "certificates_connectivity-components"},
-    {&BatchRow::boundary_loops, "boundary_loops", "boundary loops", "certificates_connectivity-boundary-loops"},
-    {&BatchRow::euler_characteristic, "euler_characteristic", "Euler characteristic", "certificates_connectivity-chi"},
-    {&BatchRow::genus, "genus", "genus", "certificates_connectivity-genus"},
-    {&BatchRow::manifold, "manifold", "manifold", "certificates_connectivity-manifold"},
-    {&BatchRow::orientation, "orientation", "orientation", "certificates_connectivity-orientation"}};
+inline constexpr BatchFact batch_facts[] = {{&BatchRow::vertices, "vertices", "vertices"},
+                                            {&BatchRow::edges, "edges", "edges"},
+                                            {&BatchRow::triangles, "triangles", "triangles"},
+                                            {&BatchRow::components, "components", "components"},
+                                            {&BatchRow::boundary_loops, "boundary_loops", "boundary loops"},
+                                            {&BatchRow::euler_characteristic, "euler_characteristic", "Euler characteristic"},
+                                            {&BatchRow::genus, "genus", "genus"},
+                                            {&BatchRow::manifold, "manifold", "manifold"},
+                                            {&BatchRow::orientation, "orientation", "orientation"}};
+
+/// Key of a fact, "lambda_critical" or "defects" → the id of the column of the report that it comes from; of the defects, of the table.
+using BatchSources = std::map<std::string_view, std::string>;
 
 /// Returns the row of a mesh from its report. @param timings  with the time of the run
-BatchRow batch_row(std::string name, std::string file, const Document& document, bool timings);
+BatchRow batch_row(std::string name, std::string file, const Document& document, bool timings, const BatchSources& sources);
 
 struct Batch {
     std::vector<BatchRow> rows;   // in the order of the page

@@ -33,7 +33,7 @@ Cell first_cell(const Document& document, const std::string& column) {
     return id != ids.end() ? table->rows.front().at(static_cast<std::size_t>(id - ids.begin())) : Cell();
 }
 
-void take_counts(BatchRow& row, const Document& document) {
+void take_counts(BatchRow& row, const Document& document, const BatchSources& sources) {
     const auto first = std::ranges::find_if(document.sections, [](const Section& section) { return !section.inputs.empty(); });
     if (first != document.sections.end()) {
         const Input& input = first->inputs.front();
@@ -41,13 +41,15 @@ void take_counts(BatchRow& row, const Document& document) {
         row.vertices = double(input.vertices);
         row.triangles = double(input.triangles);
     }
+    const auto source_of = [&](const char* key) { return sources.contains(key) ? sources.at(key) : ""; };
     for (const BatchFact& fact : batch_facts)
-        if (*fact.source != '\0') row.*fact.cell = first_cell(document, fact.source);
-    row.lambda_critical = first_cell(document, "q5_limits-lambda-crit");
-    const auto preflight = std::ranges::find(document.sections, "certificates", &Section::id);
+        if (sources.contains(fact.key)) row.*fact.cell = first_cell(document, sources.at(fact.key));
+    row.lambda_critical = first_cell(document, source_of("lambda_critical"));
+    const std::string table = source_of("defects");
+    const auto preflight = std::ranges::find(document.sections, table.substr(0, table.find('_')), &Section::id);
     if (preflight == document.sections.end() || preflight->status != Status::ok) return;
     row.defects.emplace();
-    const Table* defects = table_of(document, "certificates_defects");
+    const Table* defects = table_of(document, table);
     if (defects == nullptr) return;   // none were found
     for (const std::vector<Cell>& cells : defects->rows) {
         const auto* kind = cells.size() < 2 ? nullptr : std::get_if<std::string>(&cells[0]);
@@ -101,7 +103,7 @@ std::optional<WorstCheck> worst_check(const std::vector<Section>& sections, cons
     return worst;
 }
 
-BatchRow batch_row(std::string name, std::string file, const Document& document, bool timings) {
+BatchRow batch_row(std::string name, std::string file, const Document& document, bool timings, const BatchSources& sources) {
     BatchRow row{.name = std::move(name), .file = std::move(file)};
     bool is_good = true;
     for (const Section& section : document.sections) {
@@ -113,7 +115,7 @@ BatchRow batch_row(std::string name, std::string file, const Document& document,
     row.state = is_good && row.score.failed == 0 ? BatchRow::State::good : BatchRow::State::bad;
     row.worst = worst_check(row.sections);
     if (timings && !document.timings.empty()) row.seconds = document.timings.back().seconds;
-    take_counts(row, document);
+    take_counts(row, document, sources);
     return row;
 }
 

@@ -18,7 +18,7 @@ constexpr std::size_t rows_shown = 2;
 /// Returns a document with one of each part that a template can print.
 Document specimen(const Templates& templates) {
     Section section;
-    section.id = "q1";
+    section.id = "q0";
     section.inputs.emplace_back();
     section.parameters = {{"", ""}};
     section.code.emplace_back();
@@ -55,7 +55,7 @@ nlohmann::json documented_model() {
     drawn.legend.emplace();
     nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}, {"matrix", matrix}}, templates,
                                       {.lab_questions = "q1 ", .table_rows = rows_shown});
-    add_design(model, templates, "report", {true, "viewer", {{"q1", "data"}}});
+    add_design(model, templates, "report", {true, "viewer", {{"q0", "data"}}});
     BatchRow row;
     row.defects = {{"", 0}};
     enter(model, {{"batch", "meshes with a report each (batch.html only)", batch_view({{row}})},

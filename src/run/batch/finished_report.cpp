@@ -37,7 +37,10 @@ std::optional<report::BatchRow::Picture> thumbnail(const StoredReport& report) {
 }
 
 report::BatchRow row_of(const BatchMesh& mesh, const StoredReport& report, const std::string& folder) {
-    report::BatchRow row = report::batch_row(mesh.name, mesh.file, report.document, report.timings);
+    report::BatchSources sources;
+    for (const Chapter* chapter : chapter_list())
+        for (const auto& [key, column] : chapter->batch) sources[key] = std::string(chapter->id) + "_" + std::string(column);
+    report::BatchRow row = report::batch_row(mesh.name, mesh.file, report.document, report.timings, sources);
     row.report = folder + "/index.html";
     row.picture = thumbnail(report);
     return row;

@@ -55,7 +55,7 @@ std::optional<double> planned_vertices(const std::string& output) {
 
 std::string failure_of(const ChildEnd& end) {
     constexpr std::string_view program = "meshfolio: ";
-    const std::string line = report::last_line(end);
+    const std::string line = last_line(end);
     if (end.kind != ChildEnd::Kind::exited || !line.starts_with(program)) return "the report " + words_of(end);
     return line.substr(program.size());
 }

@@ -13,7 +13,11 @@
 namespace meshfolio::report {
 namespace {
 
-/// As the preflight and question 5 leave it on one mesh.
+const BatchSources sources{{"edges", "certificates_connectivity-edges"}, {"euler_characteristic", "certificates_connectivity-chi"},
+                           {"genus", "certificates_connectivity-genus"}, {"manifold", "certificates_connectivity-manifold"},
+                           {"defects", "certificates_defects"},          {"lambda_critical", "q5_limits-lambda-crit"}};
+
+/// A report as the preflight and question 5 leave it on one mesh.
 Document report_on_a_mesh(std::vector<Check> checks, bool with_defects) {
     Input input;
     input.file = "a.obj", input.sha256 = "ab12", input.vertices = 8, input.triangles = 12;
@@ -38,7 +42,8 @@ Document report_on_a_mesh(std::vector<Check> checks, bool with_defects) {
 Batch three_rows() {
     const Document good = report_on_a_mesh({check_near("area", 1, 1.5, 2)}, false);
     const Document bad = report_on_a_mesh({check_near("area", 1, 1.5, 0.1), check_at_most("energy", 2, 1)}, true);
-    Batch batch{{batch_row("a", "m/a.obj", good, true), batch_row("b", hostile, bad, true), {.name = "c", .file = "c.off"}}};
+    Batch batch{
+        {batch_row("a", "m/a.obj", good, true, sources), batch_row("b", hostile, bad, true, sources), {.name = "c", .file = "c.off"}}};
     batch.rows[0].report = "a/index.html";
     batch.rows[1].report = "b/index.html";
     batch.rows[2].state = BatchRow::State::failed;
@@ -47,7 +52,7 @@ Batch three_rows() {
 }
 
 TEST(Batch, ARowTakesWhatTheReportSays) {
-    const BatchRow row = batch_row("a", "m/a.obj", report_on_a_mesh({check_near("area", 1, 1.5, 2)}, true), true);
+    const BatchRow row = batch_row("a", "m/a.obj", report_on_a_mesh({check_near("area", 1, 1.5, 2)}, true), true, sources);
     EXPECT_EQ(row.state, BatchRow::State::good);
     EXPECT_EQ(row.sha256, "ab12");
     EXPECT_EQ(row.vertices, Cell(8.0));
@@ -62,26 +67,26 @@ TEST(Batch, ARowTakesWhatTheReportSays) {
 
 TEST(Batch, NoDefectsDifferFromNotExamined) {
     Document document = report_on_a_mesh({}, false);
-    EXPECT_EQ(batch_row("a", "a", document, true).defects->size(), 0u);
+    EXPECT_EQ(batch_row("a", "a", document, true, sources).defects->size(), 0u);
     document.sections.back().status = Status::skipped;
-    EXPECT_FALSE(batch_row("a", "a", document, true).defects.has_value());
+    EXPECT_FALSE(batch_row("a", "a", document, true, sources).defects.has_value());
 }
 
 TEST(Batch, WithoutTimingsThereIsNoTime) {
     const Document document = report_on_a_mesh({}, false);
-    EXPECT_EQ(batch_row("a", "a", document, false).seconds, Cell());
-    const Batch batch{{batch_row("a", "a", document, false)}, false};
+    EXPECT_EQ(batch_row("a", "a", document, false, sources).seconds, Cell());
+    const Batch batch{{batch_row("a", "a", document, false, sources)}, false};
     EXPECT_EQ(write_csv(batch_table(batch)).find("time"), std::string::npos);
     EXPECT_EQ(write_batch_json(batch, "1").find("seconds"), std::string::npos);
 }
 
 TEST(Batch, ASectionOrACheckThatFailedMakesARowBad) {
     Document document = report_on_a_mesh({check_at_most("energy", 1, 2)}, false);
-    EXPECT_EQ(batch_row("a", "a", document, true).state, BatchRow::State::bad);
+    EXPECT_EQ(batch_row("a", "a", document, true, sources).state, BatchRow::State::bad);
     document = report_on_a_mesh({undecided(check_at_most("energy", 1, 2), "why")}, false);
-    EXPECT_EQ(batch_row("a", "a", document, true).state, BatchRow::State::good);
+    EXPECT_EQ(batch_row("a", "a", document, true, sources).state, BatchRow::State::good);
     document.sections.front().status = Status::failed;
-    EXPECT_EQ(batch_row("a", "a", document, true).state, BatchRow::State::bad);
+    EXPECT_EQ(batch_row("a", "a", document, true, sources).state, BatchRow::State::bad);
 }
 
 TEST(Batch, TheShareIsOneAtTheLimitAndMoreBeyond) {

@@ -1,6 +1,8 @@
 #include "mesh/io/glb/glb_parts.h"
 
 #include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
 #include <cmath>
 
 #include "base/at.h"
@@ -21,6 +23,14 @@ std::vector<int> places_of(const Positions& X) {
 }
 
 }   // namespace
+
+nlohmann::ordered_json GlbFrame::node(std::size_t mesh) const {
+    nlohmann::ordered_json node{{"mesh", mesh}};
+    if (translation.isZero(0) && scale == 1) return node;
+    node["translation"] = std::array{translation[0], translation[1], translation[2]};
+    node["scale"] = std::array{scale, scale, scale};
+    return node;
+}
 
 GlbFrame float_frame(const TriangleMesh& mesh) {
     GlbFrame frame;

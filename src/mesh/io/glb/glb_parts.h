@@ -2,6 +2,7 @@
 /// The layout of a mesh in a GLB: the origin and the unit with which floats hold it, and its parts.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
@@ -14,6 +15,8 @@ struct GlbFrame {
     double scale = 1;
 
     double stored(double x, int axis) const { return (x - translation[axis]) / scale; }
+    /// Returns the node of a mesh of the file in this frame.
+    nlohmann::ordered_json node(std::size_t mesh) const;
 };
 
 /// Returns the frame in which floats hold the mesh best: the identity if they hold it exactly, or if it has a usual size and is near the

@@ -82,11 +82,7 @@ public:
             const std::size_t indices = accessor(description, {{"target", index_data}}, [&] {
                 for (const int v : of_part) append_uint32(data_, at(v));
             });
-            OrderedJson& node = nodes_.emplace_back(OrderedJson{{"mesh", meshes_.size()}});
-            if (!frame_.translation.isZero(0) || frame_.scale != 1) {
-                node["translation"] = std::array{frame_.translation[0], frame_.translation[1], frame_.translation[2]};
-                node["scale"] = std::array{frame_.scale, frame_.scale, frame_.scale};
-            }
+            nodes_.push_back(frame_.node(meshes_.size()));
             meshes_.push_back({{"primitives", {{{"attributes", attributes_}, {"indices", indices}}}}});
         }
     }
