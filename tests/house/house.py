@@ -46,8 +46,8 @@ FEATURES = {
 }
 
 DOCSTRING = re.compile(r"^[ \t]*///(?!<)(?: ?(.*))$")
-RIDDLE_BEGINS = re.compile(r"(Those|The same|Of|What|Whose|Where|How|Who|Whom|Is|Are|Does|Do|Has|So many)\b")
-RIDDLES = re.compile(r"\b(what is|what was|what are|of which|whose|so many|so much|is told|are told)\b|\w\?(?=\s|$)", re.I)
+RIDDLE_BEGINS = re.compile(r"(Those|The same|Of|What|Whose|Where|How|Who|Whom|Is|Are|So many)\b")
+RIDDLES = re.compile(r"\b(what is|what was|what are|so many|so much|is told|are told|lest)\b|\w\?(?=\s|$)", re.I)
 
 
 def of_feature(path, patterns):
