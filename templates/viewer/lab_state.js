@@ -14,7 +14,7 @@ const looks = ["lines", "wire"];
 const coloursOf = (question) => (["q5", "q6"].includes(question) ? "curvature" : "distance");
 /// What says how much a scheme does.
 export const amountsOf = (scheme) => (scheme === "projection" ? ["k"] : [scheme === "denoising" ? "edges" : "lambda", "t"]);
-/// What the panel of a question opens with, and [{question, words, state}] to click: src/run/lab/lab_presets.cpp has chosen both.
+/// What the panel of a question opens with, and [{question, words, state}] to click: lab.cpp of the question has chosen both.
 export const startOf = (data, question) => ({ ...plain, colours: coloursOf(question), ...data.starts[question] });
 export const presetsOf = (data, question) => data.presets.filter((preset) => question === "lab" || preset.question === question)
     .map((preset) => ({ ...preset, state: { ...plain, colours: coloursOf(preset.question), lines: preset.lines, ...preset.state } }));
