@@ -9,7 +9,6 @@
 #include "base/errors.h"
 #include "base/in_quotes.h"
 #include "base/joined.h"
-#include "base/lower_case.h"
 #include "base/number_text.h"
 #include "mesh/io/polygon_list.h"
 #include "mesh/io/text_scanner.h"
@@ -35,11 +34,6 @@ std::string_view bare(std::string_view word) {
     word = without_blanks(word);
     const bool is_quoted = word.size() > 1 && word.front() == '"' && word.back() == '"';
     return is_quoted ? without_blanks(word.substr(1, word.size() - 2)) : word;
-}
-
-bool same_but_for_case(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return lower_case(c); };
-    return std::ranges::equal(a, b, {}, lower, lower);
 }
 
 /// Iterates over the cells of a line.

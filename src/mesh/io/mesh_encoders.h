@@ -32,8 +32,8 @@ std::string glb_container(std::string json, std::string data);
 /// Returns the text of an OBJ file with the positions of the mesh. All but normals stays as it is, except that commands are left out. Faces
 /// become triangles, with their corners, unless the polygon would be triangulated in the same way again. Normals are the means, by area,
 /// over the corners that shared both vertex and normal.
-/// @param of    holds the text and its face lines
-/// @param mesh  its rows of X are the vertices of the text; its triangles are those of the text, in order, but may be turned or left out
-std::string obj_with_positions(const Attributes& of, const TriangleMesh& mesh);
+/// @param source  holds the text and its face lines
+/// @param mesh    its rows of X are the vertices of the text; its triangles are those of the text, in order, but may be turned or left out
+std::string obj_with_positions(const Attributes& source, const TriangleMesh& mesh);
 
 }   // namespace meshfolio

@@ -62,16 +62,14 @@ std::string_view ending_of_content(std::string_view bytes) {
     if (word == "ply") return ".ply";
     for (const char* keyword : {"v", "vn", "vt", "mtllib", "usemtl", "o", "g"})
         if (word == keyword) return ".obj";
-    return lower_case(std::string(word)) == "solid" ? ".stl" : "";
+    return same_but_for_case(word, "solid") ? ".stl" : "";
 }
 
 /// @throws InputError if the bytes are no mesh in a format that is read
 void refuse_other_content(std::string_view bytes, const std::string& file) {
     for (const Signature& s : signatures)
         if (bytes.starts_with(s.begin)) throw InputError({file, 0}, std::string(s.name), std::string(s.remedy));
-    std::string_view start = without_bom(bytes).substr(0, 256);
-    start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
-    const std::string text = lower_case(std::string(start.substr(0, 16)));
+    const std::string text = lower_case(std::string(without_leading_space(without_bom(bytes).substr(0, 256)).substr(0, 16)));
     for (const char* tag : {"<!doctype", "<html", "<head", "<body"})
         if (text.starts_with(tag))
             throw InputError({file, 0}, "HTML page, not a mesh", "the download may have failed; fetch the file itself");

@@ -39,7 +39,7 @@ inline constexpr char attributes_are_kept[] =
     "those\n"
     "of the new mesh.\n";
 
-/// The name of a mesh from standard input, the format of which is found by its content.
+/// The name of a mesh from standard input. Its format is found by its content.
 inline constexpr char standard_input[] = "standard input";
 
 /// Reads OBJ, OFF, PLY, STL, VTP or GLB, by the file's ending (any case); recognises gzip by its content.
@@ -64,8 +64,7 @@ LoadedMesh parse_glb(std::string_view bytes, const std::string& file, Keep keep 
 /// @throws MeshError if a coordinate is beyond the format; UsageError for another ending
 std::string encode_mesh(const TriangleMesh& mesh, const std::string& file, const Attributes& attributes = {});
 
-/// Returns a sentence for each loss in that file: values that the format cannot hold, and damage by rounding to its floats. Whoever writes
-/// the file should show them.
+/// Returns a sentence for each loss in that file, to be shown: values that the format cannot hold, and damage by rounding to its floats.
 std::vector<std::string> losses(const TriangleMesh& mesh, const std::string& file, const Attributes& attributes = {});
 
 /// Returns the endings of the formats that are read and written: ".obj" …

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <set>
@@ -7,8 +8,10 @@
 #include "base/at.h"
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/joined.h"
 #include "base/lower_case.h"
 #include "base/number_text.h"
+#include "mesh/io/glb/glb_parts.h"
 #include "mesh/io/mesh_encoders.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/ply_header.h"
@@ -20,7 +23,7 @@ namespace meshfolio {
 namespace {
 
 /// Returns the text with a line for each vertex and then for each face.
-std::string with_lines_of(const TriangleMesh& mesh, std::string text, const char* before_vertex, const char* before_face, int first_index) {
+std::string text_of(const TriangleMesh& mesh, std::string text, const char* before_vertex, const char* before_face, int first_index) {
     for (int v = 0; v < mesh.vertex_count(); ++v)
         text += before_vertex + exact_text(mesh.X(v, 0)) + ' ' + exact_text(mesh.X(v, 1)) + ' ' + exact_text(mesh.X(v, 2)) + '\n';
     for (int t = 0; t < mesh.face_count(); ++t) {
@@ -130,6 +133,77 @@ std::string vtp_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>&
     return vtp.xml + vtp.data + "\n</AppendedData>\n</VTKFile>\n";
 }
 
+using Strings = std::vector<std::string>;
+
+/// Returns "N values of a, b …" for each kind of value that a float of glTF does not hold.
+Strings values_that_change(const Attributes& attributes) {
+    struct Kind {
+        bool (*is_met)(double);
+        const char* message;
+        long long count = 0;
+        Strings names = {};
+    };
+    using Float = std::numeric_limits<float>;
+    std::array kinds{Kind{[](double x) { return !std::isfinite(x); },
+                          "are undefined or infinite, which glTF forbids: 0 or the largest float stands for them"},
+                     Kind{[](double x) { return std::isfinite(x) && std::abs(x) > Float::max(); },
+                          "are beyond the largest float (3.4e38), which stands for them"},
+                     Kind{[](double x) { return x != 0 && std::abs(x) < Float::min() && static_cast<float>(x) != x; },
+                          "are too small for a float (below 1.2e-38): 0 or a coarser value stands for them"},
+                     Kind{[](double x) { return std::abs(x) <= 1LL << 53 && std::floor(x) == x && static_cast<float>(x) != x; },
+                          "are whole numbers beyond those of a float, and rounded"}};
+    Strings sentences;
+    for (const ColumnGroup group : groups_of(attributes.columns)) {
+        if (is_gltf_color(group)) {
+            const auto without = std::ranges::count_if(group.front().values, [](double x) { return std::isnan(x); });
+            if (without > 0) sentences.push_back(std::to_string(without) + " vertices have no colour, and are written as white");
+            continue;
+        }
+        if (group.size() > 1 && group.front().name == "red")
+            sentences.push_back("colours that are no floats between 0 and 1 are written as values (_red, _green, _blue), not as colours");
+        for (const VertexColumn& column : group) {
+            for (Kind& kind : kinds) {
+                const auto count = std::ranges::count_if(column.values, kind.is_met);
+                if (count > 0 && !is_normal(column)) kind.names.push_back(column.name);
+                kind.count += is_normal(column) ? 0 : count;
+            }
+        }
+    }
+    for (const Kind& kind : kinds)
+        if (kind.count > 0)
+            sentences.push_back(std::to_string(kind.count) + " values of " + first_of_many(kind.names) + " " + kind.message +
+                                "; PLY and VTP keep them");
+    return sentences;
+}
+
+/// Returns sentences on damage to the surface by rounding coordinates to floats, and by readers that weld vertices at one place.
+Strings corners_that_move(const std::string& format, const TriangleMesh& mesh) {
+    constexpr double least_cosine = 0.996;   // the cosine of 5°
+    constexpr double least_share = 1e-3;     // of an edge: curvatures change by some per cent
+    const bool is_glb = format == "GLB";
+    const TriangleMesh rounded{stored_as_floats(mesh, is_glb ? float_frame(mesh) : GlbFrame()), mesh.F};
+    const std::vector<int> whole = one_part(mesh), parts = is_glb ? parts_that_keep_apart(mesh, rounded.X) : whole;
+    const Positions before = face_normals(mesh), after = face_normals(rounded);   // 0 where there is no area
+    const Vector cosines = before.cwiseProduct(after).rowwise().sum();
+    const auto turned_faces = (before.rowwise().squaredNorm().array() > 0 && cosines.array() < least_cosine).count();
+    const int coincident = count_of_welded(mesh.X, whole), merged = count_of_welded(rounded.X, whole) - coincident;
+    const int welded = std::min(coincident, count_of_welded(mesh.X, parts));
+    const std::string of_vertices = " of " + std::to_string(mesh.vertex_count()) + " vertices ";
+    Strings sentences;
+    if (welded > 0)
+        sentences.push_back(std::to_string(welded) + of_vertices + "lie where others do and are one with them when the " + format +
+                            " file is read again; OBJ, OFF, PLY and VTP keep them apart");
+    const double moved = (rounded.X - mesh.X).rowwise().norm().maxCoeff(), share = moved / mean_edge_length(mesh);
+    if (turned_faces == 0 && merged == 0 && share > least_share)
+        sentences.push_back("rounded to the floats of " + format + ", vertices move by up to " + plain_text(100 * share, 2) +
+                            " % of the mean edge, and curvatures change; write OBJ, OFF, PLY or VTP, or move the mesh to the origin");
+    if (turned_faces > 0 || merged > 0)
+        sentences.push_back("rounded to the floats of " + format + ", " + std::to_string(merged) + of_vertices + "fall onto others and " +
+                            std::to_string(turned_faces) + " of " + std::to_string(mesh.face_count()) +
+                            " faces turn by 5 degrees or vanish; write OBJ, OFF, PLY or VTP, or move the mesh to the origin");
+    return sentences;
+}
+
 }   // namespace
 
 std::vector<ColumnGroup> groups_of(const std::vector<VertexColumn>& columns) {
@@ -160,10 +234,10 @@ std::string encode_mesh(const TriangleMesh& mesh, const std::string& file, const
             throw MeshError("vertex " + std::to_string(v) + " has a coordinate beyond 1e100", "no reader of ours would take it", {file, 0});
     }
     const std::string ending = file == "-" ? ".obj" : lower_case_ending(file);
-    if (ending == ".obj") return attributes.obj.empty() ? with_lines_of(mesh, "", "v ", "f ", 1) : obj_with_positions(attributes, mesh);
+    if (ending == ".obj") return attributes.obj.empty() ? text_of(mesh, "", "v ", "f ", 1) : obj_with_positions(attributes, mesh);
     if (ending == ".off") {
         const std::string counts = std::to_string(mesh.vertex_count()) + ' ' + std::to_string(mesh.face_count());
-        return with_lines_of(mesh, "OFF\n" + counts + " 0\n", "", "3 ", 0);
+        return text_of(mesh, "OFF\n" + counts + " 0\n", "", "3 ", 0);
     }
     if (ending == ".ply") return ply_bytes(mesh, with_normals_of(mesh, attributes.columns));
     if (ending == ".vtp") return vtp_bytes(mesh, with_normals_of(mesh, attributes.columns));
@@ -173,5 +247,24 @@ std::string encode_mesh(const TriangleMesh& mesh, const std::string& file, const
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) { write_file(path, encode_mesh(mesh, path.string())); }
+
+std::vector<std::string> losses(const TriangleMesh& mesh, const std::string& file, const Attributes& attributes) {
+    const std::string ending = file == "-" ? ".obj" : lower_case_ending(file);
+    std::string format = ending.substr(std::min<std::size_t>(1, ending.size()));
+    std::ranges::transform(format, format.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    const Strings holding = column_endings();
+    const bool is_same_text = ending == ".obj" && !attributes.obj.empty();
+    Strings found, names;
+    for (const VertexColumn& column : attributes.columns)
+        if (!is_normal(column)) names.push_back(column.name);
+    if (!is_same_text && !names.empty() && std::ranges::find(holding, ending) == holding.end())
+        found.push_back(format + " holds no values of vertices: not kept are " + first_of_many(names) + "; write PLY or VTP for them");
+    if (ending != ".obj" && (attributes.obj.find("\nvt ") != std::string::npos || attributes.obj.find("\nusemtl ") != std::string::npos))
+        found.push_back("texture coordinates, groups and materials are kept from OBJ to OBJ only");
+    for (const Strings& more : {ending == ".glb" ? values_that_change(attributes) : Strings(),
+                                ending == ".glb" || ending == ".stl" ? corners_that_move(format, mesh) : Strings()})
+        found.insert(found.end(), more.begin(), more.end());
+    return found;
+}
 
 }   // namespace meshfolio

@@ -18,12 +18,12 @@ namespace {
 /// Copies the text of an OBJ file with new positions and normals.
 class ObjCopy {
 public:
-    ObjCopy(const Attributes& of, const TriangleMesh& mesh) : of_(of), mesh_(mesh), statements_(of.obj) {}
+    ObjCopy(const Attributes& source, const TriangleMesh& mesh) : source_(source), mesh_(mesh), statements_(source.obj) {}
 
     std::string run() {
         std::size_t done = 0;
         while (statements_.next()) {
-            out_->append(of_.obj, done, statements_.begin() - done);   // comments and empty lines
+            out_->append(source_.obj, done, statements_.begin() - done);   // comments and empty lines
             done = statements_.end();
             std::string_view rest = statements_.text();
             const std::string_view keyword = take_word(rest);
@@ -38,9 +38,9 @@ public:
             else if (statements_.ends_before_keyword())
                 out_->append(statements_.text()) += '\n';
             else
-                out_->append(of_.obj, statements_.begin(), done - statements_.begin());
+                out_->append(source_.obj, statements_.begin(), done - statements_.begin());
         }
-        out_->append(of_.obj, done);
+        out_->append(source_.obj, done);
         for (const Vector3& sum : normals_) {
             const double length = std::hypot(sum.x(), sum.y(), sum.z());
             const Vector3 n = length > 0 ? Vector3(sum / length) : Vector3(0, 0, 1);
@@ -85,7 +85,7 @@ private:
         corners_.clear();
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) corners_.push_back(corner(word));
         const int begin = triangle_;
-        while (triangle_ < mesh_.face_count() && of_.face_lines[at(triangle_)] == statements_.line()) ++triangle_;
+        while (triangle_ < mesh_.face_count() && source_.face_lines[at(triangle_)] == statements_.line()) ++triangle_;
         const bool whole = is_whole(begin);
         if (whole) *out_ += 'f';
         for (int t = begin; t < triangle_; ++t) {
@@ -93,14 +93,14 @@ private:
             const Vector3 a = mesh_.X.row(mesh_.F(t, 0)), b = mesh_.X.row(mesh_.F(t, 1)), c = mesh_.X.row(mesh_.F(t, 2));
             const Vector3 normal = (b - a).cross(c - a);
             for (int k = 0; k < 3; ++k) {
-                const Corner& of = *std::ranges::find(corners_, mesh_.F(t, k), &Corner::vertex);
-                if (of.normal >= 0) normals_[at(number_of(of))] += normal;
-                if (!whole) write(of);
+                const Corner& corner = *std::ranges::find(corners_, mesh_.F(t, k), &Corner::vertex);
+                if (corner.normal >= 0) normals_[at(number_of(corner))] += normal;
+                if (!whole) write(corner);
             }
             if (!whole) *out_ += '\n';
         }
         if (!whole) return;
-        for (const Corner& of : corners_) write(of);
+        for (const Corner& corner : corners_) write(corner);
         *out_ += '\n';
     }
 
@@ -129,7 +129,7 @@ private:
         if (corner.normal >= 0) out_->append("/").append(std::to_string(number_of(corner) + 1));
     }
 
-    const Attributes& of_;
+    const Attributes& source_;
     const TriangleMesh& mesh_;
     ObjStatements statements_;
     std::string before_faces_, from_faces_;   // normals come between
@@ -144,6 +144,6 @@ private:
 
 }   // namespace
 
-std::string obj_with_positions(const Attributes& of, const TriangleMesh& mesh) { return ObjCopy(of, mesh).run(); }
+std::string obj_with_positions(const Attributes& source, const TriangleMesh& mesh) { return ObjCopy(source, mesh).run(); }
 
 }   // namespace meshfolio

@@ -27,8 +27,6 @@ void add_face(void* user, tinyobj::index_t* corners, int count) {
     found.polygons.end_polygon(number < found.lines.size() ? found.lines[number] : 0);
 }
 
-std::string vertex_count(int n) { return std::to_string(n) + (n == 1 ? " vertex" : " vertices"); }
-
 /// @throws InputError if an index is too large, or there are no vertices or no faces
 void check_content(const CheckedObj& checked, const PolygonList& polygons, const std::string& file) {
     const std::string hint = checked.unknown.empty() ? "" : "the first unknown statement is " + checked.unknown;

@@ -78,7 +78,7 @@ public:
 private:
     Location here() const { return {file_, line_}; }
 
-    /// Reads "v x y z" and what may follow: a weight, a colour, or both.
+    /// Reads "v x y z" and the weight, the colour, or both that may follow.
     void vertex(std::string_view rest) {
         std::array<double, 7> value{};
         std::size_t count = 0;
@@ -103,7 +103,7 @@ private:
         checked_.text += 'f';
         int corners = 0;
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
-            checked_.text += ' ' + std::to_string(corner(word));
+            checked_.text.append(" ").append(std::to_string(corner(word)));
             ++corners;
         }
         checked_.text += '\n';
@@ -134,8 +134,7 @@ private:
         const bool from_end = index && *index < 0;
         if (index && *index > 0 && *index <= std::numeric_limits<int>::max()) return static_cast<int>(*index);
         if (from_end && *index >= -vertices) return static_cast<int>(vertices + *index + 1);
-        const std::string seen = "(" + std::to_string(vertices) + (vertices == 1 ? " vertex so far)" : " vertices so far)");
-        throw InputError(here(), "vertex index " + in_quotes(word) + " is not a valid index " + seen,
+        throw InputError(here(), "vertex index " + in_quotes(word) + " is not a valid index (" + vertex_count(vertices) + " so far)",
                          from_end ? "it reaches before the first vertex" : "indices are whole numbers from 1");
     }
 

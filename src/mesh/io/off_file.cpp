@@ -17,10 +17,9 @@ bool take_prefix(std::string_view& word, std::string_view prefix) {
     return true;
 }
 
-std::string vertex_count(long long n) { return std::to_string(n) + (n == 1 ? " vertex" : " vertices"); }
-
-/// Reader of Geomview's object file format (geomview.org, "OFF Files"). White space is free, except that anything behind the coordinates of
-/// a vertex or the corners of a face on their last line belongs to them (colours, normals) and is left out.
+/// Reader of Geomview's object file format (geomview.org, "OFF Files"). White space is free with one exception: numbers behind the
+/// coordinates of a vertex, or behind the corners of a face, belong to them if they are on the same line (colours, normals) and are left
+/// out.
 class OffReader {
 public:
     OffReader(std::string_view text, const std::string& file) : size_(text.size()), words_(text), file_(file) {}
@@ -46,7 +45,7 @@ private:
         throw InputError({file_, line}, problem, remedy);
     }
 
-    /// Reads [ST][C][N][4][n]OFF, which says what is on a vertex line.
+    /// Reads the keyword [ST][C][N][4][n]OFF. Its letters stand for the numbers on a vertex line.
     void read_keyword(std::string_view keyword) {
         const long line = words_.line();
         std::string_view rest = keyword;
@@ -119,7 +118,11 @@ private:
     void read_face(long long i) {
         const std::string_view word = words_.next();
         const long line = words_.line();
-        if (word.empty()) ends_after(i);
+        if (word.empty()) {   // a face that continues on the next line is allowed, but then it may have taken another face
+            const std::string announced = std::to_string(faces_) + " faces announced, file ends after " + std::to_string(i);
+            if (broken_line_ > 0) fail(broken_line_, "fewer corners than the face says (" + announced + ")", "correct its count");
+            fail(counts_line_, announced, "the file may be cut off");
+        }
         const std::optional<long long> corners = parse_integer(word);
         if (!corners || *corners < 0 || *corners > std::numeric_limits<int>::max())
             fail(line, "bad number of corners " + in_quotes(word), "a face is a count and that many vertex indices");
@@ -129,25 +132,15 @@ private:
             if (corner.empty())
                 fail(broken_line_ > 0 ? broken_line_ : line, "face of " + std::to_string(*corners) + " corners has " + std::to_string(k),
                      "the file may be cut off");
-            polygons_.add_corner(vertex_index(corner));
+            const std::optional<long long> index = parse_integer(corner);
+            if (!index || *index < 0 || *index >= vertices_)
+                fail(words_.line(),
+                     "vertex index " + in_quotes(corner) + " is not a valid index (file has " + vertex_count(vertices_) + ")",
+                     "indices are whole numbers from 0");
+            polygons_.add_corner(static_cast<int>(*index));
         }
         polygons_.end_polygon(line);
         words_.skip_line();
-    }
-
-    /// Reports that faces are missing. A face that continues on the next line is allowed, but then it may have taken another face.
-    [[noreturn]] void ends_after(long long faces) const {
-        const std::string announced = std::to_string(faces_) + " faces announced, file ends after " + std::to_string(faces);
-        if (broken_line_ > 0) fail(broken_line_, "fewer corners than the face says (" + announced + ")", "correct its count");
-        fail(counts_line_, announced, "the file may be cut off");
-    }
-
-    int vertex_index(std::string_view word) const {
-        const std::optional<long long> index = parse_integer(word);
-        if (!index || *index < 0 || *index >= vertices_)
-            fail(words_.line(), "vertex index " + in_quotes(word) + " is not a valid index (file has " + vertex_count(vertices_) + ")",
-                 "indices are whole numbers from 0");
-        return static_cast<int>(*index);
     }
 
     std::size_t size_;

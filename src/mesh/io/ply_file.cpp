@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -29,7 +27,14 @@ public:
     }
 
     LoadedMesh run(WarningTally warnings, Keep keep) {
-        if (keep == Keep::attributes) make_columns();
+        // A column for every property of a vertex that is one number and no coordinate.
+        const std::vector<PlyProperty>& properties = parts_.vertices->properties;
+        column_of_.assign(properties.size(), -1);
+        for (std::size_t p = 0; p < properties.size(); ++p) {
+            if (keep == Keep::mesh || properties[p].is_list || std::ranges::find(parts_.axis, p) != parts_.axis.end()) continue;
+            column_of_[p] = static_cast<int>(columns_.size());
+            columns_.push_back({properties[p].name, Vector(parts_.vertices->count), properties[p].type});
+        }
         for (const PlyElement& element : header_.elements)
             if (&element == parts_.vertices)
                 read_vertices(element);
@@ -59,17 +64,6 @@ private:
                 if (is_vertex ? element.properties[p].is_list : !parts_.is_corners(element, p)) names.push_back(element.properties[p].name);
         }
         return names;
-    }
-
-    /// Makes a column for every property of a vertex that is one number and no coordinate.
-    void make_columns() {
-        const std::vector<PlyProperty>& properties = parts_.vertices->properties;
-        column_of_.assign(properties.size(), -1);
-        for (std::size_t p = 0; p < properties.size(); ++p) {
-            if (properties[p].is_list || std::ranges::find(parts_.axis, p) != parts_.axis.end()) continue;
-            column_of_[p] = static_cast<int>(columns_.size());
-            columns_.push_back({properties[p].name, Vector(parts_.vertices->count), properties[p].type});
-        }
     }
 
     /// Reads all rows of an element of a binary file at once, as if each list had three items. good(body, i, values) stores row i, of which
@@ -142,13 +136,17 @@ private:
         if (read_even_vertices(element)) return;
         for_each_value(element, [&](long long i, std::size_t p) {
             const PlyProperty& property = element.properties[p];
-            const auto axis = std::find(parts_.axis.begin(), parts_.axis.end(), p);
-            if (axis != parts_.axis.end())
-                read_coordinate(i, static_cast<int>(axis - parts_.axis.begin()), property.type);
-            else if (columns_.empty() || column_of_[p] < 0)
-                skip_value(property);
-            else
+            const auto axis = std::find(parts_.axis.begin(), parts_.axis.end(), p) - parts_.axis.begin();
+            if (axis == std::ssize(parts_.axis)) {
+                if (column_of_[p] < 0) return skip_value(property);
                 columns_[at(column_of_[p])].values[i] = body_.any_number(property.type);
+                return;
+            }
+            const double x = X_(i, axis) = body_.number(property.type);
+            if (std::abs(x) <= largest_coordinate) return;
+            const std::string name = "vertex " + std::to_string(i) + ": " + "xyz"[axis];
+            if (!std::isfinite(x)) fail(body_.line(), name + (std::isnan(x) ? " is nan" : " is inf"), "every coordinate must be finite");
+            fail(body_.line(), name + ": coordinate out of the supported range (1e100)", "scale the mesh down");
         });
     }
 
@@ -168,14 +166,6 @@ private:
         });
     }
 
-    void read_coordinate(long long i, int axis, ScalarType type) {
-        const double x = X_(i, axis) = body_.number(type);
-        if (std::abs(x) <= largest_coordinate) return;
-        const std::string name = "vertex " + std::to_string(i) + ": " + "xyz"[axis];
-        if (!std::isfinite(x)) fail(body_.line(), name + (std::isnan(x) ? " is nan" : " is inf"), "every coordinate must be finite");
-        fail(body_.line(), name + ": coordinate out of the supported range (1e100)", "scale the mesh down");
-    }
-
     void read_corners(long long face, const PlyProperty& property) {
         const long long corners = list_length(property);
         for (long long k = 0; k < corners; ++k) polygons_.add_corner(checked_index(body_.integer(property.type), "face ", face));
@@ -191,35 +181,20 @@ private:
         return static_cast<int>(index);
     }
 
-    /// Reads strips, each ended by −1 or by the end of the list. Corner k ≥ 2 of a strip makes a triangle with the two before it; every
-    /// second one is turned, so that all triangles of a strip face the same side.
+    /// Reads strips, each ended by −1 or by the end of the list.
     void read_strip_list(long long row, const PlyProperty& property) {
         const long long items = list_length(property);
-        std::array<int, 3> last{};   // corners of the strip
-        long long corners = 0;       // of the strip so far
-        for (long long k = 0; k < items; ++k) {
-            const long long index = body_.integer(property.type);
-            if (index == -1) {
-                end_strip(last, corners);
-                corners = 0;
+        std::vector<int> strip;
+        for (long long k = 0; k <= items; ++k) {
+            const long long index = k < items ? body_.integer(property.type) : -1;
+            if (index != -1) {
+                strip.push_back(checked_index(index, "tristrips ", row));
                 continue;
             }
-            last = {last[1], last[2], checked_index(index, "tristrips ", row)};
-            if (++corners < 3) continue;
-            const bool turned = corners % 2 == 0;
-            add_polygon(std::array{last[turned ? 1 : 0], last[turned ? 0 : 1], last[2]});
+            polygons_.add_strip(strip, body_.line());
+            if (strip.size() == 1 || strip.size() == 2) polygons_.add_polygon(strip, body_.line());   // to be warned of
+            strip.clear();
         }
-        end_strip(last, corners);
-    }
-
-    /// Adds a strip of one or two corners as a polygon, which is left out with a warning.
-    void end_strip(const std::array<int, 3>& last, long long corners) {
-        if (corners == 1 || corners == 2) add_polygon({last.data() + 3 - corners, static_cast<std::size_t>(corners)});
-    }
-
-    void add_polygon(std::span<const int> corners) {
-        for (const int v : corners) polygons_.add_corner(v);
-        polygons_.end_polygon(body_.line());
     }
 
     long long list_length(const PlyProperty& property) {

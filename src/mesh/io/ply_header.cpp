@@ -29,9 +29,21 @@ public:
     PlyHeader run() {
         if (!lines_.next() || lines_.line() != "ply") fail(1, "no 'ply' on the first line", "is this a mesh in PLY format?");
         const bool only_returns = bytes_.substr(3).starts_with('\r') && !bytes_.substr(3).starts_with("\r\n");
-        do {
+        for (bool in_header = true; in_header;) {
             if (!lines_.next()) fail(0, "ends early: no end_header", "the file may be cut off");
-        } while (read_line(lines_.line()));
+            std::string_view rest = lines_.line();
+            const std::string_view keyword = take_word(rest);
+            if (keyword == "end_header")
+                in_header = false;
+            else if (keyword == "format")
+                read_format(rest);
+            else if (keyword == "element")
+                read_element(rest);
+            else if (keyword == "property")
+                read_property(rest);
+            else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty())
+                fail(lines_.number(), "unknown header line " + in_quotes(lines_.line()), "is end_header missing?");
+        }
         if (!has_format_) fail(0, "no format line", "the second line should be 'format ascii 1.0' or a binary one");
         header_.size = lines_.offset();
         header_.lines = lines_.number();
@@ -44,22 +56,6 @@ public:
 private:
     [[noreturn]] void fail(long line, const std::string& problem, const std::string& remedy) const {
         throw InputError({file_, line}, problem, remedy);
-    }
-
-    /// Returns false for end_header.
-    bool read_line(std::string_view line) {
-        std::string_view rest = line;
-        const std::string_view keyword = take_word(rest);
-        if (keyword == "end_header") return false;
-        if (keyword == "format")
-            read_format(rest);
-        else if (keyword == "element")
-            read_element(rest);
-        else if (keyword == "property")
-            read_property(rest);
-        else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty())
-            fail(lines_.number(), "unknown header line " + in_quotes(line), "is end_header missing?");
-        return true;
     }
 
     void read_format(std::string_view rest) {

@@ -108,6 +108,18 @@ void PolygonList::end_polygon(long line) {
     if (line > 0) lines_.push_back(line);
 }
 
+void PolygonList::add_polygon(std::span<const int> corners, long line) {
+    corners_.insert(corners_.end(), corners.begin(), corners.end());
+    end_polygon(line);
+}
+
+void PolygonList::add_strip(std::span<const int> corners, long line) {
+    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+        const std::size_t turned = i % 2;
+        add_polygon(std::array{corners[i + turned], corners[i + 1 - turned], corners[i + 2]}, line);
+    }
+}
+
 LoadedMesh triangulated(const PolygonList& polygons, Positions X, const std::string& file, WarningTally warnings) {
     LoadedMesh loaded{{std::move(X), {}}, file, {}, {}};
     Triangulation triangulation(loaded, warnings, polygons.size());

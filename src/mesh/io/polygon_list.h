@@ -17,8 +17,7 @@ namespace meshfolio {
 /// Warnings of a reader, one per kind: a file with 20 000 odd faces gives one line, not 20 000.
 class WarningTally {
 public:
-    /// Counts a case of the kind `many`. The message is `one` for a single case and "N `many`" for several, with the line of the first case
-    /// and its `example` in brackets.
+    /// Counts a case of the kind `many`. The message is `one` for one case, else "N `many`", with the line and the `example` of the first.
     void add(long line, std::string_view one, std::string_view many, const std::string& example = "");
 
     /// Returns one warning per kind, in the order of their first cases.
@@ -47,6 +46,10 @@ public:
     void add_corner(int vertex) { corners_.push_back(vertex); }
     /// Makes the corners added since the last call the next polygon. @param line  of the file; 0: binary file
     void end_polygon(long line);
+
+    void add_polygon(std::span<const int> corners, long line);
+    /// Adds the triangles of a strip, every second one turned, so that all face the same side.
+    void add_strip(std::span<const int> corners, long line);
 
     std::size_t size() const { return first_.size() - 1; }
     std::span<const int> polygon(std::size_t i) const { return {corners_.data() + first_[i], first_[i + 1] - first_[i]}; }
@@ -87,6 +90,9 @@ bool fits_type(double x, ScalarType type);
 
 /// Returns a word of a file as a value of the type, or nothing if it is none. NaN and infinities are values of floating point.
 std::optional<double> value_of_type(std::string_view word, ScalarType type);
+
+/// Returns "1 vertex", "2 vertices" and so on.
+inline std::string vertex_count(long long n) { return std::to_string(n) + (n == 1 ? " vertex" : " vertices"); }
 
 /// @throws InputError if x exceeds largest_coordinate
 void check_range(double x, const std::string& file, long line);

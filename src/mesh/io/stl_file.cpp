@@ -1,11 +1,9 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "base/errors.h"
 #include "base/in_quotes.h"
-#include "base/lower_case.h"
 #include "base/number_text.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/polygon_list.h"
@@ -18,11 +16,6 @@ namespace {
 constexpr std::size_t header_bytes = 84;   // 80 of text, 4 of count
 constexpr std::size_t triangle_bytes = 50;
 
-/// True if the words are equal but for case.
-bool same_word(std::string_view word, std::string_view keyword) {
-    return std::ranges::equal(word, keyword, {}, [](char c) { return lower_case(c); });
-}
-
 /// Reader of "solid name  facet normal … outer loop  vertex … (3) endloop endfacet … endsolid name", any number of solids. Keywords of two
 /// words may be written as one, those of one word as two, and lines may end anywhere but within a vertex.
 class TextStl {
@@ -31,14 +24,14 @@ public:
 
     LoadedMesh run() {
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
-            if (same_word(word, "solid")) {
+            if (same_but_for_case(word, "solid")) {
                 open_ = true;
                 skip_name();
             } else if (is_keyword(word, "end", "solid")) {
                 open_ = skip_name();
             } else if (is_keyword(word, "facet", "normal")) {
                 facet(true);
-            } else if (same_word(word, "facet")) {
+            } else if (same_but_for_case(word, "facet")) {
                 facet(false);
             } else {
                 fail("expected 'facet' or 'endsolid', found " + in_quotes(word));
@@ -56,7 +49,7 @@ private:
     /// True if the word is the keyword, or its first half and the second half is next on the line, which is then taken.
     bool is_keyword(std::string_view word, const std::string& first, const std::string& second) {
         std::string_view rest = words_.rest_of_line();
-        if (!same_word(word, first) || !same_word(take_word(rest), second)) return same_word(word, first + second);
+        if (!same_but_for_case(word, first) || !same_but_for_case(take_word(rest), second)) return same_but_for_case(word, first + second);
         words_.next_on_line();
         return true;
     }
@@ -66,9 +59,10 @@ private:
         for (;;) {
             std::string_view rest = words_.rest_of_line();
             const std::string_view word = take_word(rest);
-            const bool is_facet = same_word(word, "facetnormal") || (same_word(word, "facet") && same_word(take_word(rest), "normal"));
+            const bool is_facet = same_but_for_case(word, "facetnormal") ||
+                                  (same_but_for_case(word, "facet") && same_but_for_case(take_word(rest), "normal"));
             const std::string_view number = take_word(rest);
-            if (is_facet && (number.empty() || parse_number(number) || same_word(number, "nan"))) return true;
+            if (is_facet && (number.empty() || parse_number(number) || same_but_for_case(number, "nan"))) return true;
             if (words_.next_on_line().empty()) return false;
         }
     }
@@ -79,9 +73,15 @@ private:
         if (!is_keyword(word, first, second)) fail("expected '" + first + second + "', found " + in_quotes(word));
     }
 
+    /// Reads a facet without its normal, which the winding gives more exactly. Its numbers may be on later lines.
     void facet(bool has_normal) {
         lines_.push_back(words_.line());
-        skip_normal(has_normal);
+        int numbers = has_normal ? 0 : -1;   // behind "normal"
+        for (std::string_view word = words_.next(); !is_keyword(word, "outer", "loop"); word = words_.next(), ++numbers) {
+            const bool is_part = numbers < 0 ? same_but_for_case(word, "normal") : numbers < 3;
+            if (word.empty()) fail("ends inside a facet");
+            if (!is_part) fail("expected 'outer loop', found " + in_quotes(word));
+        }
         for (int k = 0; k < 3; ++k) {
             expect("vertex");
             std::array<double, 3> corner{};
@@ -90,16 +90,6 @@ private:
         }
         expect("end", "loop");
         expect("end", "facet");
-    }
-
-    /// Skips the normal, because the winding gives it more exactly. Its numbers may be on later lines.
-    void skip_normal(bool has_normal) {
-        int numbers = has_normal ? 0 : -1;   // behind "normal"
-        for (std::string_view word = words_.next(); !is_keyword(word, "outer", "loop"); word = words_.next(), ++numbers) {
-            const bool is_part = numbers < 0 ? same_word(word, "normal") : numbers < 3;
-            if (word.empty()) fail("ends inside a facet");
-            if (!is_part) fail("expected 'outer loop', found " + in_quotes(word));
-        }
     }
 
     double coordinate() {
@@ -149,9 +139,9 @@ bool is_text(std::string_view bytes) {
         return false;
     std::string_view start = bytes.substr(0, 512);
     if (start.find('\0') != std::string_view::npos) return false;
-    start = start.substr(0, start.find_first_of("\r\n", start.find_first_not_of(" \t\r\n") + 1));
-    start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
-    return same_word(take_word(start), "solid");
+    start = without_leading_space(start);
+    start = start.substr(0, start.find_first_of("\r\n"));
+    return same_but_for_case(take_word(start), "solid");
 }
 
 }   // namespace

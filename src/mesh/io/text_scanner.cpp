@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "base/lower_case.h"
 
 namespace meshfolio {
 
@@ -21,6 +22,16 @@ std::string_view take_word(std::string_view& line) {
 std::string_view without_bom(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     return text;
+}
+
+std::string_view without_leading_space(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    return text;
+}
+
+bool same_but_for_case(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return lower_case(c); };
+    return std::ranges::equal(a, b, {}, lower, lower);
 }
 
 std::string_view without_comment(std::string_view line) {

@@ -13,6 +13,12 @@ std::string_view take_word(std::string_view& line);
 /// Returns the text without the UTF-8 byte order mark that some editors put in front.
 std::string_view without_bom(std::string_view text);
 
+/// Returns `text` without white space and line ends at its beginning.
+std::string_view without_leading_space(std::string_view text);
+
+/// True if the words are equal but for case.
+bool same_but_for_case(std::string_view a, std::string_view b);
+
 /// Returns the line without its comment, which begins with a '#' at the start of a word. ("-1.#IND" is a bad number.)
 std::string_view without_comment(std::string_view line);
 

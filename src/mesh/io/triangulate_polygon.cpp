@@ -179,8 +179,17 @@ public:
         result_.triangles.resize(count_ - 2, 3);
         for (const Care care : {Care::no_touching, Care::no_overlap, Care::convex_only, Care::none}) {
             care_ = care;
-            line_up();
-            if (clip_candidates()) break;
+            // Every second corner comes first: ears cut off one after the other would make a fan of slivers.
+            for (std::vector<int>& corners : waiting_) corners.clear();
+            for (const int parity : {0, 1})
+                for (int i = parity; i < count_; i += 2) queue(i);
+            while (!candidates_.empty() && done_ < count_ - 2) {
+                const int corner = candidates_.front();
+                candidates_.pop_front();
+                is_queued_[at(corner)] = 0;
+                if (gone_[at(corner)] == 0 && is_ear(corner)) cut_off(corner);
+            }
+            if (done_ == count_ - 2) break;
         }
         return result_;
     }
@@ -196,29 +205,12 @@ private:
         return corners;
     }
 
-    /// Queues all corners left, every second one first: corners cut off one after the other would make a fan of slivers.
-    void line_up() {
-        for (std::vector<int>& corners : waiting_) corners.clear();
-        for (const int parity : {0, 1})
-            for (int i = parity; i < count_; i += 2) queue(i);
-    }
-
     /// Queues a corner to be checked, unless it is queued already.
     void queue(int corner) {
         waits_for_[at(corner)] = nobody;
         if (gone_[at(corner)] != 0 || is_queued_[at(corner)] != 0) return;
         is_queued_[at(corner)] = 1;
         candidates_.push_back(corner);
-    }
-
-    bool clip_candidates() {
-        while (!candidates_.empty() && done_ < count_ - 2) {
-            const int corner = candidates_.front();
-            candidates_.pop_front();
-            is_queued_[at(corner)] = 0;
-            if (gone_[at(corner)] == 0 && is_ear(corner)) cut_off(corner);
-        }
-        return done_ == count_ - 2;
     }
 
     bool is_ear(int corner) {

@@ -6,7 +6,7 @@
 
 namespace meshfolio {
 
-/// Most corners of a polygon that is triangulated. Ear clipping is quadratic in the worst case; so many corners take seconds.
+/// Largest number of corners of a polygon. Ear clipping is quadratic in the worst case and takes seconds then.
 inline constexpr int max_polygon_corners = 32768;
 
 struct PolygonTriangles {

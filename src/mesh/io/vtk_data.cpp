@@ -63,9 +63,7 @@ VtkArray VtkFile::array(const pugi::xml_node& element) {
         if (offset >= appended_.size()) fail(name + " has no data", "the file may be cut off");
         data = data_of(appended_.substr(offset), appended_is_text_, name);
     } else if (format == "binary") {
-        std::string_view text = element.child_value();
-        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-        data = data_of(text, true, name);
+        data = data_of(without_leading_space(element.child_value()), true, name);
     } else {
         fail(name + " has the unknown format " + in_quotes(format), "formats are ascii, binary and appended");
     }

@@ -89,17 +89,17 @@ private:
 
     Ghosts ghosts_of(const pugi::xml_node& piece, std::size_t points) {
         Ghosts ghosts;
-        const pugi::xml_node of_points = piece.child("PointData").find_child_by_attribute("DataArray", "Name", "vtkGhostType");
-        const pugi::xml_node of_cells = piece.child("CellData").find_child(is_ghost_array);
-        ghosts.levels = of_cells.attribute("Name").value() == std::string_view("vtkGhostLevels");
-        if (of_points) ghosts.points = vtk_.array(of_points).values;
-        if (of_cells) ghosts.cells = vtk_.array(of_cells).values;
-        if (of_points && ghosts.points.size() != points) fail("the array of ghosts has not one entry a point", "the file may be damaged");
+        const pugi::xml_node point_ghosts = piece.child("PointData").find_child_by_attribute("DataArray", "Name", "vtkGhostType");
+        const pugi::xml_node cell_ghosts = piece.child("CellData").find_child(is_ghost_array);
+        ghosts.levels = cell_ghosts.attribute("Name").value() == std::string_view("vtkGhostLevels");
+        if (point_ghosts) ghosts.points = vtk_.array(point_ghosts).values;
+        if (cell_ghosts) ghosts.cells = vtk_.array(cell_ghosts).values;
+        if (point_ghosts && ghosts.points.size() != points)
+            fail("the array of ghosts has not one entry a point", "the file may be damaged");
         return ghosts;
     }
 
-    /// True if a cell of a piece is left out. VTK draws no cell with a hidden point; without ghost cells, a cell is a duplicate if all its
-    /// corners are.
+    /// True if a cell of a piece is left out: a ghost, a cell with a hidden point or, without ghost cells, one of duplicate points alone.
     static bool is_left_out(const Ghosts& ghosts, std::size_t cell, std::span<const double> corners) {
         constexpr unsigned duplicate_cell = 1, refined_cell = 8, hidden_cell = 32, duplicate_point = 1, hidden_point = 2;
         const auto bits = [](double x) { return x >= 0 && x <= 255 ? static_cast<unsigned>(x) : 0U; };
@@ -115,8 +115,7 @@ private:
         return ghosts.cells.empty() && std::ranges::all_of(corners, is_point(duplicate_point));
     }
 
-    /// Reads polygons or strips: each cell ends before the entry of `connectivity` that `offsets` gives. Returns the number of the next
-    /// cell.
+    /// Reads polygons or strips; `offsets` holds the end of each cell in `connectivity`. Returns the number of the next cell.
     std::size_t read_cells(const pugi::xml_node& cells, bool strips, std::size_t first, const Ghosts& ghosts, std::size_t cell) {
         const pugi::xml_node connectivity = cells.find_child_by_attribute("DataArray", "Name", "connectivity");
         const pugi::xml_node offsets = cells.find_child_by_attribute("DataArray", "Name", "offsets");
@@ -131,26 +130,17 @@ private:
             if (!(end >= begin && end <= static_cast<double>(corners.size())))
                 fail("offsets of cells do not rise", "the file may be damaged");
             const auto from = static_cast<std::size_t>(begin), count = static_cast<std::size_t>(end) - from;
-            const std::span<const double> of_cell = std::span(corners).subspan(from, count);
-            if (is_left_out(ghosts, cell++, of_cell))
-                warnings_.add(0, "ghost or hidden cell left out", "ghost or hidden cells left out");
-            else
-                add_cell(of_cell, strips, static_cast<int>(first));
+            const std::span<const double> cell_corners = std::span(corners).subspan(from, count);
             begin = end;
+            if (is_left_out(ghosts, cell++, cell_corners)) {
+                warnings_.add(0, "ghost or hidden cell left out", "ghost or hidden cells left out");
+                continue;
+            }
+            std::vector<int> vertices;
+            for (const double corner : cell_corners) vertices.push_back(static_cast<int>(first) + static_cast<int>(corner));
+            strips ? polygons_.add_strip(vertices, 0) : polygons_.add_polygon(vertices, 0);
         }
         return cell;
-    }
-
-    /// Adds a polygon, or the triangles of a strip, every second one turned.
-    void add_cell(std::span<const double> corners, bool is_strip, int first) {
-        const std::size_t size = is_strip ? 3 : corners.size(), cells = is_strip ? std::max<std::size_t>(corners.size(), 2) - 2 : 1;
-        for (std::size_t i = 0; i < cells; ++i) {
-            for (std::size_t k = 0; k < size; ++k) {
-                const std::size_t turned = is_strip && i % 2 == 1 && k < 2 ? 1 - k : k;
-                polygons_.add_corner(first + static_cast<int>(corners[i + turned]));
-            }
-            polygons_.end_polygon(0);
-        }
     }
 
     void read_columns(const pugi::xml_node& element, std::size_t first) {

@@ -12,7 +12,7 @@
 
 namespace meshfolio {
 
-/// A list of elements of 1 to 16 numbers (§3.6.2), some of which may be replaced (§3.6.2.3, sparse accessors).
+/// A list of elements of 1 to 16 numbers (§3.6.2), perhaps with replacements for some elements (§3.6.2.3, sparse accessors).
 struct GlbAccessor {
     const char* data = nullptr;   // null: all zeros
     std::size_t count = 0, stride = 0;

@@ -35,8 +35,8 @@ public:
         if (corners_.empty()) document_.fail("no triangles", "export the mesh with its faces");
         WeldedMesh mesh = welded(points_, corners_, {}, file_, WarningTally(), placed_);
         if (keeps_columns_) mesh.loaded.attributes.columns = columns_.of_vertices(mesh);
-        const std::vector<MeshWarning> said = warnings_.warnings();
-        mesh.loaded.warnings.insert(mesh.loaded.warnings.begin(), said.begin(), said.end());
+        const std::vector<MeshWarning> own_warnings = warnings_.warnings();
+        mesh.loaded.warnings.insert(mesh.loaded.warnings.begin(), own_warnings.begin(), own_warnings.end());
         return std::move(mesh.loaded);
     }
 
@@ -78,7 +78,10 @@ private:
                 warnings_.add(0, "points or lines ignored", "sets of points or lines ignored");
                 continue;
             }
-            refuse_draco(primitive);
+            // Compressed primitives have no data. A file that requires the extension has been refused before.
+            if (primitive.contains("extensions") && primitive["extensions"].contains("KHR_draco_mesh_compression") &&
+                !document_.entry("accessors", document_.number(primitive.at("attributes"), "POSITION", 0)).contains("bufferView"))
+                document_.fail("needs the extension 'KHR_draco_mesh_compression'", "export it without compression or extensions");
             const GlbShape shape(document_, primitive, weights, joints, warnings_);
             std::vector<std::uint32_t> corners = corners_of(primitive, shape.vertex_count());
             if (corners.empty()) continue;
@@ -88,13 +91,6 @@ private:
             if (keeps_columns_) columns_.add(primitive, vertices, first);
             add_triangles(corners, mode, static_cast<int>(first), turned);
         }
-    }
-
-    /// Refuses a primitive without data because of compression. A file that requires the extension has been refused before.
-    void refuse_draco(const Json& primitive) const {
-        if (primitive.contains("extensions") && primitive["extensions"].contains("KHR_draco_mesh_compression") &&
-            !document_.entry("accessors", document_.number(primitive.at("attributes"), "POSITION", 0)).contains("bufferView"))
-            document_.fail("needs the extension 'KHR_draco_mesh_compression'", "export it without compression or extensions");
     }
 
     /// Returns the corners of the triangles, in the order of the primitive, as indices of its points.

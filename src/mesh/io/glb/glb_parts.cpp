@@ -72,28 +72,28 @@ int count_of_welded(const Positions& X, const std::vector<int>& parts) {
 }
 
 std::vector<int> parts_that_keep_apart(const TriangleMesh& mesh, const Positions& X) {
-    const std::vector<int> together = one_part(mesh);
-    if (count_of_welded(X, together) == 0) return together;
+    const std::vector<int> whole = one_part(mesh);
+    if (count_of_welded(X, whole) == 0) return whole;
     const int n = mesh.vertex_count();
     DisjointSets components(n);
     for (int t = 0; t < mesh.face_count(); ++t)
         for (int k = 1; k < 3; ++k) components.join(mesh.F(t, 0), mesh.F(t, k));
     const std::vector<int> places = places_of(X);
-    std::vector<int> parts = together, last_part(at(n), -1), last_component(at(n), -1);
-    std::vector<char> is_over(at(n), 0);
+    std::vector<int> parts = whole, last_part(at(n), -1), last_component(at(n), -1);
+    std::vector<char> is_done(at(n), 0);
     int part = 0;
     for (int begin = 0, end = 0; begin < n; begin = end) {   // of one component
         const int component = components.find(begin);
-        if (is_over[at(component)] != 0) return together;   // mixed
-        is_over[at(component)] = 1;
+        if (is_done[at(component)] != 0) return whole;   // mixed
+        is_done[at(component)] = 1;
         bool touches = false;
-        for (end = begin; end < n && (together[at(end)] < 0 || components.find(end) == component); ++end) {
+        for (end = begin; end < n && (whole[at(end)] < 0 || components.find(end) == component); ++end) {
             const std::size_t place = at(places[at(end)]);
-            touches |= together[at(end)] == 0 && last_part[place] == part && last_component[place] != component;
+            touches |= whole[at(end)] == 0 && last_part[place] == part && last_component[place] != component;
         }
         part += touches ? 1 : 0;
         for (int v = begin; v < end; ++v) {
-            if (together[at(v)] < 0) continue;
+            if (whole[at(v)] < 0) continue;
             parts[at(v)] = last_part[at(places[at(v)])] = part;
             last_component[at(places[at(v)])] = component;
         }

@@ -77,10 +77,10 @@ public:
         const std::vector<int> parts = parts_that_keep_apart(mesh_, stored_as_floats(mesh_, frame_));
         std::vector<std::vector<int>> corners(1 + at(std::max(0, *std::ranges::max_element(parts))));
         for (const int v : mesh_.F.reshaped<Eigen::RowMajor>()) corners[at(parts[at(v)])].push_back(v);
-        for (const std::vector<int>& of_part : corners) {
-            const OrderedJson description{{"componentType", unsigned_int}, {"count", of_part.size()}, {"type", "SCALAR"}};
+        for (const std::vector<int>& part : corners) {
+            const OrderedJson description{{"componentType", unsigned_int}, {"count", part.size()}, {"type", "SCALAR"}};
             const std::size_t indices = accessor(description, {{"target", index_data}}, [&] {
-                for (const int v : of_part) append_uint32(data_, at(v));
+                for (const int v : part) append_uint32(data_, at(v));
             });
             nodes_.push_back(frame_.node(meshes_.size()));
             meshes_.push_back({{"primitives", {{{"attributes", attributes_}, {"indices", indices}}}}});
