@@ -151,13 +151,14 @@ private:
     }
 
     void find_box() {
-        std::vector<int> in_use;
-        for (int v = 0; v < mesh().vertex_count(); ++v)
-            if (topology().vertex_faces.size(v) > 0) in_use.push_back(v);
+        Eigen::Array3d low = Eigen::Array3d::Constant(HUGE_VAL), high = -low;
+        for (int v = 0; v < mesh().vertex_count(); ++v) {
+            if (topology().vertex_faces.size(v) == 0) continue;
+            const Eigen::Array3d x = mesh().X.row(v).transpose();
+            ++counts().vertices_in_use, low = low.min(x), high = high.max(x);
+        }
         counts().vertices = mesh().vertex_count();
-        counts().vertices_in_use = static_cast<int>(in_use.size());
-        counts().box_low = mesh().X(in_use, Eigen::all).colwise().minCoeff();
-        counts().box_high = mesh().X(in_use, Eigen::all).colwise().maxCoeff();
+        counts().box_low = low, counts().box_high = high;
         if (counts().box_low == counts().box_high)
             throw InputError({prepared_.file, 0}, "all vertices coincide (the bounding box is a point)",
                              "the export may have lost the coordinates");

@@ -258,15 +258,16 @@ private:
     /// @param near  points within this distance of the other shell do not count
     /// @param all  points inside and points outside together mean the same place, not outside
     Relation relation_of(int s, int other, double near, bool all) {
-        const ShellSurface& surface = surface_of(other);
+        auto& surface = surfaces_[at(other)];
+        if (!surface) surface = std::make_unique<ShellSurface>(mesh_, flip_, faces_.begin(other), faces_.end(other), visits_);
         const int faces = faces_.size(s), step = (faces - 1) / most_sampled_faces + 1;
         Relation relation = Relation::same_place;
         for (int i = 0; i < faces; i += step) {
             const auto corners = mesh_.X(mesh_.F.row(faces_.begin(s)[i]), Eigen::all);
             const Vector3 centroid = corners.colwise().mean();
             for (const Vector3& p : {centroid, Vector3(corners.row(0)), Vector3(corners.row(1)), Vector3(corners.row(2))}) {
-                const Relation here = surface.is_outside(p) ? Relation::outside : Relation::inside;
-                if (here == relation || surface.is_near(p, near)) continue;
+                const Relation here = surface->is_outside(p) ? Relation::outside : Relation::inside;
+                if (here == relation || surface->is_near(p, near)) continue;
                 if (all && relation != Relation::same_place) return Relation::same_place;
                 if (here == Relation::outside && !all) return Relation::outside;
                 relation = here;
@@ -274,12 +275,6 @@ private:
             if (visits_ > most_visits) break;
         }
         return relation;
-    }
-
-    const ShellSurface& surface_of(int s) {
-        auto& surface = surfaces_[at(s)];
-        if (!surface) surface = std::make_unique<ShellSurface>(mesh_, flip_, faces_.begin(s), faces_.end(s), visits_);
-        return *surface;
     }
 
     const TriangleMesh& mesh_;

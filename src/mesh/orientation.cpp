@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "base/at.h"
-#include "base/parallel.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/nesting.h"
 #include "mesh/prefetch.h"
@@ -121,14 +120,6 @@ Piece walk_from(const TriangleMesh& mesh, int start, const FaceNeighbours& neigh
     return piece;
 }
 
-/// Returns six times the signed volume of the tetrahedron between triangle t and `origin`.
-double six_volumes(const TriangleMesh& mesh, int t, const Vector3& origin) {
-    const Vector3 a = mesh.X.row(mesh.F(t, 0)).transpose() - origin;
-    const Vector3 b = mesh.X.row(mesh.F(t, 1)).transpose() - origin;
-    const Vector3 c = mesh.X.row(mesh.F(t, 2)).transpose() - origin;
-    return a.dot(b.cross(c));
-}
-
 /// The volume in a shell, added up from tetrahedra.
 struct EnclosedVolume {
     double sum = 0, magnitude = 0;
@@ -136,10 +127,6 @@ struct EnclosedVolume {
     void add(double volume) {
         sum += volume;
         magnitude += std::abs(volume);
-    }
-    void add(const EnclosedVolume& part) {
-        sum += part.sum;
-        magnitude += part.magnitude;
     }
     /// Returns 1, −1, or 0 if rounding may decide.
     int sign() const { return std::abs(sum) > 1e-12 * magnitude ? (sum > 0 ? 1 : -1) : 0; }
@@ -165,8 +152,8 @@ void orient(Piece& piece, Orientation& result) {
     }
 }
 
-/// Collects the shells of a surface: pieces that are closed by themselves, and sets of pieces, joined at edges of several triangles, that
-/// are closed together, such as the two halves of a box with a double wall between them.
+/// Collects the shells of a surface: pieces that are closed by themselves, and sets of pieces that are closed together. These are joined at
+/// edges of several triangles, such as the two halves of a box with a double wall between them.
 class ShellFinder {
 public:
     ShellFinder(const TriangleMesh& mesh, const std::vector<char>& flip) : mesh_(mesh), flip_(flip) {
@@ -253,28 +240,16 @@ Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology
         EnclosedVolume volume = {};
         int shell = -1;
     };
-    std::vector<Component> components;
-    for (int t = 0; static_cast<int>(components.size()) < topology.component_count; ++t)
-        if (topology.component[at(t)] == static_cast<int>(components.size())) components.push_back({mesh.X.row(mesh.F(t, 0))});
+    std::vector<Component> components(at(topology.component_count));
     const auto component_of = [&](int t) -> Component& { return components[at(topology.component[at(t)])]; };
     for (int v = 0; v < mesh.vertex_count(); ++v)
         if (topology.on_boundary[at(v)] != 0) component_of(*topology.vertex_faces.begin(v)).closed = false;
-    struct Part {   // successive triangles of one component
-        int component;
-        EnclosedVolume volume = {};
-    };
-    const auto blocks = per_block(mesh.face_count(), [&](int begin, int end) {
-        std::vector<Part> parts;
-        for (int t = begin; t < end; ++t) {
-            prefetch_corners(mesh, t);
-            if (parts.empty() || parts.back().component != topology.component[at(t)]) parts.push_back({topology.component[at(t)]});
-            if (component_of(t).closed) parts.back().volume.add(six_volumes(mesh, t, component_of(t).origin));
-        }
-        return parts;
-    });
-    for (const auto& block : blocks)
-        for (const Part& part : block.value) components[at(part.component)].volume.add(part.volume);
-
+    for (int t = 0, begun = 0; t < mesh.face_count(); ++t) {
+        prefetch_corners(mesh, t);
+        Component& component = component_of(t);
+        if (topology.component[at(t)] == begun) ++begun, component.origin = mesh.X.row(mesh.F(t, 0));
+        if (component.closed) component.volume.add(six_volumes(mesh, t, component.origin));
+    }
     Orientation result;
     result.flip.assign(at(mesh.face_count()), 0);
     Shells shells;
@@ -284,8 +259,7 @@ Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology
         shells.sign.push_back(component.volume.sign());
     }
     if (shells.sign.empty() || (shells.sign.size() == 1 && shells.sign.front() >= 0)) return result;
-    shells.of_face.resize(at(mesh.face_count()));
-    for_each_index(mesh.face_count(), [&](int t) { shells.of_face[at(t)] = component_of(t).shell; });
+    for (int t = 0; t < mesh.face_count(); ++t) shells.of_face.push_back(component_of(t).shell);
     turn(mesh, shells, result);
     return result;
 }

@@ -23,9 +23,9 @@ struct Orientation {
     int first_unorientable = -1;
 };
 
-/// Returns the triangles to turn so that all of a piece agree with its majority, and normals of closed pieces point out of bodies and into
-/// cavities, by their nesting depth (nesting.h). Pieces are joined through edges of exactly two triangles; pieces that share other edges
-/// and are closed together are turned together. Every triangle must name three different vertices.
+/// Returns the triangles to turn. Afterwards all triangles of a piece agree with its majority, and normals of closed pieces point out of
+/// bodies and into cavities, by their nesting depth (nesting.h). Pieces are joined through edges of exactly two triangles. Pieces that
+/// share other edges and are closed together are turned together. Every triangle must name three different vertices.
 Orientation consistent_orientation(const TriangleMesh& mesh);
 /// Returns the same with a known topology, in a fraction of the time for an oriented manifold.
 Orientation consistent_orientation(const TriangleMesh& mesh, const MeshTopology& topology);

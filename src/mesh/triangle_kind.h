@@ -6,7 +6,7 @@
 
 namespace meshfolio {
 
-/// A triangle has no area if |u × v| is at most this share of its squared longest edge: the rest is rounding of its corners. It then gives
+/// Largest |u × v|, relative to the squared longest edge, of a triangle without area: it is rounding of the corners. Such a triangle gives
 /// neither stiffness nor mass to any operator.
 inline constexpr double no_area = 1e-12;
 

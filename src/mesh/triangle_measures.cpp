@@ -106,11 +106,15 @@ double surface_area(const TriangleMesh& mesh) { return face_areas(mesh).sum(); }
 double signed_volume(const TriangleMesh& mesh) { return signed_volume(mesh, bounding_box(mesh).centre()); }
 
 double signed_volume(const TriangleMesh& mesh, const Vector3& centre) {
-    const auto six_volumes = [&](int t) {
+    const auto at_centre = [&](int t) {
         prefetch_corners(mesh, t);
-        return (corner(mesh, t, 0) - centre).dot((corner(mesh, t, 1) - centre).cross(corner(mesh, t, 2) - centre));
+        return six_volumes(mesh, t, centre);
     };
-    return ordered_sum(mesh.face_count(), six_volumes) / 6;
+    return ordered_sum(mesh.face_count(), at_centre) / 6;
+}
+
+double six_volumes(const TriangleMesh& mesh, int t, const Vector3& point) {
+    return (corner(mesh, t, 0) - point).dot((corner(mesh, t, 1) - point).cross(corner(mesh, t, 2) - point));
 }
 
 Positions face_normals(const TriangleMesh& mesh) {

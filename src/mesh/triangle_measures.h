@@ -38,6 +38,9 @@ double signed_volume(const TriangleMesh& mesh);
 /// @param centre  of the sum, instead of the box centre
 double signed_volume(const TriangleMesh& mesh, const Vector3& centre);
 
+/// Returns six times the signed volume of the tetrahedron between triangle t and a point. [length³]
+double six_volumes(const TriangleMesh& mesh, int t, const Vector3& point);
+
 /// Returns m × 3 unit normals; (0, 0, 0) for a triangle without area.
 Positions face_normals(const TriangleMesh& mesh);
 /// Returns n × 3 unit normals, the normalised sums of the area vectors around each vertex; (0, 0, 0) for a sum of zero.

@@ -52,7 +52,7 @@ double NormalNumbers::next() {
         has_spare_ = false;
         return spare_;
     }
-    // Box & Muller 1958. 1 − uniform() lies in (0, 1], whose logarithm exists.
+    // Box & Muller 1958. 1 − uniform() lies in (0, 1], so its logarithm exists.
     const double radius = std::sqrt(-2 * std::log(1 - uniform()));
     const double angle = 2 * std::numbers::pi * uniform();
     spare_ = radius * std::sin(angle);

@@ -89,35 +89,26 @@ TriangleMesh petal_parameters(int petal) {
             Eigen::Map<const Faces>(corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3)};
 }
 
-/// Returns all petals one after the other. Rows of X are (u, v, petal).
-TriangleMesh flower_parameters(int subdivide) {
-    TriangleMesh all;
-    for (int petal = 0; petal < petals; ++petal) {
-        TriangleMesh one = petal_parameters(petal);
-        for (int i = 0; i < subdivide; ++i) one = subdivide_midpoint(one);
-        const Eigen::Index n = all.X.rows(), m = all.F.rows();
-        all.X.conservativeResize(n + one.X.rows(), 3);
-        all.F.conservativeResize(m + one.F.rows(), 3);
-        all.X.bottomRows(one.X.rows()) = one.X;
-        all.F.bottomRows(one.F.rows()) = one.F.array() + static_cast<int>(n);
-    }
-    return all;
-}
-
 }   // namespace
 
 TriangleMesh lily_sample(int subdivide) {
-    TriangleMesh lily = flower_parameters(subdivide);
+    TriangleMesh lily;   // rows of X are (u, v, petal) at first
+    for (int petal = 0; petal < petals; ++petal) {
+        TriangleMesh one = petal_parameters(petal);
+        for (int i = 0; i < subdivide; ++i) one = subdivide_midpoint(one);
+        const Eigen::Index n = lily.X.rows(), m = lily.F.rows();
+        lily.X.conservativeResize(n + one.X.rows(), 3);
+        lily.F.conservativeResize(m + one.F.rows(), 3);
+        lily.X.bottomRows(one.X.rows()) = one.X;
+        lily.F.bottomRows(one.F.rows()) = one.F.array() + static_cast<int>(n);
+    }
     // In the tube, the right edge of a petal (v = 1) is the left edge of the next (v = −1).
     std::map<std::pair<int, double>, int> left_edge;   // (petal, u) → vertex
     const auto petal_of = [&](int i) { return static_cast<int>(lily.X(i, 2)); };
     for (int i = 0; i < lily.vertex_count(); ++i)
         if (lily.X(i, 1) == -1) left_edge[{petal_of(i), lily.X(i, 0)}] = i;
-    lily.F = lily.F
-                 .unaryExpr([&](int i) {
-                     return lily.X(i, 0) <= tube_end && lily.X(i, 1) == 1 ? left_edge.at({(petal_of(i) + 1) % petals, lily.X(i, 0)}) : i;
-                 })
-                 .eval();
+    for (int& i : lily.F.reshaped())
+        if (lily.X(i, 0) <= tube_end && lily.X(i, 1) == 1) i = left_edge.at({(petal_of(i) + 1) % petals, lily.X(i, 0)});
     for (int i = 0; i < lily.vertex_count(); ++i) {
         const Vector3 parameter = lily.X.row(i);
         lily.X.row(i) = petal_point(parameter[0], parameter[1], static_cast<int>(parameter[2]));

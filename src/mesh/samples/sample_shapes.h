@@ -26,7 +26,7 @@ inline constexpr int most_subdivisions = 6;   // already 4096 times as many tria
 /// Returns the sample of that name. @throws UsageError for an unknown name (with the nearest one) or more than most_subdivisions
 TriangleMesh make_sample(const std::string& name, int subdivide = 0);
 
-/// Returns a sphere about the origin: an icosahedron of which each triangle is divided into four, `level` times.
+/// Returns a sphere about the origin: an icosahedron with each triangle divided into four, `level` times.
 TriangleMesh icosphere(int level, double radius = 1);
 /// Returns icosphere(level), scaled along the axes.
 TriangleMesh ellipsoid_mesh(int level, const Vector3& half_axes);

@@ -16,7 +16,7 @@ struct Ball {
     double radius;
 };
 
-/// Convex hull of two balls.
+/// The convex hull of two balls.
 struct RoundCone {
     Vector3 a, b;
     double radius_a, radius_b;
@@ -42,8 +42,7 @@ inline double signed_distance(const RoundCone& cone, const Vector3& p) {
     const double length = axis.norm();
     const double along = from_a.dot(axis) / length;
     const double across = std::sqrt(std::max(0.0, from_a.squaredNorm() - along * along));
-    // The mantle leans by the angle of sine (r_a − r_b) / length; the ball nearest to p is centred at the foot of the mantle's normal
-    // through p.
+    // The mantle leans by the angle of sine (r_a − r_b) / length; the nearest ball is centred at the foot of the mantle's normal through p.
     const double sine = (cone.radius_a - cone.radius_b) / length, cosine = std::sqrt(1 - sine * sine);
     const double t = std::clamp((along - across * sine / cosine) / length, 0.0, 1.0);
     return (from_a - t * axis).norm() - (cone.radius_a + t * (cone.radius_b - cone.radius_a));
