@@ -89,7 +89,7 @@ void subtract_paeth(const Byte* row, const Byte* above, std::size_t size, std::s
 }
 
 /// Writes the number of the filter and row y minus its prediction. Stretches that repeat the row above, such as background, give zeros.
-/// False if another pixel of the row is not opaque.
+/// False if one of the other pixels is not opaque.
 bool filter_row(const Image& image, std::size_t channels, int y, Byte* line) {
     constexpr int stretch = 64;
     const auto copy = [&](int x, int row, int count, Byte* bytes) {
@@ -123,7 +123,7 @@ struct Band {
     bool opaque;
 };
 
-/// Filters and deflates the bands of a picture on all processors; the bytes do not depend on their number.
+/// Filters and deflates the bands of a picture on all processors, with the same bytes for any number of them.
 std::vector<std::optional<Band>> bands_of(const Image& image, std::size_t channels) {
     const std::size_t line = 1 + channels * static_cast<std::size_t>(image.width);
     const int rows = static_cast<int>(1 + (std::size_t{1} << 18) / line), count = (image.height - 1) / rows + 1;

@@ -140,6 +140,7 @@ HWY_AFTER_NAMESPACE();
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace render {
 
@@ -169,14 +170,16 @@ Looks looks_on(const HeightField& heights) {
     return looks;
 }
 
-/// Calls find(begin, count, found) for stretches of the result; `found` has room for vectors that write beyond `count`.
-template <class Find>
-void in_whole_vectors(std::span<float> result, const Find& find) {
+/// Calls find(begin, count, found) for stretches of the result and converts what it finds; `found` has room for vectors that write beyond
+/// `count`.
+template <class T, class Find, class Convert = std::identity>
+void in_whole_vectors(std::span<T> result, const Find& find, const Convert& convert = {}) {
     std::array<float, 1024> found;
     for (std::size_t begin = 0; begin < result.size(); begin += found.size()) {
         const std::size_t count = std::min(found.size(), result.size() - begin);
         find(begin, count, found.data());
-        std::copy_n(found.begin(), count, result.begin() + static_cast<std::ptrdiff_t>(begin));
+        std::transform(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count),
+                       result.begin() + static_cast<std::ptrdiff_t>(begin), convert);
     }
 }
 
@@ -217,14 +220,10 @@ void smooth(const HeightField& heights, const HeightField& openness, int x, int 
 }
 
 void find_creases(const HeightField& heights, int x, int y, std::span<std::uint8_t> creases) {
-    std::array<float, 1024> found;
-    for (std::size_t begin = 0; begin < creases.size(); begin += found.size() - 16) {
-        const std::size_t count = std::min(found.size() - 16, creases.size() - begin);
-        HWY_DYNAMIC_DISPATCH(Creases)(heights.place(x + static_cast<int>(begin), y), heights.pitch(), count, found.data());
-        std::transform(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count),
-                       creases.begin() + static_cast<std::ptrdiff_t>(begin),
-                       [](float crease) { return static_cast<std::uint8_t>(255 * crease + 0.5F); });
-    }
+    const auto find = [&](std::size_t begin, std::size_t count, float* found) {
+        HWY_DYNAMIC_DISPATCH(Creases)(heights.place(x + static_cast<int>(begin), y), heights.pitch(), count, found);
+    };
+    in_whole_vectors(creases, find, [](float crease) { return static_cast<std::uint8_t>(255 * crease + 0.5F); });
 }
 
 void draw_lines(const ByteField& coverage, const ByteField& creases, int x, int y, std::span<float> lines) {

@@ -62,15 +62,6 @@ std::vector<bool> may_lie_on_boundary(const Surface& surface) {
     return result;
 }
 
-bool seen_edge_on(const ProjectedScene& projected, std::int32_t id) {
-    constexpr double edge_on = 0.004;   // largest |cos| of the angle between normal and view
-    const Scene& scene = projected.scene;
-    const glm::ivec3& t = scene.surface.triangles[index(id)];
-    const auto at = [&](int k) { return (scene.surface.positions[index(t[k])] - scene.frame.centre) * scene.frame.pixels_per_unit; };
-    const glm::dvec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
-    return std::abs(glm::dot(normal, projected.axes.depth)) < edge_on * glm::length(normal);
-}
-
 /// Keeps the first of equal ribbons, such as those of many triangles in one place, because it hides the others.
 std::vector<Ribbon> each_once(std::vector<Ribbon> ribbons) {
     std::vector<std::size_t> order(ribbons.size());
@@ -112,8 +103,16 @@ std::vector<BoundaryEdge> boundary_edges(const Surface& surface) {
 }
 
 std::vector<Ribbon> edge_on_ribbons(const ProjectedScene& scene, std::span<const BoundaryEdge> edges, double width) {
+    const auto is_seen_edge_on = [&](const BoundaryEdge& e) {
+        const Surface& surface = scene.scene.surface;
+        const Frame& frame = scene.scene.frame;
+        const glm::ivec3& t = surface.triangles[index(e.triangle)];
+        const auto at = [&](int k) { return (surface.positions[index(t[k])] - frame.centre) * frame.pixels_per_unit; };
+        const glm::dvec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
+        return std::abs(glm::dot(normal, scene.axes.depth)) < 0.004 * glm::length(normal);
+    };
     std::vector<BoundaryEdge> hidden;
-    std::ranges::copy_if(edges, std::back_inserter(hidden), [&](const BoundaryEdge& e) { return seen_edge_on(scene, e.triangle); });
+    std::ranges::copy_if(edges, std::back_inserter(hidden), is_seen_edge_on);
     if (2 * hidden.size() < edges.size()) return {};   // parts of the rim of a curved surface
     std::vector<Ribbon> ribbons;
     for (const BoundaryEdge& e : hidden) {

@@ -273,20 +273,18 @@ bool is_out_of_reach(const ProjectedScene& projected, std::int32_t id) {
     return std::min({projected.vertices[t.x].at[0], projected.vertices[t.y].at[0], projected.vertices[t.z].at[0]}) <= GridVertex::far_off;
 }
 
-/// Colours fragments by the number of their triangle + 1 = R·65536 + G·256 + B.
-void color_by_number(Fragments& fragments) {
-    for (std::size_t i = 0; i < fragments.count; ++i) {
-        const auto number = static_cast<std::uint32_t>(fragments.triangle[i]) + 1;
-        fragments.red[i] = linear_of(static_cast<std::uint8_t>(number >> 16));
-        fragments.green[i] = linear_of(static_cast<std::uint8_t>(number >> 8));
-        fragments.blue[i] = linear_of(static_cast<std::uint8_t>(number));
-    }
-}
-
 }   // namespace
 
 void shade(const ProjectedScene& projected, std::span<const Ribbon> ribbons, const ShadingStyle& style, Fragments& fragments) {
-    if (style.options.face_colors_from_id) return color_by_number(fragments);
+    if (style.options.face_colors_from_id) {
+        for (std::size_t i = 0; i < fragments.count; ++i) {
+            const auto number = static_cast<std::uint32_t>(fragments.triangle[i]) + 1;
+            fragments.red[i] = linear_of(static_cast<std::uint8_t>(number >> 16));
+            fragments.green[i] = linear_of(static_cast<std::uint8_t>(number >> 8));
+            fragments.blue[i] = linear_of(static_cast<std::uint8_t>(number));
+        }
+        return;
+    }
     std::vector<std::pair<std::size_t, std::int32_t>> exact;
     const bool some_exact = projected.has_far_off || !ribbons.empty();
     std::int32_t ordinary = some_exact ? no_triangle : fragments.triangle[0];

@@ -137,7 +137,7 @@ void write_all(int descriptor, std::string_view bytes, const std::string& name) 
         }
         if (put < 0 && errno == EPIPE) throw ReaderGone(name, "cannot write (" + reason() + ")");
         if (put < 0) throw OutputError(name, "cannot write (" + reason() + ")");
-        if (put == 0) throw OutputError(name, "cannot write (nothing was taken)");
+        if (put == 0) throw OutputError(name, "cannot write (the system accepted no bytes)");
         bytes.remove_prefix(static_cast<std::size_t>(put));
     }
 }

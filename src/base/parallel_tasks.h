@@ -65,16 +65,16 @@ private:
 };
 
 /// Makes this thread heed `stop` (null: none) during its own lifetime.
-class WorkingFor {
+class ThreadStop {
 public:
     /// @throws Stop::Interrupted if the stop was asked for
-    explicit WorkingFor(const Stop* stop) {
+    explicit ThreadStop(const Stop* stop) {
         if (stop != nullptr) stop->check();
         before_ = std::exchange(Stop::of_thread(), stop);
     }
-    ~WorkingFor() { Stop::of_thread() = before_; }
-    WorkingFor(const WorkingFor&) = delete;
-    WorkingFor& operator=(const WorkingFor&) = delete;
+    ~ThreadStop() { Stop::of_thread() = before_; }
+    ThreadStop(const ThreadStop&) = delete;
+    ThreadStop& operator=(const ThreadStop&) = delete;
 
 private:
     const Stop* before_;
@@ -88,7 +88,7 @@ void for_each_task(std::size_t count, const Task& task) {
     FirstFailure failure;
     const auto guarded = [&, stop = Stop::of_thread()](std::size_t i) {
         failure.guard([&] {
-            const WorkingFor working(stop);
+            const ThreadStop working(stop);
             task(i);
         });
     };

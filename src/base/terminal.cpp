@@ -38,19 +38,15 @@ std::size_t end_of(std::string_view text, std::size_t columns) {
 
 std::size_t columns_of(std::string_view text) { return static_cast<std::size_t>(std::ranges::count_if(text, begins_code_point)); }
 
-/// Returns the indentation of a line's continuations; see wrapped() in the header.
-std::size_t hanging_indent(std::string_view line, std::size_t width) {
+/// Wraps one line; see wrapped() in the header.
+std::string wrapped_line(std::string_view line, std::size_t width) {
     const std::size_t leading = std::min(line.find_first_not_of(' '), line.size());
-    std::size_t indent = leading < 8 ? leading + 2 : leading;
+    std::size_t column_begin = leading < 8 ? leading + 2 : leading;
     for (std::size_t at = line.find("  ", leading); at != std::string_view::npos; at = line.find("  ", at)) {
         at = std::min(line.find_first_not_of(' ', at), line.size());
-        if (const std::size_t column = columns_of(line.substr(0, at)); column <= width * 2 / 3) indent = column;
+        if (const std::size_t column = columns_of(line.substr(0, at)); column <= width * 2 / 3) column_begin = column;
     }
-    return std::min(indent, width / 2);
-}
-
-std::string wrapped_line(std::string_view line, std::size_t width) {
-    const std::string indent(hanging_indent(line, width), ' ');
+    const std::string indent(std::min(column_begin, width / 2), ' ');
     std::string text;
     while (columns_of(line) > width - (text.empty() ? 0 : indent.size())) {
         const std::size_t room = width - (text.empty() ? 0 : indent.size()), begin = line.find_first_not_of(' ');

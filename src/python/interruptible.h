@@ -44,7 +44,7 @@ auto interruptible(Work work) {
     using Result = decltype(work(std::declval<const Stop&>()));
     const auto stop = std::make_shared<Stop>();
     std::packaged_task<Result()> task([work = std::move(work), stop]() mutable {
-        const WorkingFor working(stop.get());
+        const ThreadStop working(stop.get());
         return work(*stop);
     });
     std::future<Result> result = task.get_future();

@@ -75,10 +75,10 @@ TEST(ParallelTasks, AStopEndsTheTasksOfItsThreadAlone) {
         stop.ask();
     };
     {
-        const WorkingFor working(&stop);
+        const ThreadStop working(&stop);
         EXPECT_THROW(for_each_task(10000, asks), Stop::Interrupted);
         EXPECT_LT(begun, 1000);
-        EXPECT_THROW(WorkingFor again(&stop), Stop::Interrupted);
+        EXPECT_THROW(ThreadStop again(&stop), Stop::Interrupted);
     }
     begun = 0;
     for_each_task(100, asks);   // for nobody

@@ -103,7 +103,7 @@ private:
             if (!flat) place_views(panels_[p], x + large + 2 * gap_, y + (height - lines_of_views() * views_height()) / 2);
             int below = y + height;
             if (named) place_label(p, x, std::exchange(below, below + line_), cell);
-            if (flat) place_words(words_of_flat(*view_of_flat(*request_.panels[p].mesh)), x, below, cell);
+            if (flat) place_words(flat_panel_note(*view_of_flat(*request_.panels[p].mesh)), x, below, cell);
             x += cell;
         }
     }
@@ -148,7 +148,7 @@ std::vector<render::View> views_in_reading_order() {
     return {six[0], six[2], six[4], six[1], six[3], six[5]};
 }
 
-std::string words_of_flat(const render::View& view) {
+std::string flat_panel_note(const render::View& view) {
     return "seen from " + report::DrawnPicture{std::string(view.name)}.direction() + "; its other views are edge-on";
 }
 

@@ -27,7 +27,7 @@ render::FigureSheet arranged(const FigureRequest& request, const std::vector<Pan
 int panels_in_a_line(const FigureRequest& request);
 
 /// Returns the addition to the label of a flat panel: "seen from +z; its other views are edge-on".
-std::string words_of_flat(const render::View& view);
+std::string flat_panel_note(const render::View& view);
 
 /// True if the figure has more than twelve small multiples, which are drawn small, six in a line.
 bool is_gallery(const FigureRequest& request);

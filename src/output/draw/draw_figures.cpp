@@ -51,7 +51,7 @@ bool has_six_views(const FigureRequest& request) { return request.layout == Layo
 double scale_of(const DrawSettings& settings) { return std::min({1.0, settings.width / 800.0, settings.height / 800.0}); }
 int scaled(int side, const DrawSettings& settings) { return std::max(8, static_cast<int>(std::lround(side * scale_of(settings)))); }
 
-/// Requires a mesh in every panel, except in the cells of a matrix.
+/// Requires a mesh in every panel, except in the cells of a matrix, and heads that fit the panels.
 void require_meshes(const FigureRequest& request) {
     const std::size_t panels = request.panels.size(), columns = request.columns.size(), rows = request.rows.size();
     const auto refuse = [&](const char* why) { throw std::logic_error("figure " + request.id + " " + why); };
@@ -61,9 +61,9 @@ void require_meshes(const FigureRequest& request) {
     if (!is_matrix && !std::ranges::all_of(request.panels, has_mesh)) refuse("has a panel without a mesh");
     if (is_matrix && has_six_views(request)) refuse("has heads and six views");
     if ((columns > 0 && panels % columns != 0) || (rows > 0 && panels % rows != 0) || (columns > 0 && rows > 0 && panels != columns * rows))
-        refuse("has another number of panels than its heads say");
+        refuse("has a number of panels that does not fit its heads");
     if (request.frame_panel >= static_cast<int>(panels) || (request.frame_panel >= 0 && !has_mesh(request.panels[at(request.frame_panel)])))
-        refuse("is framed on a panel it has not");
+        refuse("is framed on a panel that does not exist");
 }
 
 /// Requires names that are unique in the whole report and usable as names of files.
@@ -176,7 +176,7 @@ void enter_pictures(FigureJob& job, const render::FigureSheet& sheet, const rend
         if (request.panels[p].range) panel.legend = legend_of(small_bar_of(*request.panels[p].range));
         const std::vector<render::View> views = views_of(job, p);
         if (views.size() == 1 && views[0].is_along_axis())
-            panel.label += (panel.label.empty() ? "" : " ") + ("(" + words_of_flat(views[0]) + ")");
+            panel.label += (panel.label.empty() ? "" : " ") + ("(" + flat_panel_note(views[0]) + ")");
         for (std::size_t i = 0; i < views.size(); ++i) {
             const render::FigureSheet::Picture& placed = sheet.pictures[next++];
             report::DrawnPicture& picture = panel.pictures.emplace_back();

@@ -39,7 +39,7 @@ render::Bounds bounds_of(const TriangleMesh& mesh) {
     return render::bounds_of(surface.positions, surface.triangles);
 }
 
-bool fit_frame_of(const render::Bounds& bounds, const Positions& X) {
+bool fits_frame(const render::Bounds& bounds, const Positions& X) {
     const render::Frame frame = render::frame_of(bounds, 1, 1, render::DrawOptions{}.fill);   // a picture one pixel wide
     const Eigen::RowVector3d centre(frame.centre.x, frame.centre.y, frame.centre.z);
     return (frame.pixels_per_unit * (X.rowwise() - centre).array().abs() <= 0.5).all();

@@ -22,7 +22,7 @@ render::Surface surface_of(const TriangleMesh& mesh, const Vector* values = null
 render::Bounds bounds_of(const TriangleMesh& mesh);
 
 /// True if all positions are finite and inside the pictures along the axes that are framed on these bounds.
-bool fit_frame_of(const render::Bounds& bounds, const Positions& X);
+bool fits_frame(const render::Bounds& bounds, const Positions& X);
 
 /// Returns the renderer's form of a range. @throws UsageError with the known colour maps if the range's map is unknown
 render::ValueRange value_range(const ColorRange& range);

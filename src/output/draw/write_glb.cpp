@@ -175,8 +175,8 @@ bool can_be_a_model(const TriangleMesh& mesh) {
 }
 
 std::string write_glb(const TriangleMesh& mesh, const Vector& values, const std::optional<ColorRange>& range, const Ball& frame) {
-    if (!can_be_a_model(mesh)) throw MeshError("no model: needs triangles of some extent and finite coordinates");
-    if (range && values.size() != mesh.vertex_count()) throw MeshError("no model: one value a vertex is needed");
+    if (!can_be_a_model(mesh)) throw MeshError("cannot write a model: the mesh needs triangles of some extent and finite coordinates");
+    if (range && values.size() != mesh.vertex_count()) throw MeshError("cannot write a model: the range needs one value for each vertex");
     const render::DrawOptions look;
     const Box box = bounding_box(mesh);
     const GlbFrame grid{box.low, box.extent().maxCoeff() / grid_steps};

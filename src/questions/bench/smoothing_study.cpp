@@ -152,7 +152,7 @@ SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme sche
         const SizeWatch::Left left = sizes.left(X);
         if (closed) run.volume.push_back(left.volume / first_volume);
         run.size.push_back(left.size);
-        if (iteration == run.in_view_iteration + 1 && output::fit_frame_of(bounds, X)) {
+        if (iteration == run.in_view_iteration + 1 && output::fits_frame(bounds, X)) {
             run.in_view = X;
             run.in_view_iteration = iteration;
         } else if (iteration == run.in_view_iteration + 1) {

@@ -68,12 +68,12 @@ int big_endian(const std::string& bytes, std::size_t at) {
 
 TEST(DrawFigures, AMeshFitsTheFrameOfAnotherUntilItIsWiderThanThePicture) {
     const TriangleMesh cube = cube_mesh(3);
-    EXPECT_TRUE(fit_frame_of(bounds_of(cube), cube.X));
-    EXPECT_TRUE(fit_frame_of(bounds_of(cube), cube.X / 0.921));   // the cube takes 0.92 of the picture
-    EXPECT_FALSE(fit_frame_of(bounds_of(cube), cube.X / 0.919));
+    EXPECT_TRUE(fits_frame(bounds_of(cube), cube.X));
+    EXPECT_TRUE(fits_frame(bounds_of(cube), cube.X / 0.921));   // the cube takes 0.92 of the picture
+    EXPECT_FALSE(fits_frame(bounds_of(cube), cube.X / 0.919));
     Positions lost = cube.X;
     lost(0, 0) = NAN;
-    EXPECT_FALSE(fit_frame_of(bounds_of(cube), lost));
+    EXPECT_FALSE(fits_frame(bounds_of(cube), lost));
 }
 
 TEST(DrawFigures, PositionsBeyondThePictureAreScaledAboutItsMiddle) {
