@@ -56,8 +56,7 @@ inline LinearColor linear_of(Rgba color) {
 /// Returns the nearest 8-bit colour, with straight alpha.
 Rgba srgb_of(const LinearColor& color);
 
-/// Returns (L*, a*, b*) of CIELAB (CIE 1976, white D65), where equal steps look nearly equal: lightness 0 to 100, green to red, blue to
-/// yellow.
+/// Returns (L*, a*, b*) of CIELAB (CIE 1976, white D65): lightness 0 to 100, green to red, blue to yellow. Equal steps look nearly equal.
 glm::dvec3 lab_of(Rgba color);
 
 /// Returns the colour of (L*, a*, b*), each channel clamped to sRGB; opaque.

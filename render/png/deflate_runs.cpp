@@ -87,8 +87,7 @@ void choose_lengths(const Counts& counts, Code& code) {
     }
 }
 
-/// Sets the bits of the words: those of one length are consecutive numbers in the order of their symbols, first bit highest (RFC
-/// 1951, 3.2.2).
+/// Sets the bits of the words: consecutive numbers for each length, in the order of symbols, first bit highest (RFC 1951, 3.2.2).
 void number_words(std::span<Word> code) {
     uint32_t next = 0;
     for (uint32_t length = 1; length <= longest_word; ++length, next <<= 1)

@@ -37,8 +37,7 @@ HWY_INLINE hn::Vec<D> sine(D d, hn::Vec<D> tangent) {
     return hn::Div(tangent, hn::Sqrt(hn::Add(hn::Set(d, 1), hn::Mul(tangent, tangent))));
 }
 
-/// Returns the rise from one height to another. Beyond `reach` it falls again: such a part stands in front and is no wall of the same
-/// hollow.
+/// Returns the rise from one height to another. Beyond `reach` it falls again: such a part stands in front and is no wall of a hollow.
 template <class D>
 HWY_INLINE hn::Vec<D> rise(D d, hn::Vec<D> from, const float* to, hn::Vec<D> twice_reach) {
     const auto difference = hn::Sub(hn::LoadU(d, to), from);
@@ -170,8 +169,7 @@ Looks looks_on(const HeightField& heights) {
     return looks;
 }
 
-/// Calls find(begin, count, found) for stretches of the result and converts what it finds; `found` has room for vectors that write beyond
-/// `count`.
+/// Calls find(begin, count, found) for stretches of the result and converts what it finds. Vectors may write beyond found + count.
 template <class T, class Find, class Convert = std::identity>
 void in_whole_vectors(std::span<T> result, const Find& find, const Convert& convert = {}) {
     std::array<float, 1024> found;

@@ -20,8 +20,7 @@ struct Look {
 inline constexpr std::size_t occlusion_directions = 8, looks_of_direction = 4;
 using Looks = std::array<std::array<Look, looks_of_direction>, occlusion_directions>;
 
-/// The height of each pixel above the picture plane, towards the viewer [pixels], with a margin round the picture; or another number a
-/// pixel.
+/// The height of each pixel above the picture plane, towards the viewer [pixels], or another number; with a margin round the picture.
 class HeightField {
 public:
     static constexpr float nothing = -1e6F, lowest = -4e5F;   // lower surfaces count as `lowest`
@@ -83,12 +82,10 @@ private:
     LargeArray<std::uint8_t> bytes_;
 };
 
-/// Sets `creases` for pixels from (x, y) to the right: up to 255 where the surface has a crease or one part ends in front of another, else
-/// 0.
+/// Sets `creases` for pixels from (x, y) to the right: 0, or up to 255 where the surface has a crease or ends in front of another part.
 void find_creases(const HeightField& heights, int x, int y, std::span<std::uint8_t> creases);
 
-/// Sets `lines` for pixels from (x, y) to the right: the share of light (0 to 1) that silhouettes and creases take, in lines of 1 to 1.5
-/// pixels.
+/// Sets `lines` for pixels from (x, y) to the right: the share of light (0 to 1) that lines along silhouettes and creases take.
 void draw_lines(const ByteField& coverage, const ByteField& creases, int x, int y, std::span<float> lines);
 
 }   // namespace render

@@ -205,8 +205,7 @@ HWY_INLINE Vector3 base_color(const ShadingStyle& style, const Fragments& fragme
             hn::IfThenElse(known, hn::GatherIndex(f, palette.blue.data(), step), set(palette.undefined.b))};
 }
 
-/// Returns the ink of hatches: thin slanting lines over undefined values and, in the other direction, over backs, with readable colours
-/// between.
+/// Returns the ink of hatches: thin slanting lines over undefined values and, in the other direction, over backs.
 HWY_INLINE FloatVector hatch_ink(const ShadingStyle& style, const Fragments& fragments, std::size_t i) {
     const Floats f;
     const FloatMask undefined = hn::IsNaN(hn::Load(f, fragments.map_position.data() + i));

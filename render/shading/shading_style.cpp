@@ -9,8 +9,7 @@ namespace render {
 
 namespace {
 
-/// Directions to the lights, fixed to the camera: key light from the upper left, fill light from the right, one from the viewer slightly
-/// below.
+/// Directions to the lights, fixed to the camera: key light from the upper left, fill light from the right, one from slightly below.
 const std::array<glm::vec3, 3> light_directions{{glm::normalize(glm::vec3(-0.45F, 0.62F, 0.64F)),
                                                  glm::normalize(glm::vec3(0.80F, 0.10F, 0.59F)),
                                                  glm::normalize(glm::vec3(0.05F, -0.35F, 0.94F))}};

@@ -5,8 +5,7 @@
 
 namespace meshfolio {
 
-/// Returns the known word with the smallest edit distance, in which an exchange of neighbouring letters is one edit; the first on a tie, ""
-/// if none is known.
+/// Returns the known word with the smallest edit distance (an exchange of neighbours is one edit): the first on a tie, "" if none is known.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
 /// Returns "did you mean 'render' or 'rename'? ", with a final space, for up to three known words at an edit distance of at most a third of

@@ -45,8 +45,7 @@ double rounded_up(double x, int digits);
 /// Returns `fraction` in percent with `digits` significant digits: "12.3 %" for 0.1234; "–" unless it is finite.
 std::string readable_percent(double fraction, int digits = 3);
 
-/// Reads all of `text` as a finite decimal number ("1", "-.5", "1e-3", "+2."). Returns nothing for other text, such as "1 ", "0x1" or
-/// "nan".
+/// Reads all of `text` as a finite decimal number ("1", "-.5", "1e-3", "+2."). Returns nothing for other text ("1 ", "0x1", "nan").
 std::optional<double> parse_number(std::string_view text);
 
 /// Reads all of `text` as an integer. Returns nothing for other text and for numbers out of range.

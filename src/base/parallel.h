@@ -1,6 +1,5 @@
 /// @file
-/// Loops over 0 … n − 1 on all processors. Blocks have a fixed length and results keep their order, so that no result depends on the number
-/// of processors.
+/// Loops over 0 … n − 1 on all processors. Blocks have a fixed length and results keep their order, lest they depend on the processors.
 #pragma once
 
 #include <tbb/parallel_for.h>

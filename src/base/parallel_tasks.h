@@ -1,6 +1,5 @@
 /// @file
-/// Large tasks in parallel, which may contain parallel loops (parallel.h): their first failure, and their end when they are no longer
-/// wanted.
+/// Large tasks in parallel, which may contain parallel loops (parallel.h): their first failure, and their end on request.
 #pragma once
 
 #include <tbb/parallel_for.h>

@@ -25,8 +25,7 @@ render::View hero_of(const FigureRequest& request, std::size_t panel);
 /// Meshes that are not framed are cut off at the square of `side` pixels that the framed ones fill.
 std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side);
 
-/// Frames of the six views along the axes: one frame for all panels, or for a group of states, and the size of the pictures along x, y and
-/// z.
+/// Frames of the six views along the axes: one frame for all panels or a group of states, and the sizes of the pictures along each axis.
 struct SixFrames {
     render::Frame frame;
     std::array<PictureFrame, 3> along;
