@@ -26,7 +26,7 @@ bool is_framed(const FigureRequest& request, std::size_t panel, std::size_t of =
     return request.frame_panel < 0 || panel == static_cast<std::size_t>(request.frame_panel);
 }
 
-render::Bounds joined(const std::optional<render::Bounds>& a, const render::Bounds& b) {
+render::Bounds united(const std::optional<render::Bounds>& a, const render::Bounds& b) {
     return a ? render::Bounds{glm::min(a->low, b.low), glm::max(a->high, b.high)} : b;
 }
 
@@ -35,7 +35,7 @@ template <class Wanted>
 render::Bounds joined_box(const FigureRequest& request, const Wanted& is_wanted) {
     std::optional<render::Bounds> box;
     for (std::size_t p = 0; p < request.panels.size(); ++p)
-        if (request.panels[p].mesh && is_wanted(p)) box = joined(box, bounds_of(*request.panels[p].mesh));
+        if (request.panels[p].mesh && is_wanted(p)) box = united(box, bounds_of(*request.panels[p].mesh));
     return box.value_or(render::Bounds{});
 }
 
@@ -107,7 +107,7 @@ std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int
         const TriangleMesh& mesh = *request.panels[p].mesh;
         const render::View view = frames[p].view = own ? hero_of(request, p) : shared;
         frames[p].frame = own ? own_frame(first_state(request, p), view, side, side, share_framed) : common;
-        box = joined(box, within_square(seen(mesh, view, frames[p].frame), side));
+        box = united(box, within_square(seen(mesh, view, frames[p].frame), side));
     }
     const render::Bounds shown = box.value_or(render::Bounds{});
     const glm::dvec3 extent = shown.high - shown.low, middle = 0.5 * (shown.low + shown.high);

@@ -155,8 +155,8 @@ Json material_of(bool colored, render::Rgba surface) {
     return {{"pbrMetallicRoughness", std::move(look)}, {"doubleSided", true}};
 }
 
-template <class Vector3>
-Json json_of(const Vector3& v) {
+template <class V>
+Json json_of(const V& v) {
     return Json::array({v[0], v[1], v[2]});
 }
 
