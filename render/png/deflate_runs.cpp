@@ -127,14 +127,6 @@ std::vector<Word> header_of(const Code& code, bool last) {
     return header;
 }
 
-/// Returns an upper bound on the bits of a block.
-size_t bits_of(const std::vector<Word>& header, const Counts& counts, const Code& code, size_t runs) {
-    size_t bits = 6 * runs;   // up to five bits more of their length, one of their distance
-    for (const Word& word : header) bits += word.length;
-    for (size_t s = 0; s < symbols; ++s) bits += size_t{counts[s]} * code[s].length;
-    return bits;
-}
-
 /// A number of literal bytes, and of bytes after them that repeat the pixel before; the last piece of a block has no run.
 struct Piece {
     uint32_t literals = 0, run = 0;
@@ -240,7 +232,10 @@ DeflatedBlock::DeflatedBlock(const uint8_t* bytes, size_t size, size_t period, b
     choose_lengths(counts, code);
     number_words(code);
     const std::vector<Word> header = header_of(code, last);
-    const size_t most = bits_of(header, counts, code, pieces.size()) / 8;
+    size_t most_bits = 6 * pieces.size();   // of runs: up to five bits more of the length, one of the distance
+    for (const Word& word : header) most_bits += word.length;
+    for (size_t s = 0; s < symbols; ++s) most_bits += size_t{counts[s]} * code[s].length;
+    const size_t most = most_bits / 8;
     stored_ = most >= size + 5 * (size / largest_stored);
     if (stored_) {
         bits_.assign(reinterpret_cast<const char*>(bytes), size);

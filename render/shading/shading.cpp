@@ -263,17 +263,6 @@ namespace render {
 HWY_EXPORT(InterpolateAll);
 HWY_EXPORT(LightAll);
 
-namespace {
-
-/// True for ribbons, and for triangles with a corner off the grid.
-bool is_out_of_reach(const ProjectedScene& projected, std::int32_t id) {
-    if (id >= projected.scene.triangle_count()) return true;
-    const glm::ivec3& t = projected.scene.surface.triangles[static_cast<std::size_t>(id)];
-    return std::min({projected.vertices[t.x].at[0], projected.vertices[t.y].at[0], projected.vertices[t.z].at[0]}) <= GridVertex::far_off;
-}
-
-}   // namespace
-
 void shade(const ProjectedScene& projected, std::span<const Ribbon> ribbons, const ShadingStyle& style, Fragments& fragments) {
     if (style.options.face_colors_from_id) {
         for (std::size_t i = 0; i < fragments.count; ++i) {
@@ -284,11 +273,17 @@ void shade(const ProjectedScene& projected, std::span<const Ribbon> ribbons, con
         }
         return;
     }
+    const auto is_off_grid = [&](std::int32_t id) {   // also for ribbons
+        if (id >= projected.scene.triangle_count()) return true;
+        const glm::ivec3& t = projected.scene.surface.triangles[index(id)];
+        const auto first = [&](int v) { return projected.vertices[v].at[0]; };
+        return std::min({first(t.x), first(t.y), first(t.z)}) <= GridVertex::far_off;
+    };
     std::vector<std::pair<std::size_t, std::int32_t>> exact;
     const bool some_exact = projected.has_far_off || !ribbons.empty();
     std::int32_t ordinary = some_exact ? no_triangle : fragments.triangle[0];
     for (std::size_t i = 0; some_exact && i < fragments.count; ++i)
-        if (is_out_of_reach(projected, fragments.triangle[i]))
+        if (is_off_grid(fragments.triangle[i]))
             exact.emplace_back(i, fragments.triangle[i]);
         else
             ordinary = fragments.triangle[i];

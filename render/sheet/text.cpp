@@ -155,13 +155,6 @@ std::vector<HorizontalEdge> horizontal_edges(const Outline& outline, int shortes
 /// Units of fitted heights per font unit; whole font units would let faint ink into the next row.
 constexpr int fine = 8;
 
-/// Replaces the heights of an outline by fitted ones, in 1/8 font units.
-void fit_to_rows(const Outline& outline, const Font& font, double scale) {
-    const GridFit fit(font.lines, horizontal_edges(outline, static_cast<int>(0.1 * font.lines.x_height)), scale);
-    const auto fitted = [&](int y) { return static_cast<short>(std::clamp(std::lround(fine * fit(y) / scale), -32767L, 32767L)); };
-    for (stbtt_vertex& v : outline.all()) v.y = fitted(v.y), v.cy = fitted(v.cy);
-}
-
 /// The coverage of the pixels of a box by a glyph.
 struct Coverage {
     int x0 = 0, y0 = 0, width = 0, height = 0;   // of the box, y down from the baseline
@@ -195,12 +188,15 @@ struct Coverage {
     }
 };
 
-/// Draws a glyph with its origin rounded to a quarter of a pixel.
+/// Draws a glyph with its heights fitted to rows of pixels and its origin rounded to a quarter of a pixel.
 void draw_glyph(Image& image, const Line& line, const Glyph& glyph, double left, double base, Rgba color) {
     const double quarters = std::floor(4 * (left + glyph.place) + 0.5);
     const int column = static_cast<int>(std::floor(quarters / 4)), baseline = static_cast<int>(std::lround(base - glyph.rise));
     const Outline outline(line.font.info, glyph.index);
-    fit_to_rows(outline, line.font, line.scale);
+    const FontLines& lines = line.font.lines;
+    const GridFit fit(lines, horizontal_edges(outline, static_cast<int>(0.1 * lines.x_height)), line.scale);
+    const auto fitted = [&](int y) { return static_cast<short>(std::clamp(std::lround(fine * fit(y) / line.scale), -32767L, 32767L)); };
+    for (stbtt_vertex& v : outline.all()) v.y = fitted(v.y), v.cy = fitted(v.cy);
     const Coverage ink(outline, static_cast<float>(line.scale), static_cast<float>(quarters / 4 - column), line.size);
     for (int v = std::max(0, -(baseline + ink.y0)); v < ink.height && baseline + ink.y0 + v < image.height; ++v)
         for (int u = std::max(0, -(column + ink.x0)); u < ink.width && column + ink.x0 + u < image.width; ++u) {

@@ -49,16 +49,6 @@ std::string fixed(double x, int decimals) {
     return text;
 }
 
-/// Returns the fewest decimals that write every value exactly, up to rounding noise.
-int decimals_needed(const std::vector<double>& values, double step) {
-    for (int d = 0; d < 17; ++d) {
-        const double unit = scaled(1, -d);
-        if (std::all_of(values.begin(), values.end(), [&](double v) { return std::abs(v - std::round(v / unit) * unit) < 1e-3 * step; }))
-            return d;
-    }
-    return 17;
-}
-
 }   // namespace
 
 std::vector<double> round_ticks(double low, double high, int wanted) {
@@ -95,7 +85,9 @@ TickLabels tick_labels(const std::vector<double>& ticks) {
     mantissas.reserve(ticks.size());
     for (const double t : ticks) mantissas.push_back(plain ? t : scaled(t, -exponent));
     const double step = mantissas.size() > 1 ? mantissas[1] - mantissas[0] : std::abs(mantissas[0]);
-    const int decimals = decimals_needed(mantissas, step);
+    int decimals = 0;   // as few as write every number exactly, up to rounding noise
+    const auto is_exact = [&](double m) { return std::abs(m - std::round(m / scaled(1, -decimals)) * scaled(1, -decimals)) < 1e-3 * step; };
+    while (decimals < 17 && !std::ranges::all_of(mantissas, is_exact)) ++decimals;
     for (const double m : mantissas) labels.text.push_back(fixed(m, decimals));
     if (plain) return labels;
     static constexpr std::array<const char*, 10> superscript{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
