@@ -1,5 +1,5 @@
-// Joined to report.js where the page has models to turn or a laboratory. Nothing of the viewer is parsed before the first of them is
-// started: it lies in the page as data, like the models, and becomes a script whose hash the page's policy lists.
+// Starts models and laboratories of a page. The viewer is data in the page, like the models, until the first of them is started: then it
+// becomes a script, whose hash the policy of the page lists.
 {
     let viewer = null, loading = null;
 
@@ -63,7 +63,7 @@
     /// A link that opens the laboratory of a question.
     const linkToLab = (question, words) => Object.assign(document.createElement("a"), { className: "model-button try", href: `#lab-${question}`, textContent: words });
 
-    /// What is seen of a laboratory before it is opened: a picture of the question, and what to do.
+    /// Makes the preview of a laboratory: a picture of the question and its button.
     const showStill = (block, button) => {
         const picture = block.closest("section").querySelector("figure.picture .plate img"), still = document.createElement("span");
         const words = Object.assign(document.createElement("span"), { textContent: "Try it: drag a slider, see the mesh change" });
@@ -73,7 +73,7 @@
         button.classList.add("still");
     };
 
-    /// From the contents and from the first page.
+    /// Opens a laboratory from the contents or from the first page.
     const linkFromHead = (question) => {
         document.querySelector(`ol.attempted a[href="#${question}"]`)?.parentElement.querySelector("p")?.before(linkToLab(question, "Try it"), " ");
         const list = document.querySelector("#contents-list");

@@ -6,7 +6,7 @@ const links = new Map([...document.querySelectorAll(".contents a")].map((a) => [
 const targets = [...links.keys()].map((id) => document.getElementById(id)).filter(Boolean);
 const sections = targets.filter((target) => !target.parentElement.closest("section"));
 
-/// The last of these whose top has passed the upper third of the window.
+/// Returns the last of these elements with its top above a third of the window's height.
 function lastReached(list) {
     const limit = innerHeight / 3;
     let last = null;
@@ -17,13 +17,13 @@ function lastReached(list) {
     return last;
 }
 
-/// Headings are looked for only in the section that is read: where the others are has not been worked out (content-visibility).
+/// Returns the heading at the reading position. Headings of other sections have no position yet (content-visibility).
 function reached() {
     const section = lastReached(sections);
     return section && (lastReached(targets.filter((target) => target !== section && section.contains(target))) ?? section);
 }
 
-/// In a narrow window the list is folded behind a button, which says what is read.
+// In a narrow window the list is folded behind a button with the current heading.
 const button = document.createElement("button"), now = document.createElement("span");
 button.type = "button";
 button.className = "unfold";
@@ -85,11 +85,11 @@ function unfold() {
 }
 addEventListener("hashchange", unfold);
 
-// The list of checks is long, and its parts have their scores in their titles. What has not passed stays open.
+// The long list of checks is folded, except parts with checks that did not pass.
 for (const details of document.querySelectorAll("details.checks")) details.open = details.querySelector(".not-passed, .undecided") !== null;
 unfold();
 
-// Printing shows what is folded away on the screen.
+// Printing unfolds all parts.
 addEventListener("beforeprint", () => {
     for (const details of document.querySelectorAll("details:not(.views, .model-files)")) details.open = true;
 });

@@ -44,7 +44,7 @@ const [image, where, caption, stage, part, legend, zoomButton] =
     ["img", ".where", ".caption", ".stage", ".part", ".legend-box", "[data-zoom]"].map((selector) => dialog.querySelector(selector));
 let at = 0, view = 0, pictures = [], opener = null, isZoomed = false;
 
-/// As large as the window holds, never smaller than on the page; zoomed, pixel by pixel, or twice that.
+/// Sets the size: as large as the window allows, not smaller than on the page; zoomed, pixel by pixel or twice that.
 function place(centre = { x: 0.5, y: 0.5 }) {
     const picture = pictures[view], { naturalWidth, naturalHeight } = image;
     if (!dialog.open || !naturalWidth) return;
@@ -67,7 +67,7 @@ function zoom(on, centre) {
     place(centre);
 }
 
-/// What an element holds, with its formulas; not its ids, which are of the page, and links, which would lead behind the dialog.
+/// Returns the contents of an element with its formulas, without ids, which are unique in the page, and links, which would lead behind the dialog.
 function wordsOf(element) {
     if (!element) return [];
     const copy = element.cloneNode(true);
@@ -105,7 +105,7 @@ function go(figures_on, views_on) {
     show();
 }
 
-/// @param from  what was clicked: a picture, or a link to one or to the sheet
+/// @param from  the clicked element: a picture, or a link to one or to the sheet
 function open(from) {
     const figure = from.closest("figure"), clicked = from.matches("img") ? from : from.querySelector("img");
     opener = from.closest("a") ?? figure.querySelector(".files > a.sheet");

@@ -1,4 +1,4 @@
-// Which scheme the page is drawn in: the reader's system's, until a button says otherwise. Runs before anything is drawn.
+// Chooses the colour scheme: that of the reader's system, or of a button. Runs before the page is drawn.
 "use strict";
 {
     const root = document.documentElement, system = matchMedia("(prefers-color-scheme: dark)");

@@ -1,6 +1,6 @@
 // Tables can be sorted and filtered; what scrolls sideways says so.
 
-/// What a cell is sorted by: a number, a text, or null where there is nothing.
+/// Returns the sort key of a cell: a number, a text, or null for an empty one.
 function keyOf(cell) {
     if (cell === undefined) return null;
     if (cell.dataset.value !== undefined) return Number(cell.dataset.value);
@@ -8,7 +8,7 @@ function keyOf(cell) {
     return text === "" || text === "–" ? null : text;
 }
 
-/// Numbers before texts, what is empty last in either direction.
+/// Compares keys: numbers before texts, empty cells last in both directions.
 function compareKeys(a, b, direction) {
     if (a === null || b === null) return (a === null) - (b === null);
     if (typeof a !== typeof b) return typeof a === "number" ? -1 : 1;
@@ -83,7 +83,7 @@ const nearlySeen = new IntersectionObserver((entries) => entries.forEach(({ isIn
 }), { rootMargin: "100% 0%" });
 for (const table of document.querySelectorAll("table[data-sortable]")) nearlySeen.observe(table);
 
-// ---- what is wider than its place ---------------------------------------------------------------------------------------
+// ---- wide tables -------------------------------------------------------------------------------------------------------
 
 const strips = ".plate > :is(.blocks, .cells)";
 

@@ -2,14 +2,14 @@
 // typeset paper; what stays empty goes to the space between the blocks. Columns of a page's size break as pages do, so the browser's own
 // layout tells where pages end. Engines without scripts (weasyprint) keep the document's order, and some of their pages end early. The
 // same columns tell the numbers of the pages in the contents; the title says them, so that whoever prints can hold them against the pages
-// of the PDF (src/report/pdf/print_pdf.cpp). Who prints asks for "#print": the screen, at which nobody looks, is not laid out then.
+// of the PDF (src/report/pdf/print_pdf.cpp). The program prints "#print", which omits the layout for the screen.
 let main;
 const tolerated = 0.03, much = 0.15;   // of a page's height, left empty
 
 const isFloat = (block) => block.matches("figure");
 const isHeading = (block) => block?.matches("h2, h3, .asked");
 
-/// How much of the page before a block's is empty; 0 where the block follows on the same page. Headings belong to what they stand above.
+/// Returns the empty share of the page before that of a block; 0 if the block follows on the same page. Headings belong to the next block.
 function gapBefore(block) {
     while (isHeading(block.previousElementSibling)) block = block.previousElementSibling;
     const previous = block.previousElementSibling ?? block.parentElement.previousElementSibling?.lastElementChild;
@@ -18,12 +18,12 @@ function gapBefore(block) {
     return block.getClientRects()[0].left === last.left ? 0 : (page.bottom - last.bottom) / page.height;
 }
 
-/// With the margin below it.
+/// Returns the height of a block with the margin below it.
 function heightOf(block) {
     return [...block.getClientRects()].reduce((sum, { height }) => sum + height, parseFloat(getComputedStyle(block).marginBottom));
 }
 
-/// Brings text from behind a float before it, as much as fills the page; all at once, for a look at what has moved costs a layout.
+/// Moves text from behind a float before it, as much as fills the page; all at once, as each measurement costs a layout.
 function fillPageBefore(float) {
     let room = (gapBefore(float) - tolerated) * main.clientHeight, block = float.previousElementSibling;
     if (room <= 0) return;
@@ -73,7 +73,7 @@ function pageAt(x) {
 /// The pages on which parts of a block lie.
 const pagesOf = (block) => [...block.getClientRects()].filter(({ height }) => height > 1).map(({ left }) => pageAt(left));
 
-/// Spreads what is still empty at the foot of each page but the last over the space above its floats and headings.
+/// Spreads the empty space at the foot of each page but the last over the gaps above its floats and headings.
 function spreadBlocks() {
     const most = 24, spare = 8, { bottom } = main.getBoundingClientRect(), pages = [];   // [pixels]
     for (const block of document.querySelectorAll("main > section > *")) {

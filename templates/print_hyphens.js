@@ -1,5 +1,5 @@
-// Where the words of the report may be parted at the end of a line: browsers for servers come without the patterns for it. Soft hyphens go
-// into running text alone (print_pages.js). A word that is missing here is not parted.
+// Hyphenation of the words of the report, as browsers for servers come without patterns. Soft hyphens go into running text alone
+// (print_pages.js). Words that are missing here are not hyphenated.
 const parted = new Map(`
 ac-cepts ac-cu-racy ac-cu-rate adap-tive af-fects al-most al-ready al-ter-nate al-ter-nat-ing al-ways am-pli-fies am-plify anal-y-sis
 an-gles an-iso-tropic an-other an-swer an-swered an-swers ap-pen-dix ap-proaches ap-prox-i-ma-tion ap-prox-i-ma-tions ar-bi-trary

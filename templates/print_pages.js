@@ -14,7 +14,7 @@ const isHeading = (block) => block?.matches("h2, h3, .asked, .answer, #source-co
     block?.matches(".answer + .facts") && block.getBoundingClientRect().height < mostFacts;
 const isEnd = (block) => block.matches("#source-code, #cited-works");   // no float passes it
 
-// ---- what is to be set ----------------------------------------------------------------------------------------------------------------------
+// ---- measuring ------------------------------------------------------------------------------------------------------------------------------
 
 /// The blocks of the document in their order, measured: { block, across, float, height, above, below, lines }.
 function measured(main) {
@@ -90,13 +90,13 @@ function floatsAtFirstMention(items) {
 
 const heightOf = (items) => items.reduce((sum, { height }) => sum + height + floatGap, 0);
 
-/// How high lines from..to of an item are, and all of it without lines.
+/// Returns the height of lines from..to of an item, or of the whole item.
 function heightOfLines({ lines, height }, from, to) {
     if (!lines || lines.length < 2) return height;
     return (to < lines.length ? lines[to].top : lines[0].top + height) - lines[from].top;
 }
 
-/// How high a heading is with all that must not be parted from it: other headings, and the first lines below.
+/// Returns the height of a heading with the headings and first lines that must follow it.
 function heightOfChain(items, index) {
     let sum = 0, below = Infinity;   // the first margin is counted already
     for (; index < items.length; ++index) {
@@ -223,7 +223,7 @@ function balanced(fill, page, room, end) {
     return page;
 }
 
-/// Pages, what is empty at the foot of their columns and how late floats are, in one number.
+/// Returns the cost of a layout: pages, empty space at the feet of columns, and lateness of floats.
 function badness(pages, pageHeight) {
     const empty = ({ columns, height }, i) => {
         const used = columns.map((column) => column.used);
@@ -263,7 +263,7 @@ function setColumn(pieces, column) {
     }
 }
 
-/// Spreads what is empty at the foot of a column over the space between its blocks.
+/// Spreads the empty space at the foot of a column over the gaps between its blocks.
 function spread(column, bottom) {
     const stretch = (block) => block.matches("figure, h2") ? 6 : block.matches("h3") ? 4
         : block.matches(".equation, figure + *, .equation + *") ? 3 : block.matches(".continued") ? 0 : 1;

@@ -5,7 +5,7 @@ const leastPicture = 25 * 96 / 25.4;   // 25 mm
 const mostAir = 3 * 96 / 25.4;   // 3 mm
 const softHyphen = "\u00ad";
 
-/// Where a line of a formula can go on below: behind its widest space, else at what follows from it, else at its last relation; 0: nowhere.
+/// Returns the place where a formula can be broken: behind its widest space, at an implication, or at its last relation; 0 if nowhere.
 function breakOf(row) {
     const parts = [...row.children], last = (relation) => parts.findLastIndex((part, i) => i > 1 && relation.test(part.textContent));
     const places = [parts.findIndex((part) => part.matches('mspace[width="2em"]')), last(/^[⇒⇔]$/), last(/^[=≈]$/)];
@@ -24,7 +24,7 @@ function lengthOf(cell) {
     return rects.length > 0 ? rects.at(-1).right - rects[0].left : 0;
 }
 
-/// Parts the lines of a formula that are too long for a column; what is still too long is set smaller.
+/// Breaks the lines of a formula that are too long for a column, and sets the formula smaller if that is not enough.
 function fitFormula(equation) {
     const formula = equation.querySelector(".formula"), math = formula.querySelector("math"), row = math ? rowOf(math) : undefined;
     if (!row) return;
@@ -92,7 +92,7 @@ function boxesOf(block) {
     return boxes;
 }
 
-/// Where the lines of a paragraph begin: [{ node, offset, top }]. A formula is never parted.
+/// Returns the beginnings of the lines of a paragraph: [{ node, offset, top }]. A formula is never broken.
 function linesOf(block) {
     const lines = [];
     let end = Infinity, last, offset = 0;
@@ -107,7 +107,7 @@ function linesOf(block) {
     return lines;
 }
 
-/// Where the lines of a paragraph end.
+/// Returns the right ends of the lines of a paragraph.
 function endsOf(block) {
     const ends = [];
     let end = Infinity;
@@ -118,7 +118,7 @@ function endsOf(block) {
     return ends;
 }
 
-/// Takes what is before a line out of a block, as a block of its own.
+/// Moves the part of a block before a line into a block of its own, and returns it.
 function partBefore(block, { node, offset }) {
     const range = document.createRange(), first = block.cloneNode(false);
     range.setStart(block, 0);
@@ -133,7 +133,7 @@ function partBefore(block, { node, offset }) {
     return first;
 }
 
-/// Those paragraphs, set ragged, of whose lines one would be too loose.
+/// Returns the paragraphs with a line that would be too loose if justified.
 function tooLoose(blocks) {
     for (const block of blocks) block.classList.add("ragged");
     const loose = blocks.filter((block) => {
@@ -144,14 +144,14 @@ function tooLoose(blocks) {
     return loose;
 }
 
-/// Lets the formulas of paragraphs be parted whose lines would be too loose without; those still too loose stay ragged.
+/// Allows line breaks in formulas of paragraphs with loose lines, and sets those that are still loose ragged.
 function loosen(blocks) {
     const loose = tooLoose(blocks);
     for (const block of loose) block.classList.add("loose");
     for (const block of tooLoose(loose)) block.classList.add("ragged");
 }
 
-/// Leaves only those soft hyphens at which a line ends: what is copied from the paper has whole words.
+/// Removes soft hyphens except at line ends, so that words copied from the paper are whole.
 function dropOtherHyphens(blocks) {
     const used = new Map(), texts = [];
     for (const block of blocks) {

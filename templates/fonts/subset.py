@@ -11,7 +11,7 @@ from fontTools.pens.cu2quPen import Cu2QuPen
 from fontTools.pens.ttGlyphPen import TTGlyphPen
 from fontTools.ttLib import TTFont, newTable
 
-# What a font may hold, as far as its source does, in hexadecimal. tests/report/page/fonts_test.cpp holds this against all words and formulas.
+# The characters of each font, as far as its source has them, in hexadecimal. tests/report/page/fonts_test.cpp holds this against all words and formulas.
 SYMBOLS = ("2009 200A 2010-2016 2018-201E 2020-2022 2026 202F 2030 2032 2033 2039 203A 2044 2060-2064 20AC 210E 2113 2122 2153-215E 2190-2195 "
            "21A6 21D2 21D4 2200 2202 2203 2205-2209 220B 220F 2211-2213 2215-221A 221D 221E 2225 2227-222B 223C 2243 2245 2248 2260 2261 "
            "2264 2265 226A 226B 227A 227B 2282-2287 2295 2297 22A4 22A5 22C5 25A0 25A1 25B2 25B4 25B6 25BC 25BE 25C0 25CB 25CF 25D0 2605 "

@@ -92,9 +92,9 @@ class Lab {
         this.reset.remove();
     }
 
-    // ---- what is set --------------------------------------------------------------------------------------------------
+    // ---- settings -----------------------------------------------------------------------------------------------------
 
-    /// By the reader. @param endsPlay  of a slider that runs by itself
+    /// Applies a change by the reader. @param endsPlay  stops a slider that runs by itself
     change(state, endsPlay) {
         this.why = "";
         if (endsPlay && this.play.name) this.pause();
@@ -122,9 +122,9 @@ class Lab {
         if (shown) this.errors.show(experiment.curve, this.best, state.t);
     }
 
-    // ---- what is seen -------------------------------------------------------------------------------------------------
+    // ---- drawing ------------------------------------------------------------------------------------------------------
 
-    /// Once a frame, however often it is set.
+    /// Draws at most once per frame.
     update() {
         this.panel.show(this.state, this.play.name);
         this.root.setAttribute("aria-busy", "true");   // until it is told
@@ -164,15 +164,14 @@ class Lab {
         this.legend.replaceChildren(...(bar === null ? [] : [barOf(bar)]));
     }
 
-    /// Says what is set and seen, and first what has happened since it last came to rest.
+    /// Announces the settings and numbers, after the events since the last rest.
     tell() {
         const now = limits(this), event = passed(this.limits ?? {}, now);
         if (!this.play.name) this.limits = now;
         this.panel.told.replaceChildren(...(event ? [element("strong", "", event), " "] : []), ...typeset(told(this) + this.why));
     }
 
-    /// Where frames follow one another slowly, as without a graphics card, they have fewer pixels, and curve and numbers follow now and
-    /// then, until it rests.
+    /// Draws fewer pixels while frames are slow, as without a graphics card; curve and numbers are then updated only now and then.
     keepPace(now) {
         const took = now - this.shownAt;
         this.shownAt = now;
@@ -239,14 +238,14 @@ class Lab {
         this.play.start(name, stops);
         this.set({ ...this.state, [name]: stops[0] });
     }
-    /// @param why  said with what is then told
+    /// @param why  announced together with the settings
     pause(why = "") {
         this.play.stop();
         this.why = why;
         this.panel.tellsAloud(true);
         this.update();
     }
-    /// Has every vertex left the view?
+    /// True if every vertex has left the view.
     isGone() { return this.clamped === this.data.vertices && !this.experiment.hasNoStep; }
 
     /// @param byReader  closed on purpose, not for another
@@ -265,7 +264,7 @@ class Lab {
     }
 }
 
-/// What a laboratory needs of the bytes of its mesh, in pieces between which the page goes on.
+/// Yields the data of a laboratory from the bytes of its mesh, in pieces that keep the page responsive.
 export async function prepareLab(bytes) {
     const rest = () => new Promise((done) => setTimeout(done));
     await rest();

@@ -1,4 +1,4 @@
-// What the colours of the laboratory stand for: those of the question's figures. No page in here.
+// The colours of the laboratory, as in the figures of its question. Independent of the page.
 import { meanCurvature } from "./lab_denoising.js";
 import { roundedUp } from "./lab_math.js";
 
@@ -29,7 +29,7 @@ export class Colours {
         return this.experiment.apart(x);
     }
 
-    /// The same for all that is filtered from one mesh, so that a colour can be compared.
+    /// Returns the range of the colours, which all results of one mesh share so that colours can be compared.
     rangeOf(kind) {
         const { data, noisy, noise, start } = this.experiment, key = `${kind} ${kind === "curvature" || noise}`;
         if (this.key === key) return this.range;
@@ -42,7 +42,7 @@ export class Colours {
         return this.range = { low: 0, high: roundedUp(quantile(this.valuesOf(start, kind), 1 - cut)), map: "pale" };
     }
 
-    /// Of the bar: {quantity, unit, numbers: along it, evenly, colors}; null: there is none.
+    /// Returns the colour bar: {quantity, unit, numbers: evenly along it, colors}; null if there is none.
     barOf(kind) {
         const { data, noisy } = this.experiment;
         if (kind === "none") return null;

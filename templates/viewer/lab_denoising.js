@@ -134,8 +134,7 @@ function toSegment(p, u) {
 }
 const toPoint = (p, x, y, z) => (p[0] - x) ** 2 + (p[1] - y) ** 2 + (p[2] - z) ** 2;
 
-/// Squared distance from p to the triangle with a corner at 0 and sides u, v, unit normal n: either p is over its inside, or an edge is
-/// nearest. @param bound  what is known not to be exceeded
+/// Returns the squared distance from p to the triangle with a corner at 0, sides u, v and unit normal n. @param bound  upper bound of it
 function toTriangle(p, { u, v, n, opposite }, bound) {
     if (n) {
         const height = dot(n, p);
@@ -145,7 +144,7 @@ function toTriangle(p, { u, v, n, opposite }, bound) {
     return Math.min(toSegment(p, u), toSegment(p, v), toSegment([p[0] - u[0], p[1] - u[1], p[2] - u[2]], opposite));
 }
 
-/// What denoising is judged by, of positions against the clean mesh, as in src/geometry/measures/mesh_error.cpp.
+/// Measures the errors of positions against the clean mesh, as src/geometry/measures/mesh_error.cpp does.
 export class CleanSurface {
     constructor({ corners, positions, vertices }) {
         Object.assign(this, { corners, positions, around: Array.from({ length: vertices }, () => []), normals: [] });
@@ -158,7 +157,7 @@ export class CleanSurface {
         }
     }
 
-    /// From each vertex to the triangles around its clean place [length].
+    /// Returns the distance of each vertex from the triangles around its clean place [length].
     distances(x) {
         return Float64Array.from(this.around, (triangles, v) => {
             const at = 3 * v;

@@ -1,4 +1,4 @@
-// What a state of the laboratory makes of its mesh: positions, coefficients, numbers, and the error over t. No page in here.
+// Applies a state of the laboratory to its mesh: positions, coefficients, numbers, and the error over t. Independent of the page.
 import { Colours } from "./lab_colours.js";
 import { CleanSurface, DenoisingRun } from "./lab_denoising.js";
 import * as lab from "./lab_math.js";
@@ -70,14 +70,14 @@ export class Experiment {
         return { surface: this.clean.distance(x), places: lab.rms(this.data, x), normals: this.clean.angle(x) };
     }
 
-    /// How far each vertex lies from where it was [% of the box].
+    /// Returns the displacement of each vertex [% of the box].
     apart(x) {
         const { positions: p, diagonal, vertices } = this.data, apart = new Float64Array(vertices);
         for (let v = 0, i = 0; v < vertices; ++v, i += 3) apart[v] = 100 * Math.hypot(x[i] - p[i], x[i + 1] - p[i + 1], x[i + 2] - p[i + 2]) / diagonal;
         return apart;
     }
 
-    /// Of what compute() has made.
+    /// Returns the numbers of the result of compute().
     numbers() {
         const { data, state, x, noisy } = this, factor = lab.finestFactor(data, state);
         if (!this.isMeasurable) return { energy: NaN, volume: NaN, rms: NaN, gains: [NaN, NaN, NaN], along: NaN, factor };

@@ -1,7 +1,7 @@
 // The mathematics of the laboratory, without a page: x = Σ f(μᵢ) cᵢ φᵢ, with the filter f of a scheme. Also read by the tests (node).
 import { sameState } from "./lab_state.js";
 
-/// What src/run/lab/lab_mesh.cpp has written: its header, and the numbers.
+/// Reads the header and the numbers that src/run/lab/lab_mesh.cpp writes.
 export function decoded(buffer) {
     const length = new DataView(buffer).getUint32(0, true);
     const header = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length)));
@@ -26,7 +26,7 @@ export function decoded(buffer) {
     return data;
 }
 
-/// Each number was written as what it differs by from the mean of those of its neighbours before it.
+/// Restores numbers that are stored as differences from the mean of earlier neighbours.
 function addNeighbours({ numbers, corners, vertices: n }) {
     const before = Array.from({ length: n }, () => new Set()), start = new Int32Array(n + 1);
     for (let i = 0; i < corners.length; ++i) {
@@ -45,7 +45,7 @@ function addNeighbours({ numbers, corners, vertices: n }) {
     }
 }
 
-/// Of each vertex, whether it is at an edge of one triangle.
+/// Returns for each vertex whether it is on the boundary.
 function borderOf({ corners, vertices }) {
     const open = new Set(), isBorder = new Uint8Array(vertices);
     for (let i = 0; i < corners.length; ++i) {
@@ -69,7 +69,7 @@ export function taubinBack(data, lambda) {
     return inverse < 0 ? 1 / inverse : NaN;
 }
 
-/// What one step multiplies the mode of eigenvalue μ by; λ in model units.
+/// Returns the factor of one step for the mode of eigenvalue μ; λ in model units.
 export function factorOfStep(data, scheme, lambda) {
     if (scheme === "implicit") return (mu) => 1 / (1 + lambda * mu);
     if (scheme === "heat") return (mu) => Math.exp(-lambda * mu);
@@ -92,7 +92,7 @@ export function filterCurve(data, { scheme, k, lambda, edges, t }) {
     return (mu) => Math.min(largest, Math.abs(factor(mu)) ** t);
 }
 
-/// What one step multiplies the finest mode by. NaN for the projection, which has no steps, and the denoising, whose modes the page does not have.
+/// Returns the factor of one step for the finest mode; NaN for the projection, which has no steps, and for denoising, which has no modes here.
 export const finestFactor = (data, { scheme, lambda }) =>
     (["projection", "denoising"].includes(scheme) ? NaN : factorOfStep(data, scheme, lambda * data.critical)(data.largestEigenvalue));
 
@@ -129,11 +129,11 @@ export function sumOfModes(data, f, c, x) {
 }
 
 const squared = (c, j) => c[3 * j] ** 2 + c[3 * j + 1] ** 2 + c[3 * j + 2] ** 2;
-/// Of what a filter leaves, the constant modes aside [length⁴].
+/// Returns the squared norm of the filtered coefficients without the constant modes [length⁴].
 const sizeOf = (data, f, c) => f.reduce((sum, factor, j) => (data.isConstant(data.mu[j]) ? sum : sum + factor ** 2 * squared(c, j)), 0);
 
-/// What a filter makes of `start`, whose coefficients are c, into `x`: Σ fⱼ cⱼ φⱼ, or, where that is less, start − Σ (1 − fⱼ) cⱼ φⱼ: a small
-/// change then has a small part of the modes' rounding. Vertices without area are in no mode and stay.
+/// Writes the filtered `start`, whose coefficients are c, into `x`: Σ fⱼ cⱼ φⱼ, or start − Σ (1 − fⱼ) cⱼ φⱼ if that has fewer terms, so that small
+/// changes have little rounding. Vertices without area are in no mode and stay.
 export function applied(data, f, c, start, x) {
     const rest = f.map((factor) => 1 - factor), isLess = data.hasAllModes && sizeOf(data, rest, c) < sizeOf(data, f, c);
     sumOfModes(data, isLess ? rest : f, c, x);
@@ -151,7 +151,7 @@ export function energy(data, c) {
     return sum / 2;
 }
 
-/// √(mean |x − clean|²) over the vertices, as the report has it of what is smoothed, or by area, as question 4 has it [length].
+/// Returns √(mean |x − clean|²) over the vertices, or weighted by area as in question 4 [length].
 export function rms(data, x, byArea = false) {
     let sum = 0;
     for (let i = 0; i < x.length; ++i) sum += (byArea ? data.area[Math.floor(i / 3)] : 1) * (x[i] - data.positions[i]) ** 2;
@@ -195,5 +195,5 @@ export function normals({ positions: x, corners, vertices }) {
     return sums;
 }
 
-/// What the program computed at just this state; undefined where it did not.
+/// Returns the readings of the program at exactly this state; undefined if there are none.
 export const readingAt = (data, state) => data.readings.find((reading) => sameState(state, { ...state, seed: NaN, k: NaN, lambda: NaN, edges: NaN, t: NaN, ...reading.state }));

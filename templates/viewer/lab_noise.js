@@ -1,5 +1,4 @@
-// The noise of `meshfolio noise`, number by number (src/mesh/vertex_noise.cpp): Box and Muller's method over mt19937_64, whose bits are the
-// same everywhere.
+// The noise of `meshfolio noise`, number by number (src/mesh/vertex_noise.cpp): the method of Box and Muller over mt19937_64.
 
 const size = 312, middle = 156;
 const mask = (1n << 64n) - 1n, upper = mask << 31n & mask, lower = (1n << 31n) - 1n;

@@ -1,5 +1,4 @@
-// The controls of the laboratory, and what is measured: a few large numbers, and all of them in a folded table. What is set is told to
-// `changed(state)`.
+// The controls of the laboratory, and its numbers: a few large ones, and all in a folded table. Changes are reported to `changed(state)`.
 import { indexOfLeast } from "./lab_math.js";
 import { amountsOf, colourNames, edgesAt, lambdaAt, largestEdges, largestLambda, largestNoise, linkOf, mostSteps, placeOf, placeOfEdges, presetsOf, sameState, schemeNames, shownSteps,
     stopsOf } from "./lab_state.js";
@@ -9,7 +8,7 @@ import { button, element } from "./view.js";
 let count = 0;   // of labels
 const subjects = { q4: "Reconstruction", q5: "Explicit smoothing", q6: "Implicit smoothing", q7: "Denoising" };
 
-/// A slider whose places are the stops, so that few steps have as much room as many.
+/// A slider with one place for each stop.
 const along = (stops) => ({ slider: { min: 0, max: stops.length - 1, step: 1 }, from: (place) => stops[place], to: (value) => indexOfLeast(stops.map((stop) => Math.abs(stop - value))) });
 const played = 90;   // stops on the way along a slider that has thousands
 const stillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -83,12 +82,12 @@ export class Panel {
         this.tellsAloud(true);
     }
 
-    /// While it plays, what is told changes too often to be read out.
+    /// Switches announcements to screen readers, which are off while it plays.
     tellsAloud(does) {
         this.told.setAttribute("aria-live", does ? "polite" : "off");
     }
 
-    /// How it is drawn.
+    /// The controls of the drawing.
     makeLooks(changed) {
         this.looks = element("div", "lab-looks");
         const colours = element("label", "lab-lines", "colours "), box = (name, words) => {
@@ -146,7 +145,7 @@ export class Panel {
         return Object.values(this.rows).find(({ box }) => !box.hidden).slider;
     }
 
-    /// @param measured  [[words, unit, here, the program's; NaN: none, what is rounding], …]; tiles: [[number, words], …]
+    /// @param measured  [[words, unit, value here, value of the program or NaN, rounding], …] @param tiles  [[number, words], …]
     showNumbers(measured, tiles) {
         const cell = (tag, words) => element(tag, "", words);
         const head = element("tr", "");

@@ -23,10 +23,10 @@ export class Play {
     }
 }
 
-/// From all modes down to k, the many fast and the few slowly.
+/// Returns stops from all modes down to k, with larger steps among many modes.
 export const openingOf = (modes, k) => Array.from({ length: openingStops + 1 }, (_, i) => Math.round(modes * (k / modes) ** (i / openingStops)));
 
-/// What of a slider's stops is still to come; all of them at its end. @param stops  ascending
+/// Returns the stops behind `value`; all of them if there are none. @param stops  ascending
 export function stopsAfter(stops, value) {
     const next = stops.findIndex((stop) => stop > value * (1 + 1e-9));
     return next < 0 ? stops : stops.slice(next);

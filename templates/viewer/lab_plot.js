@@ -19,7 +19,7 @@ const frame = { width: 440, height: 230, left: 50, right: 8, top: 22, bottom: 28
 const across = (share) => frame.left + share * (frame.width - frame.left - frame.right);
 const upward = (share) => frame.top + (1 - share) * (frame.height - frame.top - frame.bottom);
 
-/// What of these lies inside the frame.
+/// Clips children to the frame.
 function inside(...children) {
     const [x, y, width, height] = [across(0), upward(1), across(1) - across(0), upward(0) - upward(1)];
     return svg("svg", { x, y, width, height, viewBox: `${x} ${y} ${width} ${height}` }, ...children);
@@ -49,7 +49,7 @@ export class SpectrumPlot {
             ...grid, before, after, inside(curve), legend,
             ...axis("0", "shape ← √μ → noise", data.hasAllModes ? "μ_max" : `μ_${data.modes}`));
     }
-    /// As √μ, the frequency: by Weyl's law the modes then lie less crowded where they are coarse.
+    /// Returns the place of a mode by √μ, its frequency; by Weyl's law coarse modes are then less crowded.
     x(mu) { return across(this.last > 0 ? Math.sqrt(Math.max(0, mu) / this.last) : 0); }
     y(value) { return upward(Math.log10(Math.max(lowest / beyond, Math.min(highest * beyond, value)) / lowest) / Math.log10(highest / lowest)); }
 

@@ -88,7 +88,7 @@ export class Scene {
         return clamped;
     }
 
-    /// In radii of the mesh; what is farther out than the room lies at its rim.
+    /// Returns positions in radii of the mesh; points beyond the room lie at its rim, and `clamped` counts them.
     drawable(x) {
         const places = new Float32Array(x.length);
         let clamped = 0;
@@ -107,7 +107,7 @@ export class Scene {
         if (lines) this.moveDrift();
     }
 
-    /// From each vertex to where it belongs, as far as that is along the surface.
+    /// Draws a line from each vertex towards its clean place, along the surface.
     moveDrift() {
         const { array } = this.drift.geometry.attributes.position, { positions } = this.data, n = this.normals, places = this.models[1].mesh.geometry.attributes.position.array;
         for (let i = 0; i < places.length; i += 3) {

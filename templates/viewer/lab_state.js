@@ -1,4 +1,4 @@
-// What is set in the laboratory, its limits, its links and its presets. No page in here.
+// The state of the laboratory: its limits, links and presets. Independent of the page.
 
 export const schemeNames = { projection: "k smoothest modes", explicit: "explicit steps", implicit: "implicit steps", taubin: "Taubin's two steps", heat: "exact heat flow",
     denoising: "implicit, noisy mesh's operator" };
@@ -10,18 +10,18 @@ export const colourNames = { distance: "distance", curvature: "mean curvature", 
 const plain = { scheme: "projection", k: 15, lambda: 0.5, edges: 0.1, t: 10, sigma: 0, seed: 1, lines: false, colours: "distance", wire: false };
 const texts = { scheme: schemeNames, colours: colourNames };   // what may stand there
 const looks = ["lines", "wire"];
-/// As in the question's own figures.
+/// Returns the quantity of the question's own figures.
 const coloursOf = (question) => (["q5", "q6"].includes(question) ? "curvature" : "distance");
-/// What says how much a scheme does.
+/// Returns the settings that control the strength of a scheme.
 export const amountsOf = (scheme) => (scheme === "projection" ? ["k"] : [scheme === "denoising" ? "edges" : "lambda", "t"]);
-/// What the panel of a question opens with, and [{question, words, state}] to click: lab.cpp of the question has chosen both.
+/// The initial state of a question and its presets [{question, words, state}], both from lab.cpp of its chapter.
 export const startOf = (data, question) => ({ ...plain, colours: coloursOf(question), ...data.starts[question] });
 export const presetsOf = (data, question) => data.presets.filter((preset) => question === "lab" || preset.question === question)
     .map((preset) => ({ ...preset, state: { ...plain, colours: coloursOf(preset.question), lines: preset.lines, ...preset.state } }));
 
 const within = (value, low, high) => Math.min(high, Math.max(low, value));
 
-/// A state that holds, whatever was asked for. @param other  what is taken for what cannot be read
+/// Returns a valid state. @param other  replaces settings that cannot be read
 export function held(state, modes, other = plain) {
     const number = (name, low, high) => within(Number.isFinite(state[name]) ? state[name] : other[name], low, high);
     const whole = (name, low, high) => Math.round(number(name, low, high));

@@ -1,10 +1,10 @@
-// What the laboratory says: of its mesh, and of what is set and seen. No page in here.
+// The sentences of the laboratory, about its mesh, settings and results. Independent of the page.
 import { finestFactor } from "./lab_math.js";
 import { schemeNames, shownSteps } from "./lab_state.js";
 
 export const longer = 10, longest = 0.25;   // lines of the drift are exaggerated that many times, and cut at so many radii of the mesh
 
-/// @param rounding  what is smaller may be that alone
+/// @param rounding  smaller numbers may be rounding alone
 export function digits(x, rounding = 0, count = 6) {
     if (typeof x === "string") return x;
     if (!Number.isFinite(x)) return "–";
@@ -18,7 +18,7 @@ const capital = (words) => words[0].toUpperCase() + words.slice(1);
 const short = (x, count = 3) => digits(x, 0, count);
 const small = (x) => x.toExponential(1).replace("-", "−");
 
-/// What to watch, above the experiment.
+/// Returns the sentence above the experiment.
 export function watchOf({ scheme, sigma }) {
     return {
         projection: "A mesh is a sum of waves. Drag k: fewer waves, smoother shape.",
@@ -65,14 +65,14 @@ export function tilesOf({ state, data, experiment }, numbers) {
     return tiles;
 }
 
-/// How many digits page and program share in all that the program has computed here; null: it has computed nothing here.
+/// Returns the number of digits in which page and program agree; null if the program has computed nothing here.
 export function sharedDigits(measured) {
     const both = measured.filter(([, , , program]) => Number.isFinite(program));
     const apart = both.map(([, , here, program, rounding = 0]) => (here === program || Math.max(Math.abs(here), Math.abs(program)) < rounding ? 0 : Math.abs(here / program - 1)));
     return both.length > 0 ? Math.max(0, Math.min(6, Math.floor(-Math.log10(2 * Math.max(...apart, 1e-12))))) : null;
 }
 
-/// What stands on the folded table.
+/// Returns the title of the folded table, which says in how many digits page and program agree.
 export function agreement(measured) {
     const shared = sharedDigits(measured);
     if (shared === null) return "All numbers; the program's own stand beside them at the settings to try";
@@ -96,7 +96,7 @@ export function limits({ state, data, experiment, numbers, clamped, best }) {
     return all;
 }
 
-/// What has just happened: the last of the limits that lies between before and now; "": none.
+/// Returns a sentence on the last limit that lies between the states before and now; "" if there is none.
 export function passed(before, now) {
     const name = Object.keys(now).findLast((each) => before[each] && before[each].side !== now[each].side);
     return name ? now[name].words[now[name].side] : "";
@@ -120,14 +120,14 @@ export function told({ state, data, experiment, numbers, clamped, best }) {
     return `${set}: ${rms}.${parts}${growth}${rim}${least}${sigma > 0 ? operatorWords(state, numbers) : ""}${drift}`;
 }
 
-/// Why the noise goes, or stays, as no one sees it who has only the noisy mesh.
+/// Returns a sentence on the reason why noise goes or stays, which the noisy mesh alone does not show.
 function operatorWords({ scheme, t }, { along, gains: [gain] }) {
     if (scheme === "projection" || t === 0) return "";
     if (scheme !== "denoising") return " These steps know the clean mesh's operator, which nobody has who denoises.";
     return gain > 1 && along > 0.5 ? ` Of rms², ${short(100 * along, 2)} % lies along the surface: there the noisy mesh's operator takes little away, and coefficients stay above the filter's curve.` : "";
 }
 
-/// How much of the noise's squared error is left along the surface, and across it.
+/// Returns the remaining shares of the squared error of the noise along the surface and across it.
 function driftWords(experiment) {
     const { noisy, x } = experiment, now = experiment.errors(x);
     const along = ({ surface, places }) => places ** 2 - surface ** 2, across = ({ surface }) => surface ** 2;

@@ -5,10 +5,10 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
 import { materialFor } from "./shader.js";
 
-// As in render/scene.cpp: a vertex is a crease where the mean normal of the triangles around, weighted by area, is shorter than this.
+// A vertex is a crease if the mean normal of its triangles, weighted by area, is shorter than this, as in render/scene.cpp.
 const creaseBegin = 0.914, creaseEnd = 0.848;
 
-/// How far each vertex takes the normal of the triangle instead of its own, 0 to 1.
+/// Returns for each vertex the weight of the triangle's normal against its own, 0 to 1.
 function sharpnessOf(geometry) {
     const { position } = geometry.attributes, corners = geometry.index.array;
     const sums = new Float64Array(4 * position.count);   // normals times areas, and areas

@@ -4,7 +4,7 @@ import { ClampToEdgeWrapping, Color, DataTexture, DoubleSide, LinearFilter, RGBA
 
 export const clay = new Color("#eeedea");   // surface_color of render/draw_mesh.h
 
-// As render/shading/shading_style.h: three lights fixed to the camera.
+// Three lights fixed to the camera, as in render/shading/shading_style.h.
 const looks = `
 const float ambient = 0.05, wrap = 0.1, exposure_of_values = 1.1, silhouette = 0.62, dark_line = 0.45;
 const vec3 back_tint = vec3(0.58, 0.68, 0.85);

@@ -144,7 +144,7 @@ export class View {
         this.ask();
     }
 
-    /// Where the models are drawn, in CSS pixels from the upper left.
+    /// Returns the cells of the models, in CSS pixels from the upper left.
     cells() {
         const { clientWidth: width, clientHeight: height } = this.stage, count = this.models.length;
         return this.models.map((model, i) => this.inRows
@@ -157,7 +157,7 @@ export class View {
         if (this.share !== share) this.share = share, this.resize();
     }
 
-    /// Beside each other or above: fitted models as they are larger.
+    /// Arranges models side by side or one above the other; fitted ones so that they are larger.
     arrange(width, height) {
         const count = this.models.length, [side, up] = this.fits ? this.reach(this.controls.position0) : [1, 1];
         const scale = (across, down) => Math.min(width / across / side, height / down / up);
@@ -175,7 +175,7 @@ export class View {
         this.draw();
     }
 
-    /// How far the models reach to the sides and up, seen from a place around the origin.
+    /// Returns the extent of the models to the sides and up, seen from a place around the origin.
     reach(place) {
         const towards = place.clone().normalize(), side = this.camera.up.clone().cross(towards).normalize(), up = towards.clone().cross(side), reach = [0, 0];
         for (const { mesh } of this.models.filter((model) => model.mesh.visible)) {

@@ -1,6 +1,6 @@
 # The program that turns models in the page: viewer.js and three.js in one file, made by esbuild from the committed lock file. Nothing is
 # written into the source: npm works on a copy in the build folder.
-#   viewer_program   the file; empty where there is no viewer, and then the page has its pictures only
+#   viewer_program   the file; empty without the viewer, when the page has only pictures
 #   MESHFOLIO_VIEWER AUTO: what goes wrong is told and the program is built without; ON: it is an error; OFF: not tried
 set(viewer_folder ${PROJECT_BINARY_DIR}/viewer)
 set(viewer_program ${viewer_folder}/viewer.min.js)

@@ -52,7 +52,7 @@ class Viewer {
         block.append(this.panel);
     }
 
-    /// Of one mesh after another: a slider where they are a series, else a button each; with a switch for two beside each other.
+    /// Makes a chooser of meshes: a slider for a series, else a button for each, and a switch to show two side by side.
     chooser() {
         const box = element("div", "model-chooser"), labels = this.all.map(({ label }) => label);
         box.setAttribute("role", "group");
@@ -120,7 +120,7 @@ class Viewer {
             top: above ? "" : `${offsetY + 14}px`, bottom: above ? `${clientHeight - offsetY + 14}px` : "" });
     }
 
-    /// What is at a point of a cell, in words. The same triangles in the other model are read with it.
+    /// Returns words on the point of a cell, with the value of the other model if the triangles are the same.
     reading({ model }, at) {
         this.raycaster.setFromCamera(at, this.view.camera);
         const [hit] = this.raycaster.intersectObject(model.mesh, false);
@@ -166,8 +166,8 @@ async function inPlaceOfTheOther(block, open) {
     return live;
 }
 
-/// Fills `block` with models to turn: [{label, bytes}], bytes() a promise of a GLB. `onStop(byReader)` is told when it has closed.
-/// @throws where the browser has no WebGL
+/// Fills `block` with models to turn: [{label, bytes}], bytes() a promise of a GLB. Calls `onStop(byReader)` when it is closed.
+/// @throws if the browser has no WebGL
 async function start(block, models, onStop) {
     const all = models.map(({ bytes, label }) => ({ label, load: async () => Model.load(await bytes(), label) }));
     const first = await Promise.all(all.slice(0, 2).map(({ load }) => load()));
@@ -175,7 +175,7 @@ async function start(block, models, onStop) {
     await inPlaceOfTheOther(block, () => new Viewer(block, all, first, onStop));
 }
 
-/// Fills `block` with the laboratory of a question, on the mesh whose bytes these are (src/run/lab/lab_mesh.h).
+/// Fills `block` with the laboratory of a question for the mesh in these bytes (src/run/lab/lab_mesh.h).
 async function startLab(block, bytes, question, onStop) {
     const prepared = await prepareLab(bytes);
     await inPlaceOfTheOther(block, () => openLab(block, prepared, question, onStop));

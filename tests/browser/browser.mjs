@@ -1,11 +1,11 @@
-// What the tests of the page have in common: the reports, the browser, and a page that keeps account of what went wrong.
+// Shared by the tests of the page: reports, the browser, and a page that records problems.
 import { existsSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
 const required = (name) => process.env[name] ?? (() => { throw new Error(`${name} is not set; run these tests through ctest`); })();
-/// A quick report of the bundled meshes, and one whose title, author and mesh have names that try to break out of the page.
+/// A quick report of the bundled meshes, and one with hostile names of title, author and mesh.
 export const reports = { quick: path.resolve(required("REPORTS"), "quick"), hostile: path.resolve(required("REPORTS"), "hostile") };
 
 export const launch = () =>
@@ -14,9 +14,8 @@ export const launch = () =>
 /// The volumes of a report.
 export const volumes = ["index.html", "appendix.html"];
 
-/// The page of a report, or its appendix (`volume`), with `problems`: what went to the console as an error, what was thrown, what was asked for beyond the page and
-/// the files in images/.
-/// What `first` does happens in the page before its own scripts.
+/// The page of a report, or its appendix (`volume`), with `problems`: errors on the console, exceptions, and requests for
+/// files other than the page and images/. `first` runs in the page before its own scripts.
 export async function open(browser, folder, { volume = "index.html", first = () => {}, ...options } = {}) {
     const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: "reduce", ...options });
     context.setDefaultTimeout(90000);

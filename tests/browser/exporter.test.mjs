@@ -35,7 +35,7 @@ function read(name, ending = "obj") {
     return lines.filter((line) => line.startsWith("v ")).map((line) => line.split(" ").slice(1).map(Number));
 }
 
-/// Where three.js puts the vertices of a mesh, with its morph targets and bones.
+/// Returns the vertices of a mesh as three.js places them, with morph targets and bones.
 function placed(mesh) {
     const count = mesh.geometry.attributes.position.count;
     return Array.from({ length: count }, (_, i) => mesh.getVertexPosition(i, new THREE.Vector3()).applyMatrix4(mesh.matrixWorld).toArray());
@@ -43,7 +43,7 @@ function placed(mesh) {
 
 const key = (point) => point.map((x) => (Math.round(x * 1e4) || 0)).join(" ");
 
-/// The same points, each once for each of `bodies` lists.
+/// Returns the same points, each once for each of `bodies` lists.
 function assertSame(found, bodies) {
     const expected = bodies.flatMap((points) => [...new Set(points.map(key))]).sort();
     assert.deepEqual(found.map(key).sort(), expected);

@@ -1,4 +1,4 @@
-// What the scripts add: pictures in full size, the scheme. By keyboard and by pointer.
+// The functions of the scripts: pictures in full size, colour scheme, by keyboard and by pointer.
 import assert from "node:assert/strict";
 import { cpSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";

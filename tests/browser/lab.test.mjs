@@ -16,7 +16,7 @@ describe("the panel", options, () => {
     });
     after(() => browser.close());
 
-    /// The page waits 0.4 s before it tells of what was set: a test that sets all the time need not.
+    /// Skips the 0.4 s that the page waits before it announces a setting.
     const tellSoon = () => {
         const wait = globalThis.setTimeout;
         globalThis.setTimeout = (what, milliseconds, ...more) => wait(what, milliseconds === 400 ? 40 : milliseconds, ...more);
@@ -41,12 +41,12 @@ describe("the panel", options, () => {
         await settled(page);
         return page;
     }
-    /// Of a page that the next test must not get as it is.
+    /// Discards a page that the next test must not reuse.
     const closed = async (page) => {
         for (const [key, kept] of pages) if (kept === page) pages.delete(key);
         await page.context().close();
     };
-    /// Once what was done has reached the panel, until it has told of it.
+    /// Waits until the panel has announced the last change.
     const settled = async (page) => {
         await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done, 50))));
         await page.locator(".lab-panel:not([aria-busy])").waitFor();
@@ -218,7 +218,7 @@ describe("the panel", options, () => {
         assert.match(await fragment(page), /colours=none/);
     });
 
-    /// Of each pane what share of its width and height the mesh covers, and whether it touches the rim.
+    /// Returns for each pane the share of width and height that the mesh covers, and whether it touches the rim.
     const coverage = async (page) => {
         await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
         return page.evaluate(async () => {

@@ -30,7 +30,7 @@ describe("sums over modes in 16 bits are what the program computes", options, ()
         for (let i = 0; i < x.length; ++i) sum += (x[i] - (y[i] - first[i] + data.positions[i])) ** 2;
         return Math.sqrt(sum / data.vertices) / data.diagonal;
     }
-    /// By `meshfolio smooth`, λ in λ_crit.
+    /// Returns the result of `meshfolio smooth`; λ in units of λ_crit.
     function smoothed(scheme, lambda, t) {
         run("smooth", "cube.obj", "-o", "smooth.obj", "--scheme", scheme, "--lambda", lambda, "--unit", "tau", "--iterations", t);
         return positionsOf("smooth.obj");

@@ -1,4 +1,4 @@
-// What the tests of the laboratory have in common: the program, the page's own modules, and the data that a page carries.
+// Shared by the tests of the laboratory: the program, the modules of the page, and the data in a page.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -16,7 +16,7 @@ const viewer = (name) => import(pathToFileURL(path.join(process.env.SOURCE, "tem
 export const lab = await viewer("lab_math.js"), states = await viewer("lab_state.js"), { Experiment } = await viewer("lab_experiment.js"), { normalNumbers } = await viewer("lab_noise.js"), words = await viewer("lab_words.js");
 export const { meanCurvature } = await viewer("lab_denoising.js"), play = await viewer("lab_play.js");
 
-/// Where the program works.
+/// The working folder of the program.
 export const folder = mkdtempSync(path.join(os.tmpdir(), "meshfolio-lab-"));
 after(() => rmSync(folder, { recursive: true, force: true }));
 
@@ -27,7 +27,7 @@ export function run(...words) {
 }
 export const written = (file) => readFileSync(path.join(folder, file), "utf8");
 
-/// What the text of a page has for a question.
+/// Returns the data of a question in the text of a page.
 export function dataOf(page, question) {
     const [, text] = page.match(new RegExp(`data-questions="(?:[^"]* )?${question}(?: [^"]*)?">([^<]*)<`));
     const bytes = inflateSync(Buffer.from(text, "base64"));

@@ -1,4 +1,4 @@
-// From a telephone to a wide screen, on paper, and for whoever does not see it: nothing is cut off, nothing is out of reach.
+// The layout from phones to wide screens, on paper and for screen readers: nothing is cut off or out of reach.
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
@@ -11,7 +11,7 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-/// What reaches beyond the window, apart from what scrolls within its box.
+/// Returns the elements that reach beyond the window, except those that scroll within a box.
 const beyond = (page) => page.evaluate(() => {
     const width = document.documentElement.clientWidth;
     return [...document.querySelectorAll("body *")]
@@ -178,8 +178,8 @@ test("on paper: light, complete, without what is only for the screen", async () 
 });
 
 describe("axe finds nothing, by WCAG 2.1 A and AA and by its best practices", () => {
-    /// Of contrast, which takes most of the time, one element with words of each kind: letters of a colour, size and weight on a ground. Rows
-    /// of a table and marks of a plot are alike: four of each. The schemes differ in colours alone.
+    /// Checks contrast, which takes most of the time, for one element of each colour, size and weight on each ground, and for four rows of a
+    /// table and four marks of a plot.
     const check = async (page, colorScheme) => {
         await page.evaluate(axe);   // from outside: the page's own policy would not let it in
         const violations = await page.evaluate(async (scheme) => {

@@ -12,7 +12,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-/// What the visible rows have in a column; numbers as the digits they are sorted by.
+/// Returns the cells of the visible rows in a column; numbers as their sort keys.
 const values = (name) => ledger.evaluate((figure, wanted) => {
     const table = figure.querySelector("table");
     const column = [...table.tHead.rows[0].cells].findIndex((head) => head.textContent.includes(wanted));

@@ -1,4 +1,4 @@
-// Models in the page: started, turned, read and closed, by pointer and by keyboard. What is seen and told is held against the GLB itself.
+// Models in the page: started, turned, read and closed, by pointer and by keyboard. Pictures and words are compared with the GLB itself.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
@@ -6,8 +6,7 @@ import { after, before, describe, test } from "node:test";
 import { chromium } from "playwright-core";
 import { open, reports } from "./browser.mjs";
 
-// Where there is no graphics card, Chromium draws WebGL itself, but only when told to; on a busy machine that takes longer than its
-// watchdog waits.
+// Without a graphics card Chromium needs a flag to draw WebGL itself; on a busy machine that takes longer than its watchdog waits.
 const launch = () => chromium.launch({
     executablePath: process.env.CHROMIUM,
     args: ["--enable-unsafe-swiftshader", "--disable-gpu-watchdog", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : [])],
@@ -23,7 +22,7 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-// ---- what is expected ---------------------------------------------------------------------------------------------------
+// ---- expected values ----------------------------------------------------------------------------------------------------
 
 /// A reader of GLB of its own: positions in the model's units, values, mask, triangles.
 function readGlb(bytes) {
@@ -47,7 +46,7 @@ function readGlb(bytes) {
 
 const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
 
-/// Where a vertex is seen at the start, in pixels from the upper left of a cell: from the right front and above, 1.04 radii fill half of it.
+/// Returns the initial place of a vertex, in pixels from the upper left of a cell: seen from the right front and above, 1.04 radii fill half of it.
 function seenAt(glb, v, width, height) {
     const a = 35 * Math.PI / 180, e = 22 * Math.PI / 180;
     const right = [Math.cos(a), 0, -Math.sin(a)], up = [-Math.sin(e) * Math.sin(a), Math.cos(e), -Math.sin(e) * Math.cos(a)];
@@ -79,9 +78,9 @@ function colorOf({ range: [low, high], colors }, value) {
 /// Reading pixels back, as a screenshot does, is slow, and a driver in software says so.
 const problemsOf = (page) => page.problems.filter((problem) => !problem.includes("GPU stall due to ReadPixels"));
 
-// ---- what is seen and done ----------------------------------------------------------------------------------------------
+// ---- actions ------------------------------------------------------------------------------------------------------------
 
-// Two figures of meshes whose values differ: of the first the bumpy cube is turned, which bulges in every direction.
+// Two figures of meshes with different values. Of the first, the bumpy cube is turned, which bulges in every direction.
 const figures = ["q1_h", "q1_tangential"];
 const block = (page, n = 0) => page.locator(`#${figures[n]} .models[data-turnable]`);
 const canvasOf = (page) => page.locator(".model-stage canvas");
@@ -144,7 +143,7 @@ async function pixelsOf(page, screenshot) {
     return { width, height, at: (x, y) => [...data.subarray(4 * (y * width + x), 4 * (y * width + x) + 3)] };
 }
 
-/// On vertices that are seen and defined: calls `look(v, x, y)` with the pointer there, for a few of them.
+/// Calls `look(v, x, y)` for a few visible vertices with values, with the pointer at each.
 async function atVertices(page, glb, look) {
     const box = await canvasOf(page).boundingBox();
     let met = 0;
@@ -293,7 +292,7 @@ describe("what a model tells", options, () => {
 });
 
 describe("two models", options, () => {
-    // The same model twice: whatever is done to one is done to the other.
+    // The same model twice: both follow every action.
     for (const [name, width] of [["side by side", 800], ["above each other where it is narrow", 390]]) {
         test(`${name}, have one camera`, async () => {
             const page = await open(browser, reports.quick, { viewport: { width, height: 600 } });
@@ -328,7 +327,7 @@ describe("two models", options, () => {
 });
 
 describe("every mesh of a figure", options, () => {
-    /// With its first model thrice, by these names.
+    /// Returns the page with its first model three times, under these names.
     async function named(labels) {
         const page = await open(browser, reports.quick, small);
         await keepModels(page, 0, labels.length);
