@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view folder = "words/", ending = ".md";
 
 using MessagesByKey = std::map<std::string, Message, std::less<>>;
-/// By file, then by key.
+/// Messages by file and key.
 using Catalogue = std::map<std::string, MessagesByKey, std::less<>>;
 
 Catalogue catalogue_of(const Templates& templates) {
@@ -58,7 +58,7 @@ std::string only_paragraph(const Message& message) {
     return message.paragraphs.empty() ? "" : message.paragraphs.front();
 }
 
-/// Returns the names of the counts whose singular and plural the message has.
+/// Returns the names of counts for which the message has singular and plural.
 std::set<std::string> counts_in(const Message& message) {
     static const std::regex plural("\\{\\{(\\w+)\\|");
     std::set<std::string> names;

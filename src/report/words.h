@@ -64,7 +64,7 @@ public:
     /// Returns the message of this key, one paragraph, as running text with its markup.
     /// @throws std::logic_error if there is no such key, or the message names a fact that is not given
     Text say(std::string_view key, const Facts& facts) const;
-    /// As in words.say("limit.spot", "mesh"_a = name, "vertices"_a = 3).
+    /// Takes the facts one by one: words.say("limit.spot", "mesh"_a = name, "vertices"_a = 3).
     Text say(std::string_view key, auto... facts) const { return say(key, Facts{std::move(facts)...}); }
     /// Returns the message of this key as plain text, in which markup is not interpreted: for captions, titles, labels, names of checks.
     std::string line(std::string_view key, const Facts& facts) const;
@@ -98,7 +98,7 @@ std::vector<Message> messages_of(std::string_view text, const std::string& file)
 /// Formats one paragraph of a message with facts.
 /// @throws std::logic_error if a fact is missing, or a mark is not closed
 Text running_text(std::string_view paragraph, const Facts& facts);
-/// The same as plain text, in which markup is not interpreted.
+/// Formats one paragraph as plain text, in which markup is not interpreted.
 std::string running_line(std::string_view paragraph, const Facts& facts);
 /// Formats a message as headings, formulas, lists and paragraphs.
 std::vector<Block> blocks_of(const Message& message, const Facts& facts);

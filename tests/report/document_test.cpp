@@ -73,7 +73,7 @@ TEST(Check, IdsAreUniqueAndMadeOfPlainWords) {
                                                             "q5-energy-falls-on-cube-2-2", "q5-2-lambda-2", "q5-2", "q5-check"}));
 }
 
-TEST(JUnit, HasACaseACheckAndOneForWhatIsMissing) {
+TEST(JUnit, HasACaseForEachCheckAndForEachMissingSection) {
     Section good, broken, left;
     good.id = "q1";
     good.title = "A & B";

@@ -46,14 +46,14 @@ TEST(Numbering, CitedWorksAreNumberedInTheirOrder) {
 }
 
 // q2 failed and q9 was not asked for: a reference to them must not take the report down.
-TEST(Numbering, PartsOfUnansweredQuestionsAreCalledByTheQuestion) {
+TEST(Numbering, PartsOfUnansweredQuestionsHaveTheLabelOfTheQuestion) {
     EXPECT_EQ(sample_numbering().resolve("q2_plot").label, "Question 2");
     EXPECT_EQ(sample_numbering().resolve("q2_plot").anchor, "q2");
     EXPECT_EQ(sample_numbering().resolve("q9_plot").label, "Question 9");
     EXPECT_EQ(sample_numbering().resolve("q9_plot").anchor, "");
 }
 
-TEST(Numbering, PartsOfAFailedSupportingSectionAreCalledByTheSection) {
+TEST(Numbering, PartsOfAFailedSupportingSectionHaveItsLabel) {
     Document document;
     document.sections.resize(2);
     document.sections[0].id = "truth";
@@ -66,7 +66,7 @@ TEST(Numbering, PartsOfAFailedSupportingSectionAreCalledByTheSection) {
 }
 
 // A table for programs alone takes no number, and no page shows it; files keep it.
-TEST(Numbering, ATableForProgramsIsNotOfThePages) {
+TEST(Numbering, TablesForFilesAloneHaveNoNumber) {
     Document document = sample_document();
     auto& blocks = document.sections[0].blocks;
     const auto first = std::ranges::find_if(blocks, [](const Block& block) { return std::holds_alternative<Table>(block); });

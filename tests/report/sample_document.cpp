@@ -40,7 +40,7 @@ Table ledger() {
     return table;
 }
 
-/// The same with numbers at the head of its rows.
+/// A sortable table with numbers at the heads of its rows.
 Table counts() {
     Table table{"q1_counts", "Two counts.", {{"k"}, {"share", "%"}}, {}};
     table.sortable = true;
@@ -100,7 +100,7 @@ Map error_map() {
     return map;
 }
 
-/// The edge from i to j, the two angles opposite to it, and a dart whose angle is missing.
+/// The edge from i to j with the two angles opposite to it, and a vertex with its missing angle.
 Diagram angle_diagram() {
     const DiagramPoint i{0, 0}, j{2, 0.4}, above{0.7, 1.5}, below{1.1, -1.4};
     Diagram::Panel cotangent{"cotangent weights", {}, {}};

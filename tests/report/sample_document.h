@@ -10,9 +10,9 @@ namespace meshfolio::report {
 /// One of everything: each kind of block, run, status, check, input and plot, with values that are undefined, huge and tiny.
 Document sample_document();
 DrawnFigures sample_figures();
-/// The same figures laid out otherwise: one mesh with its views, a matrix with heads and an empty cell.
+/// Returns the figures in other layouts: one mesh with its views, and a matrix with heads and an empty cell.
 DrawnFigures sample_layouts();
-/// The same with one figure that can be turned, before and after.
+/// Returns the figures with one that can be turned, before and after.
 DrawnFigures sample_models();
 
 /// Markup, quotes, separators, control characters and bytes that are no UTF-8, in one name.

@@ -31,7 +31,7 @@ inline std::size_t count_of(const std::string& text, const std::string& part) {
     return count;
 }
 
-/// What the first group of the expression matches, everywhere in the text.
+/// Returns all matches of the first group of the expression in the text.
 std::vector<std::string> matches(const std::string& text, const std::string& expression);
 
 /// A page without its scripts, styles and pictures, for searches that mean the text.

@@ -39,7 +39,7 @@ TEST(Words, EmptyLinesSeparateParagraphs) {
 
 TEST(Words, ASentenceNeedsAKey) { EXPECT_THROW(messages_of("# remark\nA sentence.\n", "file"), UsageError); }
 
-TEST(Words, FactsOfAMessage) {
+TEST(Words, FindsTheFactsOfAMessage) {
     const Message message = messages_of("## key\n{{b}} of {{a}} {{a|one|many}} [[q3_{{id}}]]", "file").front();
     EXPECT_EQ(facts_in(message), (std::vector<std::string>{"a", "b", "id"}));
 }
@@ -57,7 +57,7 @@ TEST(Words, FactsAreNoMarkup) {
     EXPECT_EQ(running_text("on {{mesh}}.", {"mesh"_a = text("the ", strong("cube"))}), text("on the ", strong("cube"), "."));
 }
 
-TEST(Words, CountsChooseTheWord) {
+TEST(Words, CountsChooseSingularOrPlural) {
     const auto of = [](int n) { return plain(running_text("{{n}} {{n|mesh has|meshes have}}", {"n"_a = n})); };
     EXPECT_EQ(of(1), "1 mesh has");
     EXPECT_EQ(of(0), "0 meshes have");
@@ -66,7 +66,7 @@ TEST(Words, CountsChooseTheWord) {
     EXPECT_THROW(running_text("{{n|mesh|meshes}}", {"n"_a = "1"}), std::logic_error) << "no count";
 }
 
-TEST(Words, SectionsAreToldIfTheirFactHolds) {
+TEST(Words, SectionsDependOnTheirFacts) {
     const auto told = [](const Facts& facts) {
         return plain(running_text(
             "{{#spots}}On {{spots}} it is a spot.{{/spots}} {{^spots}}Nowhere.{{/spots}} {{#flips}}It flips.{{/flips}}", facts));
@@ -80,7 +80,7 @@ TEST(Words, SectionsAreToldIfTheirFactHolds) {
     EXPECT_EQ(running_line("a{{#b}}, **b** {{n}}{{/b}}", {"b"_a = true, "n"_a = 2}), "a, **b** 2");
 }
 
-TEST(Words, AListIsToldOnceAnEntry) {
+TEST(Words, AListRepeatsItsSection) {
     const auto told = [](const FactList& meshes) {
         return running_text("{{#meshes}}**{{mesh}}** has {{limit}}{{#flat}} and is flat{{/flat}}. {{/meshes}}{{^meshes}}None.{{/meshes}}",
                             {"meshes"_a = meshes, "limit"_a = "the limit"});
@@ -91,7 +91,7 @@ TEST(Words, AListIsToldOnceAnEntry) {
     EXPECT_THROW(running_text("{{meshes}}", {"meshes"_a = FactList{}}), std::logic_error) << "a list is no word";
 }
 
-TEST(Words, ParagraphsOfWhichNothingIsToldAreLeftOut) {
+TEST(Words, EmptyParagraphsAreLeftOut) {
     const Message message = messages_of("## key\n{{#a}}One.{{/a}}\n\n{{^a}}Other.{{/a}}\n", "file").front();
     EXPECT_EQ(facts_in(message), std::vector<std::string>{"a"});
     const std::vector<Block> blocks = blocks_of(message, {"a"_a = false});
@@ -137,7 +137,7 @@ TEST(Words, EveryMessageOfTheProgramCanBeRead) {
     }
 }
 
-TEST(Words, BlocksOfAMessage) {
+TEST(Words, AMessageBecomesBlocks) {
     const auto blocks = Words("q3").blocks("method", {});
     ASSERT_GE(blocks.size(), 3u);
     EXPECT_EQ(std::get<Heading>(blocks[0]).title, "Method");

@@ -51,7 +51,7 @@ TEST(WriteCsv, NumbersReadBackExactlyAndUndefinedIsEmpty) {
     EXPECT_EQ(rows[3][1], "");
 }
 
-TEST(WriteCsv, AnyTextComesBackOnOneLine) {
+TEST(WriteCsv, AnyTextIsReadBackFromOneLine) {
     const Table table{
         "t", "", {{"a,\"b\"\nc"}, {"x"}}, {{hostile, std::string("plain")}, {std::string("\x1b\u202e\0 \u200f", 9), std::string("é")}}};
     const auto rows = parsed(write_csv(table));
@@ -95,7 +95,7 @@ TEST(WriteCsv, ShortRowsAreFilledUp) {
     EXPECT_EQ(write_csv(table), "a,b\n1,\n");
 }
 
-TEST(WriteCsv, PlotHasOneRowAPoint) {
+TEST(WriteCsv, APlotHasARowForEachPoint) {
     Plot plot;
     plot.x_label = "k";
     plot.y_label = "error, rms [%]";
@@ -115,7 +115,7 @@ TEST(WriteCsv, ASeriesSaysItsPanel) {
     EXPECT_EQ(write_csv(plot), "panel,series,k,error\n\"sphere, fine\",one,1,3\n,two,5,6\n");
 }
 
-TEST(WriteCsv, MapHasOneRowACellAndThenItsLines) {
+TEST(WriteCsv, AMapHasARowForEachCellAndThenItsLines) {
     Map map;
     map.x_label = "λ, relative";
     map.y_label = "t";

@@ -49,7 +49,7 @@ struct BatchRow {
     };
     std::optional<Picture> picture = {};
     std::string sha256 = {};
-    /// From sections of the report; empty without such a section.
+    /// Values from sections of the report; empty without such a section.
     Cell vertices = {}, edges = {}, triangles = {}, components = {}, boundary_loops = {}, euler_characteristic = {}, genus = {};
     Cell manifold = {}, orientation = {};   // words
     Cell lambda_critical = {};              // [length²]

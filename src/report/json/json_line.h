@@ -9,7 +9,7 @@
 
 namespace meshfolio::report {
 
-/// Returns the line, counted from 1, of the value at `path` ("questions[0].title"); 0 if there is no such value.
+/// Returns the line, counted from 1, of the value at `path` ("questions[0].title") in JSON without errors; 0 if there is no such value.
 long line_of_json(std::string_view text, const std::string& path);
 
 /// Returns the position of the first bracket or brace nested deeper than `levels`, if any. To be checked before JSON from outside is

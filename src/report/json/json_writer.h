@@ -21,11 +21,11 @@ using Json = nlohmann::ordered_json;
 inline constexpr const char* not_finite = "_not_finite";
 
 /// Returns a derived value as JSON; null if it is empty.
-template <class Value>
-Json derived_json(const Value& value) {
-    return value;
-}
+inline Json derived_json(const auto& value) { return value; }
 inline Json derived_json(const std::optional<bool>& value) { return value ? Json(*value) : Json(); }
+
+/// Returns a part of a report as a JSON object, by its description.
+Json json_of(const auto& part);
 
 class FieldWriter {
 public:
@@ -94,10 +94,7 @@ private:
         }
     };
 
-    template <class Value>
-    static bool is_same(const Value& a, const Value& b) {
-        return a == b;
-    }
+    static bool is_same(const auto& value, const auto& fallback) { return value == fallback; }
     template <class Item>
     static bool is_same(const std::vector<Item>& items, const std::vector<Item>& fallback) {
         return items.empty() && fallback.empty();
@@ -140,19 +137,15 @@ private:
         if constexpr (std::is_enum_v<Value>) {
             return names_of(value)[static_cast<std::size_t>(value)];
         } else {
-            Json object;
-            FieldWriter fields(object);
-            describe(fields, value);
-            return object;
+            return report::json_of(value);
         }
     }
 };
 
-template <class Value>
-Json json_of(const Value& value) {
+Json json_of(const auto& part) {
     Json object;
     FieldWriter fields(object);
-    describe(fields, value);
+    describe(fields, part);
     return object;
 }
 

@@ -19,7 +19,7 @@ const std::string& id_of(const FigureEntry& part) { return part.figure.id; }
 const std::string& id_of(const NumberedEntry& part) { return part.entry.id; }
 const std::string& id_of(const auto& part) { return part.id; }
 
-/// Calls visit(key, list) for each list whose parts the blocks of a section refer to.
+/// Calls visit(key, list) for each list of parts that blocks refer to.
 template <class Visit>
 void for_each_list(auto& section, const Visit& visit) {
     visit("tables", section.tables);

@@ -9,7 +9,6 @@
 #include "base/sha256.h"
 #include "embedded_page_fonts.h"
 #include "embedded_viewer.h"
-#include "report/escape.h"
 #include "report/page/view_value.h"
 
 namespace meshfolio::report {

@@ -23,7 +23,7 @@ struct ViewContext {
 nlohmann::json text_view(const Text& text, const Numbering& numbering);
 /// Returns a caption, a name or a heading as `runs`, with its mathematics found.
 nlohmann::json prose_view(const std::string& words);
-/// The same with formulas as letters and scripts, for outlines and heads of tables, which have no MathML.
+/// Returns prose_view() without MathML, its formulas as letters and scripts, for outlines and heads of tables.
 nlohmann::json letters_view(const std::string& words);
 
 /// Returns id, label and caption of a table, plot, map or figure.

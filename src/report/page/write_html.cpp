@@ -14,7 +14,7 @@ namespace meshfolio::report {
 
 namespace {
 
-// As in report.html and lab.html.
+// The tags of laboratories in report.html and lab.html.
 constexpr std::string_view tag_begin = "<script type=\"application/x-meshfolio-lab\" data-questions=\"", tag_middle = "\">",
                            tag_end = "</script>";
 

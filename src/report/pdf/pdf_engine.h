@@ -16,7 +16,7 @@ struct PdfEngine {
     std::string version;   // name and version by its own account: "Chromium 156.0.8078.79"
 };
 
-/// Where engines are looked for.
+/// The places of a search for engines.
 struct EngineSearch {
     std::string browser;                              // name or path of the only one to take; empty: any
     std::map<std::string, std::string> environment;   // MESHFOLIO_CHROME, CHROME_PATH, PUPPETEER_EXECUTABLE_PATH, PATH, HOME

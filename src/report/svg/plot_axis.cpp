@@ -26,7 +26,7 @@ std::vector<Tick> linear_ticks(double low, double high) {
     for (int i = 0; i <= 2 * wanted_ticks; ++i) {   // fewer, unless the range is too narrow for its numbers to differ
         const double value = (first + i) * step;
         if (!(value <= high + 1e-9 * step)) break;
-        // As many digits as distinguish neighbouring ticks.
+        // Enough digits to distinguish neighbouring ticks.
         const double decade = value == 0 ? 0 : std::floor(std::log10(std::abs(value)) + 1e-9);
         const int digits = static_cast<int>(decade - std::floor(std::log10(step) + 1e-9)) + 1;
         ticks.push_back({value, value == 0 ? "0" : readable(value, std::clamp(digits, 1, 15))});

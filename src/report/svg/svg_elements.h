@@ -71,7 +71,7 @@ double title_lines(const std::string& words, double width = title_width);
 std::string line_element(Point a, Point b, const std::string& attributes);
 std::string rectangle_element(const Box& box, const std::string& attributes);
 
-/// How a series is drawn. The first 42 series of a plot look different in any style: colours repeat after six; patterns, which are dashes
+/// The look of a series. The first 42 series of a plot look different in any style: colours repeat after six; patterns, which are dashes
 /// and a shape of points, after seven.
 struct Look {
     std::string color;    // a CSS variable of the page, with a default for white ground

@@ -51,7 +51,7 @@ Batch three_rows() {
     return batch;
 }
 
-TEST(Batch, ARowTakesWhatTheReportSays) {
+TEST(Batch, ARowHasTheNumbersOfItsReport) {
     const BatchRow row = batch_row("a", "m/a.obj", report_on_a_mesh({check_near("area", 1, 1.5, 2)}, true), true, sources);
     EXPECT_EQ(row.state, BatchRow::State::good);
     EXPECT_EQ(row.sha256, "ab12");
@@ -108,7 +108,7 @@ TEST(Batch, TheShareIsOneAtTheLimitAndMoreBeyond) {
     }
 }
 
-TEST(Batch, TheWorstCheckIsAFailedOneWhereThereIsAny) {
+TEST(Batch, TheWorstCheckIsAFailedOneIfThereIsAny) {
     Section section;
     section.id = "q1";
     section.checks = {check_near("close", 0, 0.9, 1), check_near("far", 0, 0.1, 1), undecided(check_near("unknown", 0, 9, 1), "why")};
@@ -120,7 +120,7 @@ TEST(Batch, TheWorstCheckIsAFailedOneWhereThereIsAny) {
     EXPECT_FALSE(worst_check({}).has_value());
 }
 
-TEST(Batch, TheCheckShownOfAMeshIsNotThatOfEveryMesh) {
+TEST(Batch, ShowsTheCheckThatExceedsItsUsualShare) {
     Batch batch;
     for (const double own : {0.1, 0.2, 0.3, 0.6}) {
         Section section;
@@ -140,7 +140,7 @@ TEST(Batch, TheCheckShownOfAMeshIsNotThatOfEveryMesh) {
     EXPECT_EQ(worst_check(batch.rows.back().sections, usual)->id, "q1-beyond") << "a failed one comes first";
 }
 
-TEST(Batch, ACheckThatNamesItsMeshIsTheSameOnOthers) {
+TEST(Batch, ChecksOfDifferentMeshesHaveOneCommonId) {
     Batch batch;
     for (const char* mesh : {"cube_8", "torus"}) {
         Section section;

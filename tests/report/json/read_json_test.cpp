@@ -162,7 +162,7 @@ TEST(ReadJson, EmptyCellsNanAndInfinitiesStayApart) {
     EXPECT_EQ(std::get<double>(rows[3][3]), INFINITY);
 }
 
-// ---- what is refused ----------------------------------------------------------------------------------------------------
+// ---- refusals -----------------------------------------------------------------------------------------------------------
 
 TEST(ReadJson, NamesPlaceAndLineOfAProblem) {
     const std::string message = refusal([](Json& d) { d["questions"][0]["tables"][0]["rows"][1][2] = true; });

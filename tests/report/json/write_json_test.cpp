@@ -40,7 +40,7 @@ TEST(WriteJson, HostileNamesFollowTheSchemaAndComeBack) {
     EXPECT_NE(document["title"].get<std::string>().find("<script>alert(1)</script>|\"'`*_x_*"), std::string::npos);
 }
 
-TEST(WriteJson, SchemaRefusesWhatIsBroken) {
+TEST(WriteJson, TheSchemaRefusesBrokenFiles) {
     const auto broken = [](auto change) {
         json document = sample();
         change(document);
@@ -117,7 +117,7 @@ TEST(WriteJson, QuestionsKeepTheirOrderAndStatus) {
     EXPECT_EQ(questions[2]["status"], "skipped");
 }
 
-TEST(WriteJson, EntriesAreThereWhereThereAreAnyAndTablesNameThem) {
+TEST(WriteJson, WritesEntriesAndTheTablesThatReferToThem) {
     const json questions = sample()["questions"];
     ASSERT_EQ(questions[0]["entries"].size(), 2u);
     EXPECT_EQ(questions[0]["entries"][0]["id"], "q1_claim_one");
@@ -135,7 +135,7 @@ TEST(WriteJson, ChecksHoldNumbers) {
     EXPECT_EQ(check["passed"], true);
 }
 
-TEST(WriteJson, WhatIsNotFiniteIsNull) {
+TEST(WriteJson, NumbersThatAreNotFiniteAreNull) {
     const json question = sample()["questions"][0];
     EXPECT_TRUE(question["checks"][3]["measured"].is_null());
     const json rows = question["tables"][0]["rows"];
@@ -145,7 +145,7 @@ TEST(WriteJson, WhatIsNotFiniteIsNull) {
     EXPECT_TRUE(question["plots"][0]["series"][0]["y"][5].is_null());
 }
 
-TEST(WriteJson, MapsHaveARowAnIteration) {
+TEST(WriteJson, MapsHaveARowForEachY) {
     const json map = sample()["questions"][0]["maps"][0];
     EXPECT_EQ(map["x"].size(), 3u);
     const json values = map["panels"][0]["values"];
@@ -174,7 +174,7 @@ TEST(WriteJson, EveryInputMeshIsNamedOnceWithItsHash) {
     EXPECT_EQ(written(document, {})["provenance"]["inputs"].size(), 2u);
 }
 
-// Nothing but what lies under "timings" may differ from run to run.
+// Only "timings" may differ from run to run.
 TEST(WriteJson, TimingsCanBeLeftOut) {
     EXPECT_TRUE(sample().contains("timings"));
     EXPECT_TRUE(sample()["questions"][0].contains("timings"));

@@ -81,7 +81,7 @@ void expect_links_with_targets(const std::string& text) {
 
 TEST(WriteMarkdown, LinksWithinHaveTheirTargets) { expect_links_with_targets(sample_text()); }
 
-TEST(WriteMarkdown, WhatIsInTheOtherVolumeIsLinkedThere) {
+TEST(WriteMarkdown, LinksToTheOtherVolume) {
     Document document = sample_document();
     document.sections[0].appendix_from = static_cast<int>(document.sections[0].blocks.size()) - 2;
     document.sections[0].answer = text("See ", ref("q1_before_after"), " and ", ref("ground_truth"), ".");
@@ -141,7 +141,7 @@ TEST(WriteMarkdown, ChecksThatPassedAreLeftOutWhereTheFileWouldBeTooLong) {
     EXPECT_EQ(sample_text({.volume = Volume::appendix}).find("The checks that passed are listed"), std::string::npos);
 }
 
-TEST(WriteSummary, HasEveryAnswerAndWhatDidNotPass) {
+TEST(WriteSummary, HasEveryAnswerAndTheChecksThatDidNotPass) {
     const std::string text = write_summary(sample_document(), Templates());
     EXPECT_NE(text.find("| 1 Uniform Laplace curvature | complete | <i>H</i> of the sphere is <b>0.88 %</b> off"), std::string::npos)
         << text;

@@ -16,7 +16,7 @@ std::string page_with(std::vector<Lab> labs, Volume volume = Volume::report, con
                       {.volume = volume, .design = design, .viewer = lab_viewer, .labs = std::move(labs)});
 }
 
-TEST(Labs, AreReadBackFromThePageAsTheyWere) {
+TEST(Labs, AreReadBackFromThePage) {
     const std::vector<Lab> labs{lab_of("q1", "some modes"), lab_of("q5 q7", std::string("\0\xff", 2))};
     const std::vector<Lab> read = labs_in(page_with(labs));
     ASSERT_EQ(read.size(), 2u);
@@ -45,7 +45,7 @@ TEST(Labs, MalformedDataIsSkipped) {
         EXPECT_EQ(labs_in(tag + rest).size(), 0u) << rest;
 }
 
-TEST(Labs, APageOfItsOwnEscapesTheNameOfItsMesh) {
+TEST(Labs, TheirOwnPageEscapesTheNameOfTheMesh) {
     const std::string page = write_lab_page("<b>{{title}}", lab_of("lab", "modes"), Templates(), lab_viewer);
     EXPECT_NE(page.find("<h1>Laboratory: &lt;b&gt;{{title}}</h1>"), std::string::npos);
     EXPECT_EQ(labs_in(page).size(), 1u);

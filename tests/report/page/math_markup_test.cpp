@@ -30,7 +30,7 @@ std::string sketch(const std::string& math) {
     return text;
 }
 
-TEST(MathMarkup, IndicesAndExponents) {
+TEST(MathMarkup, SplitsIndicesAndExponents) {
     EXPECT_EQ(sketch("λ_crit = 2/μ_max"), "<λ>_(crit) = 2/<μ>_(max)");
     EXPECT_EQ(sketch("h^2 + x_{i,j}"), "<h>^(2) + *x*_(i,j)");
     EXPECT_EQ(sketch("k^−1/2"), "<k>^(−1)/2");
@@ -52,7 +52,7 @@ TEST(MathMarkup, OddInputsKeepTheirCharacters) {
     EXPECT_EQ(sketch("φ_λ"), "<φ>_(λ)");
 }
 
-TEST(MathMarkup, VectorsAreThoseByName) {
+TEST(MathMarkup, VectorsAreKnownByTheirNames) {
     EXPECT_EQ(sketch("Lx ≈ −2Hn"), "<L>*x* ≈ −2<H>*n*");
     EXPECT_EQ(sketch("−p·n"), "−*p*·*n*");
     EXPECT_EQ(sketch("p"), "<p>");
@@ -66,7 +66,7 @@ std::string marked(const std::string& words) {
     return text;
 }
 
-TEST(MathMarkup, SymbolsInProse) {
+TEST(MathMarkup, FindsSymbolsInProse) {
     EXPECT_EQ(marked("growth at 1.01 λ_crit on fandisk_ns"), "growth at 1.01 ⟨λ_crit⟩ on fandisk_ns");
     EXPECT_EQ(marked("K = a²/(b²c²), k = 5 of 9"), "⟨K = a²/(b²c²)⟩, ⟨k = 5⟩ of 9");
     EXPECT_EQ(marked("as (1 + λμ)^−t, 2π − Σθ (where σ = 0.2\u202f% is)"), "as ⟨(1 + λμ)^−t⟩, ⟨2π − Σθ⟩ (where ⟨σ = 0.2\u202f%⟩ is)");

@@ -61,7 +61,7 @@ std::vector<Element> parsed(const std::string& xml) {
 bool is_one_of(const std::string& c, const std::string& set) { return !c.empty() && set.find(c) != std::string::npos; }
 bool is_fence(const Element& e) { return e.name == "mo" && is_one_of(e.text, "()[]{}⟨⟩|‖"); }
 bool is_row(const Element& e) { return e.name == "math" || e.name == "mrow" || e.name == "mtd" || e.name == "msqrt"; }
-/// What an element with scripts stands on.
+/// Returns the base of an element with scripts.
 const Element& core(const Element& e) {
     return (e.name.starts_with("msu") || e.name.starts_with("mund") || e.name == "mover") && !e.children.empty() ? core(e.children[0]) : e;
 }
@@ -100,7 +100,7 @@ void expect_functions(const std::vector<Element>& row, const std::string& formul
     }
 }
 
-/// Fences are the ends of an mrow, one of each, alike, and stretch only around what is tall.
+/// An mrow begins and ends with matching fences, which stretch only around tall contents.
 void expect_fences(const Element& element, const std::string& formula) {
     const std::vector<Element>& row = element.children;
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -173,14 +173,14 @@ std::set<std::string> inline_formulas() {
     return formulas;
 }
 
-TEST(Mathml, LawsOfEveryDisplayedFormula) {
+TEST(Mathml, EveryDisplayedFormulaKeepsTheConvention) {
     for (const auto& [name, forms] : formulas_of(Templates())) {
         expect_laws(forms.mathml, name);
         EXPECT_NE(forms.mathml.find("alttext="), std::string::npos) << name;
     }
 }
 
-TEST(Mathml, LawsOfEveryFormulaInASentence) {
+TEST(Mathml, EveryFormulaInASentenceKeepsTheConvention) {
     const auto formulas = inline_formulas();
     EXPECT_GT(formulas.size(), 150u);
     for (const std::string& formula : formulas) expect_laws(inline_mathml(formula), formula);
@@ -242,7 +242,7 @@ TEST(Mathml, UnknownTexIsAUsageErrorWithTheFormulasName) {
     }
 }
 
-TEST(Mathml, OddFormulasOfWordsAreStillWritten) {
+TEST(Mathml, WritesUnusualFormulasOfSentences) {
     for (const std::string formula :
          {"", "√", "((((a", "a)", "_a", "a_{b_{c_{d_{e_{f", "a}}b", "\\foo & # ~", "+_i", "²'x", "<|a", "a_", "^2"})
         (void)parsed(inline_mathml(formula));

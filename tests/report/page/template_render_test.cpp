@@ -102,7 +102,7 @@ TEST(Templates, FolderReplacesFileByFile) {
     EXPECT_EQ(replaced["report.html"], Templates()["report.html"]);
 }
 
-TEST(Templates, WhatCannotBeUsedIsAUsageError) {
+TEST(Templates, UnusableOnesAreUsageErrors) {
     EXPECT_NE(usage_error_of([] { Templates("/nowhere/at/all"); }).find("/nowhere/at/all"), std::string::npos);
     EXPECT_NE(usage_error_of([] { (void)Templates()["unknown.html"]; }).find("unknown.html"), std::string::npos);
     EXPECT_NE(usage_error_of([] { Templates().replace("report.md", "/nowhere"); }).find("/nowhere"), std::string::npos);

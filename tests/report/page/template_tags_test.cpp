@@ -60,15 +60,15 @@ std::set<std::string> without(std::set<std::string> tags, const std::set<std::st
     return tags;
 }
 
-TEST(TemplateTags, EveryOneIsDocumented) {
+TEST(TemplateTags, TheListHasEveryTag) {
     for (const std::string& tag : without(tags_of_the_sample(), documented_tags())) ADD_FAILURE() << tag;
 }
 
-TEST(TemplateTags, EveryDocumentedOneIsThere) {
+TEST(TemplateTags, TheListHasOnlyKnownTags) {
     for (const std::string& tag : without(documented_tags(), tags_of_the_sample())) ADD_FAILURE() << tag;
 }
 
-TEST(TemplateTags, EachHasAMeaning) {
+TEST(TemplateTags, HaveAMeaningEach) {
     for (const auto& [tag, meaning] : tag_list()) {
         EXPECT_FALSE(meaning.empty()) << tag;
         EXPECT_NE(tag_documentation().find(tag + " "), std::string::npos) << tag;

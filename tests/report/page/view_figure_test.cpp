@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A figure of meshes whose square pictures from three quarters are `large` pixels wide, and their six views `small`.
+/// Returns a figure of meshes with square pictures, `large` pixels wide from three quarters and `small` for the six views.
 DrawnFigure six_views_of(std::size_t panels, int large, int small) {
     DrawnFigure drawn{.sheet = "images/q1_sheet.png"};
     for (std::size_t p = 0; p < panels; ++p) {
@@ -34,7 +34,7 @@ json view_of(const DrawnFigure& drawn) {
     return view;
 }
 
-/// Of one of the six views, in a figure of this width.
+/// Returns the width of one of the six views in a figure of this width.
 double view_width(const json& block, int large, int small, double figure_width) {
     const auto in_a_line = static_cast<double>(block["view_lines"][0]["views"].size());
     return std::stoi(block["tenths"].get<std::string>()) / 10.0 * figure_width * small / (large + in_a_line * small);

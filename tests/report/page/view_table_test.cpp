@@ -50,7 +50,7 @@ TEST(ViewTable, UndefinedIsADashAndNeverZero) {
     EXPECT_EQ(numbers_of(view_of(column({1.5, Cell(), std::nan("")}))), (Words{"1.50", "–", "–"}));
 }
 
-TEST(ViewTable, OnePowerOfTenBringsTheOthersWithIt) {
+TEST(ViewTable, IfOneNumberHasAPowerOfTenAllFarFromOneHave) {
     EXPECT_EQ(numbers_of(view_of(column({3.59e-5, 1.795e-4, 0.5}))), (Words{"3.59\u202f×\u202f10⁻⁵", "1.79\u202f×\u202f10⁻⁴", "0.500"}));
     // A number that is shorter without a power of ten is written without one, as in the columns beside it.
     EXPECT_EQ(numbers_of(view_of(column({1.5e7, 1208.4, 0.5}))), (Words{"1.50\u202f×\u202f10⁷", "1208", "0.500"}));

@@ -146,7 +146,7 @@ TEST(WriteHtml, ScoresCountPassedChecks) {
     EXPECT_NE(sample_page().find("<a href=\"appendix.html#checks-q1\" class=\"failure\">2 of 5 checks failed</a>"), std::string::npos);
 }
 
-TEST(WriteHtml, AnUndecidedCheckHasItsWordAndItsReasonAndIsNoFailure) {
+TEST(WriteHtml, AnUndecidedCheckHasItsReasonAndIsNoFailure) {
     const std::string page = body_of(sample_appendix());
     const std::size_t row = page.find("<tr class=\"undecided\">");
     ASSERT_NE(row, std::string::npos);

@@ -28,15 +28,15 @@ protected:
     }
 };
 
-TEST_F(PdfEngines, NoneIsFoundWhereThereIsNone) {
+TEST_F(PdfEngines, MayBeMissing) {
     const EngineFinding finding = find_pdf_engine(search_);
     EXPECT_FALSE(finding.engine);
     EXPECT_TRUE(finding.refused.empty());
 }
 
-TEST_F(PdfEngines, EachComesBeforeTheNext) {
+TEST_F(PdfEngines, HaveAnOrderOfPreference) {
     const auto expect_found = [&](const fs::path& newest) { EXPECT_EQ(newest, found()); };
-    // From the last to the first: each new one takes the place of what was found before.
+    // In ascending order of preference: each new one is found instead of the one before.
     expect_found(program("bin/weasyprint", "WeasyPrint version 57.2"));
     EXPECT_EQ(find_pdf_engine(search_).engine->kind, PdfEngine::Kind::weasyprint);
     expect_found(program("home/.cache/ms-playwright/chromium-1100/chrome-linux/chrome", "Chromium 140.0.1"));
@@ -54,7 +54,7 @@ TEST_F(PdfEngines, EachComesBeforeTheNext) {
     EXPECT_EQ(find_pdf_engine(search_).engine->version, "Chromium 156.0.8078.79");
 }
 
-TEST_F(PdfEngines, OneThatIsAskedForIsNotReplacedByAnother) {
+TEST_F(PdfEngines, DoNotReplaceTheOneAskedFor) {
     program("bin/chromium", "Chromium 150.0");
     search_.browser = "/nonexistent/browser";
     const EngineFinding finding = find_pdf_engine(search_);
@@ -78,7 +78,7 @@ TEST_F(PdfEngines, UnusableEnginesAreSkippedAndReported) {
     for (std::size_t i = 0; i < 4; ++i) EXPECT_NE(finding.refused[i].find(reasons[i]), std::string::npos) << finding.refused[i];
 }
 
-TEST_F(PdfEngines, AFolderOfThePathThatIsRelativeIsNotSearched) {
+TEST_F(PdfEngines, IgnoreRelativeFoldersOfThePath) {
     program("bin/chromium", "Chromium 150.0");
     const fs::path before = fs::current_path();
     fs::current_path(folder_.path());

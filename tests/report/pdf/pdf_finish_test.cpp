@@ -13,7 +13,7 @@
 namespace meshfolio::report {
 namespace {
 
-/// As a browser would leave it: `pages` empty pages, and an entry of the outline for each title, "> " before those one level deeper.
+/// Returns a PDF of `pages` empty pages with an entry of the outline for each title; "> " marks those one level deeper.
 std::string small_pdf(int pages, const std::vector<std::string>& titles, const std::string& date) {
     QPDF pdf;
     pdf.emptyPDF();
@@ -60,7 +60,7 @@ PdfDetails details() {
     return details;
 }
 
-TEST(PdfFinish, NothingDependsOnWhenItWasPrinted) {
+TEST(PdfFinish, DoesNotDependOnTheTimeOfPrinting) {
     EXPECT_EQ(finish_pdf(small_pdf(3, joined, "D:20260101000000Z"), details()),
               finish_pdf(small_pdf(3, joined, "D:20270203040506Z"), details()));
 }
@@ -98,7 +98,7 @@ std::string pdf_with_a_table(int first, bool turned) {
     return {reinterpret_cast<const char*>(buffer->getBuffer()), buffer->getSize()};
 }
 
-TEST(PdfFinish, NothingDependsOnTheNamesOfTheElements) {
+TEST(PdfFinish, DoesNotDependOnTheNamesOfElements) {
     const std::string expected = finish_pdf(pdf_with_a_table(22, false), details());
     EXPECT_EQ(expected, finish_pdf(pdf_with_a_table(35, false), details()));
     EXPECT_EQ(expected, finish_pdf(pdf_with_a_table(22, true), details()));
@@ -121,7 +121,7 @@ TEST(PdfFinish, CellsKeepTheirHeaders) {
     }
 }
 
-TEST(PdfFinish, TheOutlineGetsItsTitlesInFullAndKeepsItsPages) {
+TEST(PdfFinish, TheOutlineGetsFullTitlesAndKeepsItsPages) {
     const PdfContents contents = contents_of_pdf(finish_pdf(small_pdf(3, joined, "D:2026"), details()));
     EXPECT_EQ(contents.pages, 3);
     ASSERT_EQ(contents.outline.size(), 4u);
@@ -133,7 +133,7 @@ TEST(PdfFinish, TheOutlineGetsItsTitlesInFullAndKeepsItsPages) {
     }
 }
 
-TEST(PdfFinish, AnotherOutlineThanThatOfThePageIsRefused) {
+TEST(PdfFinish, RefusesAnOutlineThatDiffersFromThePage) {
     PdfDetails other = details();
     other.outline[1] = "1 Uniform curvatures";
     EXPECT_THROW(finish_pdf(small_pdf(1, joined, ""), other), EngineError);
@@ -141,7 +141,7 @@ TEST(PdfFinish, AnotherOutlineThanThatOfThePageIsRefused) {
     EXPECT_THROW(finish_pdf(small_pdf(1, joined, ""), other), EngineError);
 }
 
-TEST(PdfFinish, SaysWhatItIsAndCarriesTheResults) {
+TEST(PdfFinish, HasTitleAuthorAndTheResultsAttached) {
     const std::string bytes = finish_pdf(small_pdf(1, joined, "D:2026"), details());
     QPDF pdf;
     pdf.processMemoryFile("finished", bytes.data(), bytes.size());
@@ -158,7 +158,7 @@ TEST(PdfFinish, SaysWhatItIsAndCarriesTheResults) {
     EXPECT_EQ(std::string(reinterpret_cast<const char*>(data->getBuffer()), data->getSize()), details().attachment);
 }
 
-TEST(PdfFinish, WhatIsNoPdfIsRefused) {
+TEST(PdfFinish, RefusesOtherFiles) {
     EXPECT_THROW(contents_of_pdf("<html>"), EngineError);
     EXPECT_THROW(contents_of_pdf(""), EngineError);
     EXPECT_THROW(finish_pdf("%PDF-1.7\n", details()), EngineError);

@@ -98,7 +98,7 @@ TEST(PrintPage, LongTablesAreCutUnlessTheyAreHardlyTooLong) {
     }
 }
 
-TEST(PrintPage, NamesTheVolumeOfWhatIsInTheOther) {
+TEST(PrintPage, ReferencesToTheOtherVolumeNameIt) {
     Document document = sample_document();
     Table first{"q1_first", "First.", {{"see"}}, {{std::string("q1_second")}}}, second{"q1_second", "Second.", {{"a"}}, {{1.0}}};
     first.columns[0].reference = true;
@@ -122,7 +122,7 @@ TEST(PrintPage, OnlyFiguresOfTheVolumeNeedAPicture) {
     EXPECT_EQ(pictures_in(printed(document)).size() + pictures_in(printed(document, appendix)).size(), all);
 }
 
-TEST(PrintPage, HeadingsAreReadWithTheirWordsApart) {
+TEST(PrintPage, ReadsHeadingsWithSingleSpaces) {
     const auto headings = headings_of(
         "<head><title>x</title></head><h1>Mesh\nprocessing</h1><hr/><h2 id=\"q1\"><span class=\"number\">1</span> A &amp; "
         "<em>B</em></h2><h3>C</h3>");
@@ -133,7 +133,7 @@ TEST(PrintPage, HeadingsAreReadWithTheirWordsApart) {
     EXPECT_EQ(headings[2].level, 3);
 }
 
-TEST(PrintPage, EveryPageNumberThatIsAskedForHasItsHeading) {
+TEST(PrintPage, EveryMarkOfAPageNumberHasItsHeading) {
     for (const PrintOptions& options : {PrintOptions{}, appendix}) {
         const std::string page = printed(supporting_document(), options);
         std::set<std::string> ids;

@@ -47,7 +47,7 @@ void expect_sane(const Diagram& diagram) {
     }
 }
 
-TEST(SvgDiagram, IsSensibleWhateverTheData) {
+TEST(SvgDiagram, IsValidForAnyData) {
     expect_sane({"d", "", "", {}});
     expect_sane({"d", "", "", {{}, {}}});
     expect_sane(diagram_of(path_through({{1e-90, 1}}, Diagram::Style::line)));

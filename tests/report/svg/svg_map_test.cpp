@@ -36,7 +36,7 @@ TEST(Legend, NumbersOfALogarithmicScaleStandAtEqualRatios) {
 
 // ---- edges and colours ------------------------------------------------------------------------------------------------------
 
-TEST(CellEdges, LieHalfWayAndReachAsFarOut) {
+TEST(CellEdges, LieHalfWayBetweenCentresAndEquallyFarOutside) {
     EXPECT_EQ(cell_edges({1, 2, 4}, false), (std::vector<double>{0.5, 1.5, 3, 5}));
     const auto edges = cell_edges({1, 4, 16}, true);
     for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(edges[i], 0.5 * std::pow(4, double(i)), 1e-12);
@@ -55,7 +55,7 @@ TEST(CellEdges, EncloseTheirCentres) {
     }
 }
 
-TEST(CellEdges, AreNoneWhereTheAxisCannotShowTheCentres) {
+TEST(CellEdges, AreEmptyIfTheAxisCannotShowTheCentres) {
     EXPECT_TRUE(cell_edges({}, false).empty());
     EXPECT_TRUE(cell_edges({2, 1}, false).empty());
     EXPECT_TRUE(cell_edges({1, 1}, false).empty());
@@ -134,7 +134,7 @@ void expect_sane(const Map& map) {
     }
 }
 
-TEST(SvgMap, IsSensibleWhateverTheData) {
+TEST(SvgMap, IsValidForAnyData) {
     for (const auto colours : {Map::Colours::sequential, Map::Colours::diverging}) {
         for (const bool log : {false, true}) {
             for (const std::vector<double>& values : std::vector<std::vector<double>>{
@@ -253,7 +253,7 @@ TEST(SvgMap, LinesStayInsideAndLettersAreThere) {
     EXPECT_EQ(count_of(lines[1], "M"), 2u);   // broken where it leaves
 }
 
-TEST(SvgMap, SaysWhatIsToBeSeen) {
+TEST(SvgMap, HasATitleAndADescription) {
     const std::string svg = svg_of(map_of({1, 2}, {1}, {1, 2}));
     EXPECT_NE(svg.find("role=\"img\""), std::string::npos);
     EXPECT_NE(svg.find("<desc id=\"m-desc\">what is seen</desc>"), std::string::npos);

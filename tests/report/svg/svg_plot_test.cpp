@@ -53,7 +53,7 @@ TEST(PlotAxis, CoversItsValues) {
     }
 }
 
-TEST(PlotAxis, NothingToShowStillGivesAnAxis) {
+TEST(PlotAxis, HasARangeEvenWithoutValues) {
     for (const bool log : {false, true}) {
         for (const std::vector<double>& values : std::vector<std::vector<double>>{{}, {undefined}, {INFINITY, -INFINITY}}) {
             EXPECT_LT(Axis(values, log).low(), Axis(values, log).high());
@@ -145,7 +145,7 @@ void expect_sane(const Plot& plot) {
     }
 }
 
-TEST(SvgPlot, IsSensibleWhateverTheData) {
+TEST(SvgPlot, IsValidForAnyData) {
     for (const bool log : {false, true}) {
         expect_sane(plot_of({}, {}, log));
         expect_sane(plot_of({3}, {7}, log));
@@ -175,7 +175,7 @@ TEST(SvgPlot, UndefinedValuesLeaveAGap) {
     EXPECT_EQ(starts(svg_of(plot_of({1, 2, 3, 4, 5}, {1, 2, undefined, 4, 5}))), 2u);
 }
 
-TEST(SvgPlot, AValueBetweenTwoGapsIsSeen) {
+TEST(SvgPlot, AValueBetweenTwoGapsIsAPoint) {
     EXPECT_EQ(count_of(svg_of(plot_of({1, 2, 3}, {undefined, 2, undefined})), "<circle"), 1u);
     EXPECT_NE(svg_of(plot_of({}, {})).find("no data"), std::string::npos);
 }
@@ -331,7 +331,7 @@ TEST(Svg, WordsAreLargeEnoughOnThePageAndOnPaper) {
     }
 }
 
-TEST(SvgPlot, SaysWhatIsToBeSeen) {
+TEST(SvgPlot, HasATitleAndADescription) {
     const std::string svg = svg_of(plot_of({1, 2}, {1, 2}));
     EXPECT_NE(svg.find("role=\"img\""), std::string::npos);
     EXPECT_NE(svg.find("<desc id=\"p-desc\">what is seen</desc>"), std::string::npos);
