@@ -1,11 +1,15 @@
 /// @file
-/// Conversion to lower case, of ASCII letters only, whatever the locale.
+/// Letters and digits of ASCII, in any locale.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
 namespace meshfolio {
+
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+inline bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+inline bool is_alphanumeric(char c) { return is_letter(c) || is_digit(c); }
 
 inline char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 

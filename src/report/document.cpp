@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "base/lower_case.h"
 #include "base/number_text.h"
 
 namespace meshfolio::report {
@@ -47,9 +48,8 @@ std::vector<std::string> ids_from(const std::string& whole, const Parts& parts, 
         std::string stem = whole;
         bool in_word = false;
         for (const char c : spelled(std::invoke(name, part)).substr(0, longest)) {
-            const bool is_upper = c >= 'A' && c <= 'Z', belongs = is_upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-            if (belongs) stem += std::string(in_word ? "" : "-") + static_cast<char>(is_upper ? c - 'A' + 'a' : c);
-            in_word = belongs;
+            if (is_alphanumeric(c)) stem += std::string(in_word ? "" : "-") + lower_case(c);
+            in_word = is_alphanumeric(c);
         }
         if (stem == whole) stem += "-" + unnamed;
         std::string id = stem;

@@ -1,6 +1,7 @@
 #include "report/escape.h"
 
 #include "base/errors.h"
+#include "base/lower_case.h"
 
 namespace meshfolio::report {
 

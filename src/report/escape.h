@@ -7,9 +7,6 @@
 
 namespace meshfolio::report {
 
-/// True for ASCII letters and digits, in any locale.
-inline bool is_alphanumeric(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 /// Returns the text as valid UTF-8 on one line, in characters of XML 1.0: line ends and tabs become spaces, other control characters,
 /// bidirectional overrides and bytes that are not UTF-8 become visible escapes such as \xff.
 std::string safe_text(const std::string& text);

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "base/errors.h"
+#include "base/lower_case.h"
 #include "output/publish/temporaries.h"
 
 namespace meshfolio::output {
@@ -90,8 +91,8 @@ void make_folder(const fs::path& path) {
 }
 
 bool is_safe_name(std::string_view name) {
-    constexpr std::string_view safe = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.+-";
-    return !name.empty() && name.size() <= 120 && name.front() != '.' && name.front() != '-' && name.find_first_not_of(safe) == name.npos;
+    const auto safe = [](char c) { return is_alphanumeric(c) || c == '_' || c == '.' || c == '+' || c == '-'; };
+    return !name.empty() && name.size() <= 120 && name.front() != '.' && name.front() != '-' && std::all_of(name.begin(), name.end(), safe);
 }
 
 }   // namespace meshfolio::output

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "report/escape.h"
+#include "base/lower_case.h"
 
 namespace meshfolio::report {
 

@@ -7,12 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "base/lower_case.h"
 #include "report/text.h"
 
 namespace meshfolio::report {
 
-inline bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// True for α to ω: U+03B1 to U+03C9.
 inline bool is_small_greek(std::string_view c) { return c.size() == 2 && c >= "\u03b1" && c <= "\u03c9"; }
 /// True for sin, max and others, which are upright and have an argument.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/lower_case.h"
 #include "report/escape.h"
 #include "report/page/page_design.h"
 #include "report/page/template_render.h"

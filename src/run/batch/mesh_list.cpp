@@ -12,7 +12,6 @@
 #include "mesh/io/mesh_files.h"
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
-#include "report/escape.h"
 #include "run/arguments.h"
 
 namespace meshfolio::run {
@@ -101,7 +100,7 @@ std::string safe_stem(const std::string& file) {
     constexpr std::size_t longest = 60;
     std::string name = mesh_name(file).substr(0, longest);
     for (char& c : name)
-        if (!report::is_alphanumeric(c) && c != '+' && c != '-') c = '_';
+        if (!is_alphanumeric(c) && c != '+' && c != '-') c = '_';
     if (name.empty()) return "mesh";
     if (name.front() == '-') name.front() = '_';
     return name;
