@@ -2,7 +2,10 @@
 /// The keys of plots, maps, diagrams and figures in results.json, described as in json_fields.h.
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "report/json/json_entries.h"
 
@@ -61,6 +64,13 @@ void describe(auto& fields, part_of<Plot> auto& plot) {
     fields("vertical_lines", plot.vertical_lines);
 }
 
+void describe(auto& fields, part_of<PanelEntry> auto& panel) {
+    fields("title", panel.title);
+    fields("values", panel.rows, "a row for each y, a number for each x");
+    fields("lines", panel.lines);
+    fields("markers", panel.markers);
+}
+
 void describe(auto& fields, part_of<Map> auto& map) {
     const Map fallback;
     describe_drawing(fields, map);
@@ -74,12 +84,18 @@ void describe(auto& fields, part_of<Map> auto& map) {
     fields("undefined", map.undefined, "meaning of cells without a value");
     fields("x", map.x);
     fields("y", map.y);
-    fields.each("panels", map.panels, [&](auto& panel_fields, auto& panel) {
-        panel_fields("title", panel.title);
-        panel_fields.rows("values", panel.values, map.x.size(), map.y.size(), "a row for each y, a number for each x");
-        panel_fields("lines", panel.lines);
-        panel_fields("markers", panel.markers);
-    });
+    std::vector<PanelEntry> panels = panel_entries(map);
+    fields("panels", panels);
+    if constexpr (!std::is_const_v<std::remove_reference_t<decltype(map)>>) {   // the reader
+        map.panels.clear();
+        for (PanelEntry& entry : panels) {
+            const auto is_whole = [&](const std::vector<double>& row) { return row.size() == map.x.size(); };
+            fields.require(entry.rows.size() == (map.x.empty() ? 0 : map.y.size()) && std::ranges::all_of(entry.rows, is_whole), "panels",
+                           "has not a row for each y and a number for each x");
+            Map::Panel& panel = map.panels.emplace_back(Map::Panel{entry.title, {}, std::move(entry.lines), std::move(entry.markers)});
+            for (const std::vector<double>& row : entry.rows) panel.values.insert(panel.values.end(), row.begin(), row.end());
+        }
+    }
 }
 
 // ---- diagrams -----------------------------------------------------------------------------------------------------------

@@ -56,6 +56,25 @@ struct BlockEntry {
     std::vector<std::string> ids;
 };
 
+/// A panel of a map, its values row by row.
+struct PanelEntry {
+    std::string title;
+    std::vector<std::vector<double>> rows;   // a row for each y, a number for each x
+    std::vector<Series> lines;
+    std::vector<Marker> markers;
+};
+inline std::vector<PanelEntry> panel_entries(const Map& map) {
+    std::vector<PanelEntry> entries;
+    for (const Map::Panel& panel : map.panels) {
+        PanelEntry& entry = entries.emplace_back(PanelEntry{panel.title, {}, panel.lines, panel.markers});
+        for (std::size_t i = 0; i < panel.values.size() && i < map.x.size() * map.y.size(); ++i) {
+            if (i % map.x.size() == 0) entry.rows.emplace_back();
+            entry.rows.back().push_back(panel.values[i]);
+        }
+    }
+    return entries;
+}
+
 /// A column and its id, unique in the report.
 struct ColumnEntry {
     std::string id;

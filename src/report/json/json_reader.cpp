@@ -151,19 +151,6 @@ void FieldReader::read(const Json& json, Run& value, const JsonPlace& place, Odd
     value.content = json.begin()->get<std::string>();
 }
 
-void FieldReader::rows(const char* key, std::vector<double>& values, std::size_t width, std::size_t height, const Note&) {
-    const JsonPlace place{&place_, key};
-    const Json& rows = list_in(required(key), place);
-    Odd odd = odd_of(key);
-    if (rows.size() != (width > 0 ? height : 0)) throw JsonProblem(place, "has not a row for each y");
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        const JsonPlace row{&place, {}, r};
-        if (list_in(rows[r], row).size() != width) throw JsonProblem(row, "has not a number for each x");
-        for (std::size_t c = 0; c < width; ++c) read(rows[r][c], values.emplace_back(), {&row, {}, c}, odd);
-    }
-    odd.require_used(place);
-}
-
 // ---- consistency --------------------------------------------------------------------------------------------------------
 
 void FieldReader::require_sound(const ColumnEntry& entry, const JsonPlace& place) {

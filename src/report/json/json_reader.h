@@ -80,17 +80,10 @@ public:
         there = !required(key).is_null();
         if (there) (*this)(key, path, file_note());
     }
-    template <class Item, class Describe>
-    void each(const char* key, std::vector<Item>& items, Describe describe_one) {
-        const JsonPlace place{&place_, key};
-        const Json& list = list_in(required(key), place);
-        items.resize(list.size());
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            FieldReader fields(list[i], {&place, {}, i});
-            describe_one(fields, items[i]);
-        }
+    /// Throws a JsonProblem about the value of this key unless the condition holds.
+    void require(bool condition, const char* key, const char* problem) {
+        if (!condition) throw JsonProblem({&place_, key}, problem);
     }
-    void rows(const char* key, std::vector<double>& values, std::size_t width, std::size_t height, const Note& = {});
 
 private:
     const Json& object_;

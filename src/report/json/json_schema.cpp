@@ -72,20 +72,6 @@ public:
         add(key, {{"type", {"string", "null"}}}, note, false);
         require(key);
     }
-    template <class Item, class Describe>
-    void each(const char* key, const std::vector<Item>&, Describe describe_one) {
-        Json item;
-        FieldSchema fields(item, place(key) + "/items", known_);
-        const Item part{};
-        describe_one(fields, part);
-        add(key, list_of(std::move(item)), {}, false);
-        require(key);
-    }
-    void rows(const char* key, const std::vector<double>& values, std::size_t, std::size_t, const Note& note = {}) {
-        add(key, list_of(schema_of(values, "")), note, true);
-        require(key);
-    }
-
     template <class Part>
     static Json schema_of_part(const Part& part, const std::string& pointer, KnownTypes& known) {
         Json schema;
@@ -102,7 +88,7 @@ private:
     template <class Value>
     static constexpr bool holds_numbers =
         std::is_same_v<Value, double> || std::is_same_v<Value, std::vector<double>> || std::is_same_v<Value, decltype(Parameter::value)> ||
-        std::is_same_v<Value, std::vector<std::vector<Cell>>>;
+        std::is_same_v<Value, std::vector<std::vector<double>>> || std::is_same_v<Value, std::vector<std::vector<Cell>>>;
     Json& schema_;
     std::string pointer_;
     KnownTypes& known_;

@@ -57,31 +57,6 @@ public:
         object_[key] = there ? Json(path) : Json();
     }
 
-    /// Writes a list of objects, each described by `describe_one(fields, item)`.
-    template <class Item, class Describe>
-    void each(const char* key, const std::vector<Item>& items, Describe describe_one) {
-        Json list = Json::array();
-        for (const Item& item : items) {
-            Json object;
-            FieldWriter fields(object);
-            describe_one(fields, item);
-            list.push_back(std::move(object));
-        }
-        object_[key] = std::move(list);
-    }
-
-    /// Writes the values of a grid as a list of `height` rows.
-    void rows(const char* key, const std::vector<double>& values, std::size_t width, std::size_t height, const Note& = {}) {
-        Odd odd;
-        Json rows = Json::array();
-        for (std::size_t i = 0; i < values.size() && i < width * height; ++i) {
-            if (i % width == 0) rows.push_back(Json::array());
-            rows.back().push_back(json_of(values[i], odd));
-        }
-        object_[key] = std::move(rows);
-        odd.enter(object_, key);
-    }
-
 private:
     Json& object_;
 
