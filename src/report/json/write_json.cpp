@@ -1,5 +1,6 @@
 // results.json, for programs and for `report --from`. Its schema is json_schema.cpp, its reader read_json.cpp.
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "report/json/json_fields.h"
@@ -13,60 +14,49 @@ namespace {
 
 FigureEntry entry_of(const Figure& figure, const DrawnFigures& drawn) {
     const auto it = drawn.find(figure.id);
-    FigureEntry entry{figure, it != drawn.end(), {}};
-    if (!entry.is_drawn) return entry;
+    if (it == drawn.end()) return {figure, false, {}};
+    FigureEntry entry{figure, true, it->second};
     // Pictures and models are files of their own.
-    entry.drawn = it->second;
     for (DrawnPanel& panel : entry.drawn.panels)
         for (DrawnPicture& picture : panel.pictures) picture.jpeg.clear();
     for (DrawnModel& model : entry.drawn.models) model.glb.clear();
     return entry;
 }
 
-/// Sorts the blocks of a section by kind and records their order.
-class Sorter {
-public:
-    Sorter(SectionEntry& entry, const DrawnFigures& drawn) : entry_(entry), drawn_(drawn) {}
-
-    void operator()(const Heading& heading) { add(BlockEntry::Kind::heading).title = heading.title; }
-    void operator()(const Paragraph& paragraph) { add(BlockEntry::Kind::paragraph).text = paragraph.text; }
-    void operator()(const BulletList& list) { add(BlockEntry::Kind::list).items = list.items; }
-    void operator()(const Formula& formula) { add(BlockEntry::Kind::formula, formula.id).name = formula.name; }
-    void operator()(const Table& table) { enter(BlockEntry::Kind::table, entry_.tables, table.id, table); }
-    void operator()(const Plot& plot) { enter(BlockEntry::Kind::plot, entry_.plots, plot.id, plot); }
-    void operator()(const Map& map) { enter(BlockEntry::Kind::map, entry_.maps, map.id, map); }
-    void operator()(const Diagram& diagram) { enter(BlockEntry::Kind::diagram, entry_.diagrams, diagram.id, diagram); }
-    void operator()(const Figure& figure) { enter(BlockEntry::Kind::figure, entry_.figures, figure.id, entry_of(figure, drawn_)); }
-    void operator()(const EntryList& list) {
-        BlockEntry& block = add(BlockEntry::Kind::entries);
-        block.title = list.kind;
-        for (const Entry& one : list.entries) {
-            block.ids.push_back(one.id);
-            entry_.entries.push_back({list.kind, one});
+/// Adds a block to the list of its kind and to the order of blocks.
+void add_block(SectionEntry& entry, const Block& block, const DrawnFigures& drawn) {
+    static_assert(std::variant_size_v<Block> == names_of(BlockEntry::Kind()).size(), "blocks and their kinds have one order");
+    BlockEntry& place = entry.blocks.emplace_back();
+    place.kind = static_cast<BlockEntry::Kind>(block.index());
+    const auto add = [&](auto& list, const auto* part) {
+        if (part == nullptr) return;
+        place.id = part->id;
+        list.push_back(*part);
+    };
+    add(entry.tables, std::get_if<Table>(&block));
+    add(entry.plots, std::get_if<Plot>(&block));
+    add(entry.maps, std::get_if<Map>(&block));
+    add(entry.diagrams, std::get_if<Diagram>(&block));
+    if (const auto* heading = std::get_if<Heading>(&block)) place.title = heading->title;
+    if (const auto* paragraph = std::get_if<Paragraph>(&block)) place.text = paragraph->text;
+    if (const auto* bullets = std::get_if<BulletList>(&block)) place.items = bullets->items;
+    if (const auto* formula = std::get_if<Formula>(&block)) std::tie(place.name, place.id) = std::tie(formula->name, formula->id);
+    if (const auto* figure = std::get_if<Figure>(&block)) {
+        place.id = figure->id;
+        entry.figures.push_back(entry_of(*figure, drawn));
+    }
+    if (const auto* list = std::get_if<EntryList>(&block)) {
+        place.title = list->kind;
+        for (const Entry& one : list->entries) {
+            place.ids.push_back(one.id);
+            entry.entries.push_back({list->kind, one});
         }
     }
-
-private:
-    SectionEntry& entry_;
-    const DrawnFigures& drawn_;
-
-    BlockEntry& add(BlockEntry::Kind kind, const std::string& id = "") {
-        BlockEntry& block = entry_.blocks.emplace_back();
-        block.kind = kind;
-        block.id = id;
-        return block;
-    }
-    template <class Part>
-    void enter(BlockEntry::Kind kind, std::vector<Part>& list, const std::string& id, Part part) {
-        add(kind, id);
-        list.push_back(std::move(part));
-    }
-};
+}
 
 SectionEntry entry_of(const Section& section, const DrawnFigures& drawn, bool with_timings) {
     SectionEntry entry;
-    Sorter sorter(entry, drawn);
-    for (const Block& block : section.blocks) std::visit(sorter, block);
+    for (const Block& block : section.blocks) add_block(entry, block, drawn);
     entry.section = section;
     entry.section.blocks.clear();
     entry.section.checks.clear();

@@ -86,24 +86,20 @@ json formula_view(const Formula& formula, const ViewContext& context) {
                     {"plain", "in words", forms->second.plain}});
 }
 
-/// Returns the labels of markers and vertical lines.
-json markers_view(const Plot& plot) {
-    json markers = json::array();
-    const auto add = [&](const std::string& label) {
-        if (!label.empty()) markers.push_back(view_of({{"text", "its label", safe_text(label)}}));
-    };
-    for (const Marker& marker : plot.markers) add(marker.label);
-    for (const auto& line : plot.vertical_lines) add(line.label);
-    enter_separators(markers);
-    return markers;
-}
-
 /// Returns a plot, a map or a diagram. A diagram has no file of data.
 template <class Drawing>
-json drawing_view(const Drawing& drawing, json markers, const ViewContext& context) {
-    json view = captioned_view(drawing.id, drawing.caption, context);
+json drawing_view(const Drawing& drawing, const ViewContext& context) {
+    json view = captioned_view(drawing.id, drawing.caption, context), markers = json::array();
     std::string column;
-    if constexpr (std::is_same_v<Drawing, Plot>) column = context.options.columns ? column_svg_of(drawing) : "";
+    if constexpr (std::is_same_v<Drawing, Plot>) {
+        if (context.options.columns) column = column_svg_of(drawing);
+        const auto add = [&](const std::string& label) {
+            if (!label.empty()) markers.push_back(view_of({{"text", "its label", safe_text(label)}}));
+        };
+        for (const Marker& marker : drawing.markers) add(marker.label);
+        for (const auto& line : drawing.vertical_lines) add(line.label);
+        enter_separators(markers);
+    }
     const bool is_slim = !column.empty();
     enter(view, {{"is_slim", "it is drawn for a column of a paper (print.html only)", is_slim},
                  {"alt", "the picture in words", safe_text(drawing.alt)},
@@ -117,25 +113,6 @@ json drawing_view(const Drawing& drawing, json markers, const ViewContext& conte
                  {"file", "the drawing as a file", url_path("images/" + drawing.id + ".svg")}});
     enter_list(view, "markers", "what is marked in a plot", std::move(markers));
     return view;
-}
-
-/// Returns the links to single pictures, one group for each panel.
-json view_groups(const DrawnFigure& drawn) {
-    json groups = json::array();
-    for (const DrawnPanel& panel : drawn.panels) {
-        json views = json::array();
-        for (const DrawnPicture& picture : panel.pictures) {
-            if (picture.file.empty()) continue;
-            const std::string name = picture.view.empty() ? "three quarters" : picture.direction();
-            views.push_back(view_of({{"name", "\"+x\"", safe_text(name)}, {"href", "link to the picture", url_path(picture.file)}}));
-        }
-        if (views.empty()) continue;
-        const bool has_name = drawn.panels.size() > 1 && !panel.label.empty();
-        groups.push_back(view_of({{"panel", "name of the panel", safe_text(panel.label)},
-                                  {"has_panel", "it has one", has_name},
-                                  {"views", "of the panel", std::move(views)}}));
-    }
-    return groups;
 }
 
 /// Returns a GLB model with zeros in place of normals and colours, which the viewer computes itself and which then compress to nothing.
@@ -177,11 +154,24 @@ json figure_view(const Figure& figure, const ViewContext& context) {
     const DrawnFigure drawn = it != context.figures.end() ? it->second : DrawnFigure{};
     json view = captioned_view(figure.id, figure.caption, context);
     enter_pictures(view, figure, drawn, context);
-    json groups = view_groups(drawn);
-    std::size_t views = 0;
-    for (const json& group : groups) views += group["views"].size();
-    enter(view, {{"has_views", "the single pictures are linked", context.options.single_views && views > 0},
-                 {"view_count", "how many", std::to_string(views)},
+    json groups = json::array();
+    std::size_t count = 0;
+    for (const DrawnPanel& panel : drawn.panels) {
+        json views = json::array();
+        for (const DrawnPicture& picture : panel.pictures) {
+            if (picture.file.empty()) continue;
+            const std::string name = picture.view.empty() ? "three quarters" : picture.direction();
+            views.push_back(view_of({{"name", "\"+x\"", safe_text(name)}, {"href", "link to the picture", url_path(picture.file)}}));
+        }
+        if (views.empty()) continue;
+        count += views.size();
+        const bool has_name = drawn.panels.size() > 1 && !panel.label.empty();
+        groups.push_back(view_of({{"panel", "name of the panel", safe_text(panel.label)},
+                                  {"has_panel", "it has one", has_name},
+                                  {"views", "of the panel", std::move(views)}}));
+    }
+    enter(view, {{"has_views", "the single pictures are linked", context.options.single_views && count > 0},
+                 {"view_count", "how many", std::to_string(count)},
                  {"groups", "single pictures, a group a panel", std::move(groups)},
                  {"is_turnable", "the page itself can turn its models", context.options.models && !drawn.models.empty()}});
     enter_list(view, "models", "meshes of the figure as files",
@@ -241,11 +231,11 @@ json block_view(const Block& block, const std::string& section_number, int& head
     } else if (const auto* table = std::get_if<Table>(&block)) {
         view = table_view(*table, context);
     } else if (const auto* plot = std::get_if<Plot>(&block)) {
-        view = drawing_view(*plot, markers_view(*plot), context);
+        view = drawing_view(*plot, context);
     } else if (const auto* map = std::get_if<Map>(&block)) {
-        view = drawing_view(*map, json::array(), context);
+        view = drawing_view(*map, context);
     } else if (const auto* diagram = std::get_if<Diagram>(&block)) {
-        view = drawing_view(*diagram, json::array(), context);
+        view = drawing_view(*diagram, context);
     } else if (const auto* figure = std::get_if<Figure>(&block)) {
         view = figure_view(*figure, context);
     } else if (const auto* entries = std::get_if<EntryList>(&block)) {
