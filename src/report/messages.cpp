@@ -1,10 +1,10 @@
 // Reads the messages of templates/words and formats them with facts.
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "base/lower_case.h"
 #include "base/number_text.h"
 #include "report/words.h"
 
@@ -57,14 +57,18 @@ public:
                 add_section(true);
             } else if (take("{{")) {
                 for (Run& run : filled(until("}}"), facts_, all_)) add(std::move(run));
-            } else if (after_number() && take(" %")) {
+            } else if (left_.starts_with(" %") && is_digit(last_character())) {
+                take(" %");
                 add("\u202f%");   // no line break here, as in readable_percent
             } else if (!markup_ || !took_markup()) {
                 add(left_.substr(0, 1));
                 left_.remove_prefix(1);
             }
         }
-        if (whole_) trim_end();
+        while (whole_ && last_character() == ' ') {
+            text_.back().content.pop_back();
+            if (text_.back().content.empty()) text_.pop_back();
+        }
         return std::move(text_);
     }
 
@@ -98,9 +102,8 @@ private:
         return true;
     }
 
-    bool after_number() const {
-        return !text_.empty() && !text_.back().content.empty() && std::isdigit(static_cast<unsigned char>(text_.back().content.back()));
-    }
+    /// Returns the last character so far; zero if there is none.
+    char last_character() const { return text_.empty() || text_.back().content.empty() ? '\0' : text_.back().content.back(); }
 
     std::string_view until(std::string_view mark) {
         const std::size_t end = left_.find(mark);
@@ -129,17 +132,9 @@ private:
 
     void add(std::string_view words) { add(Run{Run::Kind::plain, std::string(words)}); }
 
-    bool after_blank() const { return text_.empty() ? whole_ : text_.back().content.ends_with(' '); }
-
-    void trim_end() {
-        while (!text_.empty() && text_.back().content.ends_with(' ')) {
-            text_.back().content.pop_back();
-            if (text_.back().content.empty()) text_.pop_back();
-        }
-    }
-
     void add(Run run) {
-        if (run.kind == Run::Kind::plain && run.content.starts_with(' ') && after_blank())
+        const bool after_blank = text_.empty() ? whole_ : last_character() == ' ';
+        if (run.kind == Run::Kind::plain && run.content.starts_with(' ') && after_blank)
             run.content.erase(0, 1);   // a section was left out
         if (run.kind != Run::Kind::plain || !run.content.empty()) extend(text_, std::move(run));
     }

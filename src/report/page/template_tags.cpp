@@ -42,27 +42,6 @@ Document specimen(const Templates& templates) {
     return document;
 }
 
-/// Returns a view model with a meaning for each tag.
-nlohmann::json documented_model() {
-    const KeptMeanings kept;
-    const Templates templates;
-    DrawnFigure drawn;
-    drawn.panels = {{.label = "", .pictures = {{.view = ""}, {.view = "+x", .file = "x.png"}}}};
-    DrawnFigure matrix;
-    matrix.columns = matrix.rows = {""};
-    matrix.panels = {{.label = "", .pictures = {{}}}};
-    drawn.models.emplace_back();
-    drawn.legend.emplace();
-    nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}, {"matrix", matrix}}, templates,
-                                      {.lab_questions = "q1 ", .table_rows = rows_shown});
-    add_design(model, templates, "report", {true, "viewer", {{"q0", "data"}}});
-    BatchRow row;
-    row.defects = {{"", 0}};
-    enter(model, {{"batch", "meshes with a report each (batch.html only)", batch_view({{row}})},
-                  {"version", "of the program (batch.html only)", ""}});
-    return model;
-}
-
 /// Collects the meanings of all tags by their paths. Texts are alike everywhere: paths inside them begin with their last "runs".
 void collect(const nlohmann::json& value, const std::string& path, std::map<std::string, std::string>& tags) {
     if (value.is_array()) {
@@ -80,8 +59,24 @@ void collect(const nlohmann::json& value, const std::string& path, std::map<std:
 }   // namespace
 
 std::map<std::string, std::string> tag_list() {
+    const KeptMeanings kept;
+    const Templates templates;
+    DrawnFigure drawn;
+    drawn.panels = {{.label = "", .pictures = {{.view = ""}, {.view = "+x", .file = "x.png"}}}};
+    DrawnFigure matrix;
+    matrix.columns = matrix.rows = {""};
+    matrix.panels = {{.label = "", .pictures = {{}}}};
+    drawn.models.emplace_back();
+    drawn.legend.emplace();
+    nlohmann::json model = view_model(specimen(templates), {{"figure", drawn}, {"matrix", matrix}}, templates,
+                                      {.lab_questions = "q0 ", .table_rows = rows_shown});
+    add_design(model, templates, "report", {true, "viewer", {{"q0", "data"}}});
+    BatchRow row;
+    row.defects = {{"", 0}};
+    enter(model, {{"batch", "meshes with a report each (batch.html only)", batch_view({{row}})},
+                  {"version", "of the program (batch.html only)", ""}});
     std::map<std::string, std::string> tags;
-    collect(documented_model(), "", tags);
+    collect(model, "", tags);
     return tags;
 }
 
