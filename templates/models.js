@@ -16,7 +16,7 @@
         return globalThis.meshfolioViewer;
     };
 
-    /// Puts a button and a place for what goes wrong at the head of `place`. `start(closed)` fills the page, or throws.
+    /// Puts a button and a place for error messages at the head of `place`. `start(closed)` fills the page, or throws.
     const prepare = (place, words, failure, { start, opened = () => {}, closed = () => {} }) => {
         const button = document.createElement("button"), note = document.createElement("span");
         button.type = "button";

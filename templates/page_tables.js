@@ -1,4 +1,4 @@
-// Tables can be sorted and filtered; what scrolls sideways says so.
+// Sorts and filters tables, and marks boxes that scroll sideways.
 
 /// Returns the sort key of a cell: a number, a text, or null for an empty one.
 function keyOf(cell) {

@@ -111,7 +111,7 @@ function heightOfChain(items, index) {
     return sum;
 }
 
-/// Fills two columns of a height with what follows a place { index, line, waiting }, where waiting are the floats of one column that did not
+/// Fills two columns of a height with the blocks behind a place { index, line, waiting }, where waiting are the floats of one column that did not
 /// fit before. Floats across the page take no room here: they are `met`; those not `taken` by this page hold up later ones of their kind.
 function filled(items, place, height, taken, pending) {
     let { index, line } = place, waiting = [...place.waiting];

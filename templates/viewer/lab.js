@@ -114,7 +114,7 @@ class Lab {
         this.update();
     }
 
-    /// The error over t, where there is something to come back from.
+    /// Draws the error over t, if the mesh has noise to remove.
     showErrors(milliseconds) {
         const { state, experiment } = this, shown = state.sigma > 0 && state.scheme !== "projection" && !experiment.hasNoStep;
         this.errorNote.parentElement.toggleAttribute("hidden", !shown);
@@ -208,7 +208,7 @@ class Lab {
         this.panel.showNumbers(numbers, tilesOf(this, here));
     }
 
-    /// When nothing more is set: what it is, in words, and in the address.
+    /// Announces the settings once they no longer change, and puts them into the address.
     settle() {
         if (this.isStopped) return;
         this.isSlow = false;

@@ -53,7 +53,7 @@ function placesOf(around) {
     return place;
 }
 
-/// M − λC of a surface, factored within its envelope: of each row what lies between its first entry and the diagonal.
+/// M − λC of a surface, factored within its envelope: in each row the entries from the first one to the diagonal.
 export class ImplicitSteps {
     constructor({ corners, vertices: n }) {
         const around = Array.from({ length: n }, () => new Set());

@@ -38,14 +38,14 @@ export function held(state, modes, other = plain) {
     };
 }
 
-/// "#lab=q5,scheme=explicit,lambda=1.01,t=40": of a state only what matters in it.
+/// Returns the link to a state with the settings that matter in it: "#lab=q5,scheme=explicit,lambda=1.01,t=40".
 export function linkOf(question, state) {
     const names = ["scheme", ...amountsOf(state.scheme), "sigma", ...(state.sigma > 0 ? ["seed"] : [])];
     const shown = [...looks.filter((name) => state[name]).map((name) => `${name}=1`), ...(state.colours === coloursOf(question) ? [] : [`colours=${state.colours}`])];
     return "#" + [`lab=${question}`, ...names.map((name) => `${name}=${state[name]}`), ...shown].join(",");
 }
 
-/// @return {question, change: what of a state it sets}; null for another fragment
+/// @return {question, change: the settings of the link}; null for another fragment
 export function readLink(fragment) {
     const text = fragment.replace(/^#/, "").replace(/%2c/gi, ",").replace(/%3d/gi, "=");   // as mail and chat write it
     const parts = new Map(text.split(",").map((part) => part.split("=", 2)));
@@ -59,7 +59,7 @@ export function readLink(fragment) {
 export const sameState = (a, b) => ["scheme", "sigma", "lines", ...amountsOf(a.scheme), ...(a.sigma > 0 ? ["seed"] : [])]
     .every((name) => a[name] === b[name] || Math.abs(a[name] - b[name]) <= 1e-9 * Math.abs(b[name]));
 
-/// λ on its slider: the first 60 % are 0 to 3 λ_crit, what follows is logarithmic up to 1000.
+/// λ on its slider: the first 60 % are 0 to 3 λ_crit, the rest is logarithmic up to 1000.
 const bend = 0.6, atBend = 3;
 export const lambdaAt = (place) => (place <= bend ? place / bend * atBend : atBend * (largestLambda / atBend) ** ((place - bend) / (1 - bend)));
 export const placeOf = (lambda) => (lambda <= atBend ? lambda / atBend * bend : bend + (1 - bend) * Math.log(lambda / atBend) / Math.log(largestLambda / atBend));

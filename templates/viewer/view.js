@@ -49,7 +49,7 @@ export function button(text, act) {
 
 export class View {
     /// Its `stage` is to be put into the page, then `open` called.
-    /// @param told  what it tells: drawn() once a frame that was asked for, keyed() after a key has moved it, closed(byReader)
+    /// @param told  callbacks: drawn() after each requested frame, keyed() after a movement by key, closed(byReader)
     /// @param fits  the models fill their panes, whatever becomes of them; else their frame does
     constructor(models, name, told, fits = false) {
         this.fits = fits;
