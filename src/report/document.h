@@ -180,7 +180,7 @@ struct Check {
 };
 /// Returns "measured 2.31, expected 2, tolerance 0.2", "measured 3, expected at most 1" or the like; "–" stands for NaN.
 std::string words_of(const Check& check);
-/// Return checks of the three kinds, passed or failed. NaN fails.
+/// Return a check of each kind, passed or failed by its numbers; NaN fails.
 Check check_near(std::string name, double expected, double measured, double tolerance, std::string note = "");
 Check check_at_most(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
 Check check_at_least(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
@@ -196,6 +196,7 @@ struct Score {
     std::size_t total() const { return passed + failed + undecided; }
     Score& operator+=(const Score& other);
 };
+/// Counts checks by their status.
 Score score_of(const std::vector<Check>& checks);
 /// Returns "456 of 458 checks passed, 1 failed, 1 undecided".
 std::string words_of(const Score& score);

@@ -34,7 +34,7 @@ public:
     void place_elsewhere(const std::string& id, const std::string& page);
 
 private:
-    void add(const std::string& id, const std::string& kind, const std::string& number);
+    void add(const std::string& id, const std::string& kind, const std::string& number);   // "q1_errors", "Table ", "1.1"
     std::map<std::string, Reference> references_;
     std::map<std::string, Status> status_;   // of the sections in the document
 };

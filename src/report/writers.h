@@ -22,7 +22,7 @@ public:
     /// @throws UsageError if `folder` is given and no folder, or a template in it has a syntax error or is a link that leads out of it
     explicit Templates(const std::filesystem::path& folder = {});
     const std::string& operator[](const std::string& name) const;   // @throws UsageError for an unknown name
-    std::vector<std::string> names() const;
+    std::vector<std::string> names() const;                         // all, sorted
     /// Replaces the template `name` by a file.
     /// @throws UsageError for an unknown name, an unreadable file, or a syntax error
     void replace(const std::string& name, const std::filesystem::path& file);
@@ -95,6 +95,7 @@ const std::string& results_schema();
 
 /// Return CSV: RFC 4180 with LF line ends, header `name [unit]`, exact numbers, empty undefined cells, texts on one line and no formulas.
 std::string write_csv(const Table& table);
+/// One row for each point: panel and series, x, y, and the band if there is one.
 std::string write_csv(const Plot& plot);
 /// One row for each cell, then one for each point of the lines over the panel, without a value.
 std::string write_csv(const Map& map);

@@ -87,6 +87,7 @@ struct Batch {
     bool timings = true;
 };
 
+/// Returns the number of rows in this state.
 std::size_t count_of(const Batch& batch, BatchRow::State state);
 /// Returns the counts of the checks of all rows.
 Score score_of(const Batch& batch);

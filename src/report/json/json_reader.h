@@ -93,14 +93,14 @@ private:
     struct Odd {
         std::map<std::size_t, int> signs = {};   // 1: ∞, −1: −∞, 0: NaN
         std::size_t place = 0, used = 0;
-        std::optional<int> next();   // the sign at the next place, if listed
-        void require_used(const JsonPlace& at) const;
+        std::optional<int> next();                      // the sign at the next place, if listed
+        void require_used(const JsonPlace& at) const;   // every listed number has been read
     };
 
-    const Json& required(const char* key);
-    Odd odd_of(const char* key);
-    static const Json& list_in(const Json& value, const JsonPlace& place);
-    static std::string type_in_words(const Json& value);   // "a text", "a list", …
+    const Json& required(const char* key);                                   // throws if the object lacks it
+    Odd odd_of(const char* key);                                             // from the key with the ending `not_finite`
+    static const Json& list_in(const Json& value, const JsonPlace& place);   // throws unless it is a list
+    static std::string type_in_words(const Json& value);                     // "a text", "a list", …
     [[noreturn]] static void refuse_type(const Json& json, const JsonPlace& place, const std::string& wanted);
     static void require_inner_path(const std::string& path, const JsonPlace& place);   // a path inside the report's folder
     static void require_between(int value, const Note& limits, const JsonPlace& place);

@@ -21,7 +21,7 @@ public:
     Box place(const std::vector<Box>& candidates);
 
 private:
-    double cost(const Box& box) const;
+    double cost(const Box& box) const;   // of overlaps and covered data
     Box frame_;
     std::vector<Point> data_;
     std::vector<Box> taken_;
@@ -41,7 +41,7 @@ struct EndName {
     std::vector<std::string> lines;
     std::string sample;   // of the curve, drawn around (0, 0)
     std::string color;
-    double height() const;
+    double height() const;   // of its lines [pixels]
 };
 constexpr double end_sample_width = 20, end_gap = 7;   // of the sample, and before and behind it
 

@@ -22,6 +22,7 @@ struct PlotCurve {
 
 class PlotPanel {
 public:
+    /// Takes the series of a plot that belong to the panel of this name.
     PlotPanel(const Plot& plot, std::string name, const Axis& x, const Axis& y);
 
     const std::string& name() const { return name_; }
@@ -50,10 +51,10 @@ private:
     std::optional<Point> end_of(const PlotCurve& curve) const;   // empty for a curve without a name or an end
     std::vector<Point> data_points() const;                      // along all curves and lines, for labels to avoid
 
-    std::string grid(bool with_numbers) const;
-    std::string band(const PlotCurve& curve) const;
-    std::string drawn(const PlotCurve& curve) const;
-    std::string labels(bool of_lines) const;
+    std::string grid(bool with_numbers) const;         // axes, ticks and grid lines
+    std::string band(const PlotCurve& curve) const;    // between y_low and y_high
+    std::string drawn(const PlotCurve& curve) const;   // line and points
+    std::string labels(bool of_lines) const;           // of markers, and of vertical lines
 
     const Plot& plot_;
     std::string name_;

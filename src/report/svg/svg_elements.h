@@ -68,6 +68,7 @@ std::string title_element(Point& at, const std::string& anchor, const std::strin
 /// Returns the number of lines of title_element().
 double title_lines(const std::string& words, double width = title_width);
 
+/// Return a <line> and a <rect> element with further attributes.
 std::string line_element(Point a, Point b, const std::string& attributes);
 std::string rectangle_element(const Box& box, const std::string& attributes);
 
