@@ -40,11 +40,6 @@ std::string ratios(const Labs& labs, OperatorKind kind) {
     return span_of(readable(std::ranges::min(each)), readable(std::ranges::max(each)));
 }
 
-/// True if `holds` is true for λ_crit of intrinsic Delaunay over that of the default on every mesh.
-bool on_all(const Labs& labs, auto holds) {
-    return std::ranges::all_of(labs, [&](const LaboratoryMesh& lab) { return holds(lab.trial(OperatorKind::idt).critical_ratio); });
-}
-
 /// Returns the quoted title of the operator with the least error.
 std::string best(const KnownTrials& known, auto error) { return quoted(std::ranges::min_element(known, {}, error)->made_by.title()); }
 
@@ -65,8 +60,9 @@ void add_discussion(report::Section& section, const Labs& labs, const KnownTrial
     for (std::size_t i = 0; i < laboratory_operators().size(); ++i)
         if (std::ranges::all_of(labs, [&](const LaboratoryMesh& lab) { return negative_weights(lab.trials[i].scores) == 0; }))
             clean.push_back(quoted(laboratory_operators()[i].title()));
-    const bool helps = on_all(labs, [](double ratio) { return ratio >= 1 - rounding; });
-    const bool harms = on_all(labs, [](double ratio) { return ratio <= 1 + rounding; });
+    const auto changes = each_of(labs, [](const LaboratoryMesh& lab) { return lab.trial(OperatorKind::idt).critical_ratio; });
+    const bool helps = std::ranges::all_of(changes, [](double ratio) { return ratio >= 1 - rounding; });
+    const bool harms = std::ranges::all_of(changes, [](double ratio) { return ratio <= 1 + rounding; });
     add_words(section, words, "discussion", "lost"_a = listed(lost), "negative"_a = negative_share(most) > 0,
               "share"_a = readable_percent(negative_share(most), 2), "mesh"_a = most.name(),
               "left"_a = negative_weights(most.trial(OperatorKind::idt).scores), "clean"_a = listed(clean),

@@ -1,5 +1,5 @@
 #include <Eigen/Geometry>
-#include <numeric>
+#include <tuple>
 
 #include "geometry/operators/uniform_laplacian.h"
 #include "questions/bench/estimators.h"
@@ -15,18 +15,12 @@ using namespace diagram_names;
 
 constexpr double drawn_normal = 0.9;   // length of n in drawings on the unit sphere
 
-/// A parallel projection from aside: directions along `right` keep their length.
-class SideView {
-public:
-    /// @param elevation  of the eye over the tangent plane [rad]
-    SideView(const Vector3& origin, const Vector3& right, const Vector3& normal, double elevation = 0.8)
-        : origin_(origin), right_(right), up_(normal * std::cos(elevation) + right.cross(normal).normalized() * std::sin(elevation)) {}
-
-    DiagramPoint operator()(const Vector3& p) const { return {(p - origin_).dot(right_), (p - origin_).dot(up_)}; }
-
-private:
-    Vector3 origin_, right_, up_;
-};
+/// Returns a parallel projection from aside, in which directions along `right` keep their length.
+/// @param elevation  of the eye over the tangent plane [rad]
+auto side_view(const Vector3& origin, const Vector3& right, const Vector3& normal, double elevation = 0.8) {
+    const Vector3 up = normal * std::cos(elevation) + right.cross(normal).normalized() * std::sin(elevation);
+    return [=](const Vector3& p) -> DiagramPoint { return {(p - origin).dot(right), (p - origin).dot(up)}; };
+}
 
 /// Draws a ring on a sphere, and Δx with its parts along the normal and along the surface.
 Diagram::Panel laplacian_panel() {
@@ -36,7 +30,7 @@ Diagram::Panel laplacian_panel() {
     const Positions laplacian = uniform_laplacian(sample.topology) * sample.mesh.X;
     const Vector3 drift = laplacian.row(sample.vertex).transpose();
     const Vector3 along_surface = drift - drift.dot(normal) * normal;
-    const SideView seen(x, along_surface.normalized(), normal);
+    const auto seen = side_view(x, along_surface.normalized(), normal);
 
     Diagram::Panel panel{.title = words.line("diagram.laplacian")};
     std::vector<DiagramPoint> corners;
@@ -155,7 +149,7 @@ void add_H_and_K(Answer& answer, const std::vector<const MeshCurvature*>& meshes
 Diagram::Panel patch_panel(double kappa_1, double kappa_2, const std::string& title) {
     constexpr double turn = 0.45, elevation = 0.75, reach = 1, line_spacing = 0.25;
     constexpr int steps = 24;
-    const SideView seen({0, 0, 0}, {std::cos(turn), std::sin(turn), 0}, {0, 0, 1}, elevation);
+    const auto seen = side_view({0, 0, 0}, {std::cos(turn), std::sin(turn), 0}, {0, 0, 1}, elevation);
     const auto curve = [&](const Vector3& start, const Vector3& direction) {
         std::vector<DiagramPoint> points;
         for (int i = -steps; i <= steps; ++i) {
@@ -208,16 +202,12 @@ Diagram ring_diagram() {
 }
 
 Diagram sign_diagram() {
-    struct Patch {
-        const char* key;
-        double kappa_1, kappa_2;
-    };
     Diagram diagram{.id = "q1_signs", .caption = words.line("signs.caption")};
     Names titles;
-    for (const Patch& patch : {Patch{"signs.cap", 1, 1}, {"signs.saddle", 1, -1}, {"signs.cylinder", 1, 0}}) {
-        titles.push_back(words.line(patch.key, "H"_a = readable((patch.kappa_1 + patch.kappa_2) / 2, 1),
-                                    "K"_a = readable(patch.kappa_1 * patch.kappa_2, 1)));
-        diagram.panels.push_back(patch_panel(patch.kappa_1, patch.kappa_2, titles.back()));
+    for (const auto& [key, kappa_1, kappa_2] :
+         {std::tuple{"signs.cap", 1.0, 1.0}, {"signs.saddle", 1.0, -1.0}, {"signs.cylinder", 1.0, 0.0}}) {
+        titles.push_back(words.line(key, "H"_a = readable((kappa_1 + kappa_2) / 2, 1), "K"_a = readable(kappa_1 * kappa_2, 1)));
+        diagram.panels.push_back(patch_panel(kappa_1, kappa_2, titles.back()));
     }
     diagram.alt = words.line("signs.alt", "patches"_a = joined(titles));
     return diagram;

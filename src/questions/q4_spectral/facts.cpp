@@ -102,12 +102,9 @@ std::shared_ptr<const Subjects> spectral_subjects(const LibraryMeshes& meshes, c
     return std::make_shared<const Subjects>(studies_of(meshes, "eigenpairs", settings, progress, section, subject_of));
 }
 
-std::vector<const Reconstruction*> shown_reconstructions(const SpectralStudy& study) {
-    const std::vector<Reconstruction>& all = study.reconstructions;
-    std::vector<const Reconstruction*> shown;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (i < 2 || &all[i] == last_erring(study) || i + 1 == all.size()) shown.push_back(&all[i]);
-    return shown;
+bool is_shown(const SpectralStudy& study, const Reconstruction& r) {
+    const auto place = &r - study.reconstructions.data();
+    return place < 2 || &r == last_erring(study) || &r == &study.reconstructions.back();
 }
 
 std::vector<int> drawn_modes(const SpectralStudy& study) {
@@ -150,7 +147,8 @@ report::Facts facts_of(const Subjects& subjects, std::size_t which) {
     const std::vector<int> drawn = drawn_modes(study);
     const auto said_before = [&](auto has) { return std::any_of(subjects.begin(), subjects.begin() + which, has); };
     report::FactList pictures, solved;
-    for (const Reconstruction* r : shown_reconstructions(study)) pictures.push_back(picture_facts(study, *r));
+    for (const Reconstruction& r : study.reconstructions)
+        if (is_shown(study, r)) pictures.push_back(picture_facts(study, r));
     for (const Subject& s : subjects)
         solved.push_back(
             {"mesh"_a = s.name(), "dense"_a = s.study.spectrum.dense, "modes"_a = s.study.modes(), "vertices"_a = s.study.vertices()});

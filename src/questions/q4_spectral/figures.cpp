@@ -8,25 +8,25 @@ namespace {
 /// Range of the error colours, the same in all pictures [% of the box diagonal]. Errors never reach the darkest colour, which hides form.
 constexpr double palest = 0.1, darkest = 100;
 
-/// Adds a figure of these reconstructions; `what` is the end of its id, and "reconstructions" includes the original.
-void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::string& what,
-                         const std::vector<const Reconstruction*>& reconstructions) {
+/// Adds a figure of the reconstructions that are shown, with the original, or of all others.
+void add_reconstructions(Answer& answer, const SpectralStudy& study, bool shown) {
     const report::Fact mesh = "mesh"_a = study.name();
-    output::FigureRequest figure{.id = id_of(study, what),
+    output::FigureRequest figure{.id = id_of(study, shown ? "reconstructions" : "further"),
                                  .title = words.line("reconstructions.title", mesh),
                                  .subtitle = subtitle_of(*study.source),
                                  .view_files = true};
     std::string original = words.line("reconstructions.original"), exact;   // an exact one looks like the original
-    for (const Reconstruction* r : reconstructions) {
-        if (!is_exact(study, r->k)) {
-            const std::string rms = percent_of_box(study, r->difference.area_weighted_rms);
-            figure.panels.push_back(panel_of(r->mesh, id_of(study, "k" + std::to_string(r->k)),
-                                             words.line("reconstructions.label", "k"_a = r->k, "rms"_a = rms),
-                                             percent_of(study) * r->distance));
+    for (const Reconstruction& r : study.reconstructions) {
+        if (is_shown(study, r) != shown) continue;
+        if (!is_exact(study, r.k)) {
+            const std::string rms = percent_of_box(study, r.difference.area_weighted_rms);
+            figure.panels.push_back(panel_of(r.mesh, id_of(study, "k" + std::to_string(r.k)),
+                                             words.line("reconstructions.label", "k"_a = r.k, "rms"_a = rms),
+                                             percent_of(study) * r.distance));
             continue;
         }
-        original = words.line("reconstructions.exact", "k"_a = r->k);
-        exact = " " + words.line("reconstructions.both", "k"_a = r->k);
+        original = words.line("reconstructions.exact", "k"_a = r.k);
+        exact = " " + words.line("reconstructions.both", "k"_a = r.k);
     }
     if (!figure.panels.empty())
         figure.range = range_for({.colormap = "pale",
@@ -37,7 +37,7 @@ void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::
                                   .logarithmic = true},
                                  figure.panels);
     std::string caption = words.line("further.caption", mesh);
-    if (what == "reconstructions") {
+    if (shown) {
         caption = words.line(figure.panels.empty() ? "reconstructions.caption.exact" : "reconstructions.caption", mesh, "exact"_a = exact,
                              "first"_a = std::to_string(study.reconstructions.front().k),
                              "last"_a = std::to_string(study.reconstructions.back().k));
@@ -49,17 +49,13 @@ void add_reconstructions(Answer& answer, const SpectralStudy& study, const std::
 
 }   // namespace
 
-void add_reconstruction_figure(Answer& answer, const SpectralStudy& study) {
-    add_reconstructions(answer, study, "reconstructions", shown_reconstructions(study));
-}
+void add_reconstruction_figure(Answer& answer, const SpectralStudy& study) { add_reconstructions(answer, study, true); }
 
 void add_further_figures(Answer& answer, const Subjects& subjects) {
     for (const Subject& subject : subjects) {
-        const std::vector<const Reconstruction*> shown = shown_reconstructions(subject.study);
-        std::vector<const Reconstruction*> further;
-        for (const Reconstruction& r : subject.study.reconstructions)
-            if (std::ranges::find(shown, &r) == shown.end()) further.push_back(&r);
-        if (!further.empty()) add_reconstructions(answer, subject.study, "further", further);
+        const SpectralStudy& study = subject.study;
+        if (!std::ranges::all_of(study.reconstructions, [&](const Reconstruction& r) { return is_shown(study, r); }))
+            add_reconstructions(answer, study, false);
     }
 }
 

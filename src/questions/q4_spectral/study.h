@@ -23,8 +23,8 @@ struct Subject {
 /// Rebuilds one mesh and measures the errors.
 Subject subject_of(SharedMesh mesh, const QuestionSettings& settings);
 
-/// Returns the reconstructions of the first two k, of the largest k that leaves an error, and of the largest k.
-std::vector<const Reconstruction*> shown_reconstructions(const SpectralStudy& study);
+/// True for the reconstructions of the first two k, of the largest k that leaves an error, and of the largest k: the results show them.
+bool is_shown(const SpectralStudy& study, const Reconstruction& r);
 /// Returns the modes to draw, counted from 1: the first that is not constant on every component, then the 5th, 15th and 60th.
 std::vector<int> drawn_modes(const SpectralStudy& study);
 /// Returns the share of the area that is off by more than seen_error.
@@ -46,7 +46,7 @@ inline std::string percent_of_box(const SpectralStudy& study, double length, int
     return readable_percent(length / study.diagonal, digits);
 }
 
-/// Adds a figure of the original and shown_reconstructions().
+/// Adds a figure of the original and of the reconstructions that are shown.
 void add_reconstruction_figure(Answer& answer, const SpectralStudy& study);
 /// Adds a figure of drawn_modes() with their nodal lines, from one view.
 void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study);

@@ -87,9 +87,11 @@ struct ImplicitStudy {
     /// Returns the recommended result: of those that keep 95 % of the size and come within 1 % of the least energy, the one with the fewest
     /// steps. Null if one step of every λ already goes too far.
     const SmoothingCell* good() const { return recommended ? &*recommended : nullptr; }
-    /// Returns the number of explicit steps of half of λ_crit to this share of the input's energy; 0 if more are needed than were tried.
+    /// Returns the number of explicit steps of half of λ_crit to this share of the input's energy; 0 if none are needed, or more than were
+    /// tried.
     int explicit_steps_to(double energy) const;
-    /// Returns the operations of explicit steps over those of t implicit steps of the l-th λ to the same energy; NaN if one is unknown.
+    /// Returns the operations of explicit steps over those of t implicit steps of the l-th λ, with their factorisation, to the same energy;
+    /// NaN if one is unknown.
     double price(std::size_t l, int t) const;
     /// Returns the break-even of the l-th λ; none if explicit steps stay cheaper.
     std::optional<BreakEven> break_even(std::size_t l) const;

@@ -27,7 +27,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
     begin_appendix(section);
     add_words(section, words, "discussion.further", facts);
-    add(section, measure_table(*grids), gain_map(leading(*grids)), remains_table(*grids));
+    add(section, measure_table(*grids), gain_map(grid_with_largest_gain(*grids)), remains_table(*grids));
     add_checks(section, *grids);
 
     add_record(section, *grids, settings);

@@ -146,7 +146,7 @@ void add_measure_facts(report::Facts& facts, const Grids& grids) {
     const auto works_by = [cases = cases_of(grids)](const Measure& measure) {
         return std::ranges::count_if(cases, [&](const Case& c) { return c.part.gain(measure) >= works; });
     };
-    const DenoisingGrid& grid = leading(grids);
+    const DenoisingGrid& grid = grid_with_largest_gain(grids);
     const NoisyTrial& trial = *std::ranges::max_element(grid.trials, {}, [](const NoisyTrial& t) { return std::fmax(0, t.gain()); });
     const SearchState& best = trial.found.by_shape;
     const SearchState* other = nullptr;
@@ -181,7 +181,7 @@ void add_reason_facts(report::Facts& facts, const Reasons& reasons) {
                   "sum"_a = deviation < 0.005 ? "" : readable_percent(rounded_up(deviation, 2), 2),
                   "later"_a = first.improved() && last.amount() > clearly * first.amount(), "low"_a = readable(first.amount(), 2),
                   "high"_a = readable(last.amount(), 2), "weakest"_a = is_weak ? readable(grid.edges(first), 2) : "",
-                  "weakest_gain"_a = readable(rounded_down(first.gain(), 3), 3), "joins"_a = joins_the_clean(reasons),
+                  "weakest_gain"_a = readable(rounded_down(first.gain(), 3), 3), "joins"_a = approaches_clean_curve(reasons),
                   "slower"_a = moved && larger > clearly, "larger"_a = readable(larger, 2)});
 }
 

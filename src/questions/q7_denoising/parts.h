@@ -28,7 +28,7 @@ void add_views(Answer& answer, const Grids& grids);
 /// Adds a figure of clean meshes smoothed alike: the one that loses most of its edges, and the one that loses most of its volume.
 void add_losses(Answer& answer, const Grids& grids);
 /// Returns the grid with the largest gain by surface.
-const DenoisingGrid& leading(const Grids& grids);
+const DenoisingGrid& grid_with_largest_gain(const Grids& grids);
 
 /// Returns a table of the gain, the volume and the verdict of every trial.
 report::Table result_table(const Grids& grids);

@@ -46,7 +46,7 @@ double ErrorParts::deviation_of_sum() const {
     return largest;
 }
 
-bool joins_the_clean(const Reasons& reasons) {
+bool approaches_clean_curve(const Reasons& reasons) {
     const auto apart = [&](const ErrorCurve& curve, std::size_t i) {   // |log| of the ratio to the clean mesh at the same amount
         const auto& amounts = reasons.parts.surface.amount;
         const auto nearest = std::ranges::lower_bound(amounts, 0.999 * curve.amount[i]) - amounts.begin();

@@ -64,13 +64,13 @@ SurfaceErrors errors_of(const DenoisingGrid& grid, const Positions& normals, con
 
 /// A run from Y. Its difference along z from a run from Y + εz is the divergence in Stein's estimate.
 struct WatchedRun {
-    Positions z;                           // n × 3, random signs
-    std::vector<double> residual, along;   // |X − Y|², z · (X − Y), after t = 0, 1, … iterations
-    std::vector<double> shape;             // rms distance to the clean surface
+    Positions z;                             // n × 3, random signs
+    std::vector<double> residual, along_z;   // |X − Y|², z · (X − Y), after t = 0, 1, … iterations
+    std::vector<double> shape;               // rms distance to the clean surface
 
     void enter(const Positions& moved, double distance) {
         residual.push_back(moved.squaredNorm());
-        along.push_back(z.cwiseProduct(moved).sum());
+        along_z.push_back(z.cwiseProduct(moved).sum());
         shape.push_back(distance);
     }
 };
@@ -81,9 +81,9 @@ Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial
     const double sigma = noise_level(noisy, grid.clean->topology()).sigma, amount = 1e-4 * grid.mean_edge;
     if (!(sigma > 0) || !(trial.found.noisy.shape > 0)) return {};
     std::vector<double> divergence{3.0 * noisy.vertex_count()};
-    SmoothingOptions options = smoothing_by(grid, grid.middle_lambda(), static_cast<int>(run.along.size()) - 1);
+    SmoothingOptions options = smoothing_by(grid, grid.middle_lambda(), static_cast<int>(run.along_z.size()) - 1);
     options.after_step = [&](int t, const Positions& X) {
-        divergence.push_back((run.z.cwiseProduct(X - noisy.X).sum() - run.along[t]) / amount);
+        divergence.push_back((run.z.cwiseProduct(X - noisy.X).sum() - run.along_z[t]) / amount);
         return true;
     };
     smooth(moved_to(noisy, noisy.X + amount * run.z), options, solver);
@@ -250,7 +250,7 @@ std::string verdict_on(const NoisyTrial& trial) {
     return gain >= works ? "works" : "helps";
 }
 
-bool is_unended(const NoisyTrial& trial, const SearchState& best) {
+bool lies_at_an_end(const NoisyTrial& trial, const SearchState& best) {
     const auto amount = [](const SearchState& s) { return s.value * s.step; };
     const auto [least, most] = std::ranges::minmax_element(trial.states, {}, amount);
     return best.step > 0 && (amount(best) <= amount(*least) || amount(best) >= amount(*most));

@@ -121,7 +121,7 @@ DenoisingGrid denoising_grid(SharedMesh clean, const QuestionSettings& settings)
 std::string verdict_on(const NoisyTrial& trial);
 inline constexpr double volume_to_keep = 0.85;
 /// True if `best` lies at an end of the amounts λt tried, so that less or more smoothing may gain more.
-bool is_unended(const NoisyTrial& trial, const SearchState& best);
+bool lies_at_an_end(const NoisyTrial& trial, const SearchState& best);
 
 /// Noise levels that separate the cases with the distance to the surface halved from the others. [mean edges]
 struct NoiseSplit {
@@ -178,8 +178,9 @@ struct Reasons {
     std::vector<ErrorCurve> levels;   // of each trial
 };
 
-/// True if every curve of `levels` with a minimum inside ends nearer to the curve of the clean mesh than it is at its minimum.
-bool joins_the_clean(const Reasons& reasons);
+/// True if every curve of `levels` with a minimum inside ends nearer to the curve of the clean mesh than it is at its minimum, and there is
+/// such a curve.
+bool approaches_clean_curve(const Reasons& reasons);
 
 /// Joins the runs of all λ to one curve: each run from its third step on (the first run from its first), beyond the amounts of the runs
 /// before.

@@ -53,7 +53,7 @@ report::Plot error_plot(const Reasons& reasons) {
 
 }   // namespace
 
-const DenoisingGrid& leading(const Grids& grids) {
+const DenoisingGrid& grid_with_largest_gain(const Grids& grids) {
     const auto gain = [](const NoisyTrial& trial) { return std::fmax(0, trial.gain()); };
     return *std::ranges::max_element(grids, {}, [&](const DenoisingGrid& grid) { return largest_of(grid.trials, gain); });
 }
@@ -77,7 +77,7 @@ report::Table result_table(const Grids& grids) {
 report::Table measure_table(const Grids& grids) {
     const std::vector<Case> cases = cases_of(grids);
     const report::Column gain{.unit = "×", .rounding = Rounding::down, .heat = Heat{1, 8}};
-    const auto unended = std::ranges::count_if(cases, [](const Case& c) { return is_unended(c.part, c.part.found.by_shape); });
+    const auto unended = std::ranges::count_if(cases, [](const Case& c) { return lies_at_an_end(c.part, c.part.found.by_shape); });
     auto measured = table("q7_measures", words.line("measures.table", "unended"_a = unended), cases);
     measured.column("mesh", [](auto& c) { return c.whole.name(); }).column("σ", {.unit = "% of box", .digits = 2}, [](auto& c) {
         return 100 * c.part.relative;
