@@ -49,12 +49,6 @@ void leave_out_a_triangle(Specimen& s) {
     s.laplacian.C = cotangent_stiffness(s.mesh.F, s.mesh.vertex_count(), cotangents);
 }
 
-void change_one_side(Specimen& s) {
-    SparseMatrix::InnerIterator entry(s.laplacian.C, 0);
-    while (entry.row() == entry.col()) ++entry;
-    entry.valueRef() *= 2;
-}
-
 void drop_a_mode(Specimen& s) {
     constexpr Eigen::Index dropped = modes / 2, rest = modes - dropped - 1;
     s.spectrum.eigenvalues.segment(dropped, rest) = s.spectrum.eigenvalues.tail(rest).eval();
@@ -70,11 +64,6 @@ void forget_to_map_back(Specimen& s) {
     s.spectrum.eigenvectors.col(5) = psi / std::sqrt(s.laplacian.M.dot(psi.cwiseAbs2()));
 }
 
-void swap_two_modes(Specimen& s) {
-    std::swap(s.spectrum.eigenvalues[5], s.spectrum.eigenvalues[8]);
-    s.spectrum.eigenvectors.col(5).swap(s.spectrum.eigenvectors.col(8));
-}
-
 }   // namespace
 
 std::vector<PlantedFault> planted_faults() {
@@ -82,7 +71,12 @@ std::vector<PlantedFault> planted_faults() {
             {words.line("fault.all_cotangents"), law("semidefinite"), [](Specimen& s) { s.laplacian.C *= -1; }},
             {words.line("fault.half"), law("energy"), [](Specimen& s) { s.laplacian.C *= 2; }},
             {words.line("fault.triangle"), law("energy"), leave_out_a_triangle},
-            {words.line("fault.one_side"), law("symmetric"), change_one_side},
+            {words.line("fault.one_side"), law("symmetric"),
+             [](Specimen& s) {
+                 SparseMatrix::InnerIterator entry(s.laplacian.C, 0);
+                 while (entry.row() == entry.col()) ++entry;
+                 entry.valueRef() *= 2;
+             }},
             {words.line("fault.diagonal"), law("row_sums"), [](Specimen& s) { s.laplacian.C.coeffRef(0, 0) *= 1.01; }},
             {words.line("fault.areas"), law("mass"), [](Specimen& s) { s.laplacian.M *= 2; }},
             {words.line("fault.vertex"), law("first_variation"), [](Specimen& s) { s.mesh.X.row(s.mesh.vertex_count() / 2) *= 1.001; }},
@@ -97,7 +91,11 @@ std::vector<PlantedFault> planted_faults() {
             {words.line("fault.not_mapped_back"), law("residual"), forget_to_map_back},
             {words.line("fault.too_long"), law("parseval"), [](Specimen& s) { s.spectrum.eigenvectors.col(2) *= 1.001; }},
             {words.line("fault.zero"), law("zeros"), [](Specimen& s) { s.spectrum.eigenvalues[1] = 0; }},
-            {words.line("fault.order"), law("ascending"), swap_two_modes},
+            {words.line("fault.order"), law("ascending"),
+             [](Specimen& s) {
+                 std::swap(s.spectrum.eigenvalues[5], s.spectrum.eigenvalues[8]);
+                 s.spectrum.eigenvectors.col(5).swap(s.spectrum.eigenvectors.col(8));
+             }},
             {words.line("fault.shift_of_inertia"), law("claimed_count"),
              [](Specimen& s) { s.complete_shift = (1 - 1e-4) * s.spectrum.eigenvalues[modes - 1]; }},
             {words.line("fault.shift_of_limit"), law("stable"), [](Specimen& s) { s.stable_shift *= 1 - 1e-6; }}};
