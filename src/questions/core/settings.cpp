@@ -4,9 +4,9 @@
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
-#include "questions/core/experiment.h"
 #include "embedded_data.h"
 #include "embedded_reports.h"
+#include "questions/core/experiment.h"
 
 namespace meshfolio {
 

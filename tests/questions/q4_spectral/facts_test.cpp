@@ -17,7 +17,9 @@ std::string message(const char* key, const Subjects& subjects, std::size_t which
     return text;
 }
 std::string message(const char* key, const Subject& subject) { return message(key, Subjects{subject}, 0); }
-std::string message(const char* key, const SpectralStudy& study, const LimbStudy& limbs = {}) { return message(key, Subject{study, limbs}); }
+std::string message(const char* key, const SpectralStudy& study, const LimbStudy& limbs = {}) {
+    return message(key, Subject{study, limbs});
+}
 
 bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
@@ -73,7 +75,8 @@ TEST(SpectralFacts, VerticesThatMoveAwayAreCounted) {
     all[0].distance.setConstant(1), all[1].distance.setConstant(0.5);
     all[1].distance.head(81).setConstant(2);   // of 162
     EXPECT_EQ(share_made_worse(study, all[0], all[1]), 0.5);
-    EXPECT_TRUE(has(message("better", study), "50\u202f% move away from their places between k = 5 and k = 20")) << message("better", study);
+    EXPECT_TRUE(has(message("better", study), "50\u202f% move away from their places between k = 5 and k = 20"))
+        << message("better", study);
 }
 
 // The answer has the errors of the first and of the largest k that are not rounding.
@@ -118,7 +121,8 @@ TEST(SpectralFacts, TheNamedSolverIsTheOneThatRan) {
     study.spectrum.dense = true;
     EXPECT_EQ(message("solvers", study), "On ball_solver a dense solver found all 162 eigenvectors.");
     study.spectrum.dense = false;
-    EXPECT_TRUE(message("solvers", study).starts_with("On ball_solver shift-invert Lanczos found the first 5 of 162 eigenvectors. Sylvester"));
+    EXPECT_TRUE(
+        message("solvers", study).starts_with("On ball_solver shift-invert Lanczos found the first 5 of 162 eigenvectors. Sylvester"));
 }
 
 TEST(SpectralFacts, TheModesDrawnAreTheFirstAndTheLastOfEachK) {
