@@ -32,21 +32,23 @@ double argument_of(Function f, double value, double guess) {
     return std::exp(w);
 }
 
-auto explicit_filter(double lambda, int steps) {
-    return [=](double mu) { return std::pow(1 - lambda * mu, steps); };
-}
-auto implicit_filter(double lambda, int steps) {
-    return [=](double mu) { return std::pow(1 + lambda * mu, -steps); };
+auto filter_of(SmoothingScheme scheme, double lambda, int steps) {
+    return [=](double mu) { return damping_law(scheme, lambda, steps, mu); };
 }
 auto exact_filter(double time) {
     return [=](double mu) { return std::exp(-time * mu); };
 }
 
-/// Computes the distance of the filtered coordinates from the exact flow of the same energy, over the motion of that flow.
-double error_of(const CostModel& model, const auto& filter, double energy) {
-    const auto exact = exact_filter(model.exact_time(energy));
+SmoothingWay way_of(const CostModel& model, SmoothingScheme scheme, double lambda, int steps) {
+    SmoothingWay way{scheme, lambda, steps};
+    const auto filter = filter_of(scheme, lambda, steps);
+    way.energy = model.share(filter);
+    const auto exact = exact_filter(model.exact_time(way.energy));
     const double motion = model.measure.rms([&](double mu) { return 1 - exact(mu); });
-    return model.measure.rms([&](double mu) { return filter(mu) - exact(mu); }) / motion;
+    way.error = model.measure.rms([&](double mu) { return filter(mu) - exact(mu); }) / motion;
+    way.operations =
+        scheme == SmoothingScheme::explicit_euler ? steps * model.explicit_step : model.factor.factorisation + steps * model.implicit_step;
+    return way;
 }
 
 SmoothingWay implicit_way_of(const CostModel& model, double energy, const SmoothingWay& explicit_way, std::size_t which) {
@@ -75,40 +77,29 @@ double CostModel::exact_time(double energy) const {
 double CostModel::least_energy(double least) const {
     double relative = 1.5e9;
     while ((relative /= 1.5) > 1) {
-        const auto filter = implicit_filter(relative * critical, 1);
+        const auto filter = filter_of(SmoothingScheme::implicit_euler, relative * critical, 1);
         if (share(filter) < least) continue;
         if (measure.uncertainty([&](double mu) { return mu * filter(mu) * filter(mu); }) <= 1e-7) return share(filter);
     }
-    return share(implicit_filter(critical, 1));
+    return share(filter_of(SmoothingScheme::implicit_euler, critical, 1));
 }
 
 SmoothingWay CostModel::explicit_way(double energy) const {
-    SmoothingWay way{SmoothingScheme::explicit_euler, 0.95 * critical};
-    const auto is_enough = [&](int steps) { return share(explicit_filter(way.lambda, steps)) <= energy; };
+    const double lambda = 0.95 * critical;
+    const auto is_enough = [&](int steps) { return share(filter_of(SmoothingScheme::explicit_euler, lambda, steps)) <= energy; };
     int enough = 1;
     while (enough < most_steps && !is_enough(enough)) enough = std::min(2 * enough, most_steps);
-    if (!is_enough(enough)) return way;
+    if (!is_enough(enough)) return {SmoothingScheme::explicit_euler, lambda};
     for (int too_few = enough / 2; enough - too_few > 1;) {
         const int middle = too_few + (enough - too_few) / 2;
         (is_enough(middle) ? enough : too_few) = middle;
     }
-    const auto filter = explicit_filter(way.lambda, enough);
-    way.steps = enough;
-    way.energy = share(filter);
-    way.error = error_of(*this, filter, way.energy);
-    way.operations = enough * explicit_step;
-    return way;
+    return way_of(*this, SmoothingScheme::explicit_euler, lambda, enough);
 }
 
 SmoothingWay CostModel::implicit_way(double energy, int steps) const {
-    SmoothingWay way{SmoothingScheme::implicit_euler};
-    way.lambda = argument_of([&](double lambda) { return share(implicit_filter(lambda, steps)); }, energy, critical / steps);
-    const auto filter = implicit_filter(way.lambda, steps);
-    way.steps = steps;
-    way.energy = share(filter);
-    way.error = error_of(*this, filter, way.energy);
-    way.operations = factor.factorisation + steps * implicit_step;
-    return way;
+    const auto energy_left = [&](double lambda) { return share(filter_of(SmoothingScheme::implicit_euler, lambda, steps)); };
+    return way_of(*this, SmoothingScheme::implicit_euler, argument_of(energy_left, energy, critical / steps), steps);
 }
 
 SmoothingWay CostModel::implicit_way_within(double energy, double error) const {

@@ -74,7 +74,10 @@ SchemeGap gap_of(const ModeStudy& study, double lambda, int steps, ImplicitSolve
     gap.motion = distance(subject, X, subject.mesh().X);
     const Smoothed other = smoothed(subject, SmoothingScheme::explicit_euler, lambda, steps, solver);
     gap.measured = other.blew_up ? undefined : distance(subject, X, other.X);
-    const auto explicit_minus_implicit = [&](double mu) { return std::pow(1 - lambda * mu, steps) - std::pow(1 + lambda * mu, -steps); };
+    const auto explicit_minus_implicit = [&](double mu) {
+        return damping_law(SmoothingScheme::explicit_euler, lambda, steps, mu) -
+               damping_law(SmoothingScheme::implicit_euler, lambda, steps, mu);
+    };
     gap.predicted = study.model.measure.rms(explicit_minus_implicit) / subject.diagonal;
     return gap;
 }
@@ -124,7 +127,7 @@ void study_costs(ModeStudy& study, bool quick) {
 
 }   // namespace
 
-double ModeDamping::law(double mu) const {
+double damping_law(SmoothingScheme scheme, double lambda, int steps, double mu) {
     return scheme == SmoothingScheme::explicit_euler ? std::pow(1 - lambda * mu, steps) : std::pow(1 + lambda * mu, -steps);
 }
 

@@ -11,6 +11,9 @@
 
 namespace meshfolio::modes {
 
+/// Returns the factor that some steps leave of a mode: (1 − λμ)ᵗ or (1 + λμ)⁻ᵗ.
+double damping_law(SmoothingScheme scheme, double lambda, int steps, double mu);
+
 /// One way to reach a target: scheme, step and number of steps.
 struct SmoothingWay {
     SmoothingScheme scheme = SmoothingScheme::explicit_euler;
@@ -81,8 +84,7 @@ struct ModeDamping {
     int steps = 0;
     Vector measured;   // factor of each coefficient, with its sign
 
-    /// Returns (1 − λμ)ᵗ or (1 + λμ)⁻ᵗ.
-    double law(double mu) const;
+    double law(double mu) const { return damping_law(scheme, lambda, steps, mu); }
     /// Returns the largest |measured − law|, over the largest of the laws and 1.
     double deviation(const Vector& eigenvalues) const;
 };

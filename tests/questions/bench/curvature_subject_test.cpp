@@ -93,12 +93,12 @@ TEST(CurvatureSubject, OnATorusKIsPositiveOutsideAndNegativeInside) {
 }
 
 TEST(CurvatureSubject, NamesTheCausesOfUndefinedVertices) {
-    const auto told = [](const TriangleMesh& mesh, const char* name) {
+    const auto undefined_words_on = [](const TriangleMesh& mesh, const char* name) {
         return undefined_words(curvature_subject(library_mesh(mesh, name)));
     };
-    EXPECT_EQ(told(icosphere(1), "closed_ball"), "");
+    EXPECT_EQ(undefined_words_on(icosphere(1), "closed_ball"), "");
     TriangleMesh grid = grid_mesh(4, 4, 1, 1);
-    const std::string open = told(grid, "open_grid");
+    const std::string open = undefined_words_on(grid, "open_grid");
     EXPECT_NE(open.find("12 boundary vertices"), std::string::npos) << open;
     EXPECT_EQ(open.find("manifold"), std::string::npos) << open;
     // A third triangle at an inner edge.
@@ -107,7 +107,7 @@ TEST(CurvatureSubject, NamesTheCausesOfUndefinedVertices) {
     grid.X.row(n) << 0.5, 0.5, 1;
     grid.F.conservativeResize(m + 1, 3);
     grid.F.row(m) << 5, 6, n;
-    const std::string both = told(grid, "fin");
+    const std::string both = undefined_words_on(grid, "fin");
     EXPECT_NE(both.find("non-manifold"), std::string::npos) << both;
     EXPECT_NE(both.find("boundary"), std::string::npos) << both;
 }

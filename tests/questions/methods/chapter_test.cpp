@@ -146,7 +146,7 @@ TEST(Methods, TheUsualReportPassesItsChecks) {
 // A method that only rescales the result of another has the same normals.
 TEST(Methods, ATieInNormalsNamesNoSecondWinner) {
     DenoisingLaboratory laboratory = laboratory_of(cube_mesh(4), with_noise_of({0.01}));
-    const auto told_with_angle = [&](double angle_of_the_second) {
+    const auto discussion_with_angle = [&](double angle_of_the_second) {
         for (NoiseTrial& trial : laboratory.meshes.front().trials) {
             for (SearchResult& r : trial.results) {
                 r.noisy.shape = r.noisy.angle = 1;
@@ -161,7 +161,7 @@ TEST(Methods, ATieInNormalsNamesNoSecondWinner) {
         add_words(section, words, "discussion", facts_of(laboratory));
         return prose_of(section);
     };
-    const std::string tied = told_with_angle(0.4), beaten = told_with_angle(0.41);
+    const std::string tied = discussion_with_angle(0.4), beaten = discussion_with_angle(0.41);
     const std::string count = std::to_string(laboratory.meshes.front().trials.size());
     EXPECT_EQ(tied.find("depends on the measure"), std::string::npos) << tied;
     EXPECT_NE(beaten.find("on " + count + " of " + count + " noisy meshes the normals"), std::string::npos) << beaten;

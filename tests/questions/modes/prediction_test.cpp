@@ -208,7 +208,7 @@ TEST(NoiseSection, IsWellFormedOnSmallAndOddMeshes) {
 TEST(NoiseSection, TablesShowTheStudy) {
     QuestionSettings settings = quick_settings();
     settings.noise = {0.01};
-    const auto source = library_mesh(lopsided_ball(2), "told");
+    const auto source = library_mesh(lopsided_ball(2), "shown");
     const PredictionStudy study = prediction_study(source, settings);
     const report::Table clean = expected_table({study}), rule = rule_table({study});
     const OperatorStudy& operated = study.levels[0].of(FlowOperator::clean);
