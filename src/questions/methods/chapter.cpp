@@ -103,7 +103,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
     std::map<int, Names> won;   // classes by their best method
     for (const ClassResult& c : classes)
-        if (c.best() >= 0) won[c.best()].push_back("“" + c.title + "”");
+        if (c.best >= 0) won[c.best].push_back("“" + c.title + "”");
     Names winners;
     for (const auto& [method, titles] : won)
         winners.push_back(words.line("answer.winner", "method"_a = method_title(method), "classes"_a = listed(titles)));

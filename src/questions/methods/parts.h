@@ -80,8 +80,7 @@ struct ClassResult {
     Names meshes;
     int trials = 0;
     std::vector<double> gain, angle_gain;   // one per method; NaN if it is not defined on all meshes
-    int best() const;                       // method with the largest gain; −1 if no noise changed the shape
-    int best_by_angle() const;              // −1 if no noise turned a face
+    int best = -1, best_by_angle = -1;      // methods with the largest gains; −1 if no noise changed the shape, or turned a face
 };
 /// Computes the results of each class, in the order of their first mesh.
 std::vector<ClassResult> class_results(const DenoisingLaboratory& laboratory);

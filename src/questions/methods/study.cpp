@@ -159,9 +159,6 @@ DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSetting
     return mesh;
 }
 
-int ClassResult::best() const { return index_of_largest(gain); }
-int ClassResult::best_by_angle() const { return index_of_largest(angle_gain); }
-
 std::vector<ClassResult> class_results(const DenoisingLaboratory& laboratory) {
     std::vector<ClassResult> classes;
     std::vector<std::vector<const NoiseTrial*>> trials;
@@ -180,6 +177,8 @@ std::vector<ClassResult> class_results(const DenoisingLaboratory& laboratory) {
         classes[c].trials = static_cast<int>(trials[c].size());
         classes[c].gain = mean_gains(trials[c], &SearchResult::gain);
         classes[c].angle_gain = mean_gains(trials[c], &SearchResult::angle_gain);
+        classes[c].best = index_of_largest(classes[c].gain);
+        classes[c].best_by_angle = index_of_largest(classes[c].angle_gain);
     }
     return classes;
 }

@@ -50,10 +50,10 @@ report::Table winner_table(const std::vector<ClassResult>& classes) {
         .column("class", &ClassResult::title)
         .column("meshes", [](auto& c) { return listed(c.meshes); })
         .column("noisy meshes", {.digits = 4}, &ClassResult::trials)
-        .column("best in shape", [&](auto& c) { return title(c.best()); })
-        .column("gain", {.unit = "×"}, [&](auto& c) { return value(c.gain, c.best()); })
-        .column("best in normals", [&](auto& c) { return title(c.best_by_angle()); })
-        .column("gain in normals", {.unit = "×"}, [&](auto& c) { return value(c.angle_gain, c.best_by_angle()); });
+        .column("best in shape", [&](auto& c) { return title(c.best); })
+        .column("gain", {.unit = "×"}, [&](auto& c) { return value(c.gain, c.best); })
+        .column("best in normals", [&](auto& c) { return title(c.best_by_angle); })
+        .column("gain in normals", {.unit = "×"}, [&](auto& c) { return value(c.angle_gain, c.best_by_angle); });
 }
 
 report::Plot gain_plot(const DenoisingLaboratory& laboratory) {

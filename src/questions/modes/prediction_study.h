@@ -26,10 +26,8 @@ struct DenoisingFlow {
     DenoisingFlow(TriangleMesh mesh, double step);
 };
 
-/// Solvers kept from run to run, by operator; each thread has its own.
-struct FlowSolvers {
-    ImplicitSolver clean, own;
-};
+/// Solvers kept from run to run, by FlowOperator; each thread has its own.
+using FlowSolvers = std::array<ImplicitSolver, 2>;
 
 /// Runs T = `iterations` steps from Y and returns T + 1 positions, or fewer if the operator of Y cannot be factored.
 Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Positions& Y, int iterations, FlowSolvers& solvers);

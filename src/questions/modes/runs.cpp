@@ -47,7 +47,7 @@ SeedResult seed_result(const Work& work, FlowOperator kind, const Positions& Y, 
     result.held_fixed.resize(iterations + 1);
     Positions Z = probe;
     for (int t = 0; t <= iterations; ++t) {
-        if (t > 0) Z = solvers.own.step(Z);   // with the operator of Y, which the run has left in the solver
+        if (t > 0) Z = solvers[int(kind)].step(Z);   // with the operator of Y, which the run has left in the solver
         result.held_fixed[t] = probe.cwiseProduct(Z).sum();
     }
     return result;
@@ -61,10 +61,10 @@ DenoisingFlow::DenoisingFlow(TriangleMesh mesh, double step)
 Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Positions& Y, int iterations, FlowSolvers& solvers) {
     Trajectory run{Y};
     run.reserve(iterations + 1);
-    const bool clean = kind == FlowOperator::clean;
-    ImplicitSolver& solver = clean ? solvers.clean : solvers.own;
+    ImplicitSolver& solver = solvers[int(kind)];
     try {
-        solver.prepare(clean ? flow.whole : operator_with_mass(laplace_beltrami(moved_to(flow.clean, Y))), flow.lambda);
+        solver.prepare(kind == FlowOperator::clean ? flow.whole : operator_with_mass(laplace_beltrami(moved_to(flow.clean, Y))),
+                       flow.lambda);
         for (int t = 0; t < iterations; ++t) run.push_back(solver.step(run.back()));
     } catch (const SolverError&) {   // triangles are so thin that rounding makes −C indefinite
     }
