@@ -105,8 +105,6 @@ std::string words_of(const Rule& rule) {
     return words.line(rule.relation == Rule::Relation::at_most ? "at_most" : "at_least", "threshold"_a = with_unit_of(rule, number));
 }
 
-std::string quantity_of(const Rule& rule) { return words.line("quantity." + std::string(rule.quantity)); }
-
 Decision decide(const Rule& rule, const Measurement& measurement) {
     Decision decision;
     decision.why = measurement.undecidable;
@@ -130,8 +128,8 @@ Decision decide(const Rule& rule, const Measurement& measurement) {
 
 report::Text rule_text(const JudgedClaim& judged) {
     const Rule& rule = judged.claim->rule;
-    return words.say(judged.measurement.cases.size() > 1 ? "rule.cases" : "rule", "quantity"_a = quantity_of(rule),
-                     "bound"_a = words_of(rule));
+    return words.say(judged.measurement.cases.size() > 1 ? "rule.cases" : "rule",
+                     "quantity"_a = words.line("quantity." + std::string(rule.quantity)), "bound"_a = words_of(rule));
 }
 
 report::Text verdict_text(const JudgedClaim& judged) {

@@ -37,8 +37,6 @@ struct Rule {
 };
 /// "≤ 5 %".
 std::string words_of(const Rule& rule);
-/// The quantity in words: "best step for much noise over that for little".
-std::string quantity_of(const Rule& rule);
 
 /// The quantity under one condition that the claim does not exclude: a mesh, a step, a kind of triangles.
 struct Case {

@@ -1,4 +1,5 @@
 // The section "reproductions": the experiments of four earlier reports, done again with their own parameters.
+#include <numeric>
 #include <set>
 
 #include "questions/reproductions/parts.h"
@@ -7,24 +8,16 @@ namespace meshfolio::reproductions {
 
 namespace {
 
-/// A requirement of the coursework; the message "row.<row>" says what it asks for.
-struct RequiredRow {
-    int row;
-    std::string_view section;   // also answers it; empty: experiments alone
-    bool remarked = false;      // by "row.<row>.remark"
+/// The sections of a whole report that answer the requirements 7 to 34; empty: experiments alone.
+constexpr std::array<std::string_view, limits::last_row - limits::first_row + 1> answering_sections{
+    "q1",        "q1", "q1", "q1", "q1", "q2", "q3", "operators", "operators", "q4", "operators", "q4", "q5", "stability",
+    "stability", "",   "",   "q6", "",   "",   "",   "",          "q7",        "",   "",          "",   "",   ""};
 
-    std::string key() const { return "row." + std::to_string(row); }
-};
-
-constexpr std::array required_rows{
-    RequiredRow{7, "q1"},         RequiredRow{8, "q1", true},   RequiredRow{9, "q1"},         RequiredRow{10, "q1", true},
-    RequiredRow{11, "q1"},        RequiredRow{12, "q2"},        RequiredRow{13, "q3"},        RequiredRow{14, "operators"},
-    RequiredRow{15, "operators"}, RequiredRow{16, "q4"},        RequiredRow{17, "operators"}, RequiredRow{18, "q4"},
-    RequiredRow{19, "q5"},        RequiredRow{20, "stability"}, RequiredRow{21, "stability"}, RequiredRow{22, ""},
-    RequiredRow{23, ""},          RequiredRow{24, "q6"},        RequiredRow{25, ""},          RequiredRow{26, ""},
-    RequiredRow{27, ""},          RequiredRow{28, ""},          RequiredRow{29, "q7"},        RequiredRow{30, ""},
-    RequiredRow{31, ""},          RequiredRow{32, ""},          RequiredRow{33, ""},          RequiredRow{34, ""}};
-static_assert(required_rows.front().row == limits::first_row && required_rows.back().row == limits::last_row);
+std::vector<int> required_rows() {
+    std::vector<int> rows(answering_sections.size());
+    std::iota(rows.begin(), rows.end(), limits::first_row);
+    return rows;
+}
 
 bool reproduces(const Experiment& experiment, int row) { return std::ranges::find(experiment.rows, row) != experiment.rows.end(); }
 
@@ -62,35 +55,36 @@ bool reproduce(const Reproduction& r, const MeshLibrary& library) try {
 report::Table coverage_table(const std::vector<Experiment>& bundled, const std::vector<Experiment>& done,
                              const std::vector<Experiment>& failed) {
     const auto reports_of = [](const std::vector<Experiment>& experiments) {   // "S0 (1), S1 (2)": how many of each report
-        return [&experiments](const RequiredRow& required) {
+        return [&experiments](int row) {
             std::map<std::string, int> counts;
             for (const Experiment& experiment : experiments)
-                if (reproduces(experiment, required.row)) ++counts[experiment.from];
+                if (reproduces(experiment, row)) ++counts[experiment.from];
             Names reports;
             for (const auto& [from, count] : counts) reports.push_back(from + " (" + std::to_string(count) + ")");
             return cell_if_said(joined(reports, ", "));
         };
     };
-    const auto answered_in = [](const RequiredRow& row) {   // "Q4" for a question, the title of another section
-        const std::string id(row.section);
+    const auto answered_in = [](int row) {   // "Q4" for a question, the title of another section
+        const std::string id(answering_sections[row - limits::first_row]);
         return cell_if_said(id.empty() ? "" : report::is_question(id) ? "Q" + id.substr(1) : chapter_of_id(id).title());
     };
-    return table("reproductions_coverage", words.line("coverage"), required_rows)
-        .column("row", &RequiredRow::row)
-        .column("what", [](const RequiredRow& row) { return words.line(row.key()); })
+    const auto key_of_row = [](int row) { return "row." + std::to_string(row); };
+    return table("reproductions_coverage", words.line("coverage"), required_rows())
+        .column("row", std::identity())
+        .column("what", [&](int row) { return words.line(key_of_row(row)); })
         .column("experiments of", reports_of(bundled))
         .column("done here", reports_of(done))
         .column("could not be done", reports_of(failed))
         .column("answered in", answered_in)
-        .column("remark", [](auto& row) { return row.remarked ? report::Cell(words.line(row.key() + ".remark")) : report::Cell(); });
+        .column("remark", [&](int row) { return cell_if_said(row == 8 || row == 10 ? words.line(key_of_row(row) + ".remark") : ""); });
 }
 
 std::vector<int> uncovered_rows(const std::vector<Experiment>& experiments) {
-    std::vector<int> rows;
-    for (const RequiredRow& required : required_rows) {
-        const bool by_experiment = std::ranges::any_of(experiments, [&](const Experiment& e) { return reproduces(e, required.row); });
-        if (!by_experiment && required.section.empty()) rows.push_back(required.row);
-    }
+    std::vector<int> rows = required_rows();
+    std::erase_if(rows, [&](int row) {
+        return !answering_sections[row - limits::first_row].empty() ||
+               std::ranges::any_of(experiments, [&](const Experiment& e) { return reproduces(e, row); });
+    });
     return rows;
 }
 
@@ -120,7 +114,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
                           {"taken from", words.line(settings.own_experiments ? "parameter.own" : "parameter.bundled")}};
     section.extent = words.line(settings.experiments.empty() ? "extent.none" : "extent", "experiments"_a = done.size(),
                                 "reports"_a = listed({reports.begin(), reports.end()}), "rows"_a = rows.size());
-    section.answer = words.say("answer", "all"_a = required_rows.size(), "here"_a = rows.size(), "failed"_a = failed.size());
+    section.answer = words.say("answer", "all"_a = answering_sections.size(), "here"_a = rows.size(), "failed"_a = failed.size());
     return answer;
 }
 
