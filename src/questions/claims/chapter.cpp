@@ -41,10 +41,10 @@ report::Table ledger_table(const Ledger& ledger) {
         .column("source", {.filter = true}, [](auto& j) { return j.claim->source().name; })
         .column("question", {.filter = true, .reference = true}, [](auto& j) { return j.claim->question; })
         .column("claim", [](auto& j) { return j.claim->said(); })
-        .column("verdict", {.filter = true}, [](auto& j) { return shown(j.decision.verdict); })
+        .column("verdict", {.filter = true}, [](auto& j) { return label_of(j.decision.verdict); })
         .column("deciding number", if_decided([](auto& j) { return cell_of(j.deciding_value()); }))
         .column("unit", if_decided([](auto& j) { return j.claim->rule.unit; }))
-        .column("required", [](auto& j) { return words_of(j.claim->rule); })
+        .column("required", [](auto& j) { return bound_of(j.claim->rule); })
         .sortable();
 }
 
@@ -89,8 +89,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     }
     bench.enter_inputs(section);
 
-    add_words(section, words, "method", "holds"_a = shown(Verdict::holds), "conditional"_a = shown(Verdict::conditional),
-              "refuted"_a = shown(Verdict::refuted), "undecidable"_a = shown(Verdict::undecidable));
+    add_words(section, words, "method", "holds"_a = label_of(Verdict::holds), "conditional"_a = label_of(Verdict::conditional),
+              "refuted"_a = label_of(Verdict::refuted), "undecidable"_a = label_of(Verdict::undecidable));
     add_words(section, words, "results");
     add(section, ledger_table(ledger));
     for (report::Plot& plot : bench.plots) add(section, std::move(plot));

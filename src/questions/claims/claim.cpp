@@ -1,5 +1,3 @@
-#include "questions/claims/claim.h"
-
 #include <stdexcept>
 
 #include "questions/claims/parts.h"
@@ -81,7 +79,7 @@ JudgedClaim judged(const Claim& claim, ClaimBench& bench) {
     return result;
 }
 
-std::string shown(Verdict verdict) { return std::string(verdicts[int(verdict)].second) + " " + word_of(verdict); }
+std::string label_of(Verdict verdict) { return std::string(verdicts[int(verdict)].second) + " " + word_of(verdict); }
 
 std::string Claim::said() const { return words.line(std::string(id) + ".said"); }
 
@@ -98,7 +96,7 @@ std::string with_unit(double value, const Rule& rule) {
     return with_unit_of(rule, count ? plain_text(value) : readable(value, digits));
 }
 
-std::string words_of(const Rule& rule) {
+std::string bound_of(const Rule& rule) {
     // A threshold is a round number: as many digits as it has.
     const std::string number =
         std::abs(rule.threshold) >= 1e-4 || rule.threshold == 0 ? plain_text(rule.threshold) : readable(rule.threshold, 1);
@@ -129,19 +127,19 @@ Decision decide(const Rule& rule, const Measurement& measurement) {
 report::Text rule_text(const JudgedClaim& judged) {
     const Rule& rule = judged.claim->rule;
     return words.say(judged.measurement.cases.size() > 1 ? "rule.cases" : "rule",
-                     "quantity"_a = words.line("quantity." + std::string(rule.quantity)), "bound"_a = words_of(rule));
+                     "quantity"_a = words.line("quantity." + std::string(rule.quantity)), "bound"_a = bound_of(rule));
 }
 
 report::Text verdict_text(const JudgedClaim& judged) {
     const auto& [verdict, within, beyond, deciding, why] = judged.decision;
     std::string word = word_of(verdict);
     word.front() = static_cast<char>(word.front() - 'a' + 'A');
-    const report::Fact shown = "verdict"_a = std::string(verdicts[int(verdict)].second) + "\u00a0" + word;
-    if (verdict == Verdict::undecidable) return words.say("judged.undecidable", shown, "why"_a = why);
+    const report::Fact label = "verdict"_a = std::string(verdicts[int(verdict)].second) + "\u00a0" + word;
+    if (verdict == Verdict::undecidable) return words.say("judged.undecidable", label, "why"_a = why);
     report::Text t =
         verdict == Verdict::conditional
-            ? words.say("judged.conditional", shown, "within"_a = values_of(judged, within), "beyond"_a = values_of(judged, beyond))
-            : words.say("judged", shown, "values"_a = values_of(judged, verdict == Verdict::holds ? within : beyond));
+            ? words.say("judged.conditional", label, "within"_a = values_of(judged, within), "beyond"_a = values_of(judged, beyond))
+            : words.say("judged", label, "values"_a = values_of(judged, verdict == Verdict::holds ? within : beyond));
     if (!judged.measurement.figure.empty()) go_on(t, words.say("shown_in", "figure"_a = judged.measurement.figure));
     go_on(t, judged.measurement.remark);
     if (!judged.measurement.meshes.empty()) go_on(t, words.say("measured_on", "meshes"_a = judged.measurement.meshes));

@@ -20,7 +20,7 @@ SmoothingOptions options_of(const RunKey& key) {
 
 /// The value of the map for the key; calls `make` if there is none yet.
 template <class Map, class Make>
-const auto& kept(Map& map, const typename Map::key_type& key, const Make& make) {
+const auto& cached(Map& map, const typename Map::key_type& key, const Make& make) {
     const auto found = map.find(key);
     return found != map.end() ? found->second : map.emplace(key, make()).first->second;
 }
@@ -32,7 +32,7 @@ void add_once(Names& names, const std::string& name) {
 }   // namespace
 
 const ReportMesh& ClaimBench::mesh(std::string_view name) {
-    const ReportMesh& found = kept(meshes_, std::string(name), [&] { return report_mesh(library_, name); });
+    const ReportMesh& found = cached(meshes_, std::string(name), [&] { return report_mesh(library_, name); });
     const int n = found.mesh->mesh().vertex_count();
     if (n > (settings_.laboratory ? 200000 : settings_.quick ? 7000 : 12000))
         throw MeshError(found.mesh->name + " has " + std::to_string(n) + " vertices, more than a run without laboratory = true measures");
@@ -118,7 +118,7 @@ std::optional<Positions> ClaimBench::clean_form(std::string_view noisy) {
 
 const SmoothingSubject& ClaimBench::subject(std::string_view name) {
     const auto& source = mesh(name).mesh;
-    return kept(subjects_, source.get(), [&] { return smoothing_subject(source); });
+    return cached(subjects_, source.get(), [&] { return smoothing_subject(source); });
 }
 
 double ClaimBench::uniform_limit(std::string_view name) {
@@ -137,14 +137,14 @@ double ClaimBench::raw_length(std::string_view name, double length, int power) {
 
 const Smoothed& ClaimBench::run(std::string_view name, const RunKey& key) {
     const auto& source = mesh(name).mesh;
-    return kept(runs_, {source.get(), key}, [&] { return smooth(source->mesh(), options_of(key), solvers_[source.get()]); });
+    return cached(runs_, {source.get(), key}, [&] { return smooth(source->mesh(), options_of(key), solvers_[source.get()]); });
 }
 
 double ClaimBench::motion(std::string_view name, const RunKey& key) { return vertex_rms(mesh(name).mesh->mesh().X, run(name, key).X); }
 
 const std::vector<double>& ClaimBench::denoised(std::string_view name, const RunKey& key) {
     const LibraryMesh& source = *mesh(name).mesh;
-    return kept(noisy_runs_, {&source, key}, [&] {
+    return cached(noisy_runs_, {&source, key}, [&] {
         const Positions& clean = source.mesh().X;
         const Positions noisy = with_gaussian_noise(clean, Vector3(key.sigma.data()), settings_.seed);
         std::vector<double> errors{vertex_rms(clean, noisy)};
@@ -173,7 +173,7 @@ Sweep ClaimBench::sweep(std::string_view noisy, RunKey key, std::vector<double> 
 
 const SpectralStudy& ClaimBench::spectrum(std::string_view name) {
     const auto& source = mesh(name).mesh;
-    return kept(spectra_, source.get(), [&] {
+    return cached(spectra_, source.get(), [&] {
         QuestionSettings settings = settings_;
         settings.k = {5, 10, 15, 30, 60, 150};
         return spectral_study(source, settings);
