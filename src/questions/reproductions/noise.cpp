@@ -1,5 +1,4 @@
 // Denoising experiments of earlier reports: figures, error curves, table and results in words.
-#include <limits>
 #include <set>
 
 #include "questions/bench/denoising_search.h"
@@ -33,7 +32,7 @@ void add_denoising_figure(const Reproduction& r, const Done<NoisyRun>& done, con
 /// The first run of the variant with minima nearest to those of the report; on stand-ins, which have other triangles, the first variant.
 const NoisyRun& shown_variant(const Done<NoisyRun>& done) {
     const NoisyRun* nearest = &done.results.front();
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (const NoisyRun& candidate : done.results) {
         if (candidate.mesh->stand_in) continue;
         double gap = 0;

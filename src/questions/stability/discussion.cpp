@@ -18,7 +18,7 @@ report::Facts limit_facts(const Studies& studies) {
             semidefinite += limit.certificate.bottom.semidefinite() ? 1 : 0;
             refuted += limit.certificate.refuted() ? 1 : 0;
             widest = std::max(widest, limit.certificate.relative_width());
-            off = std::max(off, std::abs(over_predicted(limit.beyond) - 1));
+            off = std::max(off, std::abs(measured_over_predicted(limit.beyond) - 1));
             highest = std::max(highest, limit.below.factor.back());
         }
     }

@@ -51,7 +51,7 @@ struct StabilityStudy : OnMesh {
 StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settings);
 
 /// The growth of the mode over the whole run, measured over predicted; 1 if the run obeys the law.
-inline double over_predicted(const ModeGrowth& growth) { return growth.factor.back() / growth.predicted(growth.steps()); }
+inline double measured_over_predicted(const ModeGrowth& growth) { return growth.factor.back() / growth.predicted(growth.steps()); }
 
 /// A run, and the first triangle that turned: its normal differs by more than 90° from that in the input.
 struct WatchedRun {
