@@ -116,8 +116,7 @@ ExitCode run_spectrum(const SpectrumFlags& options, const Backend& backend) {
     check_output("--ply", options.ply, column_endings(), options.out);
     const PreparedMesh prepared = load_mesh(options.mesh, Checks::for_pictures, options.ply.empty() ? Keep::mesh : Keep::attributes);
     const LaplaceBeltrami laplacian = laplace_operator(prepared.mesh, kind, form);
-    const Spectrum spectrum = about_mesh(
-        options.mesh, [&] { return smallest_eigenpairs(laplacian, k, {.engine = backend.engine, .inertia_at = backend.inertia_at}); });
+    const Spectrum spectrum = about_mesh(options.mesh, [&] { return smallest_eigenpairs(laplacian, k, {.engine = backend.engine}); });
     const auto found = static_cast<int>(spectrum.eigenvalues.size());
     if (found < k) {
         warn(shown(options.mesh) + ": the mesh has " + std::to_string(found) + " modes, fewer than the " + std::to_string(k) +

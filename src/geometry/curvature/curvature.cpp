@@ -25,8 +25,7 @@ bool is_interior(const MeshTopology& topology, int v) {
     return topology.vertex_faces.size(v) > 0 && !topology.on_boundary[at(v)] && !topology.nonmanifold[at(v)];
 }
 
-/// Returns H from Δx = −2Hn with Δx = laplacian_at(v): half the length of Δx, positive where Δx points against the normal; NaN beside
-/// interior vertices.
+/// Returns H from Δx = −2Hn, Δx = laplacian_at(v): ½|Δx|, positive where Δx points against the normal; NaN but at interior vertices.
 template <class LaplacianAt>
 Vector mean_curvature_from(const TriangleMesh& mesh, const MeshTopology& topology, LaplacianAt laplacian_at) {
     Vector H = Vector::Constant(mesh.X.rows(), undefined);

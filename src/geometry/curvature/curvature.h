@@ -14,8 +14,7 @@ Vector uniform_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topo
 /// Returns uniform_mean_curvature() times 4 / mean squared ring edge, comparable with H. [1/length]
 Vector uniform_mean_curvature_scaled(const TriangleMesh& mesh, const MeshTopology& topology);
 
-/// Returns n values H = ±½‖Lx‖ from Δx = −2Hn, positive where the surface bends away from its normal (a sphere with outward normals).
-/// [1/length]
+/// Returns n values H = ±½‖Lx‖ from Δx = −2Hn, positive where the surface bends away from its normal, as spheres do. [1/length]
 Vector cotangent_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const LaplaceBeltrami& laplacian);
 
 /// Returns n angle deficits: 2π − Σθ inside; π − Σθ on the boundary, the turning of the boundary and no curvature; 0 at unreferenced

@@ -162,7 +162,7 @@ private:
 JetCurvature jets_of(const TriangleMesh& mesh, const MeshTopology& topology) {
     const int n = mesh.vertex_count();
     const Positions normals = vertex_normals(mesh);
-    JetCurvature jets{Vector::Constant(n, undefined), Vector::Constant(n, undefined), 0};
+    JetCurvature jets{Vector::Constant(n, undefined), Vector::Constant(n, undefined)};
     for_blocks(n, [&](int, int begin, int end) {
         JetFitter fitter(mesh, topology, normals);
         for (int v = begin; v < end; ++v) {
@@ -178,14 +178,12 @@ JetCurvature jets_of(const TriangleMesh& mesh, const MeshTopology& topology) {
 }   // namespace
 
 JetCurvature jet_curvature(const TriangleMesh& mesh, const MeshTopology& topology) {
-    const int n = mesh.vertex_count();
-    if (std::ssize(topology.nonmanifold) != n) throw MeshError("jet_curvature: the topology is of another mesh");
+    if (std::ssize(topology.nonmanifold) != mesh.vertex_count()) throw MeshError("jet_curvature: the topology is of another mesh");
     const std::vector<VertexCopy> copies = coincident_vertices(mesh);
     const TriangleMesh joined = copies.empty() ? TriangleMesh() : with_joined_vertices(mesh, copies);
     JetCurvature jets = copies.empty() ? jets_of(mesh, topology) : jets_of(joined, topology_of(joined));
     spread(copies, jets.H);
     spread(copies, jets.K);
-    for (int v = 0; v < n; ++v) jets.unfitted += topology.vertex_faces.size(v) > 0 && std::isnan(jets.H[v]) ? 1 : 0;
     return jets;
 }
 

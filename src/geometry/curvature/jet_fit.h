@@ -7,9 +7,7 @@
 namespace meshfolio {
 
 struct JetCurvature {
-    Vector H;           // positive where the surface bends away from its normal [1/length]
-    Vector K;           // [1/length²]
-    int unfitted = 0;   // vertices in use without a jet
+    Vector H, K;   // a value a vertex: mean [1/length], Gaussian [1/length²]; H > 0 where the surface bends away from its normal
 };
 
 /// Returns H and K of the degree-3 polynomial that fits, in least squares, the heights of a vertex and its two rings over the plane of its

@@ -142,7 +142,7 @@ DenoisingRun denoise(const DenoisingInput& input, const DenoisingOptions& option
     if (!is_defined(options.method, input.mesh, input.topology))
         throw MeshError("denoising, " + name + ": the mesh encloses no volume", "take another method");
 
-    // About the box centre and by a power of two, so that neither far coordinates nor the model's unit cost digits.
+    // About the box centre and scaled by a power of two, so that far coordinates and the model's unit cost no digits.
     const double scale = unit_scale(input.mesh);
     const Eigen::RowVector3d centre = bounding_box(input.mesh).centre().transpose();
     const auto outside = [&](const Positions& X) -> Positions { return (X / scale).rowwise() + centre; };
@@ -157,11 +157,6 @@ DenoisingRun denoise(const DenoisingInput& input, const DenoisingOptions& option
                                                                             : diffused(scaled_input, scaled, solver);
     run.X = run.steps > 0 ? outside(run.X) : input.mesh.X;
     return run;
-}
-
-DenoisingRun denoise(const DenoisingInput& input, const DenoisingOptions& options) {
-    ImplicitSolver solver;
-    return denoise(input, options, solver);
 }
 
 }   // namespace meshfolio

@@ -31,6 +31,7 @@ struct DenoisingEntry {
 };
 /// Lists all methods, in the order of tables.
 std::span<const DenoisingEntry> denoising_list();
+/// Returns the entry of a method.
 const DenoisingEntry& denoising_entry(DenoisingMethod method);
 
 /// True if the method filters face normals, which can keep edges, instead of diffusing positions.
@@ -74,6 +75,5 @@ struct DenoisingRun {
 /// @throws MeshError for a parameter that is not positive and finite, for steps < 0, or where the method is not defined;
 ///         SolverError if a system cannot be factored
 DenoisingRun denoise(const DenoisingInput& input, const DenoisingOptions& options, ImplicitSolver& solver);
-DenoisingRun denoise(const DenoisingInput& input, const DenoisingOptions& options);
 
 }   // namespace meshfolio

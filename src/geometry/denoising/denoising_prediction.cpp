@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
+#include "geometry/smoothing/implicit_solver.h"
 #include "mesh/vertex_noise.h"
 
 namespace meshfolio {
@@ -58,34 +59,14 @@ DenoisingPrediction by_modes(const LaplaceBeltrami& laplacian, const Positions& 
     return prediction;
 }
 
-/// Sums zᵀSᵗᵀWSᵗz and its square for each iteration t over probes z, which run three at a time, as coordinates.
-class ProbeSums {
-public:
-    explicit ProbeSums(int iterations) : sum_(Vector::Zero(iterations + 1)), squares_(Vector::Zero(iterations + 1)) {}
-    void enter(int t, const Positions& Z, const Vector& weights) {
-        for (int c = 0; c < 3; ++c) {
-            const double value = weights.dot(Z.col(c).cwiseAbs2());
-            sum_[t] += value;
-            squares_[t] += value * value;
-        }
-    }
-    /// Stores 3 tr and its standard error from the number of probes.
-    void store(ExpectedError& error, int probes) const {
-        error.noise = 3 * sum_ / probes;
-        const Vector variance = (squares_ - sum_.cwiseAbs2() / probes) / (probes - 1);
-        error.noise_error = 3 * (variance.cwiseMax(0) / probes).cwiseSqrt();
-    }
-
-private:
-    Vector sum_, squares_;
-};
-
+/// Estimates the traces from probes z, which run three at a time, as coordinates.
 DenoisingPrediction by_probes(const LaplaceBeltrami& laplacian, const OperatorWithMass& whole, const Positions& X,
-                              const PredictionOptions& options, ImplicitSolver& solver) {
+                              const PredictionOptions& options) {
     const Vector& M = laplacian.M;
     const Vector ones = Vector::Ones(X.rows());
-    DenoisingPrediction prediction{empty_error(options.iterations, M.sum()), empty_error(options.iterations, ones.sum()), 0,
-                                   3 * options.probe_triples};
+    const int probes = 3 * options.probe_triples;
+    DenoisingPrediction prediction{empty_error(options.iterations, M.sum()), empty_error(options.iterations, ones.sum()), 0, probes};
+    ImplicitSolver solver;
     solver.prepare(whole, options.lambda);
     const Positions start = centred(X, M);
     Positions run = start;
@@ -95,17 +76,26 @@ DenoisingPrediction by_probes(const LaplaceBeltrami& laplacian, const OperatorWi
         prediction.mass.bias[t] = M.dot(squares);
         prediction.vertices.bias[t] = squares.sum();
     }
-    ProbeSums mass(options.iterations), vertices(options.iterations);
+    const auto add = [&run](ExpectedError& error, int t, const Vector& W) {   // zᵀSᵗᵀWSᵗz and its square
+        for (int c = 0; c < 3; ++c) {
+            const double value = W.dot(run.col(c).cwiseAbs2());
+            error.noise[t] += value;
+            error.noise_error[t] += value * value;
+        }
+    };
     for (int triple = 0; triple < options.probe_triples; ++triple) {
         run = random_signs(X.rows(), options.seed + static_cast<std::uint64_t>(triple));
         for (int t = 0; t <= options.iterations; ++t) {
             if (t > 0) run = solver.step(run);
-            mass.enter(t, run, M);
-            vertices.enter(t, run, ones);
+            add(prediction.mass, t, M);
+            add(prediction.vertices, t, ones);
         }
     }
-    mass.store(prediction.mass, prediction.probes);
-    vertices.store(prediction.vertices, prediction.probes);
+    for (ExpectedError* error : {&prediction.mass, &prediction.vertices}) {   // 3 tr and its standard error
+        const Vector variance = (error->noise_error - error->noise.cwiseAbs2() / probes) / (probes - 1);
+        error->noise = 3 * error->noise / probes;
+        error->noise_error = 3 * (variance.cwiseMax(0) / probes).cwiseSqrt();
+    }
     return prediction;
 }
 
@@ -118,17 +108,11 @@ int ExpectedError::best(double sigma) const {
 }
 
 DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options) {
-    ImplicitSolver solver;
-    return denoising_prediction(laplacian, X, options, solver);
-}
-
-DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options,
-                                         ImplicitSolver& solver) {
     check_prediction(laplacian, X, options);
     const OperatorWithMass whole = operator_with_mass(laplacian);
     if (const int n = whole.size(); n <= options.modes_up_to)
         return by_modes(laplacian, X, smallest_eigenpairs(laplacian, n, {.dense_below = n}), options);
-    return by_probes(laplacian, whole, X, options, solver);
+    return by_probes(laplacian, whole, X, options);
 }
 
 DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options,

@@ -11,7 +11,6 @@
 #include <cstdint>
 
 #include "geometry/operators/vertices_with_mass.h"
-#include "geometry/smoothing/implicit_solver.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 
 namespace meshfolio {
@@ -50,9 +49,6 @@ struct PredictionOptions {
 /// Predicts the error of smoothing X with this operator. Vertices without mass do not move: their noise stays.
 /// @throws MeshError if λ is not positive and finite, the iterations are negative, or X has not the operator's rows
 DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options);
-/// Predicts with a solver that other runs share; where probes are used, it is left ready for the operator.
-DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options,
-                                         ImplicitSolver& solver);
 /// Predicts from all modes of the operator. @param all  as many as vertices with mass
 DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options,
                                          const Spectrum& all);

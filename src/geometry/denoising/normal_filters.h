@@ -24,8 +24,9 @@ struct NormalKernel {
     FaceRings rings;
     std::vector<double> weights;   // one an item of rings.by_vertex
 };
-/// Computes the weights of the mesh, from its face_rings() where they are known.
+/// Computes the weights of the mesh.
 NormalKernel normal_kernel(const TriangleMesh& mesh);
+/// Computes the weights of a mesh with known face_rings().
 NormalKernel normal_kernel(const TriangleMesh& mesh, FaceRings rings);
 
 /// Returns the m × 3 unit vectors along Σ_s w_ts exp(−|g_s − g_t|²/2σ_r²) n_s; a normal stays where the sum is zero.

@@ -59,12 +59,10 @@ Modes distributed_modes(const SparseMatrix& A, const Vector& M, int k, Ranks& ra
         modes.pairs = merged(modes.pairs, {found.theta.cwiseInverse().array() - least_shift, found.Y});
         const Gap gap = gap_behind(modes.pairs.mu, k);
         modes.gap_middle = gap.middle();
-        const auto inertia = trusted_between(A, M, gap, inertia_at);
-        if (!inertia) break;
-        const int below = modes.pairs.count_below(inertia->sigma);
-        modes.inertia = {inertia->sigma, inertia->below, below};
-        if (inertia->below <= below) break;
-        wanted = inertia->below - below;
+        const auto inertia = inertia_between(A, M, gap.low, gap.high, inertia_at);
+        if (!inertia || !(inertia->delta < std::min(inertia->sigma - gap.low, gap.high - inertia->sigma))) break;
+        wanted = inertia->below - modes.pairs.count_below(inertia->sigma);
+        if (wanted <= 0) break;
         if (modes.repairs == most_repairs)
             throw SolverError(std::to_string(wanted) + " eigenpairs are counted by inertia and not found",
                               "ask for other eigenpairs; needles and crowded eigenvalues are the usual causes");

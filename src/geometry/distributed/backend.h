@@ -2,6 +2,7 @@
 /// The choice between factors of this process and of several processes together. Only commands make it.
 #pragma once
 
+#include "geometry/linear/inertia.h"
 #include "geometry/smoothing/implicit_solver.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 

@@ -43,7 +43,7 @@ public:
     /// @throws SolverError if an entry is not finite, or a pivot within a few roundings of zero, or negative where `kind` forbids it
     OrderedFactor(const SparseMatrix& S, double sigma, Kind kind);
 
-    /// Replaces X by (S − σI)⁻¹ X. Several threads may call it at once.
+    /// Replaces X by (S − σI)⁻¹ X, rows in elimination order. Several threads may call it at once.
     void solve_in_place(Eigen::Ref<DenseMatrix> X) const;
     void solve_in_place(FourColumns& X) const;
 

@@ -12,8 +12,7 @@
 
 namespace meshfolio {
 
-/// Returns the squared distance from p to the triangle (x0, x1, x2), degenerate or not, or any value ≥ `known_bound` if it is not below.
-/// [length²]
+/// Returns the squared distance from p to the triangle, degenerate or not, or any value ≥ `known_bound` if it is not below. [length²]
 double squared_distance_to_triangle(const Vector3& p, const Vector3& x0, const Vector3& x1, const Vector3& x2,
                                     double known_bound = std::numeric_limits<double>::infinity());
 

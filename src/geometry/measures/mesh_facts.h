@@ -1,6 +1,5 @@
 /// @file
-/// Measures of preflight beyond counts: extremes of edges and angles, place and size, the rounding of coordinates in files, and
-/// Gauss–Bonnet.
+/// Measures of preflight beyond counts: extremes of edges and angles, place, size, rounding of coordinates in files, Gauss–Bonnet.
 #pragma once
 
 #include "mesh/mesh_checks.h"

@@ -31,8 +31,7 @@ Vector smallest_nonzero_eigenvalues(const LaplaceBeltrami& laplacian, const Mesh
 /// Returns max |μ_i/reference_i − 1| over the common indices; NaN if there is none.
 double largest_relative_change(const Vector& eigenvalues, const Vector& reference);
 
-/// Returns the largest ½‖(Lx)_i‖ over vertices with all triangles in one plane, where linear functions should give 0; NaN without any.
-/// [1/length]
+/// Returns the largest ½‖(Lx)_i‖ over vertices with all triangles in one plane, where 0 would be exact; NaN without any. [1/length]
 double linear_precision(const LaplaceBeltrami& laplacian, const TriangleMesh& mesh, const MeshTopology& topology);
 
 }   // namespace meshfolio

@@ -55,18 +55,13 @@ const OperatorEntry& operator_entry(OperatorKind kind) {
 
 OperatorKind operator_named(const std::string& name) {
     std::vector<std::string> known;
+    std::string list;
     for (const OperatorEntry& entry : operators) {
         if (entry.name == name) return entry.kind;
         known.emplace_back(entry.name);
+        list += (list.empty() ? "" : ", ") + known.back();
     }
-    throw UsageError("unknown operator '" + printable(name) + "'",
-                     "did you mean '" + nearest_word(name, known) + "'? Known are " + operator_names());
-}
-
-std::string operator_names() {
-    std::string names;
-    for (const OperatorEntry& entry : operators) names += (names.empty() ? "" : ", ") + std::string(entry.name);
-    return names;
+    throw UsageError("unknown operator '" + printable(name) + "'", "did you mean '" + nearest_word(name, known) + "'? Known are " + list);
 }
 
 bool is_dimensionless(OperatorKind kind) { return kind == OperatorKind::uniform; }

@@ -23,12 +23,11 @@ struct OperatorEntry {
 
 /// Lists all operators, in the order of tables.
 std::span<const OperatorEntry> operator_list();
+/// Returns the entry of an operator.
 const OperatorEntry& operator_entry(OperatorKind kind);
 /// Returns the operator of this name.
 /// @throws UsageError with the nearest name and all known ones
 OperatorKind operator_named(const std::string& name);
-/// Returns "cotan, uniform, …" for help and messages.
-std::string operator_names();
 
 /// True if L = M⁻¹C, and so a smoothing step, has no unit: only for the uniform operator. Other L are in 1/length², their steps are areas.
 bool is_dimensionless(OperatorKind kind);

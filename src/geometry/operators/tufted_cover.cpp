@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/at.h"
@@ -73,16 +74,14 @@ IntrinsicTriangles two_sided_cover(const TriangleMesh& mesh) {
     return cover;
 }
 
-TuftedCover tufted_cover(const TriangleMesh& mesh, double mollification) {
-    TuftedCover tufted;
+IntrinsicTriangles tufted_cover(const TriangleMesh& mesh) {
     IntrinsicTriangles cover = two_sided_cover(mesh);
-    tufted.added_length = mollify(cover.lengths, mollification);
-    tufted.delaunay = intrinsic_delaunay(std::move(cover));
-    return tufted;
+    mollify(cover.lengths, 1e-6);
+    return intrinsic_delaunay(std::move(cover)).triangles;
 }
 
 LaplaceBeltrami tufted_laplacian(const TriangleMesh& mesh, AreaForm area) {
-    const IntrinsicTriangles cover = tufted_cover(mesh).delaunay.triangles;
+    const IntrinsicTriangles cover = tufted_cover(mesh);
     LaplaceBeltrami laplacian = laplace_beltrami(cover.F, cover.vertex_count, cover.lengths, area);
     laplacian.C *= 0.5;
     laplacian.M *= 0.5;

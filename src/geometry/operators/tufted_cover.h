@@ -17,13 +17,8 @@ double mollify(CornerValues& lengths, double relative);
 /// where they face each other; a boundary edge glues front to back. Triangles at the same angle follow one another in their order.
 IntrinsicTriangles two_sided_cover(const TriangleMesh& mesh);
 
-/// The intrinsic Delaunay triangulation of the cover.
-struct TuftedCover {
-    IntrinsicDelaunay delaunay;
-    double added_length = 0;   // ε of the mollification [length]
-};
-/// Covers the mesh, mollifies by `mollification` mean edge lengths, and flips.
-TuftedCover tufted_cover(const TriangleMesh& mesh, double mollification = 1e-6);
+/// Returns the intrinsic Delaunay triangulation of the cover, mollified by 1e-6 mean edge lengths.
+IntrinsicTriangles tufted_cover(const TriangleMesh& mesh);
 
 /// Returns half of C and M of the cover, on the vertices of the mesh. Symmetric, and all weights ≥ 0 up to rounding (−5e-16 of the largest
 /// was met), for any mesh.

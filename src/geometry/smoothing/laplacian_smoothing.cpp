@@ -79,8 +79,7 @@ public:
         return true;
     }
 
-    /// Makes one step, not accepted yet. @return the first vertex that is not finite, else the farthest one out of bounds; −1 if all is
-    /// well
+    /// Makes one step, not accepted yet. @return the first vertex that is not finite, else the farthest one out of bounds; −1: none
     int step() {
         const double limit = options_.blow_up_at * frame_.diagonal;
         // Bounds of coordinates: then the distance is less than the limit, and its square finite.
@@ -196,7 +195,7 @@ Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, Impli
     inside.taubin_mu /= step_unit;
     const SolverWork before = solver.work();
     Diffusion diffusion(mesh, inside, frame, solver);
-    const bool rebuild = options.rebuild && options.laplacian != OperatorKind::uniform;   // the uniform operator sees no positions
+    const bool rebuild = options.rebuild && options.laplacian != OperatorKind::uniform;   // the uniform operator ignores positions
     Smoothed result;
     for (int t = 1; t <= options.iterations && !result.blew_up; ++t) {
         if (rebuild && t > 1 && !diffusion.rebuild()) {

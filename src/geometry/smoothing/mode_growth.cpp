@@ -20,12 +20,11 @@ ModeGrowth mode_growth(const LaplaceBeltrami& laplacian, const LargestEigenvalue
         for (Eigen::Index i = 0; i < Y.rows(); ++i) sum += weights[i] * row_of(Y, i);
         return sum.matrix().norm();
     };
-    const auto energy = [&](const Positions& Y) { return -(Y.array() * (laplacian.C * Y).array()).sum(); };
 
     // Only the mode of μ = 0 holds the constant part; without it no digits are lost to it.
-    Positions centred = X.rowwise() - (X.transpose() * laplacian.M / laplacian.M.sum()).transpose();
+    const Positions centred = X.rowwise() - (X.transpose() * laplacian.M / laplacian.M.sum()).transpose();
     FourColumns Y = gathered(centred, diffusion.vertex()), next(Y.rows());
-    const double start = amplitude(Y), energy_at_start = energy(centred);
+    const double start = amplitude(Y);
     if (!(start > 0)) throw MeshError("growth of a mode: the positions have none of it", "add it with seeded()");
     ModeGrowth growth{lambda, std::abs(1 - lambda * top.value), {1}};
     for (int t = 0; t < steps; ++t) {
@@ -33,8 +32,6 @@ ModeGrowth mode_growth(const LaplaceBeltrami& laplacian, const LargestEigenvalue
         std::swap(Y, next);
         growth.factor.push_back(amplitude(Y) / start);
     }
-    scatter(Y, diffusion.vertex(), centred);
-    growth.energy_ratio = energy(centred) / energy_at_start;
     return growth;
 }
 

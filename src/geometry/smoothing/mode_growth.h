@@ -13,7 +13,6 @@ struct ModeGrowth {
     double lambda = 0;            // the step [length²]
     double factor_a_step = 0;     // |1 − λμ|, predicted
     std::vector<double> factor;   // measured: |⟨X, φ⟩_M| after t = 0, 1, … steps over that at the start
-    double energy_ratio = 0;      // Dirichlet energy at the end over that at the start
 
     int steps() const { return static_cast<int>(factor.size()) - 1; }
     double predicted(int t) const { return std::pow(factor_a_step, t); }   // |1 − λμ|ᵗ

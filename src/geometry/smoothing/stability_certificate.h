@@ -20,8 +20,7 @@ struct StabilityCertificate {
     LargestEigenvalue top;            // the best estimate of the top mode
     Definiteness bottom;              // about modes with μ < 0
 
-    /// Returns the step up to which stability is proved, except for growth of rounding (definiteness.h); 0 unless −C is proved
-    /// semidefinite. [length²]
+    /// Returns the largest step proved stable, but for growth of rounding (definiteness.h); 0 unless −C is proved semidefinite. [length²]
     double lambda_low() const { return bottom.semidefinite() ? 2 / mu_high : 0; }
     /// Returns the step above which instability is proved; 0 if −C is indefinite, for then every step is unstable. [length²]
     double lambda_high() const { return bottom.indefinite() ? 0 : 2 / mu_low; }

@@ -116,7 +116,6 @@ Vector stiffest_of_components(const OperatorWithMass& whole) {
 
 Definiteness definiteness(const LaplaceBeltrami& laplacian, Assembly assembly) {
     using Verdict = Definiteness::Verdict;
-    using Evidence = Definiteness::Evidence;
     OperatorWithMass whole = operator_with_mass(laplacian);
     const double unit = std::exp2(std::round(std::log2(whole.M.mean())));   // a power of two: scaling by it is exact
     whole.M /= unit;
@@ -126,19 +125,17 @@ Definiteness definiteness(const LaplaceBeltrami& laplacian, Assembly assembly) {
     Definiteness found;
     found.mu_high = rayleigh_quotient(whole.A, whole.M, Vector::Ones(whole.size())).high / unit;
     double nu = infinity;
-    const auto at_least = [&](const Vector& of_rows, Evidence evidence) {
+    const auto at_least = [&](const Vector& of_rows) {
         const Vector bound = of_rows.cwiseQuotient(whole.M) * (1 + 4 * epsilon);
-        if (bound.maxCoeff() < nu) found.evidence = evidence;
         nu = std::min(nu, bound.maxCoeff());
         found.mu_low = -nu / unit;
         if ((bound.array() <= negligible * stiffest.array()).all()) found.verdict = Verdict::semidefinite;
         return found.semidefinite();
     };
-    if (at_least(2 * rows.negative + rows.excess, Evidence::weights)) return found;
+    if (at_least(2 * rows.negative + rows.excess)) return found;
     const bool triangles = assembly == Assembly::triangles && stands_alone(laplacian);
-    if (triangles && at_least(epsilon * (rows.entries.array() + 8).matrix().cwiseProduct(rows.around) + rows.excess, Evidence::triangles))
-        return found;
-    if (grounded_is_definite(whole, rows, found.factorisations) && at_least(rows.excess, Evidence::factor)) return found;
+    if (triangles && at_least(epsilon * (rows.entries.array() + 8).matrix().cwiseProduct(rows.around) + rows.excess)) return found;
+    if (grounded_is_definite(whole, rows, found.factorisations) && at_least(rows.excess)) return found;
 
     const OperatorWithMass negated{-whole.A, whole.M, whole.vertex, whole.all_vertices, whole.copies};   // its top is the lowest mode
     const TopEstimate estimate = top_estimate(negated);
@@ -152,7 +149,6 @@ Definiteness definiteness(const LaplaceBeltrami& laplacian, Assembly assembly) {
     // If C is known to be a sum over triangles, eigenvalues below 0 can only be its rounding.
     const bool proved = found.mu_high < 0 && !triangles, nothing_below = bottom.high <= negligible * stiffest.minCoeff();
     if (proved || nothing_below) found.verdict = proved ? Verdict::indefinite : Verdict::semidefinite;
-    found.evidence = proved ? Evidence::vector : nothing_below ? Evidence::factor : Evidence::none;
     return found;
 }
 

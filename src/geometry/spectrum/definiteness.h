@@ -1,6 +1,5 @@
 /// @file
-/// Proofs that −C is positive semidefinite. Only then is any explicit step stable: a mode with μ < 0 grows by 1 + λ|μ| in every step, for
-/// any λ.
+/// Proofs that −C is positive semidefinite. Only then is any explicit step stable: a mode with μ < 0 grows by 1 + λ|μ| in every step.
 ///
 /// The zero eigenvalue of the constants is rounded like all others, so no stored matrix is proved free of eigenvalues below 0, only of such
 /// below −ν, where ν is rounding:
@@ -28,7 +27,6 @@ enum class Assembly { unknown, triangles };
 /// A verdict on −C with its evidence.
 struct Definiteness {
     enum class Verdict { semidefinite, indefinite, undecided } verdict = Verdict::undecided;
-    enum class Evidence { none, weights, triangles, factor, vector } evidence = Evidence::none;
     double mu_low = 0, mu_high = 0;   // proved: mu_low ≤ μ_min ≤ mu_high; μ_min the smallest eigenvalue of −M⁻¹C [1/length²]
     int factorisations = 0;
     LargestEigenvalue bottom;   // of M⁻¹C: value ≈ −μ_min, its mode and vertex; only if indefinite or undecided
@@ -39,8 +37,7 @@ struct Definiteness {
     double growth(double lambda) const { return 1 + lambda * std::max(0.0, -mu_high); }
 };
 
-/// Decides whether −C, symmetric, is semidefinite. Costs two passes over C if weights or triangles are evidence enough, else
-/// factorisations.
+/// Decides whether −C is semidefinite. Costs two passes over C if weights or triangles are evidence enough, else factorisations.
 /// @throws MeshError as operator_with_mass()
 Definiteness definiteness(const LaplaceBeltrami& laplacian, Assembly assembly = Assembly::unknown);
 

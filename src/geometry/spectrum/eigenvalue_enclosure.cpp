@@ -61,11 +61,11 @@ public:
         double last = 0.5 * gap, delta = missing <= 0.5 * last ? last : std::clamp(10 * missing, last, far);
         for (int turns = 0; turns < most_turns && result_.factorisations < most_factorisations; ++turns) {
             if (result_.high - result_.low <= gap * scale()) return;
-            const bool near = factor_ && shift_ <= result_.quotient + delta * scale();   // the factor at hand is as good
-            if (near && delta <= last) return;                                           // what is left is rounding
+            const bool near = factor_ && shift_ <= result_.quotient + delta * scale();   // the last factor is as good
+            if (near && delta <= last) return;                                           // the rest is rounding
             if (!near) {
                 if (!try_at(std::min(result_.quotient + delta * scale(), (1 + 1e-6) * result_.high))) {
-                    if (delta <= last && result_.failed > 4) last *= 2;   // what is left may be rounding
+                    if (delta <= last && result_.failed > 4) last *= 2;   // the rest may be rounding
                     delta = std::max(30 * delta, far * (result_.failed == 1 ? 1 : 0));
                     continue;
                 }

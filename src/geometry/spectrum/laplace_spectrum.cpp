@@ -35,9 +35,6 @@ Spectrum smallest_eigenpairs(const LaplaceBeltrami& laplacian, int k, const Spec
     });
     spectrum.eigenvectors = whole.size() == whole.all_vertices ? std::move(Phi) : to_all_vertices(whole, Phi);
     spectrum.dense = modes.dense;
-    spectrum.inertia_count = modes.inertia.counted;
-    spectrum.found_below = modes.inertia.found;
-    spectrum.inertia_shift = modes.inertia.sigma / total;
     spectrum.gap_middle = modes.gap_middle / total;
     spectrum.slices = modes.slices;
     spectrum.repairs = modes.repairs;

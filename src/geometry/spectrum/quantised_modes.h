@@ -19,8 +19,7 @@ struct QuantisedModes {
     DenseMatrix restored() const;   // the matrix, rounded
 };
 
-/// Rounds the columns. No number moves by more than half of its column's scale: of its largest magnitude 1/65534 over the precision, at
-/// most 1/254.
+/// Rounds each column to half its scale: to 1/65534 of its largest magnitude over the precision, and to 1/254 at least.
 /// @param precision  of each column, at most 1; empty: 1
 QuantisedModes quantised(const DenseMatrix& modes, const Vector& precision = {});
 

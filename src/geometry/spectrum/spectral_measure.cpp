@@ -18,8 +18,7 @@ struct Quadrature {
     bool exact = true;
 };
 
-/// Computes nodes, the eigenvalues of the leading n × n block of a tridiagonal matrix, and weights, the squared first entries of its
-/// vectors.
+/// Computes nodes, eigenvalues of the leading n × n block of a tridiagonal matrix, and weights, squared first entries of its vectors.
 void nodes_and_weights(const Vector& diagonal, const Vector& beside, int n, double total, Vector& nodes, Vector& weights) {
     const double unit = diagonal.maxCoeff();   // the solver takes numbers far below 1 for zeros
     const DenseEigenpairs pairs = tridiagonal_eigenpairs(diagonal.head(n) / unit, beside.head(n - 1) / unit);

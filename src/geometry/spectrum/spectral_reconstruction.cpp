@@ -76,7 +76,7 @@ void ReconstructionStream::add(const Eigen::Ref<const DenseMatrix>& modes, const
 }
 
 Positions ReconstructionStream::positions() const {
-    // Z Zᵀ M 1 is 1 on every component whose zero mode is among those added, else 0; rounded to be exactly that.
+    // Z Zᵀ M 1 is 1 on components with an added zero mode, else 0; it is rounded to be exactly that.
     return with_massless_kept(sum_ + constant_.array().round().matrix() * centroid_, M_, X_);
 }
 

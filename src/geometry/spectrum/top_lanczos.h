@@ -29,8 +29,7 @@ struct TopSearch {
 /// @throws SolverError if weights are not finite
 TopEstimate top_estimate(const OperatorWithMass& whole, const TopSearch& search = {}, const Vector& start = {});
 
-/// Returns a unit vector of n entries with a part in every mode: no symmetry of a mesh makes it orthogonal to one. The same on every
-/// machine.
+/// Returns a fixed unit vector of n entries with a part in every mode: no symmetry of a mesh makes it orthogonal to one.
 Vector irregular_direction(int n);
 
 }   // namespace meshfolio

@@ -167,7 +167,7 @@ TEST(JetFit, OfThinTrianglesIsKeptWhereItIsGood) {
         TriangleMesh saddle = grid_mesh(12, 12, 1, aspect);
         saddle.X.col(2) = bend * (saddle.X.col(0).array().square() - saddle.X.col(1).array().square());
         const JetCurvature jets = jet_curvature(saddle, topology_of(saddle));
-        EXPECT_EQ(jets.unfitted, 0) << "aspect " << aspect;
+        EXPECT_TRUE(jets.H.allFinite()) << "aspect " << aspect;
         EXPECT_LT((jets.K.array() / (-4 * bend * bend) - 1).abs().maxCoeff(), 0.01) << "aspect " << aspect;
     }
 }
@@ -176,12 +176,11 @@ TEST(JetFit, IsNaNWhereItIsUndefined) {
     const TriangleMesh star = fan(6, 0.1);   // seven points
     const JetCurvature none = jet_curvature(star, topology_of(star));
     EXPECT_TRUE(none.H.array().isNaN().all() && none.K.array().isNaN().all());
-    EXPECT_EQ(none.unfitted, 7);
     TriangleMesh loose = torus_mesh(24, 12, 1, 0.4);
     loose.X.conservativeResize(loose.X.rows() + 1, 3);
     loose.X.row(loose.X.rows() - 1).setZero();
     const JetCurvature torus = jet_curvature(loose, topology_of(loose));
     EXPECT_TRUE(std::isnan(torus.H[loose.X.rows() - 1]));
-    EXPECT_EQ(torus.unfitted, 0) << "a vertex no triangle uses is not in use";
+    EXPECT_TRUE(torus.H.head(loose.X.rows() - 1).allFinite());
     EXPECT_THROW(jet_curvature(icosphere(0), topology_of(star)), MeshError);
 }

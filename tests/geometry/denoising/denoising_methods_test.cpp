@@ -19,6 +19,11 @@ using namespace meshfolio::testing;
 
 namespace {
 
+DenoisingRun run_alone(const DenoisingInput& input, const DenoisingOptions& options) {
+    ImplicitSolver solver;
+    return denoise(input, options, solver);
+}
+
 /// A parameter that suits the mesh: a tenth of a squared mean edge, half the stable step, a pass band of 0.1, or σ_r of 0.4.
 double suiting(DenoisingMethod method, const TriangleMesh& mesh, double largest) {
     if (method == DenoisingMethod::explicit_flow) return 1 / largest;
@@ -35,7 +40,7 @@ TriangleMesh denoised(DenoisingMethod method, const TriangleMesh& mesh, int step
     options.method = method;
     options.parameter = suiting(method, mesh, largest);
     options.steps = steps;
-    const DenoisingRun run = denoise({mesh, topology, largest}, options);
+    const DenoisingRun run = run_alone({mesh, topology, largest}, options);
     EXPECT_EQ(run.steps, steps);
     EXPECT_FALSE(run.ended);
     return moved_to(mesh, run.X);
@@ -121,7 +126,7 @@ TEST(DenoisingMethods, FiltersOfNormalsKeepTheEdgesOfACubeAndDiffusionRoundsThem
         options.method = entry.method;
         options.parameter = filters_normals(entry.method) ? 0.2 : suiting(entry.method, cube, largest);
         options.steps = 10;
-        const double moved = largest_move(denoise({cube, topology, largest}, options).X, cube.X);
+        const double moved = largest_move(run_alone({cube, topology, largest}, options).X, cube.X);
         if (filters_normals(entry.method)) {
             EXPECT_LT(moved, 1e-8 * h) << entry.name;
         } else {
@@ -201,7 +206,7 @@ TEST(VolumeRescaling, NeedsAVolume) {
     DenoisingOptions options;
     options.method = DenoisingMethod::volume_rescaled;
     options.parameter = 1;
-    EXPECT_THROW(denoise({open, topology_of(open)}, options), MeshError);
+    EXPECT_THROW(run_alone({open, topology_of(open)}, options), MeshError);
     const ComponentSizes wanted = component_sizes(open, topology_of(open));
     EXPECT_EQ(with_volumes(scaled(open, 2), topology_of(open), wanted), scaled(open, 2).X) << "what has none stays";
 }
@@ -241,7 +246,7 @@ TEST(ConformalFlow, LeadsToASphereAsTheTrianglesGetFinerWhereTheRebuiltFlowColla
         options.method = method;
         options.parameter = 0.01 * surface_area(mesh);
         options.steps = 60;
-        return denoise({mesh, topology_of(mesh)}, options);
+        return run_alone({mesh, topology_of(mesh)}, options);
     };
     const auto defect = [&](const TriangleMesh& mesh) {
         const DenoisingRun run = flown(mesh, DenoisingMethod::conformal_flow);
@@ -279,7 +284,7 @@ TEST(DenoisingMethods, StopWhenTheCallbackReturnsFalse) {
             last = X;
             return step < 3;
         };
-        const DenoisingRun run = denoise({mesh, topology, largest}, options);
+        const DenoisingRun run = run_alone({mesh, topology, largest}, options);
         EXPECT_EQ(told, (std::vector{1, 2, 3})) << entry.name;
         EXPECT_EQ(run.steps, 3) << entry.name;
         EXPECT_LT(largest_move(run.X, last), 1e-14) << entry.name;
@@ -294,16 +299,16 @@ TEST(DenoisingMethods, ImpossibleSettingsAreRefused) {
         options.method = entry.method;
         for (const double wrong : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
             options.parameter = wrong;
-            EXPECT_THROW(denoise({mesh, topology, 100}, options), MeshError) << entry.name << " " << wrong;
+            EXPECT_THROW(run_alone({mesh, topology, 100}, options), MeshError) << entry.name << " " << wrong;
         }
         options.parameter = 0.1;
         options.steps = -1;
-        EXPECT_THROW(denoise({mesh, topology, 100}, options), MeshError) << entry.name;
+        EXPECT_THROW(run_alone({mesh, topology, 100}, options), MeshError) << entry.name;
         options.steps = 0;
-        EXPECT_EQ(denoise({mesh, topology, 100}, options).X, mesh.X) << entry.name << ": no step, no change";
+        EXPECT_EQ(run_alone({mesh, topology, 100}, options).X, mesh.X) << entry.name << ": no step, no change";
     }
     DenoisingOptions taubin;
     taubin.method = DenoisingMethod::taubin;
     taubin.parameter = 0.1;
-    EXPECT_THROW(denoise({mesh, topology}, taubin), MeshError) << "without μ_max";
+    EXPECT_THROW(run_alone({mesh, topology}, taubin), MeshError) << "without μ_max";
 }

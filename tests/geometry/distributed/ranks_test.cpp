@@ -87,9 +87,7 @@ std::vector<Named> meshes() {
             {"two components", side_by_side(lopsided_ellipsoid(2), cube_mesh(6))}};
 }
 
-SpectrumOptions options_of(const Backend& backend) {
-    return {.dense_below = 0, .engine = backend.engine, .inertia_at = backend.inertia_at};
-}
+SpectrumOptions options_of(const Backend& backend) { return {.dense_below = 0, .engine = backend.engine}; }
 
 class WithRanks : public ::testing::TestWithParam<std::string> {
 protected:
@@ -120,8 +118,6 @@ TEST_P(WithRanks, SpectrumAndCertificateAreThoseOfThisProcess) {
                                       b = certify_spectrum(mesh, laplacian, theirs, backend().inertia_at);
             EXPECT_TRUE(b.holds()) << name << ", k = " << k;
             EXPECT_EQ(a.counted_below, b.counted_below) << name << ", k = " << k;
-            EXPECT_EQ(theirs.inertia_count, theirs.found_below) << name;
-            EXPECT_GT(theirs.inertia_count, 0) << name;
         }
     }
 }

@@ -27,7 +27,6 @@ TEST(LaplaceOperator, NamesRoundTrip) {
         EXPECT_EQ(operator_entry(entry.kind).name, entry.name);
         EXPECT_TRUE(names.insert(entry.name).second && titles.insert(entry.title).second) << entry.name;
         EXPECT_TRUE(entry.description.ends_with('.')) << entry.name;
-        EXPECT_NE(operator_names().find(entry.name), std::string::npos);
     }
     EXPECT_EQ(operator_list().front().kind, OperatorKind::cotan) << "the default comes first";
 }
@@ -39,7 +38,7 @@ TEST(LaplaceOperator, UnknownNamesAreRefusedWithTheNearest) {
         FAIL();
     } catch (const UsageError& error) {
         EXPECT_NE(std::string(error.what()).find("did you mean 'clamped'"), std::string::npos) << error.what();
-        EXPECT_NE(std::string(error.what()).find(operator_names()), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("cotan, uniform, cotan-no-half, clamped"), std::string::npos) << error.what();
     }
 }
 

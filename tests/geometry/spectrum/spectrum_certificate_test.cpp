@@ -39,8 +39,7 @@ void drop_mode(Spectrum& spectrum, Eigen::Index j) {
 /// A spectrum as another program might hand it over: without any claim of its own.
 Spectrum without_claims(Spectrum spectrum) {
     spectrum.residuals = {};
-    spectrum.inertia_count = spectrum.found_below = -1;
-    spectrum.inertia_shift = spectrum.gap_middle = 0;
+    spectrum.gap_middle = 0;
     return spectrum;
 }
 

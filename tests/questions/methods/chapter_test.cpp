@@ -86,7 +86,8 @@ TEST(DenoisingSearch, TheBestResultCanBeReproduced) {
             options.method = r.method;
             options.parameter = r.by_shape.value * search_plan(r.method, laboratory.budget, trial.mean_edge, trial.largest_eigenvalue).unit;
             options.steps = r.by_shape.step;
-            const DenoisingRun run = denoise({noisy, mesh.subject.topology, trial.largest_eigenvalue}, options);
+            ImplicitSolver solver;
+            const DenoisingRun run = denoise({noisy, mesh.subject.topology, trial.largest_eigenvalue}, options, solver);
             EXPECT_LT((run.X - r.X).cwiseAbs().maxCoeff(), 1e-14) << denoising_entry(r.method).name;
         }
     }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 #include "base/at.h"
 #include "base/available_memory.h"
@@ -32,7 +31,6 @@ struct Part {
     bool exhausted() const { return modes.pairs.count() == size(); }
     double value(int j) const { return modes.pairs.mu[j] / area; }   // in units of the whole
     double last_value() const { return value(modes.pairs.count() - 1); }
-    int found_below(double sigma) const { return static_cast<int>((modes.pairs.mu.array() / area < sigma).count()); }
 };
 
 std::vector<Part> parts_of(const SparseMatrix& A, const Vector& M, const Components& components) {
@@ -177,35 +175,6 @@ Merged solve_and_merge(std::vector<Part>& parts, int k, PartSolver& solver) {
     }
 }
 
-/// Counts the eigenvalues of a part below σ of the whole, at the point of the same gap of that part where rounding matters least: on a
-/// speck, σ itself may be too near 0. Returns nothing if rounding may have changed the count.
-std::optional<int> inertia_of(const Part& part, double sigma, const InertiaAt& inertia_at) {
-    const Vector& mu = part.modes.pairs.mu;
-    const int below = part.found_below(sigma);
-    const double low = std::max(sigma * part.area, below > 0 ? mu[below - 1] : 0.0);
-    const double high = below < mu.size() ? mu[below] : gap_behind(mu, below).high;
-    if (!(high > low)) return below == part.size() ? std::optional(below) : std::nullopt;   // above all there are
-    const auto inertia = trusted_between(part.A, part.M, {low, high}, inertia_at);
-    return inertia ? std::optional(inertia->below) : std::nullopt;
-}
-
-InertiaCount count_inertia(const std::vector<Part>& parts, const Gap& gap, const SpectrumOptions& options) {
-    const double sigma = gap.middle();
-    std::vector<std::optional<int>> counts(parts.size());
-    const auto count = [&](std::size_t p) {
-        counts[p] = inertia_of(parts[p], sigma, parts[p].modes.dense ? inertia_at : options.inertia_at);
-    };
-    if (!options.engine) for_each_task(parts.size(), count);
-    for (std::size_t p = 0; options.engine && p < parts.size(); ++p) count(p);   // it is called by one thread
-    InertiaCount sum{sigma, 0, 0};
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-        if (!counts[p]) return {};
-        sum.counted += *counts[p];
-        sum.found += parts[p].found_below(sigma);
-    }
-    return sum;
-}
-
 }   // namespace
 
 Modes modes_of_components(const SparseMatrix& A, const Vector& M, const Components& components, int k, const SpectrumOptions& options) {
@@ -229,7 +198,6 @@ Modes modes_of_components(const SparseMatrix& A, const Vector& M, const Componen
         modes.pairs.mu[j] = entry.mu;
         for (int i = 0; i < part.size(); ++i) modes.pairs.Y(part.rows[at(i)], j) = part.modes.pairs.Y(i, entry.j);
     }
-    modes.inertia = count_inertia(parts, spectrum.gap, options);
     modes.gap_middle = spectrum.gap.middle();
     modes.dense = A.rows() <= options.dense_below;
     for (const Part& part : parts) {

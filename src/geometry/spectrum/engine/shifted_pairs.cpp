@@ -208,7 +208,7 @@ Shift shift_below_zero(const SpectrumProblem& problem, double sigma) {
 
 SymmetricPairs pairs_near(const SpectrumProblem& problem, const Shift& shift, const DenseMatrix& known, const PairSearch& search) {
     constexpr int most_restarts = 12;
-    constexpr double converged = 1e-11;   // of 1/(μ − σ): what is left of other vectors in each, too
+    constexpr double converged = 1e-11;   // of 1/(μ − σ), and of the share of other vectors in each
     const Eigen::Index left = problem.others() - known.cols(), pairs = std::min<Eigen::Index>(search.wanted, left);
     if (pairs < 1) return {Vector(0), DenseMatrix(problem.size(), 0)};
     const DeflatedInverse inverse(problem, shift, known, search);

@@ -20,13 +20,9 @@ SymmetricPairs with_constant(const Vector& M, const Vector& mu, const Eigen::Ref
     return all;
 }
 
-Modes dense_modes(const SparseMatrix& A, const Vector& M, int k, const InertiaAt& inertia_at) {
+Modes dense_modes(const SparseMatrix& A, const Vector& M, int k) {
     const SymmetricPairs all = dense_pairs(A, M);
-    const Gap gap = gap_behind(all.mu, k);
-    Modes modes{part_of(all, 0, k), {}, gap.middle(), true};
-    if (const auto inertia = trusted_between(A, M, gap, inertia_at))
-        modes.inertia = {inertia->sigma, inertia->below, all.count_below(inertia->sigma)};
-    return modes;
+    return {part_of(all, 0, k), gap_behind(all.mu, k).middle(), true};
 }
 
 }   // namespace
@@ -52,12 +48,6 @@ Gap gap_behind(const Vector& mu, int k) {
     return largest > 0 ? Gap{largest, 1.002 * largest} : Gap{0, 2};
 }
 
-std::optional<Inertia> trusted_between(const SparseMatrix& A, const Vector& M, const Gap& gap, const InertiaAt& inertia_at) {
-    const auto inertia = inertia_between(A, M, gap.low, gap.high, inertia_at);
-    const bool trusted = inertia && inertia->delta < std::min(inertia->sigma - gap.low, gap.high - inertia->sigma);
-    return trusted ? inertia : std::nullopt;
-}
-
 SymmetricPairs dense_pairs(const SparseMatrix& A, const Vector& M) {
     const DenseEigenpairs pairs = dense_eigenpairs(symmetric_form(A, M));
     const Eigen::Index n = A.rows();
@@ -74,7 +64,7 @@ SymmetricPairs dense_pairs(const SparseMatrix& A, const Vector& M) {
 
 Modes modes_of(const SparseMatrix& A, const Vector& M, int k, const SpectrumOptions& options) {
     constexpr int dense_at_most = 3000;   // 1,800 rows took 12 s, and the time grows with the cube
-    if (A.rows() <= options.dense_below) return dense_modes(A, M, k, options.inertia_at);
+    if (A.rows() <= options.dense_below) return dense_modes(A, M, k);
     if (options.engine) return options.engine(A, M, k);
     try {
         const SpectrumProblem problem(A, M);
@@ -86,7 +76,7 @@ Modes modes_of(const SparseMatrix& A, const Vector& M, int k, const SpectrumOpti
         return modes;
     } catch (const CrowdedSpectrum&) {
         if (A.rows() > dense_at_most) throw;
-        return dense_modes(A, M, k, options.inertia_at);
+        return dense_modes(A, M, k);
     }
 }
 

@@ -2,25 +2,15 @@
 /// The smallest eigenpairs of one operator in symmetric form, dense or by slices. Private to the layer.
 #pragma once
 
-#include <optional>
-
-#include "geometry/linear/inertia.h"
 #include "geometry/operators/vertices_with_mass.h"
 #include "geometry/spectrum/engine/shifted_pairs.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 
 namespace meshfolio {
 
-/// The number of eigenvalues below σ, counted by inertia and among those found; −1, −1 if rounding may have changed the count.
-struct InertiaCount {
-    double sigma = 0;
-    int counted = -1, found = -1;
-};
-
 /// The k smallest pairs in symmetric form, zero modes first.
 struct Modes {
     SymmetricPairs pairs;
-    InertiaCount inertia;
     double gap_middle = 0;   // of the first clear gap above the pairs; 0: not known
     bool dense = false;
     int slices = 0, repairs = 0;   // repairs: repeated searches for missed pairs
@@ -34,9 +24,6 @@ struct Gap {
 /// Returns the first clear gap of the ascending `mu` above its k-th entry, or an interval above its last. A cluster is never cut: rounding
 /// would decide on which side of σ its members are.
 Gap gap_behind(const Vector& mu, int k);
-
-/// Counts the inertia within a gap; nothing if its rounding exceeds the distance from either end.
-std::optional<Inertia> trusted_between(const SparseMatrix& A, const Vector& M, const Gap& gap, const InertiaAt& inertia_at);
 
 /// Returns the residual of each pair in the norm of the equations −Cφ = μMφ: ‖M^½(By − μy)‖ / (μ‖M^½y‖).
 Vector relative_residuals(const SparseMatrix& B, const Vector& root_mass, const SymmetricPairs& pairs);

@@ -198,7 +198,7 @@ private:
             const int missing = slice.wanted - slice.held(found);
             const PairSearch search{std::min(missing + 2, problem_.others() - found.count()), options_.tolerance, report};
             SymmetricPairs more = pairs_near(problem_, shift, found.Y, search);
-            if (slice.held(more) == 0 && more.count() < search.wanted) {   // a cluster that no Krylov space tells apart
+            if (slice.held(more) == 0 && more.count() < search.wanted) {   // a cluster that no Krylov space separates
                 found = merged(found, more);
                 more = pairs_by_iteration(problem_, shift, found.Y, search);
             }
@@ -210,17 +210,15 @@ private:
 
     SymmetricPairs no_pairs() const { return {Vector(0), DenseMatrix(problem_.size(), 0)}; }
 
-    /// Returns the last count beside the number of the values mu found; −1, −1 if rounding may have changed it.
-    /// @throws CrowdedSpectrum if they differ
-    InertiaCount checked_count(const std::vector<double>& mu) const {
+    /// @throws CrowdedSpectrum if the values mu found below the last count are not as many, unless rounding may have changed it
+    void check_count(const std::vector<double>& mu) const {
         int found = 0;
         double nearest = last_.sigma;
         for (const double value : mu) {
             found += value < last_.sigma ? 1 : 0;
             nearest = std::min(nearest, std::abs(value - last_.sigma));
         }
-        if (!(last_.delta < nearest)) return {};
-        if (found == last_.others) return {last_.sigma, last_.others + 1, found + 1};
+        if (!(last_.delta < nearest) || found == last_.others) return;
         throw CrowdedSpectrum(
             "the smallest eigenpairs did not converge: inertia counts " + std::to_string(last_.others + 1) +
                 " eigenvalues below a shift, " + std::to_string(found + 1) + " were found",
@@ -242,8 +240,8 @@ private:
         std::vector<double> mu;
         for (const Place& place : all) mu.push_back(value(place));
 
+        check_count(mu);
         Modes result;
-        result.inertia = checked_count(mu);
         if (static_cast<int>(mu.size()) < k) throw CrowdedSpectrum("the smallest eigenpairs did not converge", "ask for fewer eigenpairs");
         const SymmetricPairs values{Eigen::Map<const Vector>(mu.data(), static_cast<Eigen::Index>(mu.size())), {}};
         const Gap gap = gap_after(values, k);
