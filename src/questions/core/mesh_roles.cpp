@@ -6,6 +6,8 @@
 
 #include "base/errors.h"
 #include "embedded_data.h"
+#include "mesh/samples/sample_parts.h"
+#include "mesh/samples/sample_shapes.h"
 
 namespace meshfolio {
 
@@ -17,8 +19,8 @@ constexpr std::array<MeshRole, 13> roles{{
     {"plane", "curvatures/plane.obj", "plane.obj"},
     {"lilium", "curvatures/lilium_s.obj", "lily.obj"},
     {"armadillo", "decompose/armadillo.obj", "creature.obj"},
-    {"plane_ns", "smoothing/plane_ns.obj", "plane_noisy.obj"},
-    {"fandisk_ns", "smoothing/fandisk_ns.obj", "fandisk_noisy.obj"},
+    {"plane_ns", "smoothing/plane_ns.obj", "plane_noisy.obj", [] { return uneven_plane_sample(0); }},
+    {"fandisk_ns", "smoothing/fandisk_ns.obj", "fandisk_noisy.obj", [] { return make_sample("fandisk_like"); }},
     {"cube", "", "cube.obj"},
     {"cube8", "", "cube8.obj"},
     {"sphere", "", "sphere.obj"},

@@ -9,19 +9,22 @@
 
 namespace meshfolio {
 
+struct TriangleMesh;
+
 struct MeshRole {
-    std::string_view role;      // "armadillo"
-    std::string_view asked;     // "decompose/armadillo.obj"; empty: not of the assignment
-    std::string_view bundled;   // "creature.obj" in data/
+    std::string_view role;               // "armadillo"
+    std::string_view asked;              // "decompose/armadillo.obj"; empty: not of the assignment
+    std::string_view bundled;            // "creature.obj" in data/
+    TriangleMesh (*clean)() = nullptr;   // makes a noisy bundled mesh without its noise, vertex by vertex; null: it has no noise
 };
 std::span<const MeshRole> mesh_role_list();
 
-/// @throws UsageError if there is none
+/// Returns the role of this name. @throws UsageError if there is none
 const MeshRole& role_named(const std::string& name);
-/// The role that a path stands for: by the assignment's path, the file's name, or a bare stem such as "torus"; null: none.
+/// Returns the role that a path stands for: by the assignment's path, the file's name, or a bare stem such as "torus"; null: none.
 const MeshRole* role_of_path(const std::string& path);
 
-/// The bytes of a file of data/ as compiled into the program.
+/// Returns the bytes of a file of data/ as compiled into the program; nothing if there is none.
 std::optional<std::string_view> bundled_mesh(std::string_view file);
 
 }   // namespace meshfolio

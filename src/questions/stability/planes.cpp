@@ -1,20 +1,18 @@
 #include "base/parallel_tasks.h"
 #include "geometry/spectrum/laplace_spectrum.h"
-#include "mesh/samples/sample_parts.h"
-#include "mesh/samples/sample_shapes.h"
+#include "questions/core/mesh_roles.h"
 #include "questions/stability/parts.h"
 
 namespace meshfolio::stability {
 
 namespace {
 
-/// A bundled noisy mesh without its noise; nothing for other meshes.
+/// Returns a bundled noisy mesh without its noise; nothing for other meshes.
 std::optional<TriangleMesh> clean_mesh(const LibraryMesh& source) {
-    std::optional<TriangleMesh> clean;
-    if (source.input.stand_in && source.input.role == "plane_ns") clean = uneven_plane_sample(0);
-    if (source.input.stand_in && source.input.role == "fandisk_ns") clean = make_sample("fandisk_like");
-    if (clean && clean->F != source.mesh().F) clean.reset();
-    return clean;
+    if (!source.input.stand_in) return {};
+    const auto make_clean = role_named(source.input.role).clean;
+    std::optional<TriangleMesh> clean = make_clean != nullptr ? std::optional(make_clean()) : std::nullopt;
+    return clean && clean->F == source.mesh().F ? clean : std::nullopt;
 }
 
 /// Measures the positions X of a run and writes the values into cell i of the map. @param first_normals  of the faces of the input
