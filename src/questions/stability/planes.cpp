@@ -9,10 +9,10 @@ namespace {
 
 /// Returns a bundled noisy mesh without its noise; nothing for other meshes.
 std::optional<TriangleMesh> clean_mesh(const LibraryMesh& source) {
-    if (!source.input.stand_in) return {};
-    const auto make_clean = role_named(source.input.role).clean;
-    std::optional<TriangleMesh> clean = make_clean != nullptr ? std::optional(make_clean()) : std::nullopt;
-    return clean && clean->F == source.mesh().F ? clean : std::nullopt;
+    const auto role = std::ranges::find(mesh_role_list(), source.input.role, &MeshRole::role);
+    if (!source.input.stand_in || role == mesh_role_list().end() || role->clean == nullptr) return {};
+    std::optional<TriangleMesh> clean = role->clean();
+    return clean->F == source.mesh().F ? clean : std::nullopt;
 }
 
 /// Measures the positions X of a run and writes the values into cell i of the map. @param first_normals  of the faces of the input
