@@ -15,8 +15,8 @@
 
 namespace meshfolio::output {
 
-/// Limits that keep a page small: triangles of one model, and bytes of all GLB files together, which lengthen the page by six tenths of that. A
-/// figure beyond a limit has only pictures.
+/// Limits that keep a page small: triangles of one model, and bytes of all GLB files together, which lengthen the page by six tenths of
+/// that. A figure beyond a limit has only pictures.
 inline constexpr int most_model_triangles = 60'000;
 inline constexpr std::size_t most_model_bytes = 2'000'000;
 

@@ -1,6 +1,7 @@
-// Colour maps in the sight of readers without L, M or S cones. The matrices of Machado, Oliveira and Fernandes (A Physiologically-based Model
-// for Simulation of Color Vision Deficiency, IEEE TVCG 15(6), 2009) for severity 1 simulate it in linear RGB. Distances are CIEDE2000, with 1
-// just visible between patches side by side. The tests ask for several times as much, because colours on a surface are shaded and apart.
+// Colour maps in the sight of readers without L, M or S cones. The matrices of Machado, Oliveira and Fernandes (A Physiologically-based
+// Model for Simulation of Color Vision Deficiency, IEEE TVCG 15(6), 2009) for severity 1 simulate it in linear RGB. Distances are
+// CIEDE2000, with 1 just visible between patches side by side. The tests ask for several times as much, because colours on a surface are
+// shaded and apart.
 #include <gtest/gtest.h>
 
 #include <algorithm>

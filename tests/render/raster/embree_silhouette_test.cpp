@@ -206,8 +206,8 @@ std::vector<Case> cases() {
 }   // namespace
 
 // We and a ray through the pixel centre disagree only if the centre is near an outline or a common edge, by the distance of snapping. An
-// outline of length L therefore affects at most 2 · √2/512 · L pixels: less than 1/1000 of a shape at least 11 pixels wide, and 2 % / s of the
-// numbers of triangles with sides of s pixels (edges of length 2√3 / s per pixel).
+// outline of length L therefore affects at most 2 · √2/512 · L pixels: less than 1/1000 of a shape at least 11 pixels wide, and 2 % / s of
+// the numbers of triangles with sides of s pixels (edges of length 2√3 / s per pixel).
 TEST(Silhouettes, EqualThoseOfRayCasting) {
     const Device device(rtcNewDevice("threads=1"), rtcReleaseDevice);
     for (const auto& [name, mesh, least_agreement] : cases()) {
