@@ -30,11 +30,6 @@ constexpr const char* remedy = "move it away, or choose another folder with --ou
     throw OutputError(path.string(), what + ", and is no file of ours", remedy);
 }
 
-bool is_there(const fs::path& path) {
-    std::error_code error;
-    return fs::symlink_status(path, error).type() != fs::file_type::not_found;
-}
-
 /// True for a folder, false for a link to one.
 bool is_folder(const fs::path& path) {
     std::error_code error;
@@ -45,7 +40,7 @@ bool is_folder(const fs::path& path) {
 int move_to_free_name(const fs::path& from, const fs::path& to) {
     const int error = rename_with(from, to, Taken::kept);
     if (error != EINVAL && error != ENOSYS && error != EOPNOTSUPP) return error;
-    return is_there(to) ? EEXIST : rename_with(from, to, Taken::replaced);
+    return may_be_there(to) ? EEXIST : rename_with(from, to, Taken::replaced);
 }
 
 /// Returns the SHA-256 of a regular file; empty if it is no regular file or cannot be read.
@@ -236,12 +231,12 @@ void UserFiles::examine() {
 }
 
 void UserFiles::note(const Found& file, const fs::path& successor) {
-    if (file.edited || file.path == ".gitignore" || is_there(successor / file.path)) return;
+    if (file.edited || file.path == ".gitignore" || may_be_there(successor / file.path)) return;
     if (!counted_.insert(file.path.string()).second) return;
     fs::path part;   // the first that the successor does not have yet: "notes/" of "notes/a/b"
     for (const fs::path& name : file.path) {
         part /= name;
-        if (!is_there(successor / part)) break;
+        if (!may_be_there(successor / part)) break;
     }
     kept_.insert(part == file.path ? part.string() : part.string() + "/");
 }
@@ -249,7 +244,7 @@ void UserFiles::note(const Found& file, const fs::path& successor) {
 void UserFiles::carry(const fs::path& successor, bool moves) {
     // Files that keep their names come first: another file may be about to get the same name.
     std::stable_partition(found_.begin(), found_.end(),
-                          [&](const Found& file) { return !file.edited && !is_there(successor / file.path); });
+                          [&](const Found& file) { return !file.edited && !may_be_there(successor / file.path); });
     for (const Found& file : found_) note(file, successor);
     Carrier carrier(folder_, successor, moves);
     for (const Found& file : found_) {
@@ -270,7 +265,7 @@ void UserFiles::make_way_for(const fs::path& incoming) {
         bool is_moved = false;
         for (const fs::path& name : file.path) {
             part /= name;
-            if (is_moved || !is_there(incoming / part)) break;
+            if (is_moved || !may_be_there(incoming / part)) break;
             const bool both_folders = is_folder(incoming / part) && (part != file.path || file.is_folder);
             if (both_folders || is_same_file(folder_ / part, incoming / part)) continue;
             move_beside(part);

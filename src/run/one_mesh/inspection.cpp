@@ -39,6 +39,19 @@ Inspection inspect_mesh(PreparedMesh prepared, OperatorKind kind, const std::fun
 
 namespace {
 
+ordered_json defects_json(const MeshFacts& facts) {
+    ordered_json list = ordered_json::array();
+    for (const auto& [defect, count] : certificates::defects_of(facts)) {
+        list.push_back({{"defect", defect->key},
+                        {"name", defect->name()},
+                        {"count", count},
+                        {"affects", certificates::affected_questions(*defect)},
+                        {"breaks", defect->breaks()},
+                        {"done", defect->done()}});
+    }
+    return list;
+}
+
 /// Adds the limits of a stable step. They are null if −C is indefinite, because no step is stable then; the proved ones also if that is
 /// undecided.
 void add_stability(ordered_json& json, const std::optional<StabilityCertificate>& proved, OperatorKind kind) {
@@ -68,15 +81,6 @@ void add_stability(ordered_json& json, const std::optional<StabilityCertificate>
 std::string inspection_json(const Inspection& inspection) {
     const Preflight& p = inspection.prepared.preflight;
     const auto row = [](const Vector3& v) { return ordered_json::array({v.x(), v.y(), v.z()}); };
-    ordered_json defects = ordered_json::array();
-    for (const auto& [defect, count] : certificates::defects_of(inspection.facts)) {
-        defects.push_back({{"defect", defect->key},
-                           {"name", defect->name()},
-                           {"count", count},
-                           {"affects", certificates::affected_questions(*defect)},
-                           {"breaks", defect->breaks()},
-                           {"done", defect->done()}});
-    }
     ordered_json json{
         {"vertices", p.vertices},
         {"vertices_in_use", p.vertices_in_use},
@@ -119,7 +123,7 @@ std::string inspection_json(const Inspection& inspection) {
         {"offset_in_diagonals", inspection.facts.offset},
         {"coordinate_rounding", inspection.facts.coordinate_rounding},
         {"written_steps", inspection.facts.written_steps},
-        {"defects", defects}};
+        {"defects", defects_json(inspection.facts)}};
     add_stability(json, inspection.stability, inspection.kind);
     json["lambda_crit_with_zero_area_faces"] = inspection.floored ? ordered_json(*inspection.floored) : ordered_json();
     json["warnings"] = ordered_json::array();
