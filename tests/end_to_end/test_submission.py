@@ -260,7 +260,13 @@ class Refusals(Reported):
         self.refuse(1, "q4 failed: no spectrum", out)
         self.edit_results(out, lambda r: r["questions"][3].update(status="skipped"))
         self.refuse(1, "q4 is skipped", out)
-        self.edit_results(out, lambda r: r["questions"].pop(3))
+
+        def remove(results):
+            results["questions"].pop(3)
+            used = [(mesh["file"], mesh["sha256"]) for section in results["questions"] + results["supporting"] for mesh in section["inputs"]]
+            results["provenance"]["inputs"] = [mesh for mesh in results["provenance"]["inputs"] if (mesh["file"], mesh["sha256"]) in used]
+
+        self.edit_results(out, remove)
         self.refuse(1, "q4 is missing", out)
 
     def test_failed_and_undecided_checks_are_counted_apart_and_do_not_prevent_a_submission(self):
