@@ -1,7 +1,6 @@
 // The request of `meshfolio report`: sections computed, taken from the cache, or kept from the report that --only renews.
 #include <algorithm>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "base/available_memory.h"
@@ -55,12 +54,17 @@ std::string difference_to(const StoredReport& earlier, const std::set<std::strin
     for (report::Provenance* one : {&before, &provenance})   // efforts follow from the other settings and from the sections that are named
         std::erase_if(one->settings, [](const auto& setting) { return setting.first.ends_with(effort_suffix); });
     if (const std::string found = difference(before, provenance); !found.empty()) return found;
-    std::set<std::tuple<std::string, std::string, std::string, std::string>> seen;
     for (const report::Section& section : earlier.document.sections) {
         if (!kept.contains(section.id)) continue;
+        const Chapter& chapter = chapter_of_id(section.id);
+        std::vector<report::Input> found_now;
+        for (const MeshLookup& lookup : meshes_read_by(chapter, now.settings))
+            if (auto input = now.meshes.input_of(lookup, now.settings.base)) found_now.push_back(std::move(*input));
         for (const report::Input& input : section.inputs) {
-            if (!seen.emplace(input.role, input.asked, input.file, input.sha256).second) continue;
-            if (!now.meshes.still_has(input, now.settings.base)) return "another " + input.file;
+            const auto is_same = [&](const report::Input& one) {
+                return one.file == input.file && one.sha256 == input.sha256 && (one.stand_in == input.stand_in || chapter.on_request);
+            };
+            if (std::ranges::none_of(found_now, is_same)) return "another " + input.file;
         }
     }
     return "";

@@ -23,9 +23,17 @@ constexpr std::uintmax_t bytes_of_megabyte = 1'000'000;              // as `doct
 constexpr std::uintmax_t default_limit = 2048 * bytes_of_megabyte;   // about ten full reports
 constexpr const char* form = "meshfolio section 1";                  // of an entry: another form has other keys
 
-/// Returns every mesh that the chapter may read: those of the settings, else the user's own, else those of its roles. A chapter about
-/// earlier reports also reads their meshes, where a data folder has them.
-std::vector<MeshLookup> meshes_read_by(const Chapter& chapter, const ReportSettings& settings, const QuestionSettings& question) {
+/// Returns false for file names that JSON cannot hold: they would come back changed.
+bool has_plain_names(const report::Section& section) {
+    return std::ranges::all_of(section.inputs, [](const report::Input& input) {
+        return printable(input.file) == input.file && printable(input.asked) == input.asked;
+    });
+}
+
+}   // namespace
+
+std::vector<MeshLookup> meshes_read_by(const Chapter& chapter, const ReportSettings& settings) {
+    const QuestionSettings question = question_settings(settings, std::string(chapter.id));
     using By = MeshLookup::By;
     std::vector<MeshLookup> meshes;
     if (!settings.meshes.empty()) {
@@ -45,22 +53,12 @@ std::vector<MeshLookup> meshes_read_by(const Chapter& chapter, const ReportSetti
     return meshes;
 }
 
-/// Returns false for file names that JSON cannot hold: they would come back changed.
-bool has_plain_names(const report::Section& section) {
-    return std::ranges::all_of(section.inputs, [](const report::Input& input) {
-        return printable(input.file) == input.file && printable(input.asked) == input.asked;
-    });
-}
-
-}   // namespace
-
 std::string SectionCache::key_of(const Chapter& chapter) const {
     const std::string id(chapter.id);
     output::KeyMaker key;
     key.add(form).add(program_identity()).add(report::words_identity()).add(id);
     for (const std::string& word : identity_of(settings_, id)) key.add(word);
-    for (const MeshLookup& mesh : meshes_read_by(chapter, settings_, question_settings(settings_, id)))
-        key.add(meshes_.identity_of(mesh, settings_.base));
+    for (const MeshLookup& mesh : meshes_read_by(chapter, settings_)) key.add(meshes_.identity_of(mesh, settings_.base));
     return key.key();
 }
 

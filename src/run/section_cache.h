@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "output/cache/result_cache.h"
 #include "run/settings/report_settings.h"
@@ -24,6 +25,10 @@ std::unique_ptr<output::ResultCache> usable_cache();
 
 /// Opens the cache for a report. Returns null for a run with MESHFOLIO_FAIL, which neither stores nor takes answers.
 std::unique_ptr<output::ResultCache> cache_for_report();
+
+/// Returns every mesh that the chapter may read: those of the settings, else the user's own, else those of its roles. A chapter about
+/// earlier reports also reads their meshes, where a data folder has them.
+std::vector<MeshLookup> meshes_read_by(const Chapter& chapter, const ReportSettings& settings);
 
 class SectionCache {
 public:

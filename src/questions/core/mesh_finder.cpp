@@ -140,28 +140,6 @@ std::optional<FoundMesh> MeshFinder::found(const MeshLookup& lookup, const fs::p
     }
 }
 
-bool MeshFinder::still_has(const report::Input& input, const fs::path& base) const {
-    if (own_.empty() == (input.role == own_role)) return false;
-    const bool is_asked = !input.asked.empty();
-    if (input.stand_in && is_asked && (in_folders(folders_, input.asked) || is_no_folder(base / input.asked))) return false;
-    std::vector<fs::path> names{input.file}, candidates;
-    if (is_asked) names.emplace_back(input.asked);
-    for (const MeshRole& role : mesh_role_list())
-        if (!role.asked.empty() && fs::path(role.asked).filename() == input.file) names.emplace_back(role.asked);
-    for (const auto& [path, name] : names_)   // the user's own, those of the settings
-        if (fs::path(path).filename() == input.file) names.emplace_back(path);
-    for (const fs::path& name : names) {
-        candidates.push_back(own_.empty() ? base / name : name);
-        for (const fs::path& folder : folders_) candidates.push_back(folder / name);
-    }
-    const auto is_it = [&](const fs::path& path) {
-        std::error_code error;
-        return fs::is_regular_file(path, error) && sha256_of_file(path) == input.sha256;
-    };
-    const auto embedded = bundled_mesh(input.file);
-    return (own_.empty() && embedded && sha256(*embedded) == input.sha256) || std::ranges::any_of(candidates, is_it);
-}
-
 InputError renamed(const Error& error, const std::string& before, const std::string& after) {
     const std::string message = error.what(), where = printable(before);
     return InputError({}, message.starts_with(where) ? after + message.substr(where.size()) : message);

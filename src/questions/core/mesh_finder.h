@@ -49,8 +49,6 @@ public:
     /// Returns the file of a mesh; nothing for By::in_data if no data folder has it.
     /// @throws InputError if the mesh is nowhere; UsageError for an unknown role
     std::optional<FoundMesh> found(const MeshLookup& lookup, const std::filesystem::path& base) const;
-    /// Returns true if this finder would find the same mesh as the report that has this input.
-    bool still_has(const report::Input& input, const std::filesystem::path& base) const;
 
 private:
     std::vector<std::filesystem::path> folders_, own_;

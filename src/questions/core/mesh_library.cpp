@@ -160,6 +160,15 @@ MeshLibrary MeshLibrary::offering(std::vector<std::string_view> roles) const {
     return library;
 }
 
+std::optional<report::Input> MeshLibrary::input_of(const MeshLookup& lookup, const fs::path& base) const try {
+    std::optional<FoundMesh> where = finder_.found(lookup, base);
+    if (!where) return {};
+    where->input.sha256 = shelf_->digest(*where);
+    return std::move(where->input);
+} catch (const Error&) {
+    return {};
+}
+
 std::string MeshLibrary::identity_of(const MeshLookup& lookup, const fs::path& base) const try {
     const std::optional<FoundMesh> where = finder_.found(lookup, base);
     if (!where) return "none";

@@ -66,10 +66,6 @@ public:
     /// Reads the user's own meshes before any work begins. @throws InputError naming the first that cannot be used by its path
     void open_own_meshes() const;
 
-    /// Returns true if this run would find the same mesh as the earlier report that has this input. @param base  folder of the settings
-    /// file
-    bool still_has(const report::Input& input, const std::filesystem::path& base) const { return finder_.still_has(input, base); }
-
     /// Returns a view of this library that hands out decimated copies (mesh/decimation.h) of meshes with more vertices, each made once.
     /// @param vertices  of the largest mesh handed out; 0: no limit
     MeshLibrary limited_to(int vertices) const;
@@ -77,6 +73,8 @@ public:
     MeshLibrary offering(std::vector<std::string_view> roles) const;
     /// Returns the value of `key`, made once for this library and its copies; see OnceMap.
     const auto& once(const std::string& key, const auto& make) const { return values_->value(key, make); }
+    /// Returns the input that a lookup finds now, without the counts of the mesh; nothing if the mesh cannot be had.
+    std::optional<report::Input> input_of(const MeshLookup& lookup, const std::filesystem::path& base) const;
     /// Returns words that are equal exactly where the mesh is, without preparing it: its name and the SHA-256 of its bytes, or the reason
     /// why it cannot be read.
     std::string identity_of(const MeshLookup& lookup, const std::filesystem::path& base) const;
@@ -87,7 +85,7 @@ private:
     std::shared_ptr<Shelf> shelf_;
     int most_vertices_ = 0;                                  // 0: any number
     std::optional<std::vector<std::string_view>> offered_;   // roles; none: all
-    std::shared_ptr<OnceMap> values_;   // shared by copies
+    std::shared_ptr<OnceMap> values_;                        // shared by copies
 
     SharedMesh loaded(const MeshLookup& lookup, const std::filesystem::path& base) const;
     SharedMesh whole(const MeshLookup& lookup, const std::filesystem::path& base) const;

@@ -4,6 +4,7 @@
 
 #include <set>
 #include <thread>
+#include <tuple>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
@@ -98,25 +99,24 @@ TEST(MeshLibrary, OwnMeshesAreOpenedBeforeAnyWork) {
     EXPECT_TRUE(wrong.starts_with(broken.string() + ":2: ")) << wrong;
 }
 
-TEST(MeshLibrary, KnowsWhetherAnEarlierInputIsStillThere) {
+TEST(MeshLibrary, FindsAnInputWithoutReadingTheMesh) {
     const TemporaryFolder folder;
     const fs::path data = folder.path() / "data", base = folder.path() / "here";
     put(data / "armadillo.obj", cube_mesh(2));
     const auto own = put(folder.path() / "own.obj", cube_mesh(1)), listed = put(base / "listed.obj", cube_mesh(3));
+    using By = MeshLookup::By;
+    const MeshLookup armadillo{.by = By::role, .name = "armadillo"}, file{.by = By::file, .path = "listed.obj"};
     const MeshLibrary bundled({}, {}, {"listed.obj"}), with_data({data}, {}), with_own({}, {own});
-    const report::Input stand_in = bundled.role("armadillo")->input, given = with_data.role("armadillo")->input;
-    EXPECT_TRUE(bundled.still_has(stand_in, base));
-    EXPECT_TRUE(with_data.still_has(given, base));
-    EXPECT_FALSE(with_data.still_has(stand_in, base)) << "the folder has the mesh itself";
-    EXPECT_FALSE(bundled.still_has(given, base)) << "without the folder";
-    for (const char* role : {"plane", "cube", "torus"}) EXPECT_TRUE(with_data.still_has(with_data.role(role)->input, base)) << role;
-    EXPECT_TRUE(bundled.still_has(bundled.file("listed.obj", base)->input, base));
-    const report::Input before = with_own.own_meshes().front()->input;
-    EXPECT_TRUE(with_own.still_has(before, base));
-    EXPECT_FALSE(with_own.still_has(stand_in, base));
-    EXPECT_FALSE(bundled.still_has(before, base));
-    put(own, cube_mesh(2));
-    EXPECT_FALSE(with_own.still_has(before, base)) << "another mesh of that name";
+    const auto expect_same = [&](const report::Input& found, const report::Input& read) {
+        EXPECT_EQ(std::tie(found.role, found.asked, found.file, found.sha256, found.stand_in),
+                  std::tie(read.role, read.asked, read.file, read.sha256, read.stand_in));
+    };
+    expect_same(bundled.input_of(armadillo, base).value(), bundled.role("armadillo")->input);
+    expect_same(with_data.input_of(armadillo, base).value(), with_data.role("armadillo")->input);
+    EXPECT_NE(with_data.input_of(armadillo, base)->sha256, bundled.input_of(armadillo, base)->sha256);
+    expect_same(bundled.input_of(file, base).value(), bundled.file("listed.obj", base)->input);
+    expect_same(with_own.input_of({.by = By::own, .path = own}, base).value(), with_own.own_meshes().front()->input);
+    EXPECT_FALSE(bundled.input_of({.by = By::file, .path = "missing.obj"}, base).has_value());
 }
 
 TEST(MeshLibrary, FilesAreFoundBesideTheSettingsThenInDataThenBundled) {
