@@ -421,15 +421,23 @@ class Cache(Hostile):
     def test_an_entry_cannot_leave_the_report(self):
         report = ["report", "--quick", "--size", "16", "--only", "q2", "--no-timings", "--out"]
         self.judge(0, *report, "out/a")
+        objects = {hashlib.sha256(path.read_bytes()).hexdigest(): path for path in (self.folder / "cache/meshfolio/objects").rglob("*") if path.is_file()}
         changed = 0
         for path in self.entries():
-            stored = json.loads(path.read_bytes()[64:])
-            if not isinstance(stored, dict) or not stored.get("files"):
+            sums = dict(reversed(line.split("  ", 1)) for line in path.read_bytes()[64:].decode(errors="replace").split("\n") if "  " in line)
+            if "results.json" not in sums:
                 continue
-            digest = next(iter(stored["files"].values()))
-            stored["files"]["../../../escaped"] = digest
-            content = json.dumps(stored).encode()
-            path.write_bytes(hashlib.sha256(content).hexdigest().encode() + content)
+            old = objects[sums["results.json"]]
+            results = json.loads(old.read_bytes())
+            results["questions"][0]["output_meshes"] = ["../../../escaped"]
+            content = json.dumps(results).encode()
+            digest = hashlib.sha256(content).hexdigest()
+            new = self.folder / "cache/meshfolio/objects" / digest[:2] / digest[2:]
+            new.parent.mkdir(exist_ok=True)
+            new.write_bytes(content)
+            sums |= {"results.json": digest, "../../../escaped": sums["results.json"]}
+            entry = "".join(f"{sum}  {name}\n" for name, sum in sums.items()).encode()
+            path.write_bytes(hashlib.sha256(entry).hexdigest().encode() + entry)
             changed += 1
         self.assertGreater(changed, 0)
         self.judge(0, *report, "out/b")
