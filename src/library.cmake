@@ -1,7 +1,7 @@
-# What others build upon: find_package(meshfolio) gives meshfolio::mesh, meshfolio::geometry and meshfolio::render; add_subdirectory() gives
-# the same targets, without the program and its tests. tests/library_example shows how.
-#   Headers are included as here: "mesh/io/mesh_files.h", "geometry/spectrum/stability.h", and those of the renderer from its own folder,
-#   "draw_mesh.h". Installed, they lie in include/meshfolio, folder by folder.
+# The library for other programs: find_package(meshfolio) gives meshfolio::mesh, meshfolio::geometry and meshfolio::render.
+# add_subdirectory() gives the same targets, without the program and its tests. tests/library_example shows how.
+#   Programs include headers as this project does: "mesh/io/mesh_files.h", "geometry/spectrum/stability.h", and those of the renderer from its
+#   own folder, "draw_mesh.h". Headers are installed in include/meshfolio, folder by folder.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(meshfolio_headers ${CMAKE_INSTALL_INCLUDEDIR}/meshfolio)
@@ -13,7 +13,7 @@ foreach(target IN LISTS meshfolio_library)
 endforeach()
 target_include_directories(meshfolio_render INTERFACE $<INSTALL_INTERFACE:${meshfolio_headers}/render>)
 
-# A package of the program, or of who builds this along, holds none of it.
+# Packages of the program, or of a project that contains this one, do not contain the library.
 set(apart COMPONENT development)
 if(MESHFOLIO_PROGRAM OR NOT PROJECT_IS_TOP_LEVEL)
   list(APPEND apart EXCLUDE_FROM_ALL)
@@ -23,7 +23,7 @@ install(DIRECTORY src/base src/mesh src/geometry render DESTINATION ${meshfolio_
         PATTERN "*-inl.h" EXCLUDE)
 install(EXPORT meshfolio-targets NAMESPACE meshfolio:: DESTINATION ${meshfolio_config} ${apart})
 
-# Of the libraries below ours only those that are linked: Spectra and stb are compiled in.
+# Only linked libraries are dependencies: Spectra and stb are compiled in.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/library/meshfolio-config.cmake CONTENT "include(CMakeFindDependencyMacro)
 find_dependency(Eigen3 3.4 NO_MODULE)
 find_dependency(glm)

@@ -1,9 +1,9 @@
-# The Python package: BUILD/python/meshfolio, to be found with PYTHONPATH=BUILD/python; pyproject.toml makes a wheel, package.cmake
-# python3-meshfolio. MESHFOLIO_PYTHON_MODULE is whether it is built. For which Python: -DPython_EXECUTABLE=…; default: the system's.
+# Builds the Python package BUILD/python/meshfolio, for use with PYTHONPATH=BUILD/python. pyproject.toml makes a wheel, package.cmake
+# python3-meshfolio. -DPython_EXECUTABLE=… chooses the Python; default: the system's. MESHFOLIO_PYTHON_MODULE is ON if the package is built.
 set(MESHFOLIO_PYTHON_FOLDER lib/python3/dist-packages CACHE STRING "Where the Python package is installed, below the prefix")
 set(MESHFOLIO_PYTHON_MODULE OFF)
 if(NOT MESHFOLIO_PYTHON OR MESHFOLIO_FUZZ OR CMAKE_CROSSCOMPILING OR CMAKE_CXX_FLAGS MATCHES "-fsanitize|-fprofile")
-  return()   # no Python here has what instrumented code calls
+  return()   # this Python lacks the functions that instrumented code calls
 endif()
 if(MESHFOLIO_PYTHON STREQUAL "AUTO")
   find_program(Python_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
@@ -27,7 +27,7 @@ pybind11_add_module(meshfolio_python MODULE NO_EXTRAS src/python/module.cpp)
 set_target_properties(meshfolio_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${package_folder})
 target_link_libraries(meshfolio_python PRIVATE meshfolio_run meshfolio_warnings)
 optimise_less(meshfolio_python)
-# Links only libraries that are called, and hides our names, which a program with Python in it may have as well.
+# Links only libraries that are called. Hides our symbols, which a program that embeds Python may define, too.
 target_link_options(meshfolio_python PRIVATE LINKER:--as-needed LINKER:--gc-sections LINKER:--exclude-libs,ALL)
 set(package_files __init__.py __init__.pyi py.typed)
 foreach(file IN LISTS package_files)

@@ -1,4 +1,4 @@
-# Toolchain of slow_arm64.sh: Debian's cross compiler, arm64 packages unpacked in MESHFOLIO_ARM64_ROOT, what is built run by qemu-user.
+# Toolchain of slow_arm64.sh: Debian's cross compiler, with arm64 packages in MESHFOLIO_ARM64_ROOT. qemu-user runs the programs.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++-12)

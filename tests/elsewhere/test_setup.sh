@@ -1,5 +1,5 @@
 #!/bin/sh
-# Laws of tests/setup.sh, with an apt of its own that has every package but "nowhere"; "here" is installed already.
+# Tests tests/setup.sh with a fake apt that has every package except "nowhere". "here" is already installed.
 set -eu
 root=$(CDPATH= cd -- "$(dirname -- "$0")/../.." && pwd)
 work=$(mktemp -d)
@@ -18,7 +18,7 @@ END
     chmod +x "$work/$name"
 done
 
-# asked OPTIONAL NAMES…: its exit code, what apt installed call by call, and the last line that was said
+# asked OPTIONAL NAMES…: prints the exit code, the packages of each apt call, and the last message
 asked() {
     : >"$work/calls"
     code=0
@@ -39,6 +39,6 @@ expect() {
 expect "0 [] " "$(asked "" here)"
 expect "0 [a b] " "$(asked "" a here b)"
 expect "0 [a b c d] " "$(asked "c d" c a d b)"
-expect "0 [a|c] these packages could not be had, and it goes on without them: nowhere" "$(asked "nowhere c" a nowhere c)"
-expect "0 [] these packages could not be had, and it goes on without them: nowhere" "$(asked "nowhere" here nowhere)"
+expect "0 [a|c] continuing without these packages, which apt could not install: nowhere" "$(asked "nowhere c" a nowhere c)"
+expect "0 [] continuing without these packages, which apt could not install: nowhere" "$(asked "nowhere" here nowhere)"
 expect "5 []     a nowhere" "$(asked "" a nowhere)"

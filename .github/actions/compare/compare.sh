@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Compares the meshes that differ between two commits of the repository in the current folder. Names of files and meshes are whatever a pull
-# request brings: they go through as data, and only plain letters of them are printed.
+# Compares the meshes that differ between two commits of the repository in the current folder. A pull request may bring any name of a file or
+# mesh: names are only data, and only their plain letters are printed.
 #   PROGRAM, BASE, HEAD, OUT   the program meshfolio, two commits, a folder to write to
-#   BRANCH, REPOSITORY_URL     where sheets are pushed to and found again; no BRANCH: neither
-#   GITHUB_OUTPUT              gets "summary", the file written, and "changed", how many meshes there are
+#   BRANCH, REPOSITORY_URL     the branch and repository that keep the sheets; without BRANCH, sheets are not pushed
+#   GITHUB_OUTPUT              gets "summary", the written file, and "changed", the number of changed meshes
 set -euo pipefail
-most=30   # meshes that are drawn: a comment has 65,536 characters
+most=30   # drawn meshes: a comment has at most 65,536 characters
 rm -rf "$OUT"
 mkdir -p "$OUT/meshes"
 summary=$OUT/summary.md
@@ -13,7 +13,7 @@ summary=$OUT/summary.md
 for commit in "$BASE" "$HEAD"; do
     git cat-file -e "$commit^{commit}" 2>/dev/null || git fetch --quiet --depth=1 origin "$commit"
 done
-before=$(git merge-base "$BASE" "$HEAD" 2>/dev/null || echo "$BASE")   # without the history, all that differs
+before=$(git merge-base "$BASE" "$HEAD" 2>/dev/null || echo "$BASE")   # without history: all differences
 
 plain() { printf %s "$1" | LC_ALL=C tr -c 'A-Za-z0-9._:/ -' '?'; }
 
@@ -25,14 +25,14 @@ row() {
     for cell in "${@:2}"; do line+=" $cell |"; done
     rows+=("$line")
 }
-# failed NAME FOLDER: the last line that the program said
+# failed NAME FOLDER: adds a row with the last line of the program
 failed() {
     local said
     said=$(tail -n 1 "$2/log")
     row "$1" "\`$(plain "${said//"$2/"/}")\`" – – – – –
 }
 
-# draw NAME FOLDER MESH…: one mesh, or two as a pair
+# draw NAME FOLDER MESH…: draws one mesh, or two as a pair
 draw() {
     local name=$1 folder=$2
     if [ $# = 4 ]; then
@@ -43,7 +43,7 @@ draw() {
     sheets+=("$folder/sheet.png" "$(plain "$name")")
 }
 
-# taken COMMIT PATH FILE: as a checkout would have it, large files of LFS too
+# taken COMMIT PATH FILE: writes the file as a checkout would, with large files of LFS
 taken() { git cat-file --filters "$1:$2" > "$3"; }
 
 compared() {   # STATUS OLD NEW
@@ -75,19 +75,19 @@ compared() {   # STATUS OLD NEW
     fi
     number() { awk -v key="$1" '$1 == key { print $2 }' "$folder/numbers.txt"; }
     row "$new" "changed$was" "$(number rms)" "$(number hausdorff)" "$(number mean_normal_angle_deg)" "$(number volume_ratio)" "$(number area_ratio)"
-    draw "$new" "$folder" "$folder/before $name" "$folder/after $name" || true   # the numbers are there
+    draw "$new" "$folder" "$folder/before $name" "$folder/after $name" || true   # the row has the numbers
 }
 
 while IFS= read -r -d '' status && IFS= read -r -d '' old; do
     new=$old
     if [[ $status == R* ]]; then IFS= read -r -d '' new; fi
-    if [ "${old##*.}" != "${new##*.}" ]; then status=A; fi   # another format: only what is there now
+    if [ "${old##*.}" != "${new##*.}" ]; then status=A; fi   # another format: shows only the new mesh
     compared "${status:0:1}" "$old" "$new"
 done < <(git diff -z --name-status --find-renames --diff-filter=AMDRT "$before" "$HEAD" -- ':(icase)*.obj' ':(icase)*.off' ':(icase)*.ply' ':(icase)*.stl' \
     ':(icase)*.glb' ':(icase)*.vtp' ':(icase)*.obj.gz' ':(icase)*.off.gz' ':(icase)*.ply.gz' ':(icase)*.stl.gz' \
     ':(icase)*.glb.gz' ':(icase)*.vtp.gz')
 
-# Pushes the sheets, one commit a run, and prints where they are found.
+# Pushes the sheets, one commit for each run, and prints their address.
 kept_sheets() {
     local parent tree commit i
     export GIT_INDEX_FILE=$OUT/index
