@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""How many spectra are proved complete: runs `spectrum` on meshes and their midpoint subdivisions; prints a Markdown table and the share.
+"""Counts spectra that are proved complete: runs `spectrum` on meshes and their midpoint subdivisions; prints a Markdown table and the share.
 
     certificates.py MESH... [--samples] [--k 30 60 150] [--most 350000] [--program MESHFOLIO]
 
-MESH: OBJ or OFF of triangles. --samples adds the bundled shapes. --most: triangles up to which a mesh is subdivided.
-Prints for each: the word, sigma, what was counted and found, the rounding of the count and the gap it must be smaller than.
+MESH: OBJ or OFF of triangles. --samples adds the bundled shapes. --most: most triangles of a subdivided mesh.
+Prints for each: the verdict, sigma, the numbers counted and found, the rounding of the count, and the gap, which must exceed it.
 """
 import argparse
 import re
@@ -18,7 +18,7 @@ TOLD = re.compile(r"none missing below (\S+): (proved|REFUTED|empty|cannot be pr
 
 
 def read(path):
-    """Positions as text, triangles as corners from 0. Polygons are cut into fans."""
+    """Returns positions as text and triangles as corners from 0. Cuts polygons into fans."""
     words = [line.split() for line in path.read_text().splitlines() if line.strip() and not line.startswith("#")]
     if path.suffix == ".off":
         n, m = (int(count) for count in words[1][:2])

@@ -3,11 +3,11 @@
 
     fit_costs.py [--program build/release/meshfolio] [--keep FILE.json] [--only q4,maps] [--check] MESH MESH MESH…
 
-Each section is answered alone, on one thread, in full and in small settings, on each mesh (of 2,000 to 30,000 vertices, three or more):
-processor seconds and peak memory of the process, less those of a report whose only section fails at once. Fitted are nonnegative terms that
-do not grow, grow with the vertices and with their power 3/2 (a sparse factor); errors count in relation to what was measured. What has been
-measured is kept in FILE.json and not measured again. Nothing but the processor's seconds is used: others may work on the machine. With --check nothing
-is fitted: what `report --plan` says of each is held against what it took, to a factor of two and half a second.
+Answers each section alone, on one thread, with full and with small settings, on each mesh (of 2,000 to 30,000 vertices, three or more).
+It measures processor seconds and peak memory of the process, less those of a report with one section that fails at once. It fits nonnegative
+terms: a constant, one that grows with the vertices, and one with their power 3/2 (a sparse factor); errors are relative. FILE.json keeps
+the measurements, which are not repeated. Only processor seconds count, so other work may run on the machine. --check fits nothing: it compares
+the estimates of `report --plan` with the measured costs, to a factor of two and half a second.
 """
 import argparse
 import itertools
@@ -17,11 +17,11 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-LARGE = 1e5   # the unit of vertices: coefficients are CPU s, and MB, at that size
+LARGE = 1e5   # unit of the vertices: coefficients are CPU s and MB at this size
 
 
 def measured(program, mesh, section, small, fails=False):
-    """(CPU s, peak MB) of one report with that section."""
+    """Returns (CPU s, peak MB) of one report with that section."""
     with tempfile.TemporaryDirectory() as folder:
         words = [program, "report", mesh, "--only", section, "--alone", "--threads", "1", "--no-cache", "--pdf", "off", "--out", f"{folder}/out"]
         if small:
@@ -35,7 +35,7 @@ def measured(program, mesh, section, small, fails=False):
 
 
 def check(options, sections):
-    """How many estimates are off, each told."""
+    """Prints the estimates that are off and returns their number."""
     wrong = 0
     for mesh, section, small in itertools.product(options.meshes, sections, (False, True)):
         words = [options.program, "report", mesh, "--only", section, "--alone", "--plan", "--json", "--pdf", "off"] + ["--quick"] * small
@@ -49,7 +49,7 @@ def check(options, sections):
 
 
 def solved(A, b):
-    """Gaussian elimination with pivoting."""
+    """Solves a linear system by Gaussian elimination with pivoting."""
     rows = [[*row, value] for row, value in zip(A, b)]
     n = len(rows)
     for i in range(n):
@@ -65,7 +65,7 @@ def solved(A, b):
 
 
 def fitted(samples, powers):
-    """Nonnegative least squares of Σ c_p n^p by all subsets of the powers."""
+    """Fits Σ c_p n^p by nonnegative least squares over all subsets of the powers."""
     best = None
     for size in range(1, len(powers) + 1):
         for chosen in itertools.combinations(powers, size):

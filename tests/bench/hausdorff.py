@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""The Hausdorff distance by `meshfolio compare`, by an older meshfolio and by CGAL, on the same meshes in one run; prints a Markdown table.
+"""Compares the Hausdorff distance of `meshfolio compare`, an older meshfolio and CGAL on the same meshes in one run; prints a Markdown table.
 
     hausdorff.py [--levels 0 1 2] [--repeat 3] [--meshfolio PROGRAM] [--old PROGRAM] [--peer PROGRAM]
 
-The creature, subdivided as often as --levels say, against a noisy, a smoothed and a coarser copy. Times of whole processes with reading, CGAL's
-without; medians. CGAL is asked for an error of 1e-3 of the distance that ours found. What is not there is left out.
+The creature, subdivided --levels times, is compared with a noisy, a smoothed and a coarser copy. Times are medians of whole processes with
+reading, CGAL's without reading. CGAL's error bound is 1e-3 of the distance that ours found. Missing programs are left out.
 """
 import argparse
 import json
@@ -25,7 +25,7 @@ def run(*words):
 
 
 def pairs(program, folder, level):
-    """(what, a, b) of a level."""
+    """Returns [(name, a, b)] of a level."""
     creature, coarse, noisy, smooth = (f"{folder}/{name}{level}.ply" for name in ("creature", "coarse", "noisy", "smooth"))
     run(program, "sample", "creature", "--subdivide", level, "-o", creature)
     run(program, "sample", "creature", "--subdivide", max(level - 1, 0), "-o", coarse)
@@ -35,7 +35,7 @@ def pairs(program, folder, level):
 
 
 def measured(options, a, b):
-    """A dict of medians, and what was found."""
+    """Returns a dict of medians, and the distances found."""
     seconds, found = {}, {}
 
     def note(name, words):

@@ -1,11 +1,10 @@
 #!/usr/bin/python3
-"""Our renderer, VTK, f3d and Embree on the same meshes in one run; prints Markdown tables of times and ratios.
+"""Times our renderer, VTK, f3d and Embree on the same meshes in one run; prints Markdown tables of times and ratios.
 
     peers.py MESH [--sizes -1 0 1 2 3] [--repeat 3] [--work FOLDER] [--meshfolio PROGRAM] [--bench PROGRAM]
 
-MESH is subdivided 1-to-4 as often as --sizes say, or decimated to a quarter for -1 (armadillo, 86 k triangles: 22 k, 86 k, 346 k, 1.4 M,
-5.5 M).
-Everything runs on two processors and takes turns; figures are medians. A peer that is not installed is left out.
+MESH is subdivided 1-to-4 --sizes times, or decimated to a quarter for -1 (armadillo, 86 k triangles: 22 k, 86 k, 346 k, 1.4 M, 5.5 M).
+The programs run in turns on two processors; figures are medians. A peer that is not installed is left out.
 """
 import argparse
 import contextlib
@@ -23,10 +22,10 @@ from six_views import PYTHON, VIEWS, display, f3d_command, ply_bounds, timed
 HERE = Path(__file__).resolve().parent
 BUILD = HERE.parent.parent / "build" / "release"
 
-# triangles: least ratios to VTK's six renders, to Embree with its hierarchy, to the naive bound, to the process of VTK
+# triangles: minimum ratios to VTK's six renders, Embree with its hierarchy, the naive bound, and the process of VTK
 GOALS = {86e3: (12, 12, None, 8), 1.4e6: (12, 9, None, 10), 5.5e6: (12, 5, 1, 10)}
 GOAL_F3D = 25
-GOAL_OCCLUSION = 1.5  # times as long with ambient occlusion, at most
+GOAL_OCCLUSION = 1.5  # maximum ratio of the times with and without ambient occlusion
 
 
 def goals_for(triangles):
@@ -34,7 +33,7 @@ def goals_for(triangles):
 
 
 def usable_peers():
-    """Of "vtk" and "f3d" those that are there; says which are not."""
+    """Returns the installed ones of "vtk" and "f3d"; prints the missing ones."""
     has_vtk = subprocess.run([PYTHON, "-c", "import vtkmodules.vtkRenderingOpenGL2"], stderr=subprocess.DEVNULL).returncode == 0
     found = {"vtk": has_vtk, "f3d": shutil.which("f3d")} if shutil.which("Xvfb") else {}
     for name, package in {"vtk": "python3-vtk9 and xvfb", "f3d": "f3d and xvfb"}.items():
@@ -44,7 +43,7 @@ def usable_peers():
 
 
 def run_ours_in_memory(options, mesh, note):
-    """The benchmark program: our six views, the naive bound, Embree."""
+    """Runs the benchmark program: our six views, the naive bound, Embree."""
     _, _, printed = timed([options.bench, "--benchmark_filter=/0/", "--benchmark_format=json"], MESHFOLIO_BENCH_MESH=mesh)
     for benchmark in json.loads(printed)["benchmarks"]:
         name = benchmark["name"].split("/")[0]
@@ -73,7 +72,7 @@ def run_once(options, peers, mesh, bounds, folder, note):
 
 
 def measured(options, peers, mesh, triangles):
-    """Medians by name, of one size."""
+    """Returns medians by name, of one size."""
     notes = {}
     bounds = ply_bounds(mesh)
     with tempfile.TemporaryDirectory() as folder:
@@ -89,7 +88,7 @@ def milliseconds(row, name):
 
 
 def ratio(row, peer, ours, goal):
-    """How many times faster than the peer, with the goal; a star where it is reached."""
+    """Returns the speed-up over the peer, with the goal, and a star if it is reached."""
     if peer not in row:
         return "–"
     factor = row[peer] / row[ours]

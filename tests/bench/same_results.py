@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Says what two programs write differently: reports (whole and quick, on bundled and on other meshes), verify and every command on one mesh.
+"""Lists differences between the outputs of two programs: reports (full and quick, on bundled and other meshes), verify and every command on one mesh.
 
     same_results.py OLD NEW [--meshes FOLDER] [--runs report,verify] [--keep FOLDER] [--tolerance 1e-11]
 
-Without --tolerance every byte must agree, but for src.txt, the lines of citations and the commit. With it, numbers in texts may differ by that
-much relative to the larger one, and pictures are compared decoded (needs ImageMagick's `compare`). OLD runs once when --keep names a folder.
-FOLDER holds the course's meshes in coursework/ and others in classic/. Exit code 1 when something differs."""
+Without --tolerance every byte must agree, except src.txt, the lines of citations and the commit. With --tolerance, numbers in texts may differ
+by this share of the larger one, and pictures are compared decoded (needs ImageMagick's `compare`). With --keep FOLDER, OLD runs only once.
+The folder of --meshes holds the course's meshes in coursework/ and others in classic/. Exit code 1 if the outputs differ."""
 
 import argparse
 import hashlib
@@ -21,14 +21,14 @@ from pathlib import Path
 DATA = Path(__file__).resolve().parents[2] / "data"
 NUMBER = re.compile(rb"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 TEXTS = {".csv", ".json", ".md", ".html", ".svg", ".txt", ".obj", ".out", ".err", ".css", ".js"}
-# What may differ always: the commit, and lines and lengths of cited files.
+# These may always differ: the commit, and lines and lengths of cited files.
 COMMIT = re.compile(rb'("commit": ?"|commit |commit <code>|Commit[^\n]*?<code>)([0-9a-f]{12}|unknown)\b')
 CITED = re.compile(rb"src\.txt#L\d+|\| L\d+ \||>L\d+<|(?<=\.cpp):\d+|(?<=\.h):\d+|(\"line(s)?\": ?)\d+")
 CITED_NAME = re.compile(rb"(src|render)/[\w/.-]+\.(cpp|h)|\banswer(_\w+)?\b")
 
 
 def runs(meshes):
-    """Name → words of each command; {out} is its own empty folder."""
+    """Returns name → words of each command; {out} is its own empty folder."""
     quiet = ["--no-cache", "--no-timings", "--pdf", "off", "--out", "{out}/report"]
     commands = {"report": ["report", *quiet], "report-quick": ["report", "--quick", *quiet],
                 "report-torus": ["report", DATA / "torus.obj", "--quick", *quiet], "verify": ["verify", "--quick", "--out", "{out}/truth"],
@@ -64,7 +64,7 @@ def ran(program, words, out):
 
 
 def joined(value):
-    """The same JSON with neighbouring pieces of plain text as one."""
+    """Returns the JSON with neighbouring pieces of plain text joined."""
     if isinstance(value, dict):
         return {key: joined(each) for key, each in value.items()}
     if not isinstance(value, list):
@@ -114,7 +114,7 @@ def first_difference(old, new):
 
 
 def differences(old, new, tolerance):
-    """Files below the two folders that differ; src.txt and the sums of all files follow from the source and the others."""
+    """Yields the files that differ between the two folders, except src.txt and the list of sums, which follow from the source and other files."""
     files = {p.relative_to(folder) for folder in (old, new) for p in folder.rglob("*") if p.is_file() and p.name not in ("src.txt", "SHA256SUMS")}
     for file in sorted(files):
         if not (old / file).exists() or not (new / file).exists():

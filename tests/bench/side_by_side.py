@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Sheets for looking at: our pictures beside f3d's and VTK's, same mesh, same direction.
+"""Makes sheets of our pictures beside f3d's and VTK's, of the same mesh from the same direction.
 
     side_by_side.py FOLDER [--meshes bunny.off …] [--views +z +x] [--out side_by_side] [--meshfolio PROGRAM] [--bench PROGRAM]
 
-One sheet a mesh and view. Columns: ours, VTK (4 samples a pixel), f3d (with ambient occlusion, antialiasing and tone
-mapping); first row plain, second coloured by height where the tool can.
+Each mesh and view has a sheet. Columns: ours, VTK (4 samples a pixel), f3d (with ambient occlusion, antialiasing and tone
+mapping). The first row is plain, the second is coloured by height if the tool supports it.
 """
 import argparse
 import os
@@ -21,7 +21,7 @@ BUILD = HERE.parent.parent / "build" / "release"
 
 
 def pictures_of(options, mesh, folder):
-    """{(row, column): pattern of the pictures' paths, with the view's name to fill in}"""
+    """Returns {(row, column): pattern of the pictures' paths, with a place for the view's name}."""
     drawn = {}
     for row, ours, vtk in (("plain", [], ["--plain"]), ("by height", ["--field", "y", "--colormap", "viridis"], [])):
         for column, command in (("ours", [options.meshfolio, "render", mesh, *ours, "--out"]),

@@ -1,4 +1,4 @@
-"""What the peers share: the six views of the program, a display without a screen, running and timing programs."""
+"""Tools of the peers: the six views of the program, a virtual display, running and timing programs."""
 import array
 import contextlib
 import os
@@ -6,22 +6,22 @@ import subprocess
 import tempfile
 import time
 
-PYTHON = "/usr/bin/python3"  # the one python3-vtk9 is for
+PYTHON = "/usr/bin/python3"  # the Python of python3-vtk9
 SIDE = 1024  # pixels
-FILL = 0.92  # share of the picture taken by the largest extent
-# name, from, up: as render/scene/camera.h
+FILL = 0.92  # share of the picture that the largest extent takes
+# name, from, up: as in render/scene/camera.h
 VIEWS = [("+x", (1, 0, 0), (0, 1, 0)), ("-x", (-1, 0, 0), (0, 1, 0)), ("+y", (0, 1, 0), (0, 0, -1)),
          ("-y", (0, -1, 0), (0, 0, 1)), ("+z", (0, 0, 1), (0, 1, 0)), ("-z", (0, 0, -1), (0, 1, 0))]
 
 
 def camera_position(low, high, towards, distance):
-    """`distance` times the largest extent away from the middle of the box."""
+    """Returns a point `distance` times the largest extent away from the middle of the box."""
     extent = max(b - a for a, b in zip(low, high))
     return [(a + b) / 2 + distance * extent * d for a, b, d in zip(low, high, towards)]
 
 
 def ply_bounds(path):
-    """(low, high) of a mesh that make_meshes wrote: binary, three floats a vertex."""
+    """Returns (low, high) of a mesh from make_meshes: binary, three floats a vertex."""
     with open(path, "rb") as file:
         while (line := file.readline()) != b"end_header\n":
             if line.startswith(b"element vertex"):
@@ -31,7 +31,7 @@ def ply_bounds(path):
 
 
 def f3d_command(mesh, bounds, view, picture, *more):
-    """f3d from one of the six sides. It has no parallel projection; the distance is that at which its 30° see the extent."""
+    """Returns the words that run f3d from one of the six sides. f3d has no parallel projection; at this distance its 30° cover the extent."""
     towards, up = view[1:]
     text = [",".join(map(str, numbers)) for numbers in (
         camera_position(*bounds, towards, distance=1 / FILL / 2 / 0.268 + 0.3), camera_position(*bounds, towards, distance=0), up)]
@@ -41,7 +41,7 @@ def f3d_command(mesh, bounds, view, picture, *more):
 
 @contextlib.contextmanager
 def display():
-    """An X server without a screen; sets DISPLAY while it runs."""
+    """Runs a virtual X server and sets DISPLAY while it runs."""
     reading, writing = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1280x24"], pass_fds=[writing],
                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -56,7 +56,7 @@ def display():
 
 
 def timed(command, **environment):
-    """Runs a program; (seconds, peak memory in MiB, what it printed)."""
+    """Runs a program. Returns (seconds, peak memory in MiB, output)."""
     with tempfile.TemporaryFile("w+") as printed:
         begun = time.perf_counter()
         process = subprocess.Popen(command, stdout=printed, stderr=subprocess.DEVNULL, env={**os.environ, **environment})

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""The k smallest eigenpairs by our solver and SciPy on the same meshes in one run; prints a Markdown table.
+"""Times the k smallest eigenpairs by our solver and SciPy on the same meshes in one run; prints a Markdown table.
 
     spectrum.py MESH [--levels 0 1 2] [--k 5 30 150] [--repeat 3] [--without-scipy] [--limit SECONDS] [--bench PROGRAM]
 
-MESH is subdivided 1-to-4 as often as --levels say (armadillo, 43 k vertices: 0 1 2 are 43 k, 173 k, 692 k). Both take turns; figures are
-medians of wall-clock seconds, processor seconds in brackets. SciPy is given up where it takes longer than --limit: eigsh with sigma,
-tol 1e-8, in a process of its own. Residual: largest |C phi + mu M phi| / mu |M phi|.
+MESH is subdivided 1-to-4 --levels times (armadillo, 43 k vertices: 0 1 2 are 43 k, 173 k, 692 k). Both run in turns; figures are
+medians of wall-clock seconds, processor seconds in brackets. SciPy (eigsh with sigma, tol 1e-8) runs in a separate process, at most
+--limit seconds. Residual: largest |C phi + mu M phi| / mu |M phi|.
 """
 import argparse
 import json
@@ -23,7 +23,7 @@ PYTHON = "/usr/bin/python3"
 
 
 def solve_by_scipy(folder, k):
-    """In the child process: solves what spectrum_bench exported and prints the same JSON."""
+    """Runs in the child process: solves the problem that spectrum_bench exported and prints the same JSON."""
     import numpy as np
     from scipy.sparse import csc_matrix, diags
     from scipy.sparse.linalg import eigsh
@@ -48,7 +48,7 @@ def solve_by_scipy(folder, k):
 
 
 def run(command, limit):
-    """What the command prints, as JSON; None when it takes too long; the reason as text when it fails."""
+    """Returns the output of the command as JSON; None if it takes too long; the reason as text if it fails."""
     try:
         result = subprocess.run(command, capture_output=True, text=True, timeout=limit)
     except subprocess.TimeoutExpired:
@@ -88,7 +88,7 @@ def main():
                 results = {way: [] for way in commands}
                 for _ in range(options.repeat):
                     for way, command in commands.items():
-                        if all(isinstance(r, dict) for r in results[way]):  # what failed once is not tried again
+                        if all(isinstance(r, dict) for r in results[way]):  # a failed solver does not run again
                             results[way].append(run(command, options.limit))
                 for way in commands:
                     print(row(way, results[way]), flush=True)

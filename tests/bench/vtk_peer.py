@@ -1,4 +1,4 @@
-"""VTK draws the six views of a mesh offscreen; prints the seconds of each stage as JSON. Needs a display (Xvfb will do).
+"""Draws the six views of a mesh offscreen with VTK; prints the seconds of each stage as JSON. Needs a display (Xvfb suffices).
 
     vtk_peer.py [--plain] [--samples N] MESH.ply FOLDER
 """
@@ -29,7 +29,7 @@ seconds = {}
 
 
 def stage(name):
-    """Ends a stage: adds the time since the last one to `name`."""
+    """Ends a stage: adds the time since the last stage to `name`."""
     global begun
     now = time.perf_counter()
     seconds[name] = seconds.get(name, 0) + now - begun

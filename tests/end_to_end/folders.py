@@ -7,8 +7,8 @@ from pathlib import Path
 
 
 def folder_in_memory():
-    """Returns /dev/shm if it has room and may run programs, else None. meshfolio waits for the disk after each file that it writes: on a disk
-    a test that makes reports takes twice the time. `tests/faults/run.py --whole` writes to the disk."""
+    """Returns /dev/shm if it has room and may run programs, else None. meshfolio waits for the disk after each file that it writes,
+    so a test that makes reports takes twice the time on a disk. `tests/faults/run.py --whole` writes to the disk."""
     place = "/dev/shm"
     try:
         system = os.statvfs(place)
@@ -24,7 +24,7 @@ if not {"TMPDIR", "FAULTS_WHOLE"} & set(os.environ):
 
 
 def temporary_folder(test):
-    """Makes a folder that is removed after the test case, or after all of them if `test` is their class."""
+    """Makes a folder that is removed after the test case, or, if `test` is a class, after all its cases."""
     folder = tempfile.TemporaryDirectory(prefix="meshfolio-test-")
     (test.addClassCleanup if isinstance(test, type) else test.addCleanup)(folder.cleanup)
     return Path(folder.name)

@@ -1,4 +1,4 @@
-"""Lines of a PDF with their places, as poppler finds them."""
+"""Reads the lines of a PDF and their positions with poppler."""
 
 import re
 import subprocess

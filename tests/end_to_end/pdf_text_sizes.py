@@ -15,7 +15,7 @@ TOKEN = re.compile(
 
 @dataclass
 class Shown:
-    """The text of one operator."""
+    """The text that one operator shows."""
 
     page: int       # from 1
     size: float     # [pt] on paper

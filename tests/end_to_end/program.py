@@ -5,15 +5,15 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from folders import temporary_folder  # noqa: F401: most tests want both
+from folders import temporary_folder  # noqa: F401: most tests import both from here
 
 PROGRAM = os.path.abspath(os.environ["MESHFOLIO"])
 SOURCE = Path(__file__).resolve().parents[2]
 
 
 def run(*arguments, cwd=None, **environment):
-    """Runs the program; environment variables are keyword arguments. Reports are printed only on request. Returns the finished process with
-    text streams. The cache is empty unless XDG_CACHE_HOME is given, so that a second run computes everything again."""
+    """Runs the program; keyword arguments are environment variables. Reports have no PDF unless requested. Returns the finished process with
+    text streams. The cache is empty unless XDG_CACHE_HOME is given, so a second run computes everything again."""
     words = [PROGRAM, *map(str, arguments)]
     with tempfile.TemporaryDirectory(prefix="meshfolio-cache-") as cache:
         variables = {**os.environ, "MESHFOLIO_PDF": "off", "XDG_CACHE_HOME": cache, **{name: str(value) for name, value in environment.items()}}

@@ -1,5 +1,5 @@
-"""A quick report of the bundled meshes, made once for all tests that read one: CTest's fixture `quick_report` (`quick_report.py FOLDER`). A test
-that is run alone makes its own."""
+"""Makes one quick report of the bundled meshes for all tests that read it: CTest's fixture `quick_report` (`quick_report.py FOLDER`). A test
+that runs alone makes its own."""
 
 import os
 import shutil
@@ -13,7 +13,7 @@ WORDS = ["report", "--quick", "--size", 64, "--no-timings"]
 
 
 def quick_report(folder):
-    """Returns the finished process, the report, which must not be changed, and its cache. Makes them in `folder` if CTest has not."""
+    """Returns the finished process, the report, which tests must not change, and its cache. Makes them in `folder` if CTest has not."""
     made = os.environ.get("QUICK_REPORT")
     if not made:
         return make(Path(folder) / "made")
@@ -22,7 +22,7 @@ def quick_report(folder):
 
 
 def make(folder):
-    shutil.rmtree(folder, ignore_errors=True)   # with the cache: a report of another program answers nothing
+    shutil.rmtree(folder, ignore_errors=True)   # removes the cache, too: a report of another program is of no use
     folder.mkdir(parents=True)
     out, cache = folder / "out", folder / "cache"
     process = run(*WORDS, "--threads", 2, "--out", out, XDG_CACHE_HOME=cache)

@@ -1,8 +1,8 @@
 #!/bin/sh
-# The Debian packages: twice the same bytes, no error for lintian, installed by apt in a bare Debian 12, where the program makes a
-# report, and the module, if it was built, is imported.
-#   tests/end_to_end/slow_bare_root.sh [BUILD]   default: build/release, whose program is built already
-# Needs root, mmdebstrap, lintian and the Debian mirror that apt knows; ends with 77 without them.
+# Tests the Debian packages. Packing twice gives the same bytes, and lintian finds no error. apt installs them in a bare Debian 12, where the
+# program makes a report and Python imports the module, if it was built.
+#   tests/end_to_end/slow_bare_root.sh [BUILD]   default: build/release, with a built program
+# Needs root, mmdebstrap, lintian and the Debian mirror that apt uses; ends with 77 without them.
 set -eu
 root=$(CDPATH= cd -- "$(dirname -- "$0")/../.." && pwd)
 build=${1:-$root/build/release}

@@ -1,4 +1,4 @@
-"""`--backend slepc` in one process and in two, compared with the built-in backend. Skipped (77) if the program was built without it."""
+"""Compares `--backend slepc` in one process and in two with the built-in backend. Skipped (77) if the program was built without it."""
 
 import csv
 import os
@@ -80,7 +80,7 @@ class Ranks(InFolder):
 
 
 def missing():
-    """Returns why there is nothing to test; empty if there is."""
+    """Returns the reason to skip the test; empty if there is none."""
     process = run('spectrum', 'none.obj', '-k', '1', '--backend', 'slepc', OMPI_ALLOW_RUN_AS_ROOT=1, OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
     if process.returncode == 5:
         assert re.fullmatch(r'meshfolio: .*-DMESHFOLIO_SLEPC=ON.*\n', process.stderr), process.stderr

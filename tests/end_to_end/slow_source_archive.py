@@ -1,7 +1,7 @@
-"""The source inside a submission, built from scratch somewhere else as its INSTRUCTIONS.md says: the same src.txt, the same tables.
+"""Builds the source of a submission from scratch in another folder, as its INSTRUCTIONS.md says, and compares src.txt and the tables.
 
-A compiler cache named in CMAKE_CXX_COMPILER_LAUNCHER makes it a minute where it takes several: every file is still
-looked for and read, only what was compiled before from the same text is not compiled again."""
+A compiler cache in CMAKE_CXX_COMPILER_LAUNCHER shortens the test from several minutes to one. The build still finds and
+reads every file; it only skips compiling sources that were compiled before."""
 
 import json
 import os

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from program import PROGRAM, run, sample, temporary_folder
 
-LIGHT = ["--only", "q5,q6,certificates", "--size", 64]   # what the index is made of, question 6 for its picture
+LIGHT = ["--only", "q5,q6,certificates", "--size", 64]   # sections that the index shows; question 6 gives its picture
 LIGHTEST = ["--only", "certificates", "--size", 64]
 FILES = ("index.html", "batch.json", "batch.csv", "junit.xml")
 
@@ -119,7 +119,7 @@ class Batches(unittest.TestCase):
         for name in rows(out):
             self.assertEqual((out / name / "SHA256SUMS").read_bytes(), (self.out / name / "SHA256SUMS").read_bytes())
 
-    # ---- what is named
+    # ---- named meshes
 
     def test_lists_patterns_and_one_mesh_named_twice(self):
         folder = temporary_folder(self)
@@ -157,7 +157,7 @@ class Batches(unittest.TestCase):
         self.addCleanup(inside.unlink)
         self.assertIn("lies in", self.ended(2, inside, "--out", self.out).stderr)
 
-    # ---- what fails
+    # ---- failures
 
     def test_a_broken_mesh_affects_only_its_row(self):
         folder = temporary_folder(self)
@@ -194,7 +194,7 @@ class Batches(unittest.TestCase):
         run("batch", *words)
         self.assertGreater(rows(out)["sphere"]["lambda_crit"], 0)
 
-    # ---- what is finished is not made again
+    # ---- finished reports are not made again
 
     def inodes(self, out):
         return {name: (out / name / "results.json").stat().st_ino for name in rows(out) if (out / name / "results.json").exists()}

@@ -16,7 +16,7 @@ class Cache(unittest.TestCase):
     def setUp(self):
         self.folder = temporary_folder(self)
         self.cache = self.folder / "cache"
-        self.mesh = [sample(self.folder, "cube8")]   # small; none of its own, where a test replaces one of the assignment's
+        self.mesh = [sample(self.folder, "cube8")]   # a small mesh; empty in tests that replace a mesh of the assignment
         self.number = 0
 
     def report(self, *options, only="q2,q5", size=64, expected=0, **environment):
@@ -49,7 +49,7 @@ class Cache(unittest.TestCase):
         self.assertFalse(is_cached(both, "q5"))
         anew, expected = self.report("--no-cache")
         self.assertEqual(tree(out), tree(expected))
-        # The picture on the first page is that of q5 now, then that of q2 again, which has one of its own.
+        # The first page now has the picture of q5, and later the picture of q2 again.
         only, _ = self.report(only="q2")
         self.assertTrue(is_cached(only, "q2"))
 
@@ -63,7 +63,7 @@ class Cache(unittest.TestCase):
             process, out = self.report("--config", config, only="q5")
             self.assertFalse(is_cached(process, "q5"), text)
             self.assertTrue(is_cached(self.report("--config", config, only="q5")[0], "q5"), text)
-            if "lambda" in text:   # the page's laboratory has a key of its own
+            if "lambda" in text:   # the page's laboratory has its own key
                 self.assertEqual(tree(out), tree(self.report("--no-cache", "--config", config, only="q5")[1]))
         self.assertFalse(is_cached(self.report(only="q5", size=65)[0], "q5"))
         self.assertTrue(is_cached(self.report(only="q5", size=65)[0], "q5"))
@@ -108,7 +108,7 @@ class Cache(unittest.TestCase):
             for path in (self.cache / "meshfolio").rglob("*"):
                 if path.is_file():
                     bytes_there = path.read_bytes()
-                    path.unlink()   # a new file: that of the report stays as it is
+                    path.unlink()   # the damage goes to a new file, and the report's file stays unchanged
                     path.write_bytes(damage(bytes_there) if bytes_there else b"x")
             process, out = self.report()
             self.assertFalse(is_cached(process, "q2") or is_cached(process, "q5"))

@@ -20,7 +20,7 @@ COMMANDS = ['report', 'batch', 'render', 'inspect', 'curvature', 'spectrum', 'sm
             'merge', 'mark']
 VIEWS = ['+x', '-x', '+y', '-y', '+z', '-z']
 
-# A box of 2 x 4 x 6 about the origin, its sides split by vertex order so that each triangle is told apart by its number.
+# A box of 2 x 4 x 6 about the origin. Its sides are split by vertex order, so the number of a triangle identifies it.
 BOX = ''.join(f'v {x} {y} {z}\n' for x in (-1, 1) for y in (-2, 2) for z in (-3, 3)) + '\n'.join(
     'f %d %d %d' % corners for corners in [
         (1, 2, 4), (1, 4, 3),  # -x
@@ -110,7 +110,7 @@ class Usage(InFolder):
         self.assertEqual(read(self.path('file')), b'kept')
 
     def test_outputs_are_refused_before_the_work(self):
-        # It has not begun: the mesh, which is missing, was not even looked for.
+        # The work has not begun: the program did not look for the missing mesh.
         for arguments in (['smooth', '-o'], ['noise', '--sigma', 1, '-o'], ['curvature', '--csv'], ['curvature', '--ply'], ['spectrum', '-k', 3, '--csv'],
                           ['spectrum', '-k', 3, '--vectors'], ['spectrum', '-k', 3, '--ply'], ['lab', '-o'], ['compare', 'b.obj', '--csv'],
                           ['compare', 'b.obj', '--ply'], ['compare', 'b.obj', '--html'], ['render', '--glb'], ['report', '--quick', '--junit'],
@@ -342,7 +342,7 @@ class Spectrum(InFolder):
         self.assertEqual(sorted(os.listdir(self.path('modes'))), ['sphere_k4.ply', 'sphere_k9.ply'])
         four, faces = ply(self.path('modes', 'sphere_k4.ply'))
         self.assertEqual(faces, triangles)
-        # The coordinates of a sphere are its first three modes that are not constant.
+        # The coordinates of a sphere are its first three non-constant modes.
         self.assertLess(max(math.dist(p, q) for p, q in zip(four, vertices)), 0.02)
 
     def test_more_modes_than_vertices_are_reported(self):
@@ -435,7 +435,7 @@ class MeshesOut(InFolder):
 class OtherFormats(InFolder):
 
     def counts(self, mesh):
-        return self.succeed('inspect', mesh).splitlines()[0].rsplit(' ', 1)[0]   # without the area: floats of some formats round it
+        return self.succeed('inspect', mesh).splitlines()[0].rsplit(' ', 1)[0]   # without the area, which floats of some formats round
 
     def test_every_format_goes_through_every_other(self):
         self.sample('torus')
@@ -497,7 +497,7 @@ class OtherFormats(InFolder):
         self.assertIn('not kept are area', self.run_here('noise', self.with_curvatures(), '--sigma', 0, '-o', 'a.obj')[2])
 
     def test_values_are_written_beside_those_of_the_file(self):
-        mesh = self.with_curvatures()   # and "area" with them
+        mesh = self.with_curvatures()   # and "area", too
         self.write('b.ply', Path(self.path(mesh)).read_bytes().replace(b'h_cotan', b'quality').replace(b'k_gauss', b'my area'.replace(b' ', b'_')))
         for words in (['curvature', 'b.ply'], ['spectrum', 'b.ply', '-k', 3], ['compare', 'b.ply', mesh]):
             self.succeed(*words, '--ply', 'more.ply')
@@ -598,7 +598,7 @@ class Render(InFolder):
         self.succeed('render', '--size', '32', '--views', '+x', '--out', 'one', mesh)
         self.assertEqual(sorted(os.listdir(self.path('one'))), ['+x.png', 'sheet.png'])
 
-    # Which two triangles each view sees, and how wide and high the box appears: 0.95 of 120 pixels for the 6 of its longest side.
+    # The two triangles that each view sees, and the width and height of the box: its longest side, 6, takes 0.95 of 120 pixels.
     def test_plain_views_of_a_box(self):
         mesh = self.write('box.obj', BOX)
         self.succeed('render', mesh, '--plain', '--field', 'id', '--size', '120', '--out', 'plain')
@@ -621,7 +621,7 @@ class Render(InFolder):
         self.assertEqual(len(colors), 2)
         self.assertIn((255, 255, 255), colors)
 
-    # The value z from -3 to 3: in the +x view -z points right, so colours at the right are those of the low end.
+    # The value is z, from -3 to 3. In the +x view -z points right, so the right has the colours of the low end.
     def test_values_and_their_direction(self):
         mesh = self.write('box.obj', BOX)
         vertices, _ = obj(mesh)

@@ -1,4 +1,4 @@
-"""`compare` and `render --pair` on surfaces with the same triangles and with others, and the action that does so for a pull request."""
+"""`compare` and `render --pair` on surfaces with equal or different triangles, and the action that runs them for a pull request."""
 
 import json
 import os
@@ -98,7 +98,7 @@ class Compare(InFolder):
 
     def test_the_page_is_self_contained(self):
         os.rename(self.path('tile.obj'), self.path('<b>&.obj'))
-        for b in ('ground.obj', '<b>&.obj'):   # also of two that do not differ
+        for b in ('ground.obj', '<b>&.obj'):   # also of two equal meshes
             self.succeed('compare', '<b>&.obj', b, '--html', 'page.html')
             with open(self.path('page.html'), encoding='utf-8') as file:
                 page = file.read()
@@ -239,7 +239,7 @@ class Action(InFolder):
             steps = yaml.safe_load(file)['runs']['steps']
         for step in steps:
             self.assertRegex(step.get('uses', 'x@' + 40 * '0'), r'@[0-9a-f]{40}$')
-            self.assertNotIn('${{', step.get('run', ''))   # what a pull request brings comes by variables, never as code
+            self.assertNotIn('${{', step.get('run', ''))   # names of a pull request arrive in variables, never as code
         _, outputs = self.compared()
         self.write('bin/gh', '#!/bin/sh\ncase " $*" in *--method*) echo "$@" >> "$CALLS" ;; *) printf "%s" "$EARLIER" ;; esac\n')
         os.chmod(self.path('bin/gh'), 0o755)

@@ -1,4 +1,4 @@
-"""Names, titles and settings are data: a report with hostile ones is parsed in each of its formats and compared with a report with plain
+"""Names, titles and settings are data: these tests parse a report with hostile names in each format and compare it with a report with plain
 names. Both have the same markup, links and programs; hostile names appear as text."""
 
 import csv
@@ -69,7 +69,7 @@ class Page(html.parser.HTMLParser):
             self.programs[-1] += data
         elif self.element != "style":
             self.words.append(data)
-        if self.element == "title" and not self.title:  # the first: pictures have titles too
+        if self.element == "title" and not self.title:  # only the first: pictures have titles, too
             self.title = data
 
     def handle_comment(self, data):
@@ -135,7 +135,7 @@ class HostileNames(unittest.TestCase):
         inside = ("#", "data:image/", "images/", "meshes/", "models/", "tables/", "src.txt", "results.json", "https://doi.org/", "report.")
         for file, title, words in (("index.html", TITLE, (TITLE, AUTHOR, COURSE)), ("appendix.html", "Appendix to " + TITLE, (TITLE, AUTHOR, COURSE, SAID))):
             page, plain = self.page("hostile", page=file), self.page("plain", page=file)
-            unknown = {mark for mark in page.markup - plain.markup if mark[0] not in MATHEMATICS}   # names may have letters that look like it
+            unknown = {mark for mark in page.markup - plain.markup if mark[0] not in MATHEMATICS}   # names may have letters that look like a formula
             self.assertEqual(unknown, set(), "elements and attributes that came from data")
             self.assertEqual(page.programs, plain.programs)
             self.assertEqual(page.title.strip(), shown(title))
@@ -166,7 +166,7 @@ class HostileNames(unittest.TestCase):
             for name in ("plain", "hostile"):
                 command = ["xmllint", "--html", "--noout", self.folder / name / "out" / page]
                 found = subprocess.run(command, capture_output=True, text=True, errors="replace").stderr
-                problems[name] = set(re.findall(r"HTML parser error : (.*)", found))  # it knows no HTML 5
+                problems[name] = set(re.findall(r"HTML parser error : (.*)", found))  # the parser does not know HTML 5
             self.assertEqual(problems["hostile"] - problems["plain"], set())
 
     @unittest.skipUnless(shutil.which("pandoc"), "pandoc is not installed")
@@ -177,7 +177,7 @@ class HostileNames(unittest.TestCase):
                 done = subprocess.run(["pandoc", "-f", "gfm", "-t", "json", self.folder / name / "out" / file], capture_output=True, text=True, check=True)
                 raw[name], links[name] = set(), set()
                 self.walk(json.loads(done.stdout), raw[name], links[name])
-            # Mesh names are part of ids and of file names, made safe: attribute values may differ, elements and attributes not.
+            # Ids and file names contain mesh names in a safe form, so attribute values may differ. Elements and attributes may not.
             self.assertEqual(raw["hostile"] - raw["plain"], set(), file)
             for target in links["hostile"]:
                 self.assertTrue(re.match(r"#|(images|meshes|tables)/|https://doi\.org/|[a-z]+\.[a-zA-Z0-9]+(#[\w-]+)?$", target), target)

@@ -98,5 +98,5 @@ class Install(unittest.TestCase):
 if __name__ == '__main__':
     if not os.path.exists(os.path.join(BUILD, 'documents', 'made')):
         print('skipped: this build has no documents, so it is not for installation')
-        sys.exit(77)   # which CTest shows as skipped
+        sys.exit(77)   # CTest shows this code as skipped
     unittest.main()

@@ -1,4 +1,4 @@
-"""A class is marked: right answers keep all points, planted mistakes are recognised, hostile submissions are refused by name."""
+"""Marks of a class: right answers keep all points, planted mistakes are recognised, hostile submissions are refused by name."""
 
 import concurrent.futures
 import csv
@@ -123,7 +123,7 @@ class Mark(unittest.TestCase):
 
     @classmethod
     def spectrum(cls, k, *options):
-        """Returns the CSV, and the mesh rebuilt from all k modes."""
+        """Returns the CSV, and the mesh reconstructed from all k modes."""
         out = cls.folder / ("modes" + "_".join([str(k), *options]).replace("-", ""))
         table = cls.made("spectrum", "saddle.obj", "-k", k, "--csv", "-", "--reconstruct", k, "--out", out, *options)
         return table, out / f"saddle_k{k}.ply"
@@ -217,7 +217,7 @@ class Mark(unittest.TestCase):
     def results_of(self, out, student):
         return {test["number"]: test for test in json.loads((out / student / "results.json").read_text())["tests"]}
 
-    # ---- what is right and what is known
+    # ---- right answers and known mistakes
 
     def test_a_class_of_a_hundred(self):
         """A student with each mistake, and students without mistakes between them; folders and zips."""
@@ -300,7 +300,7 @@ class Mark(unittest.TestCase):
         self.assertEqual(verdicts, {"uniform": "missing", "gauss": "missing", "cotan": "unusable", "eigenvalues": "right", "k15": "right",
                                     "smoothed": "unusable", "kappa": "missing"})
 
-    # ---- what is not to be trusted
+    # ---- hostile submissions
 
     def hostile(self, folder):
         """Returns [(file, words of the message about it)]."""

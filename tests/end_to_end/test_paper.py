@@ -1,4 +1,4 @@
-"""The limits of the report that is handed in, checked on a default report of the bundled meshes."""
+"""Limits of the report to hand in, checked on a default report of the bundled meshes."""
 
 import html
 import json
@@ -18,14 +18,14 @@ from test_pdf import output_of, reason_to_skip
 
 MOST_PAGES = 22
 LARGEST_GAP = 0.2             # at the foot of a page, of the height of the text
-LONGEST_LINE = 80             # letters of 95 lines of running text in a hundred,
+LONGEST_LINE = 80             # most letters of a line, in 95 % of the lines of running text,
 LONGEST_OF_ALL = 90
 COLUMNS = ((18, 102), (108, 192))   # of the report, [mm]
-LOOSE = 0.6                   # mean space of a line, of the size of its letters
-MOST_PIXELS = 45_000          # of the page, at a width of 1400
+LOOSE = 0.6                   # mean space of a line, relative to the size of its letters
+MOST_PIXELS = 45_000          # height of the page, at a width of 1400
 LEAST_SIZE = 7                # [pt] of words
 LEAST_SCRIPT = 4.5            # [pt] of indices and exponents, those of indices included,
-LONGEST_SCRIPT = 8            # which have at most so many letters in a row
+LONGEST_SCRIPT = 8            # with at most this number of letters in a row
 MEGABYTE = 1_000_000
 SIX = {"+x", "-x", "+y", "-y", "+z", "-z"}
 ALIKE_FROM_EVERY_SIDE = ("sphere", "plane")   # questions 1 and 3 show them once
@@ -121,7 +121,7 @@ class Paper(unittest.TestCase):
         for place, lines in columns.items():
             lines.sort(key=lambda line: line.top)
             for above, below in zip(lines, lines[1:]):
-                if min(above.right, below.right) - max(above.left, below.left) > 5:   # the same line in two parts otherwise
+                if min(above.right, below.right) - max(above.left, below.left) > 5:   # else it is the same line in two parts
                     self.assertGreater((below.top - above.top) * POINTS, 9, (place, above.text, below.text))
 
     def test_columns_are_full(self):
@@ -178,7 +178,7 @@ class Paper(unittest.TestCase):
         words = bare(self.words())
         for name, question in self.questions.items():
             prose = " ".join(part for part in question["answer"] if isinstance(part, str))
-            longest = max(re.split(r"[^A-Za-z ]", prose), key=len).split()   # between formulas, whose exponents a PDF tells at ends of lines
+            longest = max(re.split(r"[^A-Za-z ]", prose), key=len).split()   # between formulas; a PDF puts their exponents at ends of lines
             counts = [words.count(bare("".join(longest[i:i + 4]))) for i in range(max(1, len(longest) - 3))]
             self.assertIn(2, counts, name)
 

@@ -1,4 +1,4 @@
-"""Sections that are renewed one at a time, or made apart and merged, give the same bytes as one run."""
+"""Sections that are renewed one by one, or made separately and merged, give the same bytes as one run."""
 
 import json
 import shutil
@@ -25,7 +25,7 @@ class Parts(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = temporary_folder(cls)
         _, cls.whole, made = quick_report(cls.folder)
-        cls.cache = cls.folder / "cache"   # has every section, for tests that ask how they are put together
+        cls.cache = cls.folder / "cache"   # has every section, for tests of their assembly
         shutil.copytree(made, cls.cache)
         ids = [s["id"] for s in sections(cls.whole)]
         cls.parts = [cls.folder / f"part{i}" for i in range(3)]
@@ -91,7 +91,7 @@ class Parts(unittest.TestCase):
         self.assertIn("another cube8.obj", self.ended(0, *small, "q2", "--size", 64, "--out", out, mesh).stderr)
 
     def test_a_report_that_is_scaled_down_is_renewed_and_merged(self):
-        """It is the same if renewed in part or made in parts; a section that it leaves out is there once it is named."""
+        """Renewing a part, or merging parts, gives the same report. A left-out section appears once `--only` names it."""
         folder = temporary_folder(self)
         words = ["report", sample(folder, "creature"), "--quick", "--size", 64, "--time", 2]
         whole, renewed = folder / "whole", folder / "renewed"
@@ -109,7 +109,7 @@ class Parts(unittest.TestCase):
         for part in parts:
             self.ended(0, *words, "--part", part, "--only", part.name)
         merged, _ = self.merge(0, *parts)
-        self.assertEqual({s for s, state in status(merged).items() if state == "ok"}, {"q2", "q5"})   # as the whole of it leaves out
+        self.assertEqual({s for s, state in status(merged).items() if state == "ok"}, {"q2", "q5"})   # the whole report leaves out "stability", too
         self.assertEqual(sections(merged)[4], sections(whole)[4])
 
     def test_a_mesh_that_appears_in_a_data_folder_is_another_input(self):
@@ -135,7 +135,7 @@ class Parts(unittest.TestCase):
     # ---- report --part and merge
 
     def test_merged_parts_are_the_whole_report(self):
-        for parts in (self.parts, self.parts[::-1], [*self.parts, *self.parts]):   # twice: what is undefined agrees with itself
+        for parts in (self.parts, self.parts[::-1], [*self.parts, *self.parts]):   # twice, because an undefined number must equal itself
             out, _ = self.merge(0, *parts)
             self.assertEqual(tree(out), tree(self.whole))
 

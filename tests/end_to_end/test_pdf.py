@@ -1,4 +1,4 @@
-"""report.pdf and appendix.pdf as a user gets them, judged by other programs: poppler and qpdf."""
+"""Tests report.pdf and appendix.pdf with other programs: poppler and qpdf."""
 
 import json
 import os
@@ -163,7 +163,7 @@ class Printed(unittest.TestCase):
                 self.assertRegex(page, rf"\b{number} ?/ ?{len(pages)}\b")
 
     def test_no_figure_is_cut(self):
-        """Every picture is on one page, with its caption: a cut picture would be on two."""
+        """Every picture is on one page, with its caption."""
         for name, path in self.pdfs.items():
             placed = {}
             for line in output_of("pdfimages", "-list", path).splitlines()[2:]:
@@ -173,14 +173,14 @@ class Printed(unittest.TestCase):
             self.assertTrue(placed or name == "appendix.pdf")
             text = self.pages_of(path)
             for number, pages in placed.items():
-                if name == "report.pdf" and pages[0] == 1:   # the title picture is that of its figure
+                if name == "report.pdf" and pages[0] == 1:   # the title picture and its figure are one picture
                     pages = pages[1:] or pages
                 self.assertEqual(len(set(pages)), 1, (number, pages))
                 if name == "appendix.pdf" or pages[0] > 2:   # the title picture has no caption
                     self.assertRegex(text[pages[0] - 1], r"Figure [0-9A-Z]+\.\d+\.")
 
     def test_every_link_leads_somewhere(self):
-        """Links stay within their volume: references to the other one are text."""
+        """Links stay within their volume: references to the other volume are text."""
         for _, path in self.pdfs.items():
             objects = json.loads(output_of("qpdf", "--json=2", "--json-key=qpdf", path))["qpdf"][1]
             values = [found["value"] for found in objects.values() if isinstance(found.get("value"), dict)]

@@ -1,4 +1,4 @@
-"""`report --plan` and `--time`: the report does what the plan says, and gives the same bytes again."""
+"""`report --plan` and `--time`: the report keeps to the plan, and a second run gives the same bytes."""
 
 import json
 import resource

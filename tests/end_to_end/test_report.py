@@ -1,4 +1,4 @@
-"""A quick report from end to end: all files, well-formed, linked, with the same bytes again; failures are shown."""
+"""A quick report has all files, well-formed and linked; a second run gives the same bytes; failures are shown."""
 
 import csv
 import html.parser
@@ -262,8 +262,8 @@ class OwnMesh(unittest.TestCase):
         self.assertEqual(tree(folder / "elsewhere" / "again"), tree(folder / "out"))
 
     def require_apart(self, out, results, mesh):
-        """An id is question, mesh and subject. If a subject ended in another one, two meshes could share an id: "mistake_errors" of cube would be
-        "errors" of cube_mistake."""
+        """An id joins question, mesh and subject. No subject may end in another subject, or two meshes could share an id: "mistake_errors" of
+        cube would be "errors" of cube_mistake."""
         ids = {p.stem for p in out.rglob("*")} | set(ids_in(results))
         for question in {q["id"] for q in results["questions"] + results["supporting"]}:
             here = {i.removeprefix(question + "_") for i in ids if i.startswith(question + "_")}

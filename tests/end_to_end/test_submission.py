@@ -1,4 +1,4 @@
-"""A quick report is submitted: the contents of the archive, its checks, and each reason to refuse a report."""
+"""Tests `submit` on a quick report: the contents of the archive, its checks, and each reason to refuse a report."""
 
 import json
 import re
@@ -112,7 +112,7 @@ class Archive(Reported):
 
     def test_every_mesh_and_every_picture_opens(self):
         folder = temporary_folder(self)
-        meshes = [n for n in self.files if n.endswith(".ply") and not n.startswith("source/tests/")]   # those are odd on purpose, and so are its pictures
+        meshes = [n for n in self.files if n.endswith(".ply") and not n.startswith("source/tests/")]   # those of tests are unusual
         pictures = [n for n in self.files if n.endswith(".png") and not n.startswith("source/tests/")]
         self.assertGreaterEqual(len(meshes), 3)
         self.assertGreater(len(pictures), 50)
@@ -163,7 +163,7 @@ class Archive(Reported):
     def test_notices_cover_every_library_of_the_program(self):
         if not shutil.which("dpkg") or not shutil.which("ldd"):
             self.skipTest("no Debian here")
-        # Of the packages that CMake names or that these bring; what libarchive and qpdf bring is named as a group.
+        # Packages that CMake names, and their dependencies. Dependencies of libarchive and qpdf are named as a group.
         linked = subprocess.run(["objdump", "-p", PROGRAM], capture_output=True, text=True).stdout
         needed = re.findall(r"NEEDED\s+(lib[a-z_]+)", linked)
         self.assertGreater(len(needed), 8)
@@ -208,7 +208,7 @@ class Again(Reported):
             self.assertIn(author, zipfile.ZipFile(out / "submission.zip").read("INSTRUCTIONS.md").decode())
 
     def test_images_are_packed_only_with_their_option(self):
-        """With it, class Archive finds the whole report."""
+        """With the option, class Archive finds the whole report."""
         names = zipfile.ZipFile(self.out / "submission.zip").namelist()
         self.assertEqual([n for n in names if n.startswith("images/") or n in ("report.md", "appendix.md")], [])
         self.assertLessEqual({"index.html", "appendix.html"}, set(names))

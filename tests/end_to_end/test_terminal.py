@@ -1,4 +1,4 @@
-"""Output on a terminal, and output to a program or a log."""
+"""Output to a terminal, and output to a program or a log."""
 
 import fcntl
 import json
@@ -32,7 +32,7 @@ class Terminal(InFolder):
         try:
             while part := os.read(ours, 65536):
                 sent += part
-        except OSError:   # Linux's way to say that nobody writes any more
+        except OSError:   # on Linux, this error means that no writer is left
             pass
         os.close(ours)
         return process.wait(), sent.decode().replace('\r\n', '\n')
@@ -52,7 +52,7 @@ class Terminal(InFolder):
                 told = self.seen(*words, columns=columns)
                 self.assertEqual(told[0], code)
                 self.require_narrow(told[1], columns, words)
-                if words != ['doctor']:   # which says how large the cache is
+                if words != ['doctor']:   # doctor shows the size of the cache
                     self.assertEqual(sorted(ESCAPE.sub('', told[1]).split()), sorted((plain + errors).split()), (words, columns))
 
     def test_colours_are_for_terminals_that_know_them_and_people_who_want_them(self):

@@ -14,7 +14,7 @@ from quick_report import quick_report
 
 MARK = "This folder was made by meshfolio, which replaces it as a whole.\n"
 REPORT = ["--quick", "--only", "certificates", "--alone", "--size", 64, "--no-timings"]
-ODD = "two\nlines\udcff.txt"   # a name that is no UTF-8
+ODD = "two\nlines\udcff.txt"   # a name that is not UTF-8
 GIT = shutil.which("git")
 
 
@@ -46,7 +46,7 @@ def put_user_files(folder, edited):
 
 
 class Commands(unittest.TestCase):
-    """Each command: its words, the folder that it replaces, and one of its files."""
+    """The commands, each with its words, the folder that it replaces, and one of its files."""
 
     @classmethod
     def setUpClass(cls):
@@ -120,7 +120,7 @@ class Commands(unittest.TestCase):
         put_user_files(out, "")
         process = run("submit", "--out", out, "--author", "Ada", "--without-pdf")
         self.assertEqual(process.returncode, 0, process.stderr)
-        (out / "report.md").rename(out / "report.md.edited")   # it refuses an edited report: nothing to replace
+        (out / "report.md").rename(out / "report.md.edited")   # it refuses an edited report, so it replaces nothing
         (out / "report.md.edited").write_text("edited by hand")
         (out / "report.md").write_bytes((report / "report.md").read_bytes())
         process = run("submit", "--out", out, "--author", "Ada", "--without-pdf")
@@ -142,7 +142,7 @@ class Commands(unittest.TestCase):
             "nothing": lambda path: None,
         }
         for name, (words, out, _) in self.commands().items():
-            if name in ("render", "spectrum", "batch"):   # those add files; the folder that batch fills is its index
+            if name in ("render", "spectrum", "batch"):   # these commands add files; for batch, the replaced folder is its index
                 continue
             for kind, make in spoil.items():
                 with self.subTest(name, mark=kind):
@@ -198,7 +198,7 @@ class Commands(unittest.TestCase):
         self.assertEqual(run(*words).returncode, 0)
         ours = (out / "sheet.png").read_bytes()
         self.assertEqual((ours.count(b"msFO"), run(*words).stderr.count("kept")), (1, 0), "our own are replaced")
-        photo = ours.replace(ours[-24:-12], b"")   # as a program leaves it that changed the picture
+        photo = ours.replace(ours[-24:-12], b"")   # simulates a program that changed the picture
         (out / "sheet.png").write_bytes(photo)
         (out / "photo.jpg").write_text("a photo")
         (out / "+x.png").unlink()

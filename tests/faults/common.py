@@ -1,5 +1,5 @@
-"""Shared by the parts of the harness: runs of the program, folders, old and new reports, tracing and injecting system calls.
-The program's path comes from the environment variable MESHFOLIO; with FAULTS_WHOLE every moment is tried instead of a selection."""
+"""Tools of all fault tests: runs of the program, folders, old and new reports, tracing and injecting system calls.
+The environment variable MESHFOLIO gives the program's path; FAULTS_WHOLE tries every moment instead of a selection."""
 
 import collections
 import json
@@ -22,7 +22,7 @@ SOURCE = Path(__file__).resolve().parents[2]
 PROGRAM = os.path.abspath(os.environ.get("MESHFOLIO", SOURCE / "build" / "release" / "meshfolio"))
 WHOLE = bool(os.environ.get("FAULTS_WHOLE"))
 STRACE = shutil.which("strace")
-ONE_CPU = ["taskset", "-c", str(min(os.sched_getaffinity(0)))]   # one thread works, so that calls come in the same order again
+ONE_CPU = ["taskset", "-c", str(min(os.sched_getaffinity(0)))]   # one thread, so that calls have the same order in every run
 
 
 def can_trace():
@@ -36,14 +36,14 @@ def can_mount():
 needs_strace = unittest.skipUnless(can_trace(), "strace is not installed, or may not trace here")
 needs_mount = unittest.skipUnless(can_mount(), "no private mount namespace may be made here")
 
-signal.signal(signal.SIGHUP, lambda *_: None)   # under nohup, programs that are started would ignore it as well
+signal.signal(signal.SIGHUP, lambda *_: None)   # under nohup, started programs would ignore it, too
 
-Call = collections.namedtuple("Call", "name number paths line")   # the number-th call of this name by its thread
+Call = collections.namedtuple("Call", "name number paths line")   # the thread's call number `number` with this name
 End = collections.namedtuple("End", "code out err seconds")
 
 
 def some(items, number):
-    """Returns all with FAULTS_WHOLE, else `count` evenly spread ones, with the first and the last."""
+    """Returns all with FAULTS_WHOLE, else `number` evenly spread ones, with the first and the last."""
     if WHOLE or len(items) <= number:
         return list(items)
     return [items[round(i * (len(items) - 1) / (number - 1))] for i in range(number)]
@@ -69,7 +69,7 @@ EDITED = {".meshfolio": "report.md", ".meshfolio-marks": "class.csv"}   # by the
 
 
 def add_user_files(folder):
-    """Adds a file, a folder with an empty one and a link, and edits one of our files: a command that replaces the folder must keep all."""
+    """Adds a file, a folder with an empty folder, and a link, and edits one of our files. A command that replaces the folder must keep all."""
     (folder / "thesis.tex").write_text("months of work")
     (folder / "thesis.tex").chmod(0o640)
     (folder / "docs" / "empty").mkdir(parents=True)
@@ -81,7 +81,7 @@ def add_user_files(folder):
 
 
 def user_files_are_kept(folder):
-    """Returns the files of add_user_files(); an edited file may have its other name."""
+    """Returns the files of add_user_files(); an edited file may be named NAME.edited."""
     edited = next(name for mark, name in EDITED.items() if (folder / mark).exists())
     return ((folder / "thesis.tex").read_text() == "months of work" and (folder / "thesis.tex").stat().st_mode & 0o777 == 0o640 and
             (folder / "docs" / "empty").is_dir() and (folder / "docs" / "a").read_text() == "a" and os.readlink(folder / "link") == "/nowhere/at/all" and
@@ -108,7 +108,7 @@ def sums_hold(folder):
     return listed == found
 
 
-MADE = tempfile.TemporaryDirectory(prefix="meshfolio-faults-")   # reports that are the old and the new one of many tests
+MADE = tempfile.TemporaryDirectory(prefix="meshfolio-faults-")   # old and new reports that many tests share
 
 
 class Faults(unittest.TestCase):
@@ -116,10 +116,10 @@ class Faults(unittest.TestCase):
 
     def setUp(self):
         self.folder = temporary_folder(self).resolve()
-        self.random = random.Random(self.id())   # the same moments at every run, as far as clocks allow
+        self.random = random.Random(self.id())   # the same moments in every run, as far as clocks permit
         for name in ("place", "tmp", "cache"):
             (self.folder / name).mkdir()
-        self.place = self.folder / "place"   # where outputs are, and nothing else
+        self.place = self.folder / "place"   # contains only outputs
         self.out = self.place / "out"
         self.environment = {**os.environ, "MESHFOLIO_PDF": "off", "TMPDIR": str(self.folder / "tmp"),
                             "XDG_CACHE_HOME": str(self.folder / "cache"), "LC_ALL": "C"}
@@ -171,7 +171,7 @@ class Faults(unittest.TestCase):
         return old, new
 
     def with_renewal(self):
-        """Puts a report of question 2 in place. Returns its tree, the tree with one section more, and the words that add it."""
+        """Puts a report of question 2 in place. Returns its tree, the tree with one more section, and the words that add it."""
         self.old_folder = self.report_of(64)
         old = self.report_tree(64)
         self.restore_old()
@@ -225,7 +225,7 @@ class Faults(unittest.TestCase):
         return *trees, [*words, 64, "--out", self.out], end.code
 
     def require_batch_of(self, old, new, when):
-        """Requires each report and each file of the index to be the old or the new one, whole, or a leftover that will be swept."""
+        """Requires each report and each index file to be the complete old or new one, or a leftover that the next run removes."""
         now = tree(self.out)
         index = {name: value for name, value in now.items() if "/" not in name and not name.startswith(".")}
         for name, value in index.items():
@@ -239,7 +239,7 @@ class Faults(unittest.TestCase):
         return [name for name in ("torus", "cube8") if below(now, name) == below(new, name)]
 
     old_folder = None
-    user_files = False   # the old folder has such, too
+    user_files = False   # the old folder has it, too
 
     def restore_old(self):
         self.sweep()

@@ -105,7 +105,7 @@ class Determinism(Faults):
 
     def test_factors_of_a_large_mesh(self):
         mesh, settings = self.large_mesh(), self.folder / "large.toml"
-        steps, questions = ([1e-5, 1e-4, 1e-3, 1e-2], "q6,q7") if WHOLE else ([1e-2], "q7")   # two factors at once at least, one for each noise
+        steps, questions = ([1e-5, 1e-4, 1e-3, 1e-2], "q6,q7") if WHOLE else ([1e-2], "q7")   # at least two factors at once, one for each noise
         settings.write_text("".join(f'[[question]]\nid = "{id}"\nmesh = "{mesh.name}"\nlambda = {steps}\niterations = [1]\n{more}\n'
                                     for id, more in (("q6", ""), ("q7", "noise = [0.001, 0.004]"))))
 

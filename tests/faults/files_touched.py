@@ -24,7 +24,7 @@ def unescaped(text):
 @needs_strace
 class FilesTouched(Faults):
     def touched(self, *words, **options):
-        """Runs the program. Returns its end and [(call, paths, is for writing, has succeeded)]."""
+        """Runs the program. Returns the finished process and [(call, paths, is for writing, has succeeded)]."""
         log = self.folder / "trace"
         wrap = [STRACE, "-f", "-y", "-qq", "-s", "4096", "-e", "signal=none", "-o", log, "-e", "trace=" + ",".join("?" + n for n in READING + CHANGING + RUNNING)]
         end = self.run_program(*words, wrap=wrap, **options)
@@ -48,7 +48,7 @@ class FilesTouched(Faults):
                     self.assertTrue(full.startswith(tuple(map(str, outputs))), f"{name} changes {full}")
                 elif worked:
                     allowed = full.startswith(SYSTEM) or full.startswith(tuple(map(str, [*inputs, *outputs])))
-                    folder = any(str(one).startswith(full.rstrip("/") + "/") for one in outputs)   # to sync or to sweep it
+                    folder = any(str(one).startswith(full.rstrip("/") + "/") for one in outputs)   # to flush or to remove it
                     self.assertTrue(allowed or folder, f"{name} reads {full}")
 
     def test_names_that_mislead_and_libraries_of_materials(self):

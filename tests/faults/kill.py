@@ -1,4 +1,4 @@
-"""After SIGKILL at any moment the old or the new report is there, whole; the next run works and removes leftovers."""
+"""After SIGKILL at any moment the complete old or new report is there. The next run works and removes leftovers."""
 
 import json
 import os
@@ -13,7 +13,7 @@ from common import EDITED, ONE_CPU, STRACE, WHOLE, Faults, needs_strace, of_each
 
 CHANGES = ["openat", "write", "rename", "renameat", "renameat2", "link", "linkat", "unlink", "unlinkat", "mkdir", "mkdirat", "rmdir", "ftruncate",
            "fsync", "close", "sendfile", "copy_file_range"]
-STEPS = CHANGES if WHOLE else ["write", "rename", "renameat2", "unlinkat"]   # a folder is filled, put in its place, and what it replaced is removed
+STEPS = CHANGES if WHOLE else ["write", "rename", "renameat2", "unlinkat"]   # fills a folder, puts it in its place, and removes the replaced folder
 
 
 def runs_into(folder):
@@ -91,8 +91,8 @@ class Kill(Faults):
 
     @needs_strace
     def test_without_hard_links_the_next_run_finds_what_is_the_users(self):
-        """Without hard links, files are moved after the exchange; after a kill in between the next run finds them. The same without an exchange of
-        names, which two renames replace."""
+        """Without hard links, files are moved after the exchange. After a kill in between, the next run finds them. This holds also if two
+        renames replace the exchange of names."""
         _, new = self.with_old_and_new()
         self.user_files = True
         words = self.report_words()
@@ -104,7 +104,7 @@ class Kill(Faults):
             self.assertEqual(end.code, 0, end.err)
             self.assertEqual((ours(tree(self.out)), self.beside(), user_files_are_kept(self.out)), (new, [], True), refused)
             renames = sum("renameat2(" in line for line in (self.folder / "trace").read_text(errors="replace").splitlines())
-            if len(refused) > 1:   # the call can be made to fail or to kill, not both
+            if len(refused) > 1:   # strace can make the call fail or kill, not both
                 continue
             for number in range(2, renames + 1):
                 self.restore_old()
@@ -177,7 +177,7 @@ class Kill(Faults):
         self.require_next_run(good, *words)
 
     def test_a_batch_at_random_moments(self):
-        """Every report is whole, no process goes on alone, and in the end all is like after one run."""
+        """Every report is complete, no process remains, and the final result equals that of one run."""
         words = ["batch", self.mesh(), self.mesh("cube8"), "--only", "certificates", "--size", 64, "--no-timings", "--jobs", 2]
         straight = self.run_program(*words, "--out", self.folder / "straight")
         for _ in range(40 if WHOLE else 3):
@@ -196,7 +196,7 @@ class Kill(Faults):
 
     @needs_strace
     def test_before_system_calls_of_a_batch(self):
-        """Kills the batch or one of its reports, which affects its row only: the next run does not make finished reports again."""
+        """Kills the batch, or one of its reports, which affects only its row. The next run does not make finished reports again."""
         old, new, words, code = self.with_batch()
         points = self.calls(STEPS, *words, code=code)
         of_index = [c for c in points if any(Path(path).parent == self.out for path in c.paths)]
@@ -218,7 +218,7 @@ class Kill(Faults):
         self.assertEqual(runs_into(self.out), [])
 
     def test_folders_of_a_dead_printer_are_swept(self):
-        """The folder of a browser is removed after its run was killed while printing; that of a running one stays."""
+        """The next run removes the folder of a browser if its run was killed while printing, but not the folder of a live run."""
         gone = self.start("--version")
         self.end(gone)
         dead = self.folder / "tmp" / f"meshfolio-print-{gone.pid}-abcdef"

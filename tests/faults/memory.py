@@ -1,6 +1,6 @@
 """With little address space (RLIMIT_AS, from 64 MB up) a run gives a result or one line about memory; it never crashes or hangs.
-A file that finds no room is refused as one that is too large, with exit code 3. Below some 120 MB the libraries themselves cannot be
-loaded: that line is the loader's, and its exit code 127."""
+A file that does not fit into memory is refused as too large, with exit code 3. Below some 120 MB the libraries cannot be loaded: the loader
+prints the line and exits with code 127."""
 
 import json
 import resource
@@ -10,7 +10,7 @@ import unittest
 
 from common import WHOLE, Faults, some, tree
 
-# On the disk: in /dev/shm, a report that ends by an uncaught exception may leave its unfinished folder to the next run.
+# Uses the disk: in /dev/shm, a report that ends by an uncaught exception may leave its unfinished folder to the next run.
 tempfile.tempdir = None
 
 MEGABYTE = 1 << 20
@@ -23,12 +23,12 @@ class Memory(Faults):
         limit = (int(megabytes * MEGABYTE),) * 2
         end = self.run_program(*words, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, limit))
         self.assertIn(end.code, (0, 1, 3, 127), f"{words[0]} with {megabytes} MB: {end.err}")
-        if end.code == 127:   # the loader has two ways to say so
+        if end.code == 127:   # the loader has two messages for this
             self.assertTrue(LOADER in end.err or end.err == "out of memory\n", end.err)
         return end
 
     def require_result_or_one_line(self, result, *words):
-        """With enough memory the result is the same as without a limit; with the warning that a factor has no room, it is the same to a tolerance."""
+        """With enough memory the result equals that without a limit. With the warning that a factor does not fit, it agrees to a tolerance."""
         self.sweep()
         self.assertEqual(self.run_program(*words).code, 0)
         expected, ended_well, whole = tree(self.place), 0, self.place.with_name("whole.ply")
@@ -60,7 +60,7 @@ class Memory(Faults):
                 self.require_result_or_one_line(place, *words)
 
     def test_reports(self):
-        """A question without memory may fail and be shown as failed, or there is no report."""
+        """A question without memory is shown as failed, or there is no report."""
         mesh = self.mesh("torus")
         words = ["report", "--quick", "--only", "q2,q4", "--pdf", "off", "--no-cache", "--size", 64, "--out", self.out, mesh]
         outcomes = set()
@@ -77,7 +77,7 @@ class Memory(Faults):
                 self.assertNotEqual(end.code, 0)
                 self.assertTrue("out of memory" in last or LOADER in last, f"{megabytes} MB: {last}")
             outcomes.add(end.code)
-            # Without memory to handle an exception, a run may leave its unfinished folder, and nothing else, to the next run.
+            # A run without memory for handling an exception may leave only its unfinished folder to the next run.
             self.assertTrue(all(end.code != 0 and name.startswith("out.tmp-") for name in self.beside()), self.beside())
             shutil.rmtree(self.out, ignore_errors=True)
         self.assertEqual(self.run_program(*words).code, 0)

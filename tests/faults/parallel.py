@@ -1,4 +1,4 @@
-"""Of several runs into one folder, one leaves its whole output."""
+"""Several runs into one folder leave the complete output of one run."""
 
 import shutil
 import unittest
@@ -12,7 +12,7 @@ class Parallel(Faults):
     def test_reports_into_one_folder(self):
         expected = [self.report_tree(size) for size in SIZES]
         for number in range(50 if WHOLE else 5):
-            if number % 2 == 0:   # a first run has nothing to exchange
+            if number % 2 == 0:   # the first run replaces nothing
                 shutil.rmtree(self.out, ignore_errors=True)
             else:
                 add_user_files(self.out)

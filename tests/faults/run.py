@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Faults and determinism of the built program: kill, space, signals, parallel, streams, memory, determinism, files_touched.
+"""Tests faults and determinism of the built program: kill, space, signals, parallel, streams, memory, determinism, files_touched.
 
   MESHFOLIO=build/release/meshfolio tests/faults/run.py [--whole] [PART …]
 
-Without --whole, a sample of the moments that takes seconds; with it all of them, for half an hour. `--whole determinism` also builds the
-program in differently named folders, with -O2 and with -O3. What the machine does not permit is skipped, and said."""
+By default it tries a sample of the moments, in seconds; --whole tries all of them, in half an hour. `--whole determinism` also builds the
+program in differently named folders, with -O2 and with -O3. Tests that the machine does not permit are reported as skipped."""
 
 import os
 import sys
@@ -22,7 +22,7 @@ def main(words):
         sys.exit(f"{__doc__}\nno such part: {', '.join(unknown)}")
     result = unittest.TextTestRunner(verbosity=2).run(unittest.defaultTestLoader.loadTestsFromNames(parts))
     if result.testsRun == len(result.skipped):
-        return 77   # which CTest shows as skipped
+        return 77   # CTest shows this code as skipped
     return 0 if result.wasSuccessful() else 1
 
 

@@ -1,4 +1,4 @@
-"""An interrupted run ends soon with exit code 128 + signal and leaves nothing; also while a browser prints, and by Ctrl-C on a terminal."""
+"""An interrupted run ends soon with exit code 128 + signal and leaves no files, also while a browser prints, and by Ctrl-C on a terminal."""
 
 import fcntl
 import os
@@ -14,7 +14,7 @@ import unittest
 
 from common import ONE_CPU, STRACE, WHOLE, Faults, needs_strace, some, tree
 
-SOON = 1 if WHOLE else 5   # [s]; a test among others on a busy machine tells only that it does not hang
+SOON = 1 if WHOLE else 5   # [s]; on a busy machine a test can only show that the program does not hang
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
 CREATIONS = ["openat", "mkdir", "mkdirat", "rename", "renameat2"]
 BROWSER = """#!/bin/sh
@@ -41,7 +41,7 @@ def is_alive(pid):
 
 
 def stopped_child(strace):
-    """Returns the process number of the traced program once its first thread stands still; None if it has ended."""
+    """Returns the process id of the traced program once its first thread waits; None if the process has ended."""
     still, limit = 0, time.monotonic() + 60
     while strace.poll() is None and time.monotonic() < limit:
         try:
@@ -83,7 +83,7 @@ class Signals(Faults):
             time.sleep(moment)
             process.send_signal(which)
             end = self.end(process)
-            if end.code == -which:   # before main() began, the loader dies the plain way
+            if end.code == -which:   # before main(), the signal kills the process directly
                 early += 1
                 self.assertEqual((tree(self.out), self.beside(), end.err), (old, [], ""))
                 continue
@@ -94,9 +94,9 @@ class Signals(Faults):
         print(f"slowest end {slowest:.3f} s", flush=True)
 
     def interrupt_at(self, restore, call, which, *words):
-        """The thread waits before that call until the signal has done its work, and the process ends late: what the thread creates then
-        would stay for ever. On a busy machine a program that is only starting stands still as long, and dies the plain way: tried again."""
-        for delay in (300000, 1000000, 3000000):   # [µs]; on a busy machine the shorter ones may be missed
+        """The thread waits before that call until the signal is handled, and the process ends late. A file that the thread then creates would stay
+        for ever. On a busy machine a program may wait as long while it starts, and the signal kills it directly; then the test tries again."""
+        for delay in (300000, 1000000, 3000000):   # [µs]; a busy machine may miss the shorter ones
             restore()
             wrap = [*ONE_CPU, STRACE, "-f", "-qq", "-e", "signal=none", "-o", self.folder / "trace", "-e", f"trace={call.name},exit_group",
                     "-e", f"inject={call.name}:delay_enter={delay}:when={call.number}", "-e", "inject=exit_group:delay_enter=300000"]
@@ -170,12 +170,12 @@ class Signals(Faults):
         self.assertEqual(tree(self.out), new)
 
     def test_a_reader_that_does_not_read(self):
-        """The writer waits for ever; a signal ends it although its message cannot be written."""
+        """The writer waits for ever. A signal ends it although it cannot write its message."""
         mesh = self.mesh("torus", "--subdivide", 1)
         reading, writing = os.pipe()
         process = self.start("curvature", mesh, "--csv", "-", stdout=writing, stderr=writing)
         limit = time.monotonic() + 60
-        waiting = 0   # until the pipe is full, all but the last bytes
+        waiting = 0   # until the pipe is full except for the last bytes
         while waiting < 60000 and time.monotonic() < limit:
             time.sleep(0.1)
             waiting = struct.unpack("i", fcntl.ioctl(reading, termios.FIONREAD, b"    "))[0]
@@ -199,7 +199,7 @@ def shown_on(terminal):
     while select.select([terminal], [], [], 1)[0]:
         try:
             shown += os.read(terminal, 65536)
-        except OSError:   # nobody holds the other end any more
+        except OSError:   # the other end is closed
             break
     return shown.decode()
 

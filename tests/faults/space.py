@@ -1,5 +1,5 @@
-"""With a full, read-only or broken disk, or a limit on file size, a run ends with code 4 and one line that names the path and the reason; the
-old output stays."""
+"""With a full, read-only or broken disk, or a limit on file size, a run ends with code 4 and one line with path and reason. The old output
+stays."""
 
 import json
 import os
@@ -10,12 +10,12 @@ import unittest
 from common import ONE_CPU, PROGRAM, STRACE, WHOLE, Faults, needs_mount, needs_strace, of_each_kind, some, tree
 
 WRITES = ["openat", "write", "fsync", "fdatasync", "ftruncate", "rename", "renameat2", "linkat", "mkdir", "mkdirat", "close"]
-STEPS = WRITES if WHOLE else ["write", "fsync", "renameat2", "mkdir"]   # what a report asks for in every way, others ask for in these
+STEPS = WRITES if WHOLE else ["write", "fsync", "renameat2", "mkdir"]   # these kinds suffice for other commands; a report tries all
 REASONS = {"ENOSPC": "No space left on device", "EIO": "Input/output error", "EDQUOT": "Disk quota exceeded"}
 
 
 def writing(calls):
-    """Returns the calls that write output, without files that are only read."""
+    """Returns the calls that write output, without calls on files that are only read."""
     created = {}
     for call in calls:
         if call.name == "openat":
@@ -66,9 +66,9 @@ class Space(Faults):
 
     @needs_strace
     def test_each_failing_call_of_a_batch(self):
-        """Tampers with the batch, which ends, or with its reports, each of which has a line; the next run makes the missing reports."""
+        """Tampers with the batch, which ends, or with its reports, which give a line each. The next run makes the missing reports."""
         old, new, words, code = self.with_batch()
-        # Each process has a call of that number; files that it opens and closes at its beginning are no output.
+        # Each process has a call with that number. Files that it opens and closes at its beginning are not output.
         points = self.calls([name for name in WRITES if name not in ("openat", "close")], *words, code=code)
         of_index = [c for c in points if any(path.rsplit("/", 1)[0] == str(self.out) for path in c.paths)]
         for call in [*some(points, 3), *of_each_kind(of_index)]:
@@ -78,7 +78,7 @@ class Space(Faults):
             self.assertEqual(end.code, 4, f"{call.line}: {end.err}")
             errors = [line for line in end.err.splitlines() if "cannot" in line]
             self.assertLessEqual(len(errors), 2, f"{call.line}: {end.err}")
-            # The call of that number may also be the one that tells of it: then the index does.
+            # The call with that number may also write the message. Then the index has the message.
             told = errors + [row["error"] for row in json.loads((self.out / "batch.json").read_text())["meshes"] if "error" in row]
             self.assertTrue(told, f"{call.line}: {end.err}")
             for line in told:
@@ -104,7 +104,7 @@ class Space(Faults):
     @needs_strace
     @unittest.skipUnless(WHOLE, "with --whole only: tests/base/parallel_tasks_test.cpp asks for the same in little time")
     def test_a_failing_call_while_other_threads_work(self):
-        """strace counts per thread: the file with the number differs from run to run; if no call has it, the run succeeds."""
+        """strace counts per thread, so each run hits another file. If no call has the number, the run succeeds."""
         old, _ = self.with_old_and_new()
         words, whole = (["q2,q4" if word == "q2" else word for word in self.report_words(out, threads=2)] for out in (self.out, self.folder / "whole"))
         self.assertEqual(self.run_program(*whole).code, 0)
@@ -238,7 +238,7 @@ class Mounted(Faults):
             self.assertIn("No space left on device", process.stderr)
 
     def test_a_small_disk_under_a_batch(self):
-        """If the disk has no room for a report, the other reports stay; the next run makes it once there is room."""
+        """If the disk has no room for a report, the other reports stay. With more room, the next run makes it."""
         options = ["--only", "certificates", "--pdf", "off", "--no-timings", "--no-cache", "--size", 64, "--out"]
         torus, cube = self.mesh(), self.mesh("cube8")
         self.assertIn(self.run_program("batch", torus, *options, self.out).code, (0, 1))
@@ -259,7 +259,7 @@ class Mounted(Faults):
         self.assertEqual(process.returncode, 0, process.stderr)
 
     def test_a_mount_point_leaves_the_users_files_alone(self):
-        """Also after a kill between two files: the next run does not take our own files for edited ones."""
+        """This holds also after a kill between two files: the next run does not mistake our files for edited ones."""
         report = self.REPORT.replace("$M/out", "$M")
         kept = '[ "$(cat "$M/thesis.tex")" = months ] && [ "$(cat "$M/docs/a")" = a ] && [ "$(readlink "$M/link")" = /nowhere ] && [ -d "$M/docs/empty" ]'
         put = 'mkdir -p "$M/docs/empty"; echo months > "$M/thesis.tex"; echo a > "$M/docs/a"; ln -s /nowhere "$M/link"; mkdir -p "$M/images"; echo mine > "$M/images/mine.txt"'
@@ -291,7 +291,7 @@ class Mounted(Faults):
         script = f"{report} 2>$W/a & A=$!; {report} 2>$W/b; B=$?; wait $A; A=$?; cd $M && sha256sum -c --quiet SHA256SUMS >/dev/null 2>&1 || exit 99; [ $A = 4 ] || [ $B = 4 ] || exit 98; [ $A = 0 ] || [ $B = 0 ]"
         process = self.in_mount("size=40m,mode=755", script)
         told = (self.folder / "a").read_text() + (self.folder / "b").read_text()
-        if process.returncode != 98:   # one had ended before the other began
+        if process.returncode != 98:   # one run ended before the other began
             self.assertEqual(process.returncode, 0, told + process.stderr)
             self.assertIn("is busy: another run is writing there", told)
 

@@ -32,7 +32,7 @@ class Streams(Faults):
             self.assertEqual(self.run_with_streams(states, "inspect", mesh), 0 if states[1] == "open" else 4, states)
 
     def test_a_command_that_writes_a_file_and_warns(self):
-        """Without --lambda smooth warns; its result is the same as with streams."""
+        """Without --lambda, smooth warns; the result is the same as with open streams."""
         mesh, result = self.mesh(), self.place / "x.ply"
         words = ["smooth", mesh, "-o", result]
         self.assertEqual(self.run_program(*words).code, 0)

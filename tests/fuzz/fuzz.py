@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Builds the fuzz targets with Clang and runs each: tests/fuzz/fuzz.py [--fast] [--seconds 30 | --runs N] [--jobs J] [target …]
 
-Needs clang and its compiler-rt (Debian: clang-14 libclang-rt-14-dev). Without --fast under AddressSanitizer and
-UndefinedBehaviorSanitizer; with it without them, for tens of millions of executions: the properties of the targets and the assertions of
-the standard library still hold or stop it. Seeds are tests/fuzz/seeds, tests/fuzz/regressions and, where they have the target's ending
-and at most 4096 bytes, the files of data, of templates and, with --corpus DIR, below DIR. What is found stays in build/fuzz/corpus, for
-both; an input that fails is copied to tests/fuzz/regressions, where the ordinary tests replay it. Exit code 1 if any target failed."""
+Needs clang and its compiler-rt (Debian: clang-14 libclang-rt-14-dev). By default the targets run under AddressSanitizer and
+UndefinedBehaviorSanitizer. --fast omits them, for tens of millions of executions; violated properties of the targets and failed assertions
+of the standard library still stop a run. Seeds are tests/fuzz/seeds and tests/fuzz/regressions. Files of data, of templates and, with
+--corpus DIR, below DIR are seeds if they have the target's ending and at most 4096 bytes. New inputs stay in build/fuzz/corpus, for both
+kinds of run. A failing input is copied to tests/fuzz/regressions, where the ordinary tests replay it. Exit code 1 if any target failed."""
 import argparse
 import os
 import re
@@ -17,14 +17,14 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 WORK = ROOT / "build" / "fuzz"
-# Bytes of an input: short ones find the same faults and run more often.
+# Bytes of an input: short inputs find the same faults and run more often.
 LONGEST = {"cotangent": 400, "page": 64, "rasterizer": 60, "png": 4096, "results": 4096}
 LONGEST_TEXT = 512
 LONGEST_SEED = 4096
 LIMITS = ["-timeout=5", "-rss_limit_mb=1024", "-print_final_stats=1"]
-# Large pieces of memory are kept, not given back after each execution.
+# Keeps large pieces of memory instead of returning them after each execution.
 KEEP_MEMORY = {"MALLOC_MMAP_THRESHOLD_": "100000000", "MALLOC_TRIM_THRESHOLD_": "100000000"}
-# The fast build also leaves out the bookkeeping of rare features, a third of its time.
+# The fast build also omits the bookkeeping of rare features, which takes a third of its time.
 FAST_LIMITS = ["-entropic=0"]
 SANITIZER_OPTIONS = {"ASAN_OPTIONS": "detect_leaks=1:allocator_may_return_null=1", "UBSAN_OPTIONS": "print_stacktrace=1"}
 FORMATS = {"settings": ".toml", "template": ".html", "results": ".json", "values": ".csv", "sums": "SHA256SUMS", "handed_in": ".zip"}
@@ -37,7 +37,7 @@ def build(preset, targets):
 
 
 def seeds_of(target, extra):
-    """Files of the target's format: its own seeds, bundled meshes and settings, and those below the folder of the user's."""
+    """Returns files of the target's format: its seeds, bundled meshes and settings, and files below the user's folder."""
     ending = FORMATS.get(target, "." + target)
     folders = [ROOT / "data", ROOT / "templates", *extra]
     files = [f for folder in folders for f in sorted(folder.rglob("*" + ending)) if f.is_file() and f.stat().st_size <= LONGEST_SEED]

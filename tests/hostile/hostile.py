@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Makes hostile inputs in a temporary folder, class by class, and judges the program on each: it must end in time and memory, with the
-right exit code, in few and harmless words.
+"""Makes hostile inputs in a temporary folder, class by class, and judges the program on each. The program must end within time and memory, with
+the right exit code and a few harmless lines.
 
     MESHFOLIO=build/release/meshfolio tests/hostile/hostile.py [--whole] [-v] [CLASS…]
 
---whole: larger inputs and more of each class."""
+--whole: larger inputs, and more inputs of each class."""
 
 import hashlib
 import json
@@ -31,7 +31,7 @@ NAMES = [
 
 
 def good_meshes():
-    """Returns a tetrahedron in every format that is read."""
+    """Returns a tetrahedron in every input format."""
     points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
     text = "".join("%g %g %g\n" % p for p in points)
@@ -94,7 +94,7 @@ class Names(Hostile):
 
 
     def test_paths_on_a_terminal(self):
-        """Output for programs has the path itself; on a terminal it is harmless."""
+        """Output for programs has the path unchanged; on a terminal the path is escaped."""
         cache = os.path.join(os.fsencode(self.folder), b"\x1b]0;title\x07\xff")
         out = subprocess.run([PROGRAM, "cache"], env={"XDG_CACHE_HOME": cache}, capture_output=True, check=True).stdout
         self.assertTrue(out.startswith(cache + b"/meshfolio\n"), out)
@@ -166,7 +166,7 @@ class Nodes(Hostile):
         def shake():
             while not stop.is_set():
                 os.truncate(path, 100)
-                os.truncate(path, size)  # what was cut off comes back as NUL bytes
+                os.truncate(path, size)  # extends the file with NUL bytes
 
         thread = threading.Thread(target=shake)
         thread.start()
@@ -213,7 +213,7 @@ class Encodings(Hostile):
                     self.judge(code, "inspect", self.write(name, changed))
 
     def test_settings(self):
-        text = "[report]\ntitle = \"é\"\nsections = [\"q2\"]\nsize = 8\n"  # the last key is wrong: no run begins
+        text = "[report]\ntitle = \"é\"\nsections = [\"q2\"]\nsize = 8\n"  # the last key is wrong, so no run begins
         for encoding in ("utf-16", "utf-16-be", "utf-32", "latin-1", "cp037"):
             self.judge(2, "report", "--config", self.write("s.toml", text.encode(encoding)), says=r"s\.toml:\d+: ")
         self.judge(2, "report", "--config", self.write("s.toml", b"\xef\xbb\xbf" + text.encode()), says=r"s\.toml:4: unknown key 'size'")
@@ -384,13 +384,13 @@ class Numbers(Hostile):
                     if word == "9" * 40 and words[0] in ("smooth", "noise") or word == "9" * 40 and "--field" in words:
                         continue  # a finite number
                     if word == "" and words[0] == "report":
-                        continue  # as if not given
+                        continue  # as if it were not given
                     self.judge(2, *words)
         self.assertEqual(os.listdir(self.folder), ["m.obj"])
 
 
 class Corpus(Hostile):
-    """Meshes of MESHFOLIO_BAD_MESHES, a folder with a manifest.tsv: output for accepted ones has no undefined numbers."""
+    """Meshes of MESHFOLIO_BAD_MESHES, a folder with a manifest.tsv. Output for accepted meshes has no undefined numbers."""
 
     def test_numbers(self):
         folder = os.environ.get("MESHFOLIO_BAD_MESHES")

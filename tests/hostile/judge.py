@@ -1,4 +1,4 @@
-"""Runs the built program on hostile inputs and judges how it ends. Its path comes from the environment variable MESHFOLIO."""
+"""Runs the built program on hostile inputs and judges the result. The environment variable MESHFOLIO gives the program's path."""
 
 import os
 import re
@@ -14,16 +14,16 @@ from folders import temporary_folder  # noqa: E402: lies in another folder
 
 PROGRAM = os.path.abspath(os.environ["MESHFOLIO"])
 MEGABYTES = 2000
-SECONDS = 10  # of processor; other work on the machine must not count
+SECONDS = 10  # processor time; other work on the machine must not count
 TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
-RAW = re.compile("[\0-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")  # what could steer a terminal
+RAW = re.compile("[\0-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")  # control characters of a terminal
 
 
 class Outcome:
     def __init__(self, process):
         self.code = process.returncode
         self.out = process.stdout
-        self.err = process.stderr.decode("utf-8")  # strictly: what is said is UTF-8 whatever came in
+        self.err = process.stderr.decode("utf-8")  # strictly: messages are UTF-8 for any input
         self.lines = self.err.splitlines()
         self.errors = [line for line in self.lines if not line.startswith("meshfolio: warning: ")]
 
@@ -67,7 +67,7 @@ class Hostile(unittest.TestCase):
         return shutil.copy(PROGRAM, folder)
 
     def judge(self, codes, *words, says=None, as_nobody=False):
-        """Requires a run to end with one of the exit codes and a few harmless lines, one if a single file is wrong."""
+        """Requires a run to end with one of the exit codes and a few harmless lines; one line if a single file is wrong."""
         codes = codes if isinstance(codes, tuple) else (codes,)
         outcome = Outcome(self.start(*words, as_nobody=as_nobody))
         told = f"{words!r:.300} ended with {outcome.code}: {outcome.err[:600]}"

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Families of small meshes that make work: whatever is below 100 kB ends every command within 20 s and 2 GB, or is refused by a limit that
+"""Families of small meshes that cost much work. Every command ends a mesh below 100 kB within 20 s and 2 GB, or refuses it by a limit that
 RELIABILITY.md lists.
 
     MESHFOLIO=build/release/meshfolio tests/hostile/work.py [--whole] [-v] [FAMILY…]
 
-By default each family is small, and a command has 4 s of processor. --whole: as large as 100 kB allow, 20 s of the clock."""
+By default each family is small, and a command has 4 s of processor time. --whole: families as large as 100 kB permit, 20 s of wall-clock time."""
 
 import gzip
 import json
@@ -79,7 +79,7 @@ def shells(n):
 
 
 def comb(n):
-    """Returns equal cubes side by side, which repeat one spectrum."""
+    """Returns equal cubes side by side, so one spectrum repeats."""
     corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
     quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     return obj([(2 * i + x, y, z) for i in range(n) for x, y, z in corners], [[8 * i + v for v in q] for i in range(n) for q in quads])
@@ -96,7 +96,7 @@ def one_point(n):
 
 
 def polygon(n):
-    """Returns a star polygon with n corners, not convex."""
+    """Returns a non-convex star polygon with n corners."""
     return obj([(r * math.cos(math.pi * i / n), r * math.sin(math.pi * i / n), 0) for i in range(2 * n) for r in [1 if i % 2 else 0.1]], [range(2 * n)])
 
 
@@ -149,7 +149,7 @@ def properties(n):
     return ("\n".join(header + rows + ["3 0 1 2"]) + "\n").encode()
 
 
-# family: its function, the ending, how many by default and in 100 kB
+# family: its function, the ending, its size by default and in 100 kB
 FAMILIES = {
     "cone": (cone, "obj", 60, 1900), "bipyramid": (bipyramid, "obj", 60, 1300), "capped_cylinder": (capped_cylinder, "obj", 40, 700),
     "strip": (strip, "obj", 60, 1800), "equal_triangles": (equal_triangles, "obj.gz", 400, 700_000),

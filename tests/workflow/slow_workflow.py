@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""data/workflow by Debian's Snakemake gives the bytes of `batch`: on this machine, and through a Slurm of one node that this test starts and
-ends, with jobs killed midway and the node lost.   MESHFOLIO=build/release/meshfolio tests/workflow/slow_workflow.py
+"""data/workflow with Debian's Snakemake gives the bytes of `batch`, on this machine and through a Slurm of one node. The test starts and ends
+this Slurm, kills jobs midway and loses the node.   MESHFOLIO=build/release/meshfolio tests/workflow/slow_workflow.py
 
-apt-get install snakemake slurmctld slurmd slurm-client munge; skipped without them."""
+Needs: apt-get install snakemake slurmctld slurmd slurm-client munge; skipped without them."""
 
 import contextlib
 import getpass
@@ -23,7 +23,7 @@ from program import PROGRAM, SOURCE, run, sample, temporary_folder
 
 WORKFLOW = SOURCE / "data" / "workflow"
 SMALL = ["--size", "64"]
-LIMIT = 900   # seconds of one workflow
+LIMIT = 900   # limit of one workflow, in seconds
 os.environ["PATH"] += ":/usr/sbin:/sbin"
 
 
@@ -34,7 +34,7 @@ def tree(folder):
 def environment_of(process):
     try:
         return dict(word.split("=", 1) for word in (process / "environ").read_text(errors="replace").split("\0") if "=" in word)
-    except OSError:   # it has ended
+    except OSError:   # the process has ended
         return {}
 
 
@@ -54,7 +54,7 @@ def free_ports(number):
 
 
 class Slurm:
-    """munge, slurmctld and one slurmd, all of their own, in a folder, on the loopback."""
+    """Starts munge, slurmctld and one slurmd for the test, in a folder, on the loopback interface."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -109,7 +109,7 @@ PartitionName=all Nodes=one Default=YES MaxTime=INFINITE State=UP
         self.wait_until(lambda: self.ask("sinfo", "-h", "-o", "%T").strip() in ("idle", "mixed", "allocated"), 60)
 
     def node_processes(self):
-        """The node's own and those of its jobs, by what only they have in their environment."""
+        """Returns the processes of the node and of its jobs, which a variable in their environment identifies."""
         found = []
         for process in Path("/proc").glob("[0-9]*"):
             variables = environment_of(process)
@@ -120,7 +120,7 @@ PartitionName=all Nodes=one Default=YES MaxTime=INFINITE State=UP
         return found
 
     def lose_node(self):
-        """Everything on it ends at once, without a word."""
+        """Kills every process of the node at once."""
         for process in self.node_processes():
             with contextlib.suppress(ProcessLookupError):
                 os.kill(int(process.name), signal.SIGKILL)
@@ -130,12 +130,12 @@ PartitionName=all Nodes=one Default=YES MaxTime=INFINITE State=UP
         return subprocess.run(words, env=self.environment, capture_output=True, text=True).stdout
 
     def jobs(self, state):
-        """Ids of the workflow's parts in that state."""
+        """Returns the ids of the workflow's parts in that state."""
         lines = self.ask("squeue", "-h", "-t", "all", "-o", "%i %j %T").splitlines()
         return [job for job, name, now in map(str.split, lines) if name == "meshfolio-part" and now == state]
 
     def at_work(self):
-        """A job that makes a part, and the id of the process which does."""
+        """Returns a job that makes a part, and the id of its process."""
         for process in self.node_processes():
             job = environment_of(process).get("SLURM_JOB_ID")
             if job and any(word.startswith("--part=") for word in words_of(process)):
@@ -172,12 +172,12 @@ class Workflow(unittest.TestCase):
         (cls.folder / "meshes").mkdir()
         for name, ending in (("cube8", "obj"), ("sphere", "obj"), ("cube8", "ply")):
             sample(cls.folder / "meshes", name, ending)
-        (cls.folder / "meshes" / "sphere.obj").rename(cls.folder / "meshes" / "ball {1}.obj")   # braces are wildcards elsewhere
+        (cls.folder / "meshes" / "sphere.obj").rename(cls.folder / "meshes" / "ball {1}.obj")   # elsewhere, braces are wildcards
         subprocess.run(["gzip", cls.folder / "meshes" / "cube8.ply"], check=True)
         (cls.folder / "meshes" / "broken.off").write_text("OFF\n1 2 3\n")
         (cls.folder / "meshes.txt").write_text("meshes/cube8.obj\n# the others\n\nmeshes/*.gz\nmeshes/broken.off\nmeshes/ball {1}.obj\n")
         process = run("batch", "--list", "meshes.txt", "--out", "whole", "--no-timings", *SMALL, cwd=cls.folder)
-        assert process.returncode == 1, process.stderr   # one cannot be read
+        assert process.returncode == 1, process.stderr   # one mesh is unreadable
         cls.whole = tree(cls.folder / "whole")
 
     @classmethod
@@ -185,7 +185,7 @@ class Workflow(unittest.TestCase):
         cls.case.doCleanups()
 
     def begin(self, out, *words, environment=os.environ, apart):
-        """A workflow at work on the four meshes; a section that takes longer than `apart` seconds is a part of its own."""
+        """Starts a workflow on the four meshes. A section that takes longer than `apart` seconds becomes a separate part."""
         cache = temporary_folder(self)
         config = [f"program={PROGRAM}", "list=meshes.txt", f"out={out}", f"apart={apart}", "options=" + " ".join(SMALL)]
         log = open(self.folder / f"{out}.log", "w")
@@ -193,7 +193,7 @@ class Workflow(unittest.TestCase):
         process = subprocess.Popen(["snakemake", "--snakefile", WORKFLOW / "Snakefile", "--nolock", *words, "--config", *config], cwd=self.folder,
                                    env={**environment, "XDG_CACHE_HOME": str(cache)}, stdin=subprocess.DEVNULL, stdout=log, stderr=log)
         self.addCleanup(process.wait)
-        self.addCleanup(process.kill)   # nothing where it has ended
+        self.addCleanup(process.kill)   # empty if the process has ended
         return process
 
     def require_the_whole(self, process, out):
@@ -215,7 +215,7 @@ class Workflow(unittest.TestCase):
             self.assertEqual(len({section for part in some.values() for section in part["sections"]}),
                              sum(len(part["sections"]) for part in some.values()))
         self.assertEqual(log.count("\nrule part:"), sum(map(len, parts.values())))
-        self.assertIn("4 meshes, 3 done before\n", log)   # the index made none again
+        self.assertIn("4 meshes, 3 done before\n", log)   # the index made no report again
         log = self.require_the_whole(self.begin("local", "--cores", "2", apart=1), "local")
         self.assertIn("Nothing to be done", log)
 
