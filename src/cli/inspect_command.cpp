@@ -6,7 +6,7 @@
 #include "geometry/operators/laplace_operator.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/orientation.h"
-#include "questions/certificates/defects.h"
+#include "questions/bench/defects.h"
 #include "run/console.h"
 #include "run/one_mesh/fields.h"
 #include "run/one_mesh/inspection.h"
@@ -76,11 +76,11 @@ std::string in_words(const Inspection& inspection) {
         text += line("with zero-area faces", plain_text(*inspection.floored, 8) +
                                                  " if their cotangents counted, cut off at 1e12; flip edges, or take --operator tufted");
     }
-    const auto defects = certificates::defects_of(inspection.facts);
+    const auto defects = defects_of(inspection.facts);
     text += defects.empty() ? "nothing found that affects a question\n" : "found\n";
     for (const auto& [defect, number] : defects) {
-        text += "  " + std::to_string(number) + " x " + defect->name() + "\n    affects " + certificates::affected_for_people(*defect) +
-                ": " + defect->breaks() + "\n    done: " + defect->done() + "\n";
+        text += "  " + std::to_string(number) + " x " + defect->name() + "\n    affects " + affected_for_people(*defect) + ": " +
+                defect->breaks() + "\n    done: " + defect->done() + "\n";
     }
     return text;
 }

@@ -28,7 +28,7 @@ extern const Chapter chapter{
              {"planted_faults", "src/questions/certificates/planted_faults.cpp"},
              {"prepare_mesh", "src/mesh/mesh_checks.cpp"},
              {"consistent_orientation", "src/mesh/orientation.cpp"},
-             {"defect_list", "src/questions/certificates/defects.cpp"},
+             {"defect_list", "src/questions/bench/defects.cpp"},
              {"change_when_moved", "src/geometry/measures/mesh_facts.cpp"},
              {"answer", "src/questions/certificates/chapter.cpp"}},
     .roles = {"plane", "lilium", "armadillo", "plane_ns", "fandisk_ns", "cube", "cube8", "sphere", "ellipsoid", "torus", "bumpy_cube",

@@ -2,8 +2,8 @@
 #include <set>
 
 #include "geometry/measures/mesh_laws.h"
+#include "questions/bench/defects.h"
 #include "questions/bench/law_checks.h"
-#include "questions/certificates/defects.h"
 #include "questions/certificates/parts.h"
 #include "questions/core/mesh_roles.h"
 

@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/in_quotes.h"
+#include "base/joined.h"
 #include "base/lower_case.h"
 #include "mesh/io/mesh_files.h"
 #include "output/publish/folder_system.h"
@@ -56,7 +57,7 @@ public:
     void add(const std::string& named, const Location& where) {
         std::error_code error;
         if (fs::is_directory(named, error))
-            return add_all(meshes_below(named), {named}, "has no mesh that ends in .obj, .off, .ply or .stl");
+            return add_all(meshes_below(named), {named}, "has no mesh that ends in " + meshfolio::joined(mesh_endings(), ", "));
         if (may_be_there(named)) return add_file(named);
         if (named.find_first_of("*?[") == std::string::npos)
             throw InputError(where, (where.file == named ? "" : in_quotes(named) + " ") + "is not there", near_names(named));

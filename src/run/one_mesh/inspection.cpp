@@ -5,7 +5,7 @@
 #include "base/errors.h"
 #include "mesh/orientation.h"
 #include "mesh/triangle_kind.h"
-#include "questions/certificates/defects.h"
+#include "questions/bench/defects.h"
 
 namespace meshfolio::run {
 
@@ -41,11 +41,11 @@ namespace {
 
 ordered_json defects_json(const MeshFacts& facts) {
     ordered_json list = ordered_json::array();
-    for (const auto& [defect, count] : certificates::defects_of(facts)) {
+    for (const auto& [defect, count] : defects_of(facts)) {
         list.push_back({{"defect", defect->key},
                         {"name", defect->name()},
                         {"count", count},
-                        {"affects", certificates::affected_questions(*defect)},
+                        {"affects", affected_questions(*defect)},
                         {"breaks", defect->breaks()},
                         {"done", defect->done()}});
     }

@@ -2,7 +2,7 @@
 
 #include "base/file_bytes.h"
 #include "mesh/samples/sample_shapes.h"
-#include "questions/certificates/defects.h"
+#include "questions/bench/defects.h"
 #include "questions/core/mesh_roles.h"
 #include "questions/core/study_laws.h"
 #include "temporary_folder.h"

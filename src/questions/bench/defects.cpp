@@ -1,12 +1,14 @@
-#include "questions/certificates/defects.h"
+#include "questions/bench/defects.h"
 
 #include <array>
 
-#include "questions/certificates/parts.h"
+#include "report/words.h"
 
-namespace meshfolio::certificates {
+namespace meshfolio {
 
 namespace {
+
+constexpr report::Words defect_words("defects");
 
 /// Farther from the origin, more than three of the sixteen digits of a coordinate only say where the mesh is [box diagonals].
 constexpr double far_away = 1000;
@@ -37,9 +39,9 @@ constexpr std::array<Defect, 16> defects{{
 
 }   // namespace
 
-std::string Defect::name() const { return words.line("defect." + std::string(key)); }
-std::string Defect::breaks() const { return words.line("defect." + std::string(key) + ".breaks"); }
-std::string Defect::done() const { return words.line("defect." + std::string(key) + ".done"); }
+std::string Defect::name() const { return defect_words.line(std::string(key)); }
+std::string Defect::breaks() const { return defect_words.line(std::string(key) + ".breaks"); }
+std::string Defect::done() const { return defect_words.line(std::string(key) + ".done"); }
 
 std::span<const Defect> defect_list() { return defects; }
 
@@ -64,4 +66,4 @@ std::string affected_for_people(const Defect& defect) {
     return list;
 }
 
-}   // namespace meshfolio::certificates
+}   // namespace meshfolio

@@ -9,7 +9,7 @@
 
 #include "geometry/measures/mesh_facts.h"
 
-namespace meshfolio::certificates {
+namespace meshfolio {
 
 struct Defect {
     std::string_view key;         // "needle_faces", for programs
@@ -36,4 +36,4 @@ std::vector<std::string> affected_questions(const Defect& defect);
 /// Returns the affected questions as text: "Q3, Q4".
 std::string affected_for_people(const Defect& defect);
 
-}   // namespace meshfolio::certificates
+}   // namespace meshfolio

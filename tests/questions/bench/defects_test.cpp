@@ -1,4 +1,4 @@
-#include "questions/certificates/defects.h"
+#include "questions/bench/defects.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/chapter.h"
 
-namespace meshfolio::certificates {
+namespace meshfolio {
 namespace {
 
 MeshFacts facts_of(const TriangleMesh& mesh) { return mesh_facts(prepare_mesh({mesh, "m.obj", {}, {}})); }
@@ -111,4 +111,4 @@ TEST(MeshDefects, EachDefectNamesItsQuestionsConsequenceAndRepair) {
     EXPECT_EQ(affected_for_people(defect_list()[2]), "Q1, Q3, Q7");
 }
 
-}   // namespace meshfolio::certificates
+}   // namespace meshfolio
