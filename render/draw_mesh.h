@@ -28,7 +28,8 @@ struct ValueRange {
     double low = 0, high = 1;             // ends of the map; values beyond are clamped
     bool logarithmic = false;             // positions by the logarithm; low > 0, and lower values count as low
 
-    /// Returns the position of a value in the map: 0 at the low end, 1 at the high end. Not finite if the ends are equal.
+    /// Returns the position of a value in the map: 0 at the low end, 1 at the high end, beyond these for values beyond the ends; in a
+    /// logarithmic range never below 0. Not finite if the ends are equal.
     double position(double value) const;
 };
 
@@ -55,7 +56,8 @@ struct TooMuchOverdraw : std::runtime_error {
     TooMuchOverdraw() : std::runtime_error("too many large triangles lie over each other") {}
 };
 
-/// Returns one picture for each view, in order; draws in parallel, with equal bytes for any number of threads.
+/// Returns one picture of width × height for each view, in order; only the background if no triangle can be drawn. Draws in parallel, with
+/// equal bytes for any number of threads.
 /// @throws TooMuchOverdraw if triangles larger than 63 pixels, not hidden, cover the picture some thousand times
 /// @throws std::invalid_argument if the picture's size or number of samples is not possible, or the number of values is wrong
 std::vector<Image> draw_views(const Surface& surface, std::span<const View> views, const DrawOptions& options);

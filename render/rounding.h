@@ -7,7 +7,7 @@
 
 namespace render {
 
-/// Converts an index, which must not be negative.
+/// Returns i as std::size_t; i must not be negative.
 constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
 /// Returns the nearest integer, away from 0 on a tie.
 inline int rounded(double x) { return static_cast<int>(std::lround(x)); }

@@ -16,12 +16,12 @@ struct Colormap {
     std::span<const Rgba> stops;   // equally spaced in [0, 1], with linear interpolation between
 };
 
-/// Returns all colour maps.
+/// Returns all colour maps, "viridis" first.
 std::span<const Colormap> colormap_list();
-/// Returns the map "viridis", for example. @throws std::invalid_argument with the known names
+/// Returns the colour map of this name, such as "viridis". @throws std::invalid_argument for another name, with the known ones
 const Colormap& colormap_named(const std::string& name);
 
-/// Returns the colour at t, clamped to [0, 1]; at 0 for NaN.
+/// Returns the colour at t, mixed from the two nearest stops; t is clamped to [0, 1], NaN counts as 0.
 Rgba color_at(const Colormap& map, double t);
 
 }   // namespace render

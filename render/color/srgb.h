@@ -22,7 +22,7 @@ struct LinearColor {
     friend LinearColor operator*(float s, const LinearColor& c) { return {s * c.r, s * c.g, s * c.b, s * c.a}; }
 };
 
-/// Tables for both directions.
+/// Tables from 8-bit sRGB channels to linear light, and back.
 struct SrgbTables {
     static constexpr int steps = 16384;   // fine enough to tell neighbouring dark channels apart
     std::array<float, 256> linear;
@@ -45,7 +45,7 @@ inline std::uint8_t srgb_of(float linear) {
     return srgb_tables().channel[static_cast<std::size_t>(std::clamp(linear, 0.0F, 1.0F) * SrgbTables::steps)];
 }
 
-/// Returns a colour in linear light, multiplied by its alpha.
+/// Returns the colour in linear light: red, green and blue in [0, 1], multiplied by the alpha in [0, 1].
 inline LinearColor linear_of(Rgba color) {
     const std::array<float, 256>& linear = srgb_tables().linear;
     if (color.a == 255) return {linear[color.r], linear[color.g], linear[color.b], 1};
@@ -53,10 +53,11 @@ inline LinearColor linear_of(Rgba color) {
     return {a * linear[color.r], a * linear[color.g], a * linear[color.b], a};
 }
 
-/// Returns the nearest 8-bit colour, with straight alpha.
+/// Returns the nearest 8-bit colour, divided by its alpha; (0, 0, 0, 0) for an alpha of 0 or below.
 Rgba srgb_of(const LinearColor& color);
 
 /// Returns (L*, a*, b*) of CIELAB (CIE 1976, white D65): lightness 0 to 100, green to red, blue to yellow. Equal steps look nearly equal.
+/// Ignores the alpha.
 glm::dvec3 lab_of(Rgba color);
 
 /// Returns the colour of (L*, a*, b*), each channel clamped to sRGB; opaque.

@@ -163,7 +163,7 @@ std::vector<Piece> pieces_of(const uint8_t* bytes, size_t size, size_t period) {
     return pieces;
 }
 
-/// Counts the symbols. Four histograms of bytes, lest a count wait for an equal byte just before.
+/// Counts the symbols. Uses four histograms of bytes, so that a count need not wait for that of an equal byte just before.
 Counts counts_of(const uint8_t* bytes, const std::vector<Piece>& pieces) {
     Counts counts{};
     std::array<std::array<uint32_t, 256>, 4> parts{};

@@ -14,7 +14,7 @@ namespace render {
 /// A deflated block that refers to no earlier data: blocks can be made in parallel and then appended in order.
 class DeflatedBlock {
 public:
-    /// @param period  bytes of a pixel, 3 or 4
+    /// Deflates `size` bytes; at least one. @param period  bytes of a pixel, 3 or 4
     /// @param last  true for the last block of the stream
     DeflatedBlock(const std::uint8_t* bytes, std::size_t size, std::size_t period, bool last);
 
@@ -29,11 +29,13 @@ private:
     bool last_, stored_ = false;   // stored: bits_ holds the bytes as they are
 };
 
+/// Joins blocks to one stream of bits.
 class DeflateStream {
 public:
-    /// Appends to `out`.
+    /// @param out  to which the stream is appended; must outlive this object
     explicit DeflateStream(std::string& out) : out_(out) {}
 
+    /// Appends the bits of a block directly behind those of the block before; a last block also fills up the last byte.
     void add(const DeflatedBlock& block);
 
 private:

@@ -15,13 +15,14 @@ namespace render {
 /// Largest number of pixels of a PNG: their bytes fit one chunk of 2 GB, however badly they compress.
 inline constexpr std::int64_t largest_png = 480'000'000;
 
-/// Returns the picture as PNG. @throws std::invalid_argument if it is empty or has more than `largest_png` pixels
+/// Returns the bytes of a PNG file: RGB if all pixels are opaque, else RGBA, 8 bits a channel.
+/// @throws std::invalid_argument if the picture is empty or has more than `largest_png` pixels
 std::string encode_png(const Image& image);
-/// Returns the picture, composited on white, as JPEG. @param quality  1 to 100; no chroma subsampling from 91 on (stb)
+/// Returns the bytes of a JPEG file of the picture, composited on white. @param quality  1 to 100; no chroma subsampling from 91 on (stb)
 /// @throws std::invalid_argument if the picture is empty or has more than 268 million pixels, or the quality is out of range
 std::string encode_jpeg(const Image& image, int quality);
 
-/// Reads a PNG of 8 bits a channel. Returns nothing if it is damaged or has more than `largest` pixels.
+/// Decodes the bytes of a PNG file to 8-bit RGBA. Returns nothing if they are damaged or the picture has more than `largest` pixels.
 std::optional<Image> decode_png(std::string_view png, std::int64_t largest = largest_png);
 
 }   // namespace render

@@ -32,12 +32,13 @@ struct alignas(64) Fragments {
     std::size_t count = 0;
 };
 
-/// Lists the fragments of a row of blocks. @param width, height  of the picture
-/// @param from_below  true for the opposite view
+/// Replaces the contents of `fragments` by the fragments of a row of blocks of the tile, without colours. Rows count from the top.
+/// @param width, height  of the picture [pixels]
+/// @param from_below  true: the triangles of smallest depth, which the opposite view sees; false: of largest depth
 void collect_fragments(const SampleTile& tile, int block_row, int width, int height, bool from_below, Fragments& fragments);
 
 /// Sets the heights of the visible surface above the picture plane, towards the viewer, for a row of blocks [pixels]: at the middle of a
-/// pixel if its samples see one surface, for the surface with more samples on a silhouette, −∞ if there is none.
+/// pixel if its samples see one surface, for the surface with more samples on a silhouette, −∞ without a surface.
 /// @param heights  of pixel row · tile_side + column
 void collect_heights(const SampleTile& tile, int block_row, bool from_below, std::span<float, std::size_t{tile_side} * 4> heights);
 

@@ -56,15 +56,17 @@ public:
     int x() const { return x_; }   // upper left pixel
     int y() const { return y_; }
     int blocks_on_side() const { return blocks_on_side_; }
-    /// Returns the first block of a row of blocks.
+    /// Returns the first block of row number `block_row` of blocks, counted from the top of the tile.
     SampleBlock* row(int block_row) { return blocks_.data() + static_cast<std::ptrdiff_t>(block_row) * blocks_on_side_; }
     const SampleBlock* row(int block_row) const { return blocks_.data() + static_cast<std::ptrdiff_t>(block_row) * blocks_on_side_; }
-    /// Remembers a wide triangle. True if the last triangle with its hash was the same, which then hides it.
+    /// Remembers a wide triangle in place of the last one with its hash, one of 64. Returns true if the two are equal: the earlier one
+    /// hides it.
     bool repeats(const Triangle2& oriented);
     /// Counts the steps of a wide triangle. @throws TooMuchOverdraw if the budget is spent
     void spend(int steps) {
         if ((spent_ += steps) >= purse) spend_purse();
     }
+    /// Returns the region in column x and row y of the regions of the tile.
     SampleRegion& region(int x, int y) { return *(regions_.data() + std::ptrdiff_t{y} * (blocks_on_side_ / SampleRegion::side) + x); }
 
 private:

@@ -16,7 +16,7 @@ void resolve(std::span<const LinearColor> surfaces, Rgba background, std::span<R
 struct Layer {
     std::uint16_t r = 0, g = 0, b = 0, coverage = 0;
 };
-/// Sets layers[i] to surfaces[i], rounded.
+/// Sets layers[i] to surfaces[i], each number clamped to 1 and rounded to 1/65535.
 void pack(std::span<const LinearColor> surfaces, std::span<Layer> layers);
 /// Sets surfaces[i] to layers[i] with its light multiplied by light[i]; all three have one length.
 void unpack(std::span<const Layer> layers, std::span<const float> light, std::span<LinearColor> surfaces);

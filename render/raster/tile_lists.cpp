@@ -129,7 +129,7 @@ void FindTiles(std::span<const ProjectedScene> projections, const SampleLines& l
     const auto& triangles = projections[0].scene.surface.triangles;
     for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
         const std::size_t count = std::min(hn::Lanes(d), end - i);
-        std::array<glm::ivec3, block_samples> some{};   // the last triangles, lest vectors read beyond the end
+        std::array<glm::ivec3, block_samples> some{};   // the last triangles, so that vectors do not read beyond the end
         if (i + ahead + hn::Lanes(d) <= triangles.size()) prefetch(&triangles[i + ahead], hn::Lanes(d), projections[0]);
         if (count < hn::Lanes(d)) std::copy_n(&triangles[i], count, some.begin());
         const std::int32_t* corners = count < hn::Lanes(d) ? &some[0].x : &triangles[i].x;

@@ -24,7 +24,7 @@ public:
 
     int columns() const { return columns_; }   // of tiles
     int rows() const { return rows_; }
-    /// Copies the list of a tile into `triangles`. @param tile  row · columns() + column
+    /// Replaces `triangles` by the ascending list of the triangles of a tile in a projection. @param tile  row · columns() + column
     void collect(std::size_t projection, int tile, std::vector<std::int32_t>& triangles) const;
 
 private:

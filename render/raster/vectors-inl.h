@@ -41,7 +41,7 @@ HWY_INLINE hn::Vec<D> every_fourth(D d, const GridVertex* vertices, const std::i
     }
 }
 
-/// Loads whole vertices and transposes them, which takes half the time of gathering component by component, or less.
+/// Returns the components of the vertices with these numbers. Loads whole vertices and transposes them: at most half the time of gathering.
 HWY_INLINE GridVectors grid_vectors(const GridVertex* vertices, IntVector ids) {
     const Ints d;
     const hn::Repartition<std::int64_t, Ints> pairs;

@@ -29,10 +29,11 @@ inline constexpr std::array<View, 6> six_views{{
     {"-z", {0, 0, -1}, {0, 1, 0}},
 }};
 
-/// Returns the view "hero": from the right front (35°) and above (22°), +y up.
+/// Returns the view "hero": from 35° to the right of +z (towards +x) and 22° above, with +y up.
 View three_quarter_view();
 
-/// Returns one of the six views, or the three-quarter view for "hero". @throws std::invalid_argument with the known names
+/// Returns the view named "+x", "-x" … "-z" or "hero" (three_quarter_view()). @throws std::invalid_argument for another name, with the
+/// known ones
 View view_named(const std::string& name);
 
 /// True if the triangle's indices are in range and its corners finite. Other triangles are ignored everywhere.
@@ -52,9 +53,10 @@ struct Frame {
 /// Returns the box of the drawable triangles in the picture of a view: pixels to the right (x) and up (y) from its middle; z is 0.
 Bounds bounds_in_picture(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles, const View& view,
                          const Frame& frame);
-/// Returns a frame for all views along the axes: the largest extent of `bounds` takes `fill` (0 to 1) of the shorter picture side.
+/// Returns a frame for all views along the axes: the largest extent of `bounds` takes `fill` (0 to 1) of the shorter picture side. 1 pixel
+/// per unit if `bounds` is a point.
 Frame frame_of(const Bounds& bounds, int width, int height, double fill);
-/// Returns the frame of one view: the drawable triangles are centred and take `fill` of the picture in width or in height.
+/// Returns the frame of one view: the drawable triangles are centred and take `fill` of the picture in width or in height, whichever fits.
 Frame frame_of(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles, const View& view, int width, int height,
                double fill);
 

@@ -29,7 +29,8 @@ struct Image {
 /// Composites `source` over `target` with its upper left corner at (x, y), cut off at the edges of `target`.
 void paste(Image& target, const Image& source, int x, int y);
 
-/// Returns the picture at a smaller size, by area averaging in linear light. @throws std::invalid_argument if the size is larger
+/// Returns the picture at a smaller size, by area averaging in linear light. @throws std::invalid_argument if a side is below 1 or larger
+/// than that of `image`
 Image shrink(const Image& image, int width, int height);
 
 }   // namespace render

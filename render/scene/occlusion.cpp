@@ -150,7 +150,7 @@ HWY_EXPORT(Lines);
 
 namespace {
 
-/// Directions whose looks lie on exact lines, lest an inclined plane look bent.
+/// Directions with looks on exact lines, so that an inclined plane does not look bent.
 constexpr std::array<std::array<int, 2>, occlusion_directions> directions{
     {{1, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 1}, {-1, 2}, {-1, 1}, {-2, 1}}};
 /// Distances along even and odd directions, as shares of the reach.

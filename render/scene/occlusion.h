@@ -31,7 +31,7 @@ public:
     void clear(int x, int y, int count);
     /// Sets pixels of a row. @param heights  −∞ if a pixel shows nothing
     void set(int x, int y, std::span<const float> heights);
-    /// Returns a height. @param x, y  may lie up to reach() outside of the picture
+    /// Returns the height at a pixel, `nothing` if it shows nothing. @param x, y  may lie up to reach() outside of the picture
     float at(int x, int y) const { return *place(x, y); }
     /// Returns the place of a height, for reading its neighbours.
     const float* place(int x, int y) const { return heights_.data() + (y + reach_) * pitch_ + reach_ + x; }
@@ -82,10 +82,11 @@ private:
     LargeArray<std::uint8_t> bytes_;
 };
 
-/// Sets `creases` for pixels from (x, y) to the right: 0, or up to 255 where the surface has a crease or ends in front of another part.
+/// Sets `creases` for pixels from (x, y) to the right: 0 where it bends by less than 25°, 255 from 50° on, such as where it ends in front
+/// of another part.
 void find_creases(const HeightField& heights, int x, int y, std::span<std::uint8_t> creases);
 
-/// Sets `lines` for pixels from (x, y) to the right: the share of light (0 to 1) that lines along silhouettes and creases take.
+/// Sets `lines` for pixels from (x, y) to the right: the share of light (0 to 0.62) that lines along silhouettes and creases take.
 void draw_lines(const ByteField& coverage, const ByteField& creases, int x, int y, std::span<float> lines);
 
 }   // namespace render

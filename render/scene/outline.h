@@ -15,7 +15,7 @@ struct BoundaryEdge {
     std::int32_t triangle;   // the only triangle of the edge
 };
 
-/// Returns the edges with exactly one triangle, sorted by their ends. Takes linear time for closed surfaces.
+/// Returns the edges of exactly one drawable triangle, sorted by their ends. Takes linear time for closed surfaces.
 std::vector<BoundaryEdge> boundary_edges(const Surface& surface);
 
 /// One half of the quadrilateral that shows an edge on the screen.
@@ -24,8 +24,8 @@ struct Ribbon {
     glm::ivec3 vertex;   // of the surface, from which each corner takes its value
 };
 
-/// Returns ribbons along the edges with triangles that are seen edge-on (within a quarter of a degree), if these are at least half of the
-/// edges; else none, because the surface does not vanish. @param width  of a ribbon [pixels]
+/// Returns two ribbons along each edge with a triangle that is seen edge-on (within a quarter of a degree), equal ribbons once. Returns
+/// none if fewer than half of the edges are such, because the surface does not vanish then. @param width  of the pair [pixels]
 std::vector<Ribbon> edge_on_ribbons(const ProjectedScene& scene, std::span<const BoundaryEdge> edges, double width);
 
 }   // namespace render

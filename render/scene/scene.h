@@ -27,7 +27,7 @@ static_assert(sizeof(GridVertex) == 16);
 /// Packs a normal of any length into three times 10 bits, (n + 1) · 511, and above them the sharpness (0 to 1) in thirds: the share of
 /// their own normals that triangles at a crease keep. Returns 0 for a normal of length 0.
 std::uint32_t pack_normal(const glm::vec3& n, float sharpness);
-/// Returns the normal, of length about 1; 0 for 0.
+/// Returns the normal that pack_normal() packed, of length about 1; (0, 0, 0) for 0.
 glm::vec3 unpacked_normal(std::uint32_t packed);
 
 /// The exact place of a corner on the screen, in grid steps.
@@ -76,9 +76,9 @@ struct ProjectedScene {
     ProjectedScene(const Scene& scene, const Axes& axes);
     ProjectedScene(ProjectedScene&&) = default;
 
-    /// Computes a corner from the original coordinates, however far off.
+    /// Returns the place of a vertex on the screen from its original coordinates; x and y beyond `largest_coordinate` if it lies farther.
     ScreenPoint exact_corner(int vertex) const;
-    /// Computes the corners of triangle `id` from the original coordinates.
+    /// Returns exact_corner() of the three corners of triangle `id`.
     Triangle2 exact_triangle(std::int32_t id) const;
 };
 

@@ -49,12 +49,12 @@ public:
 
 private:
     int row(int y) const { return placement_.mirrored_y ? image_.height - 1 - y : y; }
-    /// The first column in the picture of `count` columns from x on.
+    /// Returns the first column in the picture of `count` columns of the projection from x on.
     int column(int x, int count) const { return placement_.mirrored_x ? image_.width - x - count : x; }
     std::span<Layer> layers(int x, int y, int count) {
         return std::span(buffers_->layers).subspan(index(y) * index(image_.width) + index(x), index(count));
     }
-    /// The flag of row y in the tile at x.
+    /// Returns the flag of row y of the picture in the tile at column x of the projection: 1 if it shows something.
     char& shown(int x, int y) { return buffers_->shown[index(y * ((image_.width - 1) / tile_side + 1) + x / tile_side)]; }
     /// Calls visit(x, y, layers) in parallel for the stretches of rows that show something.
     template <class Visit>

@@ -129,7 +129,7 @@ HWY_INLINE FloatVector isoline_ink(const ShadingStyle& style, const Vector3& ab,
     return hn::IfThenElseZero(is_steep, hn::Mul(fading, line_ink(hn::Mul(to_line, spacing))));
 }
 
-/// Does step 1 for a vector of fragments from i on.
+/// Sets normal, map position, back and ink of a vector of fragments from i on (step 1).
 HWY_INLINE void interpolate(const CornerFetcher& fetch, float handedness, const ShadingStyle& style, Fragments& fragments, std::size_t i) {
     const Floats f;
     const IntVector id = hn::Load(Ints(), fragments.triangle.data() + i);
@@ -221,7 +221,7 @@ HWY_INLINE FloatVector hatch_ink(const ShadingStyle& style, const Fragments& fra
     return hn::IfThenElse(is_back, hn::Max(over_undefined, hn::Mul(set(back_hatch), lines(hn::Add(x, y)))), over_undefined);
 }
 
-/// Does step 2 for a vector of fragments from i on.
+/// Sets red, green and blue of a vector of fragments from i on (step 2).
 HWY_INLINE void light(const ShadingStyle& style, Fragments& fragments, std::size_t i) {
     const Floats f;
     Vector3 color = base_color(style, fragments, i);

@@ -30,7 +30,7 @@ inline constexpr float hatch_spacing = 5, back_hatch = 0.45F, undefined_hatch = 
 inline constexpr glm::vec3 ink_color{0.012F, 0.012F, 0.016F};
 inline constexpr float line_half_width = 0.45F;   // pixels on either side
 inline constexpr float edge_strength = 0.55F;     // share of the light that lines along edges take
-inline constexpr float smallest_meshed = 9;       // pixels; edges of smaller triangles fade, lest they blacken the surface
+inline constexpr float smallest_meshed = 9;       // pixels; edges of smaller triangles fade, so that they do not blacken the surface
 /// Least slope of isolines, in shares of the colour range per pixel: on flatter parts rounding noise would draw them.
 inline constexpr float flattest_isolines = 3e-5F;
 inline constexpr float closest_isolines = 6;   // pixels; closer ones fade
@@ -60,7 +60,7 @@ struct ShadingStyle {
     ShadingStyle(const Scene& scene, const DrawOptions& options, const Palette& palette, const Placement& placement);
 };
 
-/// Sets the colour of every fragment. @param ribbons  of the projection; their numbers follow those of the triangles
+/// Sets red, green and blue of every fragment. @param ribbons  of the projection; their numbers follow those of the triangles
 void shade(const ProjectedScene& scene, std::span<const Ribbon> ribbons, const ShadingStyle& style, Fragments& fragments);
 
 /// Interpolates normal and value of fragment i in double, for a triangle or ribbon `id` with corners that do not fit the grid.

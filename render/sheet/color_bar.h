@@ -24,7 +24,7 @@ struct ColorBar {
     std::vector<double> histogram = {};
 };
 
-/// Returns the height of a colour bar with its texts of size `em` [pixels].
+/// Returns the height of a colour bar with its title, histogram, ticks and notes, if it has them [pixels]. @param em  text size [pixels]
 int color_bar_height(const ColorBar& bar, double em);
 
 /// Draws a colour bar into the columns [left, left + width) from the row `top` down.

@@ -30,7 +30,7 @@ public:
     /// @param scale  pixels per font unit
     GridFit(const FontLines& lines, std::span<const HorizontalEdge> edges, double scale);
 
-    /// Returns the pixels above the baseline for a height.
+    /// Returns the fitted height in pixels above the baseline of a height in font units.
     double operator()(double height) const;
 
 private:

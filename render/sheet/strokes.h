@@ -12,7 +12,7 @@ namespace render {
 /// dark strokes on white look thin.
 Rgba inked(Rgba ground, Rgba ink, float coverage);
 
-/// Draws a line with round ends.
+/// Draws a line from a to b with round ends.
 void draw_line(Image& image, glm::dvec2 a, glm::dvec2 b, double width, Rgba color);
 /// Draws a circle of this radius with a line of this width.
 void draw_ring(Image& image, glm::dvec2 centre, double radius, double width, Rgba color);

@@ -181,7 +181,7 @@ struct Coverage {
         return static_cast<float>(bytes[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)]) / 255;
     }
 
-    /// Raises partial coverage c of small text to c + a c (1 − c), lest stems across two columns of pixels look paler than in one.
+    /// Raises partial coverage c of small text to c + a c (1 − c), so that stems across two columns of pixels look as dark as in one.
     static unsigned char boosted(unsigned char coverage, double size) {
         const double c = coverage / 255.0, a = 0.4 * std::clamp((24 - size) / 12, 0.0, 1.0);
         return static_cast<unsigned char>(std::lround(255 * (c + a * c * (1 - c))));

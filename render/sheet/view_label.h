@@ -8,12 +8,12 @@
 
 namespace render {
 
-/// Returns the width of a view's label with text of size `em` [pixels].
+/// Returns the width of a view's label with text of size `em` [pixels], including the tripod if it gets one.
 double view_label_width(std::string_view view, double em);
 /// Returns the height of labels with text of size `em` [pixels].
 double view_label_height(double em);
 
-/// Draws a label with its middle at (x, y). Names other than "+x", "-x" … "-z" get no tripod.
+/// Draws a label with its middle at (x, y). Names other than "+x", "-x" … "-z" get no tripod; "hero" is written as "three-quarter view".
 void draw_view_label(Image& image, double x, double y, std::string_view view, double em, Rgba ink);
 
 }   // namespace render
