@@ -6,7 +6,7 @@
 
 namespace meshfolio {
 
-/// Converts an index, which must not be negative.
+/// Returns the index as std::size_t; it must not be negative.
 constexpr std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }   // namespace meshfolio

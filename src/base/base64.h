@@ -7,10 +7,10 @@
 
 namespace meshfolio {
 
-/// Encodes bytes: "fo" becomes "Zm8=".
+/// Returns the bytes as base64 with padding: "Zm8=" for "fo".
 std::string base64(std::string_view bytes);
 
-/// Decodes a text; returns "" if any part of it is not base64.
+/// Returns the bytes of a base64 text, in which white space may stand; "" if any other part of it is not base64.
 std::string from_base64(std::string_view text);
 
 /// Decodes the first `count` bytes of a text that joins several encodings, each with or without "=" at its end; white space may stand

@@ -62,7 +62,7 @@ private:
     int number_;
 };
 
-/// How a child begins: in a group of its own, with no signal blocked or ignored, no input, and both streams into `output`.
+/// Attributes of a new child: a process group of its own, no signal blocked or ignored, no input, and both streams into `output`.
 struct SpawnRules {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t attributes;

@@ -25,13 +25,14 @@ struct ChildEnd {
     std::string output;   // the last 64 kB written to both streams
 };
 
-/// Runs the program without input and waits for its end. Processes of its group that still run then are killed.
+/// Runs the program without input, waits for its end and returns it. Processes of its group that still run then are killed.
 ChildEnd run_child(const ChildTask& task);
 
-/// Returns the last line of the output, without control characters and at most 300 bytes long.
+/// Returns the last line of the output that is not blank, at most 300 bytes of it, made printable(); "" if there is none.
 std::string last_line(const ChildEnd& end);
 
-/// Returns "ended with exit code 3", "was killed by signal 9" or the like, followed by the last line of the output.
+/// Returns "ended with exit code 3", "was killed by signal 9", "did not end in time" or "could not be started (…)", then ": " and
+/// last_line(), if any.
 std::string words_of(const ChildEnd& end);
 
 /// Kills all running children and lets none start any more. For a failure elsewhere in the program: run_child() returns.

@@ -1,6 +1,6 @@
 /// @file
-/// Functions that need Linux. On other systems, and with -DMESHFOLIO_PORTABLE=ON, each does what POSIX can. (Code that reads /proc and /sys
-/// where they exist is not collected here.)
+/// Functions that need Linux. Without it, and with -DMESHFOLIO_PORTABLE=ON, each does what POSIX can. (Code that reads /proc and /sys where
+/// they exist is not collected here.)
 #pragma once
 
 #include <sys/types.h>
@@ -16,28 +16,29 @@
 
 namespace meshfolio {
 
-/// Returns a path to the running program, even if another file has taken its name. Elsewhere: the file it was started from.
+/// Returns a path to the running program, even if another file has taken its name. Without Linux: the file from which it was started.
 std::filesystem::path this_program();
 
-/// Returns the paths of the shared libraries of this process. Elsewhere: none.
+/// Returns the paths of the shared libraries of this process. Without Linux: none.
 std::vector<std::string> loaded_libraries();
 
 /// The treatment of a target name that exists: the old file is replaced, kept (EEXIST), or exchanged with the new one.
 enum class Taken { replaced, kept, exchanged };
-/// Renames a file. Returns 0 or errno: EINVAL where the system or file system cannot do it; elsewhere for all but `replaced`.
+/// Renames a file. Returns 0 or errno: EINVAL if the file system cannot treat `to` as asked, and without Linux for all but `replaced`.
 int rename_with(const std::filesystem::path& from, const std::filesystem::path& to, Taken taken);
 
-/// True if another file system or a bind mount begins at the folder, which therefore cannot be renamed. Elsewhere: bind mounts are missed.
+/// True if another file system or a bind mount begins at the folder, which therefore cannot be renamed. Without Linux, bind mounts are
+/// missed.
 bool is_mount_point(const std::filesystem::path& folder);
 
-/// Returns a descriptor that becomes readable when the process ends. Elsewhere, and with old kernels: -1.
+/// Returns a descriptor that becomes readable when the process ends. Without Linux, and with old kernels: -1.
 int descriptor_of(pid_t process);
 
-/// Has the system send this process the signal when its parent ends. Elsewhere: nothing.
+/// Has the system send this process the signal when its parent ends. Without Linux: does nothing.
 void ask_for_signal_of_parent(int signal);
 
 /// Asks for large pages, in which large arrays take a fraction of the time to write for the first time and to read in random order. To be
-/// called before the memory is first written. A hint; elsewhere: nothing.
+/// called before the memory is first written. A hint, for 2 MB or more; without Linux: does nothing.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
 /// Returns `size` zeros in large pages.
@@ -50,10 +51,10 @@ std::vector<T> large_vector(std::size_t size) {
     return values;
 }
 
-/// Returns free heap memory to the system if it is more than 64 MB. Elsewhere: nothing.
+/// Returns free heap memory to the system if it is more than 64 MB. Without Linux: does nothing.
 void return_free_memory();
 
-/// Marks a pointer to a function that the loader calls before it initialises any library. Elsewhere: it is not called.
+/// Marks a pointer to a function that the loader calls before it initialises any library. Without Linux, it is not called.
 #ifndef MESHFOLIO_PORTABLE
 #define MESHFOLIO_BEFORE_LIBRARIES [[gnu::section(".preinit_array"), gnu::used]]
 #else

@@ -53,7 +53,7 @@ std::string grouped(const std::string& number) {
     return s + number.substr(begin + whole);
 }
 
-/// Removes a leading plus, which from_chars does not know. False if nothing or another sign follows.
+/// Removes a leading plus, which from_chars does not know. Returns false if nothing or another sign follows.
 bool remove_plus(std::string_view& text) {
     if (!text.starts_with('+')) return !text.empty();
     text.remove_prefix(1);

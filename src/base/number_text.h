@@ -18,7 +18,7 @@ std::string readable(double x, int digits = 3);
 /// Returns a whole number with all its digits, for people: 5120, 40 962. Thin spaces group five digits and more.
 std::string readable_count(long long n);
 
-/// Returns a whole number below 1e9 with all its digits, for people: 40 962. "–" for NaN.
+/// Returns x rounded to a whole number, with all its digits, for people: 40 962. "–" for NaN, "∞" for infinity.
 std::string readable_integer(double x);
 
 /// Returns readable(x, d) with the least number of digits d ≤ most that says the same as `most` digits: "2", not "2.000"; "0.01".
@@ -35,7 +35,7 @@ std::string power_of_ten(int exponent);
 /// NaN gives "nan", infinities "inf" and "-inf".
 std::string plain_text(double x, int digits = 6);
 
-/// Returns the number of `digits` significant digits nearest to x.
+/// Returns the decimal number of `digits` significant digits nearest to x: 0.123 for 0.12345 and 3. 0, NaN and infinities stay.
 double rounded(double x, int digits);
 /// Returns the largest number of `digits` significant digits not above x, for printing a lower bound.
 double rounded_down(double x, int digits);
@@ -48,7 +48,7 @@ std::string readable_percent(double fraction, int digits = 3);
 /// Reads all of `text` as a finite decimal number ("1", "-.5", "1e-3", "+2."). Returns nothing for other text ("1 ", "0x1", "nan").
 std::optional<double> parse_number(std::string_view text);
 
-/// Reads all of `text` as an integer. Returns nothing for other text and for numbers out of range.
+/// Reads all of `text` as a decimal integer ("12", "-3", "+4"). Returns nothing for other text and for numbers beyond 64 bits.
 std::optional<long long> parse_integer(std::string_view text);
 
 }   // namespace meshfolio

@@ -1,5 +1,6 @@
 /// @file
-/// Loops over 0 … n − 1 on all processors. Blocks have a fixed length and results keep their order, lest they depend on the processors.
+/// Loops over 0 … n − 1 on all processors. Blocks have a fixed length and results keep their order, so that they do not depend on the
+/// number of processors.
 #pragma once
 
 #include <tbb/parallel_for.h>
@@ -11,7 +12,7 @@ namespace meshfolio {
 
 inline constexpr int block_length = 1 << 14;
 
-/// Returns the number of blocks in a range of n indices.
+/// Returns the number of blocks of `block_length` in a range of n indices; the last may be shorter. 0 for n ≤ 0.
 inline int block_count(int n) { return n > 0 ? (n - 1) / block_length + 1 : 0; }
 
 /// Calls body(block, begin, end) for each block of [0, n); a single block runs on the calling thread.

@@ -17,7 +17,7 @@ class FirstFailure {
 public:
     struct OtherFailed {};
 
-    /// Lets work in progress end early. @throws OtherFailed if other work has failed
+    /// Returns if no work has failed; to be called within work, so that it ends early. @throws OtherFailed if other work has failed
     void check() const {
         if (happened_) throw OtherFailed();
     }

@@ -8,9 +8,9 @@
 
 namespace meshfolio {
 
-/// Returns the digest as 32 bytes.
+/// Returns the digest as 32 raw bytes.
 std::string sha256_bytes(std::string_view bytes);
-/// Returns the digest as 64 hexadecimal digits.
+/// Returns the digest as 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
 /// Returns the digest of a file's bytes as 64 hexadecimal digits. @throws InputError if the file cannot be read
 std::string sha256_of_file(const std::filesystem::path& path);

@@ -14,7 +14,7 @@ namespace meshfolio {
 
 namespace {
 
-/// See inked() in the header.
+/// True if text on the descriptor gets colours, by the rules of inked().
 bool has_colors(int descriptor) {
     const auto variable = [](const char* name) -> std::string_view {
         const char* value = std::getenv(name);
@@ -38,7 +38,7 @@ std::size_t end_of(std::string_view text, std::size_t columns) {
 
 std::size_t columns_of(std::string_view text) { return static_cast<std::size_t>(std::ranges::count_if(text, begins_code_point)); }
 
-/// Wraps one line; see wrapped() in the header.
+/// Returns one line wrapped at `width` columns, as wrapped() does.
 std::string wrapped_line(std::string_view line, std::size_t width) {
     const std::size_t leading = std::min(line.find_first_not_of(' '), line.size());
     std::size_t column_begin = leading < 8 ? leading + 2 : leading;

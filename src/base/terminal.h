@@ -19,14 +19,16 @@ std::string with_bold_numbers(const std::string& text, int descriptor);
 /// Returns the number of columns of the terminal, else the variable COLUMNS, else 80.
 int terminal_width(int descriptor);
 
-/// Wraps each line between words at `width` columns (code points). Continuations are indented to the line's last table column (a part after
-/// two spaces), in prose two columns further than the line. A word longer than a line, such as a path, stays whole.
+/// Returns the text with each line wrapped between words at `width` columns (code points). Continuations are indented to the line's last
+/// table column (a part after two spaces), in prose two columns further than the line. A word longer than a line, such as a path, stays
+/// whole.
 std::string wrapped(const std::string& text, int width);
 
 /// Returns the text wrapped at the width of the terminal, or unchanged if the descriptor is not a terminal.
 std::string for_terminal(const std::string& text, int descriptor = 1);
 
-/// Shortens the text to `columns` code points: whole words and "…".
+/// Returns the text if it has at most `columns` code points, else its first words and "…", together at most `columns`. A first word that is
+/// too long is cut.
 std::string shortened(const std::string& text, int columns);
 
 }   // namespace meshfolio
