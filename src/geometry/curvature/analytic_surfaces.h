@@ -36,8 +36,8 @@ struct Saddle {
     CurvaturePair curvature_at(const Vector3& p) const;
 };
 
-/// Meshes a surface given by parameters: nx × ny points at(s, t) over [0, 1]², s along x and t along y; x closes where `periodic`. Each
-/// square is cut along one diagonal. `at` must keep triangles counter-clockwise seen from outside.
+/// Returns the mesh of a surface given by parameters: nx × ny points at(s, t) over [0, 1]², s along x and t along y, row by row in x; x
+/// closes where `periodic`. Each square is cut along one diagonal. `at` must keep triangles counter-clockwise seen from outside.
 TriangleMesh parameter_mesh(int nx, int ny, bool periodic, const std::function<Vector3(double s, double t)>& at);
 
 }   // namespace meshfolio

@@ -24,7 +24,7 @@ struct FundamentalForms {
     Vector3 normal;       // unit, inward
 };
 
-/// Returns both forms, with D² = b²c² sin²v cos²u + a²c² sin²v sin²u + a²b² cos²v,
+/// Returns both fundamental forms in closed form, with D² = b²c² sin²v cos²u + a²c² sin²v sin²u + a²b² cos²v,
 /// e = abc sin²v/D, f = 0, g = abc/D.
 /// @throws MeshError at the poles (sin v = 0), where p_u = 0 and I is singular; for v outside [0, π]; for half axes not > 0
 FundamentalForms ellipsoid_forms(const Ellipsoid& ellipsoid, double u, double v);
@@ -41,7 +41,7 @@ struct PrincipalCurvatures {
     double minimum, maximum;                        // κ₁ ≤ κ₂ [1/length]
     Vector3 minimum_direction, maximum_direction;   // unit tangents, the largest entry positive
 };
-/// Returns the extremes of the normal curvature and their directions.
+/// Returns the smallest and largest normal curvature and their directions.
 PrincipalCurvatures principal_curvatures(const FundamentalForms& forms);
 /// Returns H = (eG − 2fF + gE)/(2(EG − F²)). [1/length]
 double mean_curvature(const FundamentalForms& forms);

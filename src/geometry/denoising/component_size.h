@@ -14,22 +14,24 @@ struct ComponentSizes {
     Vector volume;        // c, signed; NaN for a component that encloses none (mesh/orientation.h) [length³]
     Positions centroid;   // c × 3, of the surface [length]
 };
-/// Measures each component.
+/// Returns area, signed volume and centroid of each component; the centroid is (0, 0, 0) without area.
 ComponentSizes component_sizes(const TriangleMesh& mesh, const MeshTopology& topology);
 
-/// Returns the signed volume of each component for positions X, measured from a corner of its own; meaningful for closed ones. [length³]
+/// Returns the signed volume of each component for positions X, summed about a corner of its first triangle; meaningful for closed
+/// components. [length³]
 Vector component_volumes(const Faces& F, const Positions& X, const MeshTopology& topology);
 
 /// Returns the component of each vertex; −1 for a vertex without triangles.
 std::vector<int> component_of_vertices(const MeshTopology& topology);
 
-/// True if every component encloses a volume other than 0.
+/// True if there are components and each encloses a volume of more than 1e-12 of the cubed box diagonal, in magnitude.
 bool has_volume_to_keep(const TriangleMesh& mesh, const MeshTopology& topology);
 
-/// Returns positions with each component scaled about its centroid and moved, so that it has the volume and the centroid of `wanted`.
+/// Returns positions with each component scaled about its centroid and moved, so that it has the volume in `wanted` and its centroid there.
 /// Components without a volume, or with one of the other sign, stay.
 Positions with_volumes(const TriangleMesh& mesh, const MeshTopology& topology, const ComponentSizes& wanted);
-/// Returns positions with each component scaled and moved to the area and the centroid of `wanted`; components without area stay.
+/// Returns positions with each component scaled about its centroid and moved, so that it has the area and the centroid in `wanted`;
+/// components without area stay.
 Positions with_areas(const TriangleMesh& mesh, const MeshTopology& topology, const ComponentSizes& wanted);
 
 }   // namespace meshfolio

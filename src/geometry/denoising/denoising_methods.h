@@ -31,7 +31,7 @@ struct DenoisingEntry {
 };
 /// Lists all methods, in the order of tables.
 std::span<const DenoisingEntry> denoising_list();
-/// Returns the entry of a method.
+/// Returns the entry of a method in denoising_list().
 const DenoisingEntry& denoising_entry(DenoisingMethod method);
 
 /// True if the method filters face normals, which can keep edges, instead of diffusing positions.
@@ -62,7 +62,7 @@ struct DenoisingRun {
     bool ended = false;   // ended early: the surface collapsed or blew up
 };
 
-/// Runs a method. Its step from X to X' is
+/// Runs a method for options.steps steps, fewer if it ends early. Its step from X to X' is
 ///   explicit          X' = X + λLX, L of the input
 ///   implicit          (M − λC) X' = M X, M and C of the input
 ///   rebuilt           (M − λC) X' = M X, M and C of X

@@ -23,11 +23,11 @@ struct ExpectedError {
     double weight_sum = 0;   // ΣW_i
 
     int iterations() const { return static_cast<int>(bias.size()) - 1; }
-    /// Returns E Σ_i W_i |·|² for all t, with noise of standard deviation σ.
+    /// Returns the expected squared error bias + σ² noise after t = 0 … T steps, for noise of standard deviation σ. [length² · weight]
     Vector squared(double sigma) const { return bias + sigma * sigma * noise; }
-    /// Returns √(E Σ_i W_i |·|² / ΣW_i) for all t. [length]
+    /// Returns √(squared(σ)/ΣW_i), the expected rms error after t = 0 … T steps. [length]
     Vector rms(double sigma) const { return (squared(sigma) / weight_sum).cwiseSqrt(); }
-    /// Returns the first iteration with the smallest expected error.
+    /// Returns the t with the smallest expected error for noise σ; on a tie the first.
     int best(double sigma) const;
 };
 
@@ -46,10 +46,12 @@ struct PredictionOptions {
     std::uint64_t seed = 2000;
 };
 
-/// Predicts the error of smoothing X with this operator. Vertices without mass do not move: their noise stays.
+/// Predicts the error of implicit smoothing of X + noise with this operator, from all its modes on up to `modes_up_to` vertices with mass,
+/// else from probes. Vertices without mass do not move: their noise stays.
 /// @throws MeshError if λ is not positive and finite, the iterations are negative, or X has not the operator's rows
 DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options);
-/// Predicts from all modes of the operator. @param all  as many as vertices with mass
+/// Predicts the error of implicit smoothing of X + noise from modes that are known. @param all  all modes of the operator, as many as
+/// vertices with mass
 DenoisingPrediction denoising_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options,
                                          const Spectrum& all);
 

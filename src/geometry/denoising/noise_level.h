@@ -25,7 +25,7 @@ NoiseLevel noise_level(const TriangleMesh& mesh, const MeshTopology& topology);
 /// Returns the quantile of χ² with k degrees of freedom at the normal quantile z (−0.6745: the lower quartile; 2.3263: 99 %), by Wilson &
 /// Hilferty 1931, within 0.01 for k ≥ 2.
 double chi_square_quantile(double z, double k);
-/// Returns the probability that χ² with k degrees of freedom is below x, likewise.
+/// Returns the probability that χ² with k degrees of freedom is below x, by the approximation of Wilson & Hilferty 1931.
 double chi_square_share(double x, double k);
 
 }   // namespace meshfolio

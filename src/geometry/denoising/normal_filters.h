@@ -12,7 +12,7 @@ struct FaceRings {
     Incidence by_vertex;   // triangles that share a vertex with t, including t
     Incidence by_edge;     // triangles that share an edge with t, excluding t
 };
-/// Finds the triangles around each triangle.
+/// Returns, for each triangle, the triangles that share a vertex or an edge with it.
 FaceRings face_rings(const TriangleMesh& mesh);
 
 /// Returns the m × 3 centroids of the triangles. [length]
@@ -24,9 +24,9 @@ struct NormalKernel {
     FaceRings rings;
     std::vector<double> weights;   // one an item of rings.by_vertex
 };
-/// Computes the weights of the mesh.
+/// Returns the rings of the mesh and the weights of the bilateral filter.
 NormalKernel normal_kernel(const TriangleMesh& mesh);
-/// Computes the weights of a mesh with known face_rings().
+/// Returns the weights of the bilateral filter with known rings. @param rings  face_rings(mesh)
 NormalKernel normal_kernel(const TriangleMesh& mesh, FaceRings rings);
 
 /// Returns the m × 3 unit vectors along Σ_s w_ts exp(−|g_s − g_t|²/2σ_r²) n_s; a normal stays where the sum is zero.

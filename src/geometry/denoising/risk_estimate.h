@@ -21,7 +21,7 @@ struct RiskEstimate {
     Vector divergence;    // of F_t at Y: 3n for t = 0
     double numbers = 0;   // 3n
 
-    /// Returns the estimates of the squared error ‖F_t(Y) − X‖² for noise σ; may be negative. [length²]
+    /// Returns the estimates of the squared error ‖F_t(Y) − X‖² after t = 0 … T steps for noise σ; may be negative. [length²]
     Vector risk(double sigma) const;
     /// Returns the t of smallest risk. Smoothing lowers the divergence; once it has risen by more than a twentieth of 3n, triangles
     /// collapse, and later iterations are ignored.
@@ -30,7 +30,7 @@ struct RiskEstimate {
     int by_discrepancy(double sigma) const;
 };
 
-/// Estimates the risk from two runs of the same method.
+/// Returns the terms of the estimate from two runs of one method.
 /// @param run, moved  positions from Y, and from Y + amount · direction
 /// @throws MeshError if they are not equally long, or empty
 RiskEstimate risk_estimate(const Trajectory& run, const Trajectory& moved, const Positions& direction, double amount);

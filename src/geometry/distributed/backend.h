@@ -17,7 +17,7 @@ struct Backend {
     FactorRemotely factor = {};
 };
 
-/// Returns the functions of ranks, which must outlive them.
+/// Returns functions that let `ranks` factor, count and find eigenpairs; `ranks` must outlive them.
 ///
 /// Eigenpairs by Krylov–Schur on (B + 0.1 I)⁻¹, beside the constant; then compared with the inertia of A − σM in the gap above the k-th,
 /// and searched again, beside those known, while more are counted than were found. The ranks give no pivots of their factor, so the δ of a

@@ -39,7 +39,7 @@ public:
     virtual void factor(const SparseMatrix& S, bool definite) = 0;
     virtual int negative_pivots() = 0;   // of the factor of an indefinite S
     virtual long long nonzeros() = 0;    // of the factor, on all processes
-    /// Returns S⁻¹B.
+    /// Returns S⁻¹B with the last factor of S; B has as many rows as S.
     virtual DenseMatrix solve(const DenseMatrix& B) = 0;
     /// Finds the `count` largest θ with S⁻¹y = θy, orthogonal to `known`, for a factor of a definite S.
     /// @throws SolverError if not all converge

@@ -17,7 +17,7 @@ public:
     static constexpr int width = 4;
 
     FourColumns() = default;
-    /// Not initialised.
+    /// Allocates the numbers without setting them.
     explicit FourColumns(Eigen::Index rows)
         : rows_(rows), numbers_(static_cast<double*>(std::aligned_alloc(alignment_for(rows), bytes_of(rows)))) {
         if (rows > 0 && numbers_ == nullptr) throw std::bad_alloc();

@@ -15,7 +15,8 @@ struct DenseEigenpairs {
 /// @throws SolverError if they do not converge
 DenseEigenpairs dense_eigenpairs(const DenseMatrix& A);
 
-/// Computes those of the symmetric tridiagonal matrix with these n diagonal entries and n − 1 beside them.
+/// Computes all eigenpairs of a symmetric tridiagonal matrix. @param diagonal  n entries @param beside  the n − 1 entries beside the
+/// diagonal
 /// @throws SolverError if they do not converge
 DenseEigenpairs tridiagonal_eigenpairs(const Vector& diagonal, const Vector& beside);
 

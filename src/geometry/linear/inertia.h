@@ -23,15 +23,16 @@ struct Inertia {
 /// The verdict of a count on a claim. undecided: rounding is too large for a proof.
 enum class Proof { proved, refuted, undecided };
 
-/// Counts the eigenvalues below σ.
-/// @param A  its lower triangle is read
-/// @param M  > 0
+/// Counts the eigenvalues μ of Ax = μMx below σ, with δ proved.
+/// @param A  symmetric; its lower triangle is read
+/// @param M  the diagonal of M, > 0
 /// @throws SolverError if a pivot is lost in rounding: σ is an eigenvalue of a leading part, or next to one
 Inertia inertia_at(const SparseMatrix& A, const Vector& M, double sigma);
 using InertiaAt = std::function<Inertia(const SparseMatrix& A, const Vector& M, double sigma)>;
 
-/// Counts at some σ between two numbers: the first tried with δ smaller than its distance from both, else the best of those tried. Without
-/// 2 × 2 pivots a pivot may vanish at a σ far from any eigenvalue, but not at others near it.
+/// Counts the eigenvalues below some σ between `low` and `high`: the first tried with δ smaller than its distance from both, else the one
+/// whose distance from the nearer end is most in units of δ; at most four are counted. Without 2 × 2 pivots a pivot may vanish at a σ far
+/// from any eigenvalue, but not at others near it.
 /// @return nothing if every σ tried loses a pivot
 std::optional<Inertia> inertia_between(const SparseMatrix& A, const Vector& M, double low, double high,
                                        const InertiaAt& count = inertia_at);

@@ -6,7 +6,7 @@
 
 namespace meshfolio {
 
-/// Returns the next number, uniform in (−½, ½) (splitmix64, Steele et al. 2014).
+/// Advances `state` and returns the next random number, uniform in [−½, ½) (splitmix64, Steele et al. 2014).
 inline double uniform_number(std::uint64_t& state) {
     state += 0x9e3779b97f4a7c15ULL;
     std::uint64_t z = state;

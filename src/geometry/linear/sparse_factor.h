@@ -18,7 +18,8 @@ struct FactorOperations {
     double factorisation = 0;   // multiply–adds
     double solve = 0;           // of one solve with one right-hand side: L, D and Lᵀ
 };
-/// Counts the cost for the pattern of S, eliminated row by row. @param S  symmetric, both triangles and every diagonal entry stored
+/// Returns the cost of LDLᵀ for the pattern of S, eliminated in the order of its rows. @param S  symmetric, both triangles and every
+/// diagonal entry stored
 FactorOperations factor_operations(const SparseMatrix& S);
 
 /// An elimination order that keeps the factor sparse, by approximate minimum degree (Amestoy, Davis & Duff 1996).
@@ -48,9 +49,9 @@ public:
     void solve_in_place(FourColumns& X) const;
 
     int size() const { return static_cast<int>(D_.size()); }
-    /// Returns the number of negative pivots: by Sylvester's law that of negative eigenvalues of a nearby matrix.
+    /// Returns the number of negative pivots: by Sylvester's law, the number of negative eigenvalues of a matrix near S − σI.
     int negative_pivots() const { return static_cast<int>((D_.array() < 0).count()); }
-    /// Returns the largest ratio of a |pivot| to its diagonal entry: rounding grows with it.
+    /// Returns the largest |pivot / diagonal entry of S − σI|: rounding grows with it.
     double growth() const { return growth_; }
 
     /// Returns δ with |xᵀEx| ≤ δ xᵀWx for all x, where L D Lᵀ = S − σI + E holds exactly for the computed factors.
@@ -89,7 +90,7 @@ public:
 
     int negative_pivots() const { return factor_.negative_pivots(); }
     long long nonzeros() const { return order_.operations.nonzeros; }   // of the factor, diagonal included
-    /// Returns OrderedFactor::backward_error(), with W in the order of A.
+    /// Returns δ with |xᵀEx| ≤ δ xᵀWx for all x (OrderedFactor::backward_error()); W has the order of the rows of A.
     double backward_error(const Vector& W) const { return factor_.backward_error(W(order_.row)); }
 
 private:

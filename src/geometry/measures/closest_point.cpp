@@ -22,8 +22,9 @@ double squared_distance_to_segment(const Vector3& p, const Vector3& a, const Vec
     return (p - a - t * along).squaredNorm();
 }
 
-/// Computes it from the sides and, if p lies over the triangle, the plane, in coordinates along its longest side ab and across. However
-/// narrow the triangle, they lose no more than rounding of the corners does, while a normal could point anywhere.
+/// Returns the squared distance from p to the triangle with the longest side ab, from the sides and, if p lies over the triangle, the
+/// plane, in coordinates along ab and across. However narrow the triangle, they lose no more than rounding of the corners does, while a
+/// normal could point anywhere.
 double squared_distance_to_narrow_triangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c) {
     const double to_sides =
         std::min({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c), squared_distance_to_segment(p, c, a)});

@@ -36,7 +36,7 @@ struct Piece {
         return std::sqrt(squared);
     }
 
-    /// Returns the parts where the values, linear along sides, are ≥ 0 and ≤ 0. A part of fewer than three corners lies in the other.
+    /// Returns the parts where the values, linear along the sides, are ≥ 0 and ≤ 0. A part with fewer than three corners has no area.
     std::pair<Piece, Piece> cut(const Values& values) const {
         std::pair<Piece, Piece> parts;
         parts.first.depth = parts.second.depth = depth + 1;

@@ -31,7 +31,8 @@ struct DistanceSearch {
     double found = 0;   // the largest distance measured; the search raises it [length]
 };
 
-/// Encloses the larger of the maxima of both directions. @param rounding  of any distance [length]
+/// Encloses the largest distance of a point of `one.from` from `one.to`, or of `other.from` from `other.to`; raises `found` of both.
+/// @param accuracy  wanted (bound − distance)/distance @param rounding  of any distance [length]
 HausdorffDistance enclose_farthest(DistanceSearch& one, DistanceSearch& other, double accuracy, double rounding);
 
 }   // namespace meshfolio

@@ -16,14 +16,14 @@ struct MeshDifference {
     double volume_ratio = 0;                // V(b)/V(a); NaN when V(a) = 0 or they enclose none
     double area_ratio = 0;                  // A(b)/A(a)
     double box_diagonal = 0;                // of `a` [length]
-    int inverted_faces = 0;                 // faces of b with a normal opposite to that of a
+    int inverted_faces = 0;                 // faces of b with a normal by more than 90° off that of a
 };
 
-/// Measures b against a.
-/// @throws MeshError if the triangles differ
+/// Returns the differences of b from a, between corresponding vertices and triangles.
+/// @throws MeshError if the numbers of vertices or the triangles differ
 MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b);
 
-/// Returns √(Σ|a_i − b_i|²/n). [length]
+/// Returns √(Σ|a_i − b_i|²/n) over the n rows; 0 without rows. [length]
 /// @throws MeshError if the sizes differ
 double vertex_rms(const Positions& a, const Positions& b);
 
@@ -31,7 +31,7 @@ double vertex_rms(const Positions& a, const Positions& b);
 /// none): 0 for motion within the surface, and near the distance to the surface while vertices stay near. [length]
 /// @throws MeshError if the sizes differ
 Vector shape_distances(const TriangleMesh& clean, const Positions& X);
-/// Returns the root mean square of shape_distances(). [length]
+/// Returns the root mean square of shape_distances(clean, X); 0 without vertices. [length]
 double shape_rms(const TriangleMesh& clean, const Positions& X);
 
 /// Returns the mean angle between the rows of a and b, unit normals, without rows of zeros, which have no direction. NaN if no row is left,

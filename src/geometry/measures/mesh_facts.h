@@ -31,7 +31,7 @@ struct MeshFacts {
     /// True if rounding by the file is visible: more than 10⁻⁹ of the shortest edge, and not on a grid.
     bool is_rounded() const { return written_steps > 1e-9 && written_steps < 0.99; }
 };
-/// Measures a mesh.
+/// Computes all measures of a prepared mesh.
 MeshFacts mesh_facts(const PreparedMesh& prepared);
 
 /// Returns the spacing of doubles at the farthest coordinate, the accuracy of any stored position. [length]

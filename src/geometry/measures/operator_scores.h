@@ -21,17 +21,19 @@ struct OperatorScores {
     Definiteness::Verdict verdict = Definiteness::Verdict::undecided;   // on −C
     double critical = 0;   // λ_crit = 2/μ_max, the limit unless −C is indefinite; NaN if vertices are without mass [length²]
 };
-/// Scores an operator.
+/// Computes the scores of an operator. @param assembly  prior knowledge of C (definiteness.h)
 /// @throws SolverError if an eigenvalue cannot be computed
 OperatorScores operator_scores(const LaplaceBeltrami& laplacian, const MeshTopology& topology, Assembly assembly = Assembly::unknown);
 
-/// Returns the `count` smallest eigenvalues above zero, ascending; fewer on small meshes, none if vertices are without mass. [1/length²]
+/// Returns the `count` smallest eigenvalues above zero, ascending; fewer on small meshes, none if vertices in use are without mass or the
+/// solver fails, as for an indefinite −C. [1/length²]
 Vector smallest_nonzero_eigenvalues(const LaplaceBeltrami& laplacian, const MeshTopology& topology, int count);
 
 /// Returns max |μ_i/reference_i − 1| over the common indices; NaN if there is none.
 double largest_relative_change(const Vector& eigenvalues, const Vector& reference);
 
-/// Returns the largest ½‖(Lx)_i‖ over vertices with all triangles in one plane, where 0 would be exact; NaN without any. [1/length]
+/// Returns the largest ½‖(Lx)_i‖ over interior vertices with mass and all triangles in one plane, where 0 would be exact; NaN without such
+/// vertices. [1/length]
 double linear_precision(const LaplaceBeltrami& laplacian, const TriangleMesh& mesh, const MeshTopology& topology);
 
 }   // namespace meshfolio

@@ -8,7 +8,8 @@
 
 namespace meshfolio {
 
-/// Returns the rows of X in the order of Morton's curve through a cube of 2²¹ cells a side; rows of one cell in their own order.
+/// Returns the numbers of the rows of X in the order of Morton's curve through a cube of 2²¹ cells a side; rows of one cell in their own
+/// order.
 std::vector<int> morton_order(const Positions& X);
 
 /// Returns the operator with row order[i] as row i of A, M and `vertex`, which no longer ascends. Entries of a row ascend in the new order,

@@ -26,15 +26,16 @@ struct SurfaceDistances {
     bool exact() const { return a_to_b.exact && b_to_a.exact; }
 };
 
-/// Measures both directions.
-/// @param accuracy  of the Hausdorff distance
+/// Measures the distances from a to b, from b to a, and the Hausdorff distance.
+/// @param accuracy  of the Hausdorff distance: wanted (bound − distance)/distance
 /// @throws MeshError if one of them has no triangle
 SurfaceDistances surface_distances(const TriangleMesh& a, const TriangleMesh& b, double accuracy = default_accuracy);
 
-/// Returns DistancesTo::of_vertices alone. @throws MeshError if one of them has no triangle
+/// Returns the distance of each vertex of `from` to the surface `to`; NaN if no triangle uses the vertex. [length]
+/// @throws MeshError if `to` has no triangle
 Vector vertex_distances(const TriangleMesh& from, const TriangleMesh& to);
 
-/// Returns the shares of the area with distances in equal bins over [0, high]; empty without any area.
+/// Returns the shares of the area with distances in equal bins over [0, high], larger distances in the last bin; empty without any area.
 std::vector<double> area_histogram(const DistancesTo& distances, double high, int bins);
 
 }   // namespace meshfolio

@@ -23,7 +23,8 @@ struct VertexCopy {
 /// the others and drowns them in rounding ε/δ; joining its ends is an error of δ. The two are equal at √ε, so that results tend to those of
 /// coincident vertices as the gap closes.
 inline const double no_length = std::sqrt(std::numeric_limits<double>::epsilon());
-/// The same limit for Delaunay flips, which may leave one end a triangle of area δ² alone, and so an eigenvalue of 1/δ²: equal at ε^⅓.
+/// The largest relative length that counts as none for Delaunay flips. They may leave one end a triangle of area δ² alone, and so an
+/// eigenvalue of 1/δ²: the errors are equal at ε^⅓.
 inline const double no_length_to_flips = std::cbrt(std::numeric_limits<double>::epsilon());
 
 /// Finds the vertices joined by edges of relative length `longest` or less. In a triangle without area, which gives no stiffness to hold
@@ -45,7 +46,8 @@ void share_equally(const std::vector<VertexCopy>& copies, Vector& masses);
 /// Returns the masses summed over each class at its first vertex, 0 at the others.
 Vector summed_at_first(const std::vector<VertexCopy>& copies, Vector masses);
 
-/// Returns compute(mesh, topology), n values, for the mesh with these vertices joined; copies get the value of their first vertex.
+/// Returns compute(mesh, topology), n values, for the mesh with the copies joined to their first vertices; copies get the value of their
+/// first vertex.
 template <class Compute>
 Vector on_joined_vertices(const TriangleMesh& mesh, const MeshTopology& topology, const std::vector<VertexCopy>& copies, Compute compute) {
     if (copies.empty()) return compute(mesh, topology);

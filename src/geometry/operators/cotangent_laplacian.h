@@ -51,7 +51,8 @@ LaplaceBeltrami assembled_joined(const TriangleMesh& mesh, Assemble assemble, do
 }
 /// Returns C and M of a mesh, its coincident vertices joined.
 LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric, const CotangentOptions& options = {});
-/// Returns C and M with a stiffness for triangles without area, cotangents cut off at 1/no_area: the effect on the largest stable step.
+/// Returns C and M with a stiffness for triangles without area, cotangents cut off at 1/no_area, to show the effect of such triangles on
+/// the largest stable step.
 LaplaceBeltrami floored_laplace_beltrami(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric);
 /// Returns C and M of glued intrinsic triangles with m × 3 edge lengths.
 LaplaceBeltrami laplace_beltrami(const Faces& F, int vertex_count, const CornerValues& lengths, AreaForm area = AreaForm::barycentric,

@@ -50,8 +50,8 @@ struct IntrinsicDelaunay {
     int flips = 0;
 };
 
-/// Flips edges until all glued ones are Delaunay; the others stay. Edges are taken in the order of their triangles. An edge with opposite
-/// angles that sum to π within 1e-10 stays: flipping it would change nothing but rounding.
+/// Flips edges until all glued edges are Delaunay; edges that are not glued stay. Edges are taken in the order of their triangles. An edge
+/// with opposite angles that sum to π within 1e-10 stays: flipping it would change nothing but rounding.
 /// @throws SolverError if the flips do not end, as rounding can cause in triangles without area
 IntrinsicDelaunay intrinsic_delaunay(IntrinsicTriangles triangles);
 

@@ -23,7 +23,7 @@ struct OperatorEntry {
 
 /// Lists all operators, in the order of tables.
 std::span<const OperatorEntry> operator_list();
-/// Returns the entry of an operator.
+/// Returns the entry of an operator in operator_list().
 const OperatorEntry& operator_entry(OperatorKind kind);
 /// Returns the operator of this name.
 /// @throws UsageError with the nearest name and all known ones
@@ -32,8 +32,9 @@ OperatorKind operator_named(const std::string& name);
 /// True if L = M⁻¹C, and so a smoothing step, has no unit: only for the uniform operator. Other L are in 1/length², their steps are areas.
 bool is_dimensionless(OperatorKind kind);
 
-/// Returns `triangles` if C is the sum of the stiffness matrices of the mesh's own triangles, so that −C is positive semidefinite but for
-/// rounding (definiteness.h). Not so for intrinsic triangulations, where edges may join a vertex to itself.
+/// Returns `triangles` if C is the sum, or a multiple of the sum, of the stiffness matrices of the mesh's own triangles, so that −C is
+/// positive semidefinite but for rounding (definiteness.h); else `unknown`, as for intrinsic triangulations, where edges may join a vertex
+/// to itself.
 Assembly assembly_of(OperatorKind kind);
 
 /// True if C has lengths of edges that flips or a cover have made, rounded once more. On strongly stretched meshes it then belongs to a
@@ -47,7 +48,7 @@ bool has_intrinsic_lengths(OperatorKind kind);
 LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, AreaForm area = AreaForm::barycentric);
 
 /// Returns the mean curvature by the operator: ½‖Lx‖ with the sign of −Lx · n, for a dimensionless one times 4/h², h² the mean squared edge
-/// of the one-ring. NaN as in cotangent_mean_curvature(). [1/length]
+/// of the one-ring. NaN on the boundary, at non-manifold and unreferenced vertices, and for masses ≤ 0. [1/length]
 /// @param laplacian  laplace_operator(mesh, kind, …)
 Vector operator_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology, OperatorKind kind, const LaplaceBeltrami& laplacian);
 

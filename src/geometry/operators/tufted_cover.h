@@ -17,11 +17,11 @@ double mollify(CornerValues& lengths, double relative);
 /// where they face each other; a boundary edge glues front to back. Triangles at the same angle follow one another in their order.
 IntrinsicTriangles two_sided_cover(const TriangleMesh& mesh);
 
-/// Returns the intrinsic Delaunay triangulation of the cover, mollified by 1e-6 mean edge lengths.
+/// Returns the intrinsic Delaunay triangulation of two_sided_cover(mesh), mollified by 1e-6 mean edge lengths.
 IntrinsicTriangles tufted_cover(const TriangleMesh& mesh);
 
-/// Returns half of C and M of the cover, on the vertices of the mesh. Symmetric, and all weights ≥ 0 up to rounding (−5e-16 of the largest
-/// was met), for any mesh.
+/// Returns half of C and M of tufted_cover(mesh), on the vertices of the mesh. Symmetric, and all weights ≥ 0 up to rounding (−5e-16 of the
+/// largest was met), for any mesh.
 LaplaceBeltrami tufted_laplacian(const TriangleMesh& mesh, AreaForm area = AreaForm::barycentric);
 
 }   // namespace meshfolio

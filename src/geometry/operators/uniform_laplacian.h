@@ -11,8 +11,9 @@ namespace meshfolio {
 SparseMatrix uniform_laplacian(const MeshTopology& topology);
 /// Returns the umbrella operator as M⁻¹C with the valences as masses: C, the graph Laplacian, is symmetric.
 LaplaceBeltrami uniform_operator(const MeshTopology& topology);
-/// Returns that operator for a mesh with its coincident vertices joined. It ignores lengths, so it jumps as a gap closes; vertices at the
-/// same point are joined all the same, as in every operator, because a point has one motion. @param topology  of the mesh as it is
+/// Returns the umbrella operator, with valences as masses, of the mesh with its coincident vertices joined. It ignores lengths, so it jumps
+/// as a gap closes; vertices at the same point are joined all the same, because a point has one motion. @param topology  of the mesh as it
+/// is
 LaplaceBeltrami uniform_operator(const TriangleMesh& mesh, const MeshTopology& topology);
 
 /// Returns n values, the mean of |x_j − x_i|² over the one-ring of i; 0 at unreferenced vertices. [length²]

@@ -20,11 +20,12 @@ struct OperatorWithMass {
     int size() const { return static_cast<int>(vertex.size()); }
 };
 
-/// Restricts the operator to the vertices with mass; weights to the others go.
+/// Returns the operator restricted to the vertices with mass, coincident ones once; weights to other vertices go.
 /// @throws MeshError if a mass is negative or not finite, if no vertex has any, or if the sizes of C and M disagree
 OperatorWithMass operator_with_mass(const LaplaceBeltrami& laplacian);
 
-/// Expands rows of the operator to rows of the whole mesh: copies get the row of their first vertex, vertices without mass 0.
+/// Returns the rows of the operator spread over the rows of the whole mesh, all_vertices × columns: copies get the row of their first
+/// vertex, vertices without mass 0.
 DenseMatrix to_all_vertices(const OperatorWithMass& reduced, const DenseMatrix& rows);
 
 /// Connected components: rows joined by nonzero entries of A.
@@ -32,13 +33,13 @@ struct Components {
     std::vector<int> label;   // of each row, from 0 in order of first row
     int count = 0;
 };
-/// Labels the components of A.
+/// Returns the component of each row of A, and their number.
 Components components_of(const SparseMatrix& A);
 
 /// Returns B = M^−½ A M^−½ with the pattern of A: symmetric, with the eigenvalues of −L.
 SparseMatrix symmetric_form(const SparseMatrix& A, const Vector& M);
 
-/// Returns the index of the largest |y|; among entries equal to rounding the first, so that the result is unique on symmetric meshes.
+/// Returns the index of the first |y_i| of at least 1 − 1e-6 times the largest, so that the result is unique on symmetric meshes.
 Eigen::Index first_largest(const Vector& y);
 
 /// Returns diag(weights) · A.

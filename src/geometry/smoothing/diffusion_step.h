@@ -10,7 +10,7 @@
 
 namespace meshfolio {
 
-/// Returns the rows vertex[i] of X as rows i.
+/// Returns the three numbers of row vertex[i] of X, and a zero, as row i.
 FourColumns gathered(const Positions& X, const std::vector<int>& vertex);
 /// Stores row i as row vertex[i] of X; other rows of X stay.
 void scatter(const FourColumns& rows, const std::vector<int>& vertex, Positions& X);

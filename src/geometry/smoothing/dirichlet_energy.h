@@ -10,7 +10,8 @@ namespace meshfolio {
 
 /// Returns E(X); with cotangent weights made from X it is the surface area. [length²]
 double dirichlet_energy(const SparseMatrix& C, const Positions& X);
-/// Returns how far rounding of the weights and of the sum may have moved E(X): much where needles make large terms of both signs. [length²]
+/// Returns 16 ε Σ_{i<j} ½|C_ij||x_i − x_j|², how far rounding of the weights and of the sum may have moved E(X): much where needles make
+/// large terms of both signs. [length²]
 double energy_rounding(const SparseMatrix& C, const Positions& X);
 
 /// Records the energy of a run and bounds its rounding. Neither an explicit step with λ ≤ λ_crit nor an implicit one can raise the energy
@@ -34,7 +35,7 @@ public:
 private:
     /// Stores the energy at X and the rounding of its evaluation.
     void enter(const Positions& X);
-    /// Returns the bound of D.
+    /// Returns the bound of D, the energy of the rounding in the step from the positions before to X.
     double energy_of_rounding(const Positions& X) const;
 
     const LaplaceBeltrami& laplacian_;

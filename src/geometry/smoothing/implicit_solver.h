@@ -38,16 +38,18 @@ public:
     ImplicitSolver();
     ~ImplicitSolver();
 
-    /// Prepares the system. Steps use conjugate gradients if a factor, by its symbolic analysis, exceeds `memory_limit`.
+    /// Prepares the solution of (M − λC) X' = M X. Steps use conjugate gradients if a factor, by its symbolic analysis, exceeds
+    /// `memory_limit`.
     /// @param memory_limit  [bytes]; 0: the available memory
     /// @param remotely      factors in other processes, without a limit; empty: in this one
     /// @throws SolverError if M − λC cannot be factored
     void prepare(const OperatorWithMass& whole, double lambda, double memory_limit = 0, const FactorRemotely& remotely = {});
 
     const std::vector<int>& vertex() const;   // the vertex of each row
-    /// Replaces X by X'. @throws SolverError if conjugate gradients do not end
+    /// Replaces X, rows in the order of vertex(), by the solution X' of (M − λC) X' = M X. @throws SolverError if conjugate gradients do
+    /// not end
     void step(FourColumns& X);
-    /// Returns X', n × 3 for the whole mesh; copies move with their vertices, vertices without mass stay.
+    /// Returns the solution X' of (M − λC) X' = M X, n × 3 for the whole mesh; copies move with their vertices, vertices without mass stay.
     Positions step(const Positions& X);
 
     LinearSolver solver() const;         // the solver prepared

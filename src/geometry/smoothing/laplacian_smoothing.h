@@ -66,11 +66,12 @@ struct Smoothed {
     long long solver_iterations = 0;            // of conjugate gradients, summed over the steps
 };
 
-/// Runs the flow. Vertices without mass stay. With `rebuild`, the run ends when the surface has shrunk to points or lines.
+/// Smooths the mesh by options.iterations steps, fewer if it blows up. Vertices without mass stay. With `rebuild`, the run ends when the
+/// surface has shrunk to points or lines.
 /// @throws MeshError for λ that is not finite or ≤ 0, iterations < 0, adaptive outside [0, 1], or a limit asked of another scheme than
 ///         the explicit one; SolverError if M − λC cannot be factored
 Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options);
-/// Runs the flow with a solver shared by several runs, which keeps implicit factors from one to the next.
+/// Smooths the mesh as smooth(mesh, options), with a solver shared by several runs, which keeps implicit factors from one to the next.
 Smoothed smooth(const TriangleMesh& mesh, const SmoothingOptions& options, ImplicitSolver& solver);
 
 /// Returns Taubin's negative step μ with this operator: options.taubin_mu if not 0, else from 1/λ + 1/μ = pass_band · μ_max/2.
@@ -86,7 +87,7 @@ struct TaubinGrowth {
     /// Returns a sentence if the highest mode grows at all, or if modes of the pass-band grow by more than 20 %; else "".
     std::string warning(int iterations) const;
 };
-/// Computes that growth for options.lambda and taubin_mu_of(). @throws MeshError as taubin_mu_of()
+/// Computes the growth of one Taubin iteration for options.lambda and taubin_mu_of(). @throws MeshError as taubin_mu_of()
 TaubinGrowth taubin_growth(const LaplaceBeltrami& laplacian, const SmoothingOptions& options);
 
 /// Returns X + λLX, one explicit step with a fixed operator.

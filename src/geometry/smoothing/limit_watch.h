@@ -19,7 +19,8 @@ public:
 
     bool watching() const { return options_.monitor || options_.adaptive > 0; }
 
-    /// Measures a new operator. @throws SolverError if an adaptive step has no finite bound to rely on
+    /// If watching(), stores the Gershgorin bound of μ_max of the rebuilt operator and, if monitored, μ_max itself, by Lanczos.
+    /// @throws SolverError if an adaptive step has no finite bound to rely on
     void look(const OperatorWithMass& whole) {
         if (!watching()) return;
         bound_ = gershgorin_bound(whole.A, whole.M);
@@ -35,12 +36,12 @@ public:
         }
     }
 
-    /// Returns the step with the last operator: λ, cut where adaptive.
+    /// Returns the next step: options.lambda or, if that is smaller and steps are adaptive, `adaptive` times 2 over the stored bound.
     double lambda() const {
         if (!(options_.adaptive > 0) || !(bound_ > 0)) return options_.lambda;
         return std::min(options_.lambda, options_.adaptive * 2 / bound_);
     }
-    /// Returns that step beside its limit.
+    /// Returns lambda() with λ times the stored bound, λμ_max and its vertex; NaN and −1 if μ_max is not known.
     StepStability step() const {
         const double h = lambda();
         return {h, h * bound_, top_known_ ? h * top_.value : std::nan(""), top_known_ ? top_.vertex : -1};

@@ -23,8 +23,8 @@ struct ModeGrowth {
 /// @throws MeshError if X or the mode have another number of rows than the operator, or X has no part in the mode
 ModeGrowth mode_growth(const LaplaceBeltrami& laplacian, const LargestEigenvalue& top, const Positions& X, double lambda, int steps);
 
-/// Returns X with the mode added in each coordinate, `height` high where it is largest: a symmetric mesh has no part in its top mode, so
-/// that without it nothing would grow. [length]
+/// Returns X with the mode added to each coordinate, scaled to `height` where it is largest: a symmetric mesh has no part in its top mode,
+/// so that without it nothing would grow. [length]
 Positions seeded(const Positions& X, const LargestEigenvalue& top, double height);
 
 }   // namespace meshfolio

@@ -36,7 +36,8 @@ struct CertificateOptions {
     std::function<void(std::string_view)> progress = {};   // called with the name of each stage
 };
 
-/// Proves the limit. The estimate of plain Lanczos only guides; the last factorisation is the proof. Independent of the number of threads.
+/// Proves bounds of the limit λ_crit. The estimate of plain Lanczos only guides; the last factorisation is the proof. Independent of the
+/// number of threads.
 /// @throws MeshError as operator_with_mass(), or if no two vertices are joined
 StabilityCertificate stability_certificate(const LaplaceBeltrami& laplacian, const CertificateOptions& options = {});
 /// True if Cholesky of σM + C runs to its end, which proves μ_max ≤ σ(1 + ρ), ρ its rounding; false means μ_max > σ up to rounding.

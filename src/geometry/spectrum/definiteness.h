@@ -37,7 +37,8 @@ struct Definiteness {
     double growth(double lambda) const { return 1 + lambda * std::max(0.0, -mu_high); }
 };
 
-/// Decides whether −C is semidefinite. Costs two passes over C if weights or triangles are evidence enough, else factorisations.
+/// Decides whether −C is positive semidefinite, on the vertices with mass. Costs two passes over C if weights or triangles are evidence
+/// enough, else factorisations.
 /// @throws MeshError as operator_with_mass()
 Definiteness definiteness(const LaplaceBeltrami& laplacian, Assembly assembly = Assembly::unknown);
 

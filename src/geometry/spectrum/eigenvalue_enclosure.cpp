@@ -93,7 +93,7 @@ private:
         double expected = 0;
         for (int round = 0; round < most_rounds; ++round) {
             const double before = result_.quotient;
-            Vector start = result_.y;   // at first with a part in every vector, lest y be one that is not the largest
+            Vector start = result_.y;   // at first with a part in every vector, in case y is not the largest
             if (round == 0) start += 0.02 * result_.y.norm() * irregular_direction(static_cast<int>(M_.size()));
             take(shift_invert_lanczos(*factor_, M_, start));
             const double step = (result_.quotient - before) / scale(), left = (shift_ - result_.quotient) / scale();

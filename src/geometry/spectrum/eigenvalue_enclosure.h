@@ -34,20 +34,20 @@ struct EnclosureOptions {
     double missing = 0;       // estimate of how far the quotient of `start` lies below μ, relative
 };
 
-/// Encloses μ. The bounds stay farther apart than `width` if rounding forbids more.
+/// Encloses the largest eigenvalue μ of M⁻¹S. The bounds stay farther apart than `width` if rounding forbids more.
 /// @param start  a guess of the vector; it may be wrong, 0 or not finite
 Enclosure enclose_largest(const SparseMatrix& S, const Vector& M, const Vector& start, const EnclosureOptions& options);
 
 /// Returns Cholesky's factor of σM − S, or nothing if it breaks down.
 std::optional<SparseFactor> factor_at(const SparseMatrix& S, const Vector& M, double sigma);
-/// Returns ρ of that factor: its own rounding and at most ε|σ| for σM. [as σ]
+/// Returns ρ, the rounding of factor_at(S, M, σ), from the factor: μ ≤ σ + ρ. It includes at most ε|σ| for forming σM. [as σ]
 double rounding_of(const SparseFactor& factor, const Vector& M, double sigma);
 
 /// A Rayleigh quotient between bounds of its rounding.
 struct Quotient {
     double value = 0, low = 0, high = 0;
 };
-/// Returns yᵀSy/yᵀMy. n products with sums of k are off by at most ε(n + k + 4)/2 of the sum of magnitudes.
+/// Returns yᵀSy/yᵀMy with bounds of its rounding. n products with sums of k are off by at most ε(n + k + 4)/2 of the sum of magnitudes.
 Quotient rayleigh_quotient(const SparseMatrix& S, const Vector& M, const Vector& y);
 
 }   // namespace meshfolio

@@ -19,7 +19,8 @@ struct QuantisedModes {
     DenseMatrix restored() const;   // the matrix, rounded
 };
 
-/// Rounds each column to half its scale: to 1/65534 of its largest magnitude over the precision, and to 1/254 at least.
+/// Rounds the numbers of column j to whole multiples of peak/steps, peak being the largest magnitude in it and steps = 32767 ·
+/// precision[j], at least 127.
 /// @param precision  of each column, at most 1; empty: 1
 QuantisedModes quantised(const DenseMatrix& modes, const Vector& precision = {});
 

@@ -18,7 +18,7 @@ public:
     void add(const Eigen::Ref<const DenseMatrix>& modes, const Eigen::Ref<const Vector>& eigenvalues);
 
     int modes() const { return static_cast<int>(energies_.size()); }
-    /// Returns X_k for the k modes so far.
+    /// Returns X_k, n × 3, for the k modes added so far. [length]
     Positions positions() const;
     /// Returns √(‖X − X_j‖²_M / ΣM) for j = 0 … modes(), by Parseval. [length]
     Vector rms() const;
@@ -36,7 +36,7 @@ private:
 /// Returns the k × 3 coefficients Φᵀ M X. [length²]
 DenseMatrix spectral_coefficients(const Spectrum& spectrum, const Vector& M, const Positions& X);
 
-/// Returns X_k from the first k modes.
+/// Returns X_k, n × 3, from the first k modes; vertices without mass keep their position in X. [length]
 /// @throws MeshError if there are fewer than k modes or the sizes do not fit
 Positions reconstruct(const Spectrum& spectrum, const Vector& M, const Positions& X, int k);
 

@@ -99,7 +99,7 @@ struct UnitProblem {
         return std::isfinite(own) ? own : mu0;
     }
     double largest_row() const { return A.diagonal().cwiseQuotient(M).maxCoeff(); }   // max A_ii / M_ii
-    /// Eigenvalues below may be rounding of the largest row.
+    /// Returns the magnitude up to which eigenvalues may be rounding of the largest row.
     double rounding() const { return 1e3 * epsilon * largest_row(); }
 };
 

@@ -59,7 +59,8 @@ struct SpectrumCertificate {
     bool holds() const { return verdict() == Proof::proved; }
 };
 
-/// Certifies any pairs, right or wrong. Costs one sparse factorisation, seldom more, and products with Φ; computes no eigenvalue.
+/// Measures and certifies any pairs, right or wrong. Costs one sparse factorisation, seldom more, and products with Φ; computes no
+/// eigenvalue.
 /// @param inertia_at  the function that counts
 /// @throws MeshError if the sizes do not fit together, or the spectrum is empty
 SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum,
@@ -69,8 +70,8 @@ SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBelt
 /// @throws SolverError if a pivot is lost in rounding: σ is too near an eigenvalue of a leading part
 Inertia eigenvalues_below(const LaplaceBeltrami& laplacian, double sigma);
 
-/// Compares a count with values (ascending): `proved` if exactly those of them below σ are the eigenvalues there, `undecided` if one of
-/// them lies within δ of σ.
+/// Compares a count of eigenvalues below σ with known values: `undecided` if a value lies within δ of σ, `proved` if as many values lie
+/// below σ as are counted, else `refuted`.
 Proof agreement(const Inertia& inertia, const Vector& values);
 
 }   // namespace meshfolio

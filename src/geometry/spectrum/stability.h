@@ -30,7 +30,8 @@ LargestEigenvalue largest_eigenvalue_nearly(const OperatorWithMass& whole, const
 /// Returns max_i Σ_j |A_ij|/M_i ≥ every eigenvalue of M⁻¹A (Gershgorin), its rounding included.
 double gershgorin_bound(const SparseMatrix& A, const Vector& M);
 
-/// Describes an eigenpair of the operator among the vertices with mass. `phi` need not be normalised.
+/// Returns the pair (mu, phi) as a top mode: phi M-normalised on all vertices, its vertex and support, and the Gershgorin bound.
+/// @param phi  an eigenvector, one value a row of the operator; need not be normalised
 LargestEigenvalue top_mode(const OperatorWithMass& whole, double mu, Vector phi);
 
 /// Returns λ_crit = 2/μ_max; infinity if μ_max is 0. [length²] (dimensionless for the uniform operator)
@@ -40,14 +41,14 @@ double largest_stable_step(const LargestEigenvalue& top);
 enum class StepUnit { raw, tau, h2 };
 /// Returns the unit named "raw", "tau" or "h2". @throws UsageError for other names
 StepUnit step_unit_named(const std::string& name);
-/// Converts λ from a unit to [length²].
+/// Returns the step in [length²]: λ for raw, λ · critical for tau, λ · mean_edge² for h2. @param critical  λ_crit; not used for raw and h2
 double step_in_model_units(double lambda, StepUnit unit, double critical, double mean_edge);
 
-/// One step in all its units. [length²], 1, 1
+/// A step as raw [length²], as tau (a share of λ_crit) and as h2 (over the squared mean edge).
 struct StepInUnits {
     double raw = 0, tau = 0, h2 = 0;
 };
-/// Converts a step in [length²] to all units.
+/// Returns the step `raw` [length²] in all units. @param critical  λ_crit [length²] @param mean_edge  [length]
 StepInUnits step_in_units(double raw, double critical, double mean_edge);
 
 /// Returns the reach of smoothing: the width √(4λt) of the heat kernel after the diffusion time λt, over the box diagonal.

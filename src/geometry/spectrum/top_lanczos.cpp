@@ -28,14 +28,14 @@ struct Tridiagonal {
     }
     double largest_eigenvalue() const;
     std::vector<double> top_eigenvector(double theta) const;
-    /// Returns |last entry| of that vector at length 1.
+    /// Returns |last entry| of top_eigenvector(theta) at length 1.
     double last_of_top_eigenvector(double theta) const {
         const std::vector<double> s = top_eigenvector(theta);
         return std::abs(s.back()) / std::sqrt(std::inner_product(s.begin(), s.end(), s.begin(), 0.0));
     }
 };
 
-/// By bisection to the last bit, from Gershgorin's circles.
+/// Returns the largest eigenvalue, by bisection to the last bit from Gershgorin's circles.
 double Tridiagonal::largest_eigenvalue() const {
     double low = *std::max_element(diagonal.begin(), diagonal.end()), high = low;
     for (std::size_t i = 0; i < size(); ++i) {
@@ -49,7 +49,8 @@ double Tridiagonal::largest_eigenvalue() const {
     }
 }
 
-/// Inverse iteration just above θ, where T − σI is negative definite and elimination needs no pivoting.
+/// Returns the eigenvector of the largest eigenvalue θ, largest entry ±1, by inverse iteration just above θ, where T − σI is negative
+/// definite and elimination needs no pivoting.
 std::vector<double> Tridiagonal::top_eigenvector(double theta) const {
     const double sigma = theta + 4 * epsilon * std::max(std::abs(theta), std::abs(diagonal[0]));
     std::vector<double> s(size(), 1), pivot(size());

@@ -18,9 +18,9 @@ struct SymmetricPairs {
     int count_below(double sigma) const { return static_cast<int>((mu.array() < sigma).count()); }
 };
 
-/// Returns all pairs of both, ascending; of equal values those of `a` first.
+/// Returns all pairs of `a` and `b`, ascending; of equal values the pairs of `a` first.
 SymmetricPairs merged(const SymmetricPairs& a, const SymmetricPairs& b);
-/// Returns the pairs at places first … last − 1.
+/// Returns the pairs number first … last − 1, counted from 0.
 SymmetricPairs part_of(const SymmetricPairs& pairs, int first, int last);
 
 /// By = μy of a connected surface of area 1. Its constant is known and left out of all searches.
@@ -43,14 +43,15 @@ struct Shift {
     double sigma;
     OrderedFactor factor;
 
-    /// Returns the number of eigenvalues below σ > 0, without the constant's.
+    /// Returns the number of eigenvalues below σ > 0, without the eigenvalue 0 of the constant.
     int others_below() const { return std::max(0, factor.negative_pivots() - 1); }
-    /// Returns the rounding δ of that count (inertia.h).
+    /// Returns the rounding δ of others_below() (inertia.h).
     double delta() const;
 };
 
-/// Factors near `sigma`, moved by at most `reach`: LDLᵀ is not pivoted, and if σ makes a leading part nearly singular, pivots and rounding
-/// grow, or a pivot is lost. @throws SolverError if that happens at all σ tried
+/// Returns a factor at `sigma`, or at most `reach` beside it: the first of five whose pivots grow by at most 1e4, else the one with the
+/// least growth. LDLᵀ is not pivoted: if σ makes a leading part nearly singular, pivots and rounding grow, or a pivot is lost. @throws
+/// SolverError if a pivot is lost at all five
 Shift shift_near(const SpectrumProblem& problem, double sigma, double reach);
 /// Factors at `sigma` < 0 or, if needles make rounding larger, farther below. @throws SolverError if −C is not positive semidefinite
 Shift shift_below_zero(const SpectrumProblem& problem, double sigma);
@@ -64,10 +65,11 @@ struct PairSearch {
 /// Finds the pairs nearest to σ, orthogonal to the constant and to `known`: as many as wanted, or as many as Spectra finds.
 SymmetricPairs pairs_near(const SpectrumProblem& problem, const Shift& shift, const DenseMatrix& known, const PairSearch& search);
 
-/// Finds them by subspace iteration with a block of all wanted pairs, for clusters that no Krylov space separates.
+/// Finds the pairs nearest to σ, orthogonal to the constant and to `known`, by subspace iteration with a block of all wanted pairs and up
+/// to eight more, for clusters that no Krylov space separates. Returns the pairs with small residuals.
 SymmetricPairs pairs_by_iteration(const SpectrumProblem& problem, const Shift& shift, const DenseMatrix& known, const PairSearch& search);
 
-/// Returns ‖By − μy‖ / μ of each pair.
+/// Returns ‖By − μy‖ / |μ| of each pair, μ ≠ 0, y of length 1.
 Vector residuals_of(const SparseMatrix& B, const SymmetricPairs& pairs);
 
 }   // namespace meshfolio

@@ -10,7 +10,7 @@ namespace meshfolio {
 
 /// The relative distance above which two eigenvalues are no cluster; rounding may mix the vectors of a cluster.
 constexpr double clear_gap = 1e-5;
-/// The relative distance above which counts can separate them.
+/// The relative distance of two eigenvalues above which counts can separate them.
 constexpr double least_gap = 1e-9;
 
 /// The number of eigenvalues besides 0 below σ; rounding may have moved σ by δ.
@@ -19,7 +19,8 @@ struct Count {
     int others = 0;
     double delta = 0;
 };
-/// Counts at σ or, if a pivot is lost in rounding, at most `reach` beside it. @throws SolverError as shift_near()
+/// Counts the eigenvalues besides 0 below σ or, if a pivot is lost in rounding, below a σ at most `reach` beside it. @throws SolverError as
+/// shift_near()
 Count count_near(const SpectrumProblem& problem, double sigma, double reach);
 
 /// Returns counts at growing σ: 0 first, then limits of slices of about `pairs_per_slice` each; below the last are at least `wanted`, and

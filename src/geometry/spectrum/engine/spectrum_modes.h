@@ -25,11 +25,11 @@ struct Gap {
 /// would decide on which side of σ its members are.
 Gap gap_behind(const Vector& mu, int k);
 
-/// Returns the residual of each pair in the norm of the equations −Cφ = μMφ: ‖M^½(By − μy)‖ / (μ‖M^½y‖).
+/// Returns the residual of each pair in the norm of the equations −Cφ = μMφ: ‖M^½(By − μy)‖ / (μ‖M^½y‖); for μ = 0 ‖M^½By‖.
 Vector relative_residuals(const SparseMatrix& B, const Vector& root_mass, const SymmetricPairs& pairs);
 
-/// Computes all pairs by a dense solver, the constant first.
-/// @throws SolverError if −C has negative eigenvalues
+/// Computes all pairs of M^-½AM^-½ by a dense solver, ascending; the first is set to μ = 0 with y = M^½·1, normalised.
+/// @throws SolverError if an eigenvalue is negative beyond rounding
 SymmetricPairs dense_pairs(const SparseMatrix& A, const Vector& M);
 
 /// Computes the k smallest pairs of a connected operator, dense or by slices.

@@ -17,7 +17,7 @@ public:
     using SolverError::SolverError;
 };
 
-/// Finds the k smallest pairs besides the constant, rows in the order of the matrix.
+/// Finds the k smallest pairs besides the constant, rows of Y in the order of problem.symmetric.
 /// @throws SolverError if −C is not positive semidefinite; CrowdedSpectrum if inertia counts pairs that are not found
 Modes find_by_slices(const SpectrumProblem& problem, int k, const SpectrumOptions& options);
 
