@@ -55,7 +55,8 @@ public:
     }
 
 private:
-    /// A row may be as long as the boundary, so it is searched once, from `next` on.
+    /// Marks the first unused edge in row v of `rows` as used and returns it; −1 if none is left. A row may be as long as the boundary, so
+    /// it is searched once, from `next` on.
     int take(const Incidence& rows, std::vector<int>& next, int v) {
         while (next[at(v)] < rows.start[at(v) + 1])
             if (const int e = rows.item[at(next[at(v)]++)]; std::exchange(used_[at(e)], 1) == 0) return e;

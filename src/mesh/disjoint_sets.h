@@ -25,7 +25,7 @@ public:
         }
         return i;
     }
-    /// Joins the sets of i and j. Returns whether they were different.
+    /// Joins the sets of i and j. Returns true if they were different.
     bool join(int i, int j) {
         if (parent_of(i) == parent_of(j)) return false;
         for (int a = find(i), b = find(j); a != b; a = find(a), b = find(b)) {

@@ -40,7 +40,7 @@ public:
         }
     }
 
-    /// Flips edges once round the mesh. Returns how many.
+    /// Tries each edge of the mesh once. Returns the number of edges flipped.
     int pass() {
         int flipped = 0;
         for (int t = 0; t < F_.rows(); ++t)

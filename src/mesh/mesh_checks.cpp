@@ -49,7 +49,7 @@ struct FacesOnFaces {
     int first_opposite = -1;      // the later one of the first pair
 };
 
-/// Finds such triangles by comparing those with equal smallest corner. @param around  triangles_around(mesh)
+/// Finds the triangles on the same three corners as another one. @param around  triangles_around(mesh)
 FacesOnFaces faces_on_faces(const TriangleMesh& mesh, const Incidence& around) {
     struct Corners {
         int middle, largest;

@@ -64,7 +64,8 @@ enum class Checks {
 
 /// Prepares a mesh for computations: drops faces that name a corner twice and repeated faces, orients each component consistently (closed
 /// ones by their nesting depth), and counts everything else.
-/// @throws InputError if no triangle is left, all vertices coincide, or a coordinate exceeds 1e100 in magnitude
+/// @throws InputError if no triangle is left, all vertices coincide, a coordinate is not finite or exceeds 1e100 in magnitude, or a
+/// triangle names a vertex that does not exist
 PreparedMesh prepare_mesh(LoadedMesh loaded, Checks checks = Checks::all);
 
 }   // namespace meshfolio

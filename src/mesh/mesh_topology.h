@@ -42,7 +42,7 @@ struct MeshTopology {
     int nonmanifold_vertex_count() const;
 };
 
-/// Returns row v: the triangles around v, ascending; a triangle that names v twice is listed twice.
+/// Returns a row for each vertex v: the triangles around v, ascending; a triangle that names v twice is listed twice.
 Incidence triangles_around(const TriangleMesh& mesh);
 
 /// The triangles around one vertex.
@@ -61,13 +61,13 @@ std::vector<Edge> edges_of(const TriangleMesh& mesh);
 MeshTopology topology_of(const TriangleMesh& mesh);
 /// Returns the topology with empty `edges` and `neighbours`, in half the time. Triangles must name three different, existing vertices.
 MeshTopology topology_without_edges(const TriangleMesh& mesh);
-/// Returns the topology of this mesh with `edges` and `neighbours` filled.
+/// Returns `topology` with `edges` and `neighbours` filled. @param topology  topology_without_edges(mesh)
 MeshTopology with_edges(MeshTopology topology, const TriangleMesh& mesh);
 
 /// Returns the boundary loops: vertices in order, the surface to their left, each loop from its smallest index. A vertex at which
 /// several loops touch belongs to each. If non-manifold edges break the boundary up, its open pieces count as loops.
 std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh);
-/// Returns the same. @param edges  all edges of the mesh
+/// Returns the boundary loops, as boundary_loops(mesh), from known edges. @param edges  edges_of(mesh)
 std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh, const std::vector<Edge>& edges);
 
 }   // namespace meshfolio

@@ -27,16 +27,16 @@ struct Orientation {
 /// bodies and into cavities, by their nesting depth (nesting.h). Pieces are joined through edges of exactly two triangles. Pieces that
 /// share other edges and are closed together are turned together. Every triangle must name three different vertices.
 Orientation consistent_orientation(const TriangleMesh& mesh);
-/// Returns the same with a known topology, in a fraction of the time for an oriented manifold.
+/// Returns consistent_orientation(mesh) from a known topology, in a fraction of the time for an oriented manifold.
 Orientation consistent_orientation(const TriangleMesh& mesh, const MeshTopology& topology);
 
 /// Returns, for each component, the number of edges that its triangles do not run through as often one way as the other. A component with
 /// none is the oriented boundary of a solid: ⅓ Σ x · n dA is ∫ w dx, w the winding number, for any origin (Jacobson et al. 2013).
 std::vector<int> edges_out_of_balance_by_component(const TriangleMesh& mesh, const MeshTopology& topology);
-/// Returns the number of such edges of the whole mesh.
+/// Returns the number of edges of the mesh that its triangles do not run through as often one way as the other.
 int edges_out_of_balance(const TriangleMesh& mesh, const MeshTopology& topology);
 
-/// True if there are triangles and all edges are in balance, so that the mesh has a volume.
+/// True if there are triangles, and they run through every edge as often one way as the other, so that the mesh has a volume.
 bool encloses_volume(const TriangleMesh& mesh, const MeshTopology& topology);
 /// Returns the reason why the mesh encloses no volume, as in "the surface is open: …"; empty if it encloses one.
 std::string why_no_volume(const TriangleMesh& mesh, const MeshTopology& topology);

@@ -17,7 +17,8 @@ class PointTable {
 public:
     explicit PointTable(std::size_t expected) : slots_(std::bit_ceil(2 * expected + 2), -1) { points_.reserve(expected); }
 
-    /// Returns the number of a point, which is added if it is new. At most the expected number of points may be added.
+    /// Returns the number of a point equal to this one, from 0; a new point is added and gets the next number. At most the expected number
+    /// of points may be added.
     int number_of(std::array<double, 3> point) {
         for (double& x : point) x += 0.0;   // −0 becomes 0
         std::size_t slot = hash(point) & (slots_.size() - 1);

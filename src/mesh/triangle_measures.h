@@ -23,10 +23,10 @@ Box bounding_box(const TriangleMesh& mesh);
 CornerValues edge_lengths(const TriangleMesh& mesh);
 /// Returns the mean length of the distinct edges, 0 if there are none. [length]
 double mean_edge_length(const TriangleMesh& mesh);
-/// @param edges  of the mesh, at least one
+/// Returns the mean length of these edges, at least one. [length]
 double mean_edge_length(const TriangleMesh& mesh, const std::vector<Edge>& edges);
 
-/// Returns m × 3 interior angles by atan2(|u × v|, u · v), in [0, π]. Those of a triangle of no area sum to π or are all zero. [rad]
+/// Returns m × 3 interior angles by atan2(|u × v|, u · v), in [0, π]. The angles of a triangle without area sum to π or are all zero. [rad]
 CornerValues corner_angles(const TriangleMesh& mesh);
 
 /// Returns m areas ½|u × v|. [length²]
@@ -35,7 +35,7 @@ Vector face_areas(const TriangleMesh& mesh);
 double surface_area(const TriangleMesh& mesh);
 /// Returns Σ x₀ · (x₁ × x₂) / 6 about the box centre: the volume in a closed mesh, positive if normals point out. [length³]
 double signed_volume(const TriangleMesh& mesh);
-/// @param centre  of the sum, instead of the box centre
+/// Returns Σ (x₀ − c) · ((x₁ − c) × (x₂ − c)) / 6 about c = `centre`; equal for all centres in a closed mesh. [length³]
 double signed_volume(const TriangleMesh& mesh, const Vector3& centre);
 
 /// Returns six times the signed volume of the tetrahedron between triangle t and a point. [length³]

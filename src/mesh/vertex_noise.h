@@ -15,7 +15,7 @@ namespace meshfolio {
 class NormalNumbers {
 public:
     explicit NormalNumbers(std::uint64_t seed) : bits_(seed) {}
-    /// Returns the next normal number.
+    /// Returns the next normal number, of mean 0 and variance 1.
     double next();
     /// Returns a number distributed uniformly in [0, 1), of 53 bits.
     double uniform();
@@ -40,7 +40,7 @@ struct NoiseEntry {
 };
 /// Returns the entries of all kinds.
 std::span<const NoiseEntry> noise_list();
-/// Returns the entry of one kind.
+/// Returns the entry of one kind in noise_list().
 const NoiseEntry& noise_entry(NoiseKind kind);
 
 /// Returns the positions with noise of the given kind. All kinds are equally strong: the expected squared displacement, averaged over the

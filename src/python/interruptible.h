@@ -20,7 +20,8 @@ namespace meshfolio::python {
 
 inline std::atomic<int> works_running = 0;
 
-/// Makes the process exit without destructors, and without waiting, if abandoned work still computes then: destructors could crash it.
+/// Makes the process exit without destructors, and without waiting, if abandoned work still computes at its end: destructors could crash
+/// it.
 inline void leave_works_at_exit() {
 #ifdef __GLIBC__
     ::on_exit(
@@ -37,8 +38,8 @@ inline void leave_works_at_exit() {
 #endif
 }
 
-/// Runs work(stop) in a thread of its own while this thread listens to signals. After Ctrl-C the work is asked to stop and abandoned, so it
-/// must own all its data and no Python object. @throws what the work throws, or KeyboardInterrupt
+/// Returns work(stop), run in a thread of its own while this thread listens to signals. After Ctrl-C the work is asked to stop and
+/// abandoned, so it must own all its data and no Python object. @throws what the work throws, or KeyboardInterrupt
 template <class Work>
 auto interruptible(Work work) {
     using Result = decltype(work(std::declval<const Stop&>()));

@@ -26,7 +26,8 @@ using namespace py::literals;
 
 // ---- attributes ------------------------------------------------------------------------------------------------------------
 
-/// Copies columns into arrays of their type in the file, or of float64 for integers with undefined values. Leaves out normals.
+/// Returns a dict of name and array for the columns except normals: arrays of the column's type in the file, or of float64 for integers
+/// with undefined values.
 inline py::dict dict_of(const std::vector<VertexColumn>& columns) {
     py::dict arrays;
     for (const VertexColumn& column : columns) {
@@ -42,7 +43,8 @@ inline py::dict dict_of(const std::vector<VertexColumn>& columns) {
     return arrays;
 }
 
-/// Returns the type of a column in a file. Files have no 8-byte integers: these become int32 if all fit, else float64.
+/// Returns the type with which a column of this dtype is written. Files have no 8-byte integers: these become int32 if all fit, else
+/// float64. Booleans become uint8.
 inline ScalarType type_in_files(const py::dtype& type, const DenseMatrix& values) {
     if (type.kind() == 'b') return ScalarType::uint8;
     if (type.kind() == 'f') return type.itemsize() <= 4 ? ScalarType::float32 : ScalarType::float64;
@@ -89,7 +91,8 @@ struct Mesh {
     const TriangleMesh& triangles() const { return prepared->mesh; }
 };
 
-/// Returns a dict of these arrays that refuses arrays without n rows. @throws MeshError if one of these has not n rows
+/// Returns a dict of these arrays (meshfolio._Attributes) that refuses arrays without n rows. @throws MeshError if one of them has not n
+/// rows
 inline py::dict checked(const py::dict& arrays, Eigen::Index n) { return py::module_::import("meshfolio").attr("_Attributes")(n, arrays); }
 
 inline Mesh mesh_of(PreparedMesh prepared) {
@@ -98,17 +101,17 @@ inline Mesh mesh_of(PreparedMesh prepared) {
     return {std::make_shared<const PreparedMesh>(std::move(prepared)), std::move(attributes)};
 }
 
-/// Copies a dict with its arrays.
+/// Returns a deep copy of a dict with its arrays.
 inline py::dict copy_of(const py::dict& arrays) { return py::module_::import("copy").attr("deepcopy")(arrays); }
 
-/// Returns the mesh with other positions. Keeps the orientation of its triangles.
+/// Returns the mesh at positions X, with a copy of its attributes and the orientation of its triangles.
 inline Mesh moved_to(const Mesh& mesh, Positions X) {
     PreparedMesh moved = *mesh.prepared;
     moved.mesh.X = std::move(X);
     return {std::make_shared<const PreparedMesh>(std::move(moved)), copy_of(mesh.attributes), true};
 }
 
-/// Returns everything that a file stores besides the triangles.
+/// Returns all that a file stores besides the triangles: normals and text of the file that was read, and the attributes as columns.
 inline Attributes attributes_of(const Mesh& mesh) {
     Attributes all = mesh.prepared->attributes;
     for (VertexColumn& column : columns_of(mesh.attributes, mesh.triangles().X.rows())) all.columns.push_back(std::move(column));
@@ -117,7 +120,7 @@ inline Attributes attributes_of(const Mesh& mesh) {
 
 // ---- arrays in -------------------------------------------------------------------------------------------------------------
 
-/// Converts to an n x 3 array. @param kinds  that its numbers may have: i, u, f @throws MeshError for another shape or kind
+/// Returns the object as an n × 3 array. @param kinds  allowed for its numbers: i, u, f @throws MeshError for another shape or kind
 inline py::array rows_of_three(const py::object& rows, const std::string& name, const std::string& kinds) {
     const py::array array = py::array::ensure(rows);
     if (!array || kinds.find(array.dtype().kind()) == std::string::npos)
@@ -145,7 +148,7 @@ inline TriangleMesh triangles_of(const py::object& vertices, const py::object& f
     return mesh;
 }
 
-/// Converts N or (width, height). @throws UsageError
+/// Returns (N, N) for N, or (width, height). @throws UsageError unless both are whole numbers from 1 to run::largest_side
 inline std::pair<int, int> picture_size(const py::object& size) {
     std::pair<int, int> sides;
     try {
@@ -160,7 +163,7 @@ inline std::pair<int, int> picture_size(const py::object& size) {
 
 // ---- arrays out ------------------------------------------------------------------------------------------------------------
 
-/// Returns memory of `owner` as an array, which keeps the owner alive.
+/// Returns an array over `numbers`, memory of `owner`, without a copy; the array keeps the owner alive.
 template <class Number, class Owner>
 py::array_t<Number> array_over(const Number* numbers, std::vector<py::ssize_t> shape, Owner owner) {
     const py::capsule base(new Owner(std::move(owner)), [](void* kept) { delete static_cast<Owner*>(kept); });

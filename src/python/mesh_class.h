@@ -53,7 +53,7 @@ inline py::list warnings_of(const Mesh& mesh) {
 
 inline Mesh copy_of(const Mesh& mesh) { return {mesh.prepared, copy_of(mesh.attributes), mesh.moved}; }
 
-/// Returns the complete state for pickling: a moved mesh is not oriented again.
+/// Returns the complete state for pickling, which mesh_of_state() reads; the mesh then counts as moved, so that it is not oriented again.
 inline py::tuple state_of(const Mesh& mesh) {
     const Attributes& kept = mesh.prepared->attributes;
     return py::make_tuple(mesh.triangles().X, mesh.triangles().F, mesh.prepared->file, warnings_of(mesh), mesh.attributes,

@@ -23,7 +23,8 @@ std::vector<ColumnGroup> groups_of(const std::vector<VertexColumn>& columns);
 bool is_gltf_color(ColumnGroup group);
 
 /// Returns the mesh as binary glTF 2.0, coordinates as float in a frame that suits the mesh, components that touch as separate meshes. A
-/// colour becomes COLOR_0, in linear light; any other column or array c the attribute _c, as float: 0 for NaN, the largest float for more.
+/// colour becomes COLOR_0, in linear light; any other column or array c the attribute _c, as float: 0 for NaN, ± the largest float for
+/// numbers beyond.
 std::string glb_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>& columns);
 
 /// Returns a file of binary glTF 2.0 from its JSON and its data, each filled up to a multiple of 4 bytes.

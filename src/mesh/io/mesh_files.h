@@ -42,14 +42,15 @@ inline constexpr char attributes_are_kept[] =
 /// The name of a mesh from standard input. Its format is found by its content.
 inline constexpr char standard_input[] = "standard input";
 
-/// Reads OBJ, OFF, PLY, STL, VTP or GLB, by the file's ending (any case); recognises gzip by its content.
+/// Reads a mesh from an OBJ, OFF, PLY, STL, VTP or GLB file, by its ending (any case); recognises gzip by its content.
 /// @throws InputError if the file is missing, unusable, of unknown format, or has no triangle
 LoadedMesh read_mesh(const std::filesystem::path& path, Keep keep = Keep::mesh);
 
-/// Reads a mesh from memory. @param file  gives the format by its ending and is named in messages
+/// Reads a mesh from memory, packed by gzip or not. @param file  gives the format by its ending and is named in messages @throws InputError
+/// as read_mesh()
 LoadedMesh parse_mesh(std::string_view bytes, const std::string& file, Keep keep = Keep::mesh);
 
-/// Read one format from memory, whatever the ending of `file`.
+/// Reads a mesh of one format from memory, whatever the ending of `file`, which messages name. @throws InputError as read_mesh()
 LoadedMesh parse_obj(std::string_view text, const std::string& file, Keep keep = Keep::mesh);
 LoadedMesh parse_off(std::string_view text, const std::string& file, Keep keep = Keep::mesh);
 LoadedMesh parse_ply(std::string_view bytes, const std::string& file, Keep keep = Keep::mesh);
@@ -61,24 +62,25 @@ LoadedMesh parse_glb(std::string_view bytes, const std::string& file, Keep keep 
 /// (float), by the ending of `file`.
 /// @param attributes  of the file that the mesh was read from: its columns go into PLY, VTP and GLB, the text of an OBJ file is written
 ///                    with the new positions. Normals are those of the mesh.
-/// @throws MeshError if a coordinate is beyond the format; UsageError for another ending
+/// @throws MeshError if a coordinate is not finite or beyond the format; UsageError for another ending
 std::string encode_mesh(const TriangleMesh& mesh, const std::string& file, const Attributes& attributes = {});
 
-/// Returns a sentence for each loss in that file, to be shown: values that the format cannot hold, and damage by rounding to its floats.
+/// Returns a sentence for each loss in the file that encode_mesh() gives, to be shown: values that the format cannot hold, and damage by
+/// rounding to its floats. Empty if nothing is lost.
 std::vector<std::string> losses(const TriangleMesh& mesh, const std::string& file, const Attributes& attributes = {});
 
 /// Returns the endings of the formats that are read and written: ".obj" …
 std::vector<std::string> mesh_endings();
-/// Returns the endings of the formats that hold columns.
+/// Returns the endings of the formats that hold values of vertices: ".ply", ".vtp", ".glb".
 std::vector<std::string> column_endings();
 
 /// Returns the file's name without folder and ending: "cow" for "meshes/cow.obj.gz".
 std::string mesh_name(const std::string& file);
 
-/// True if the file has the ending of a format that is read.
+/// True if the name has the ending of a format that is read, perhaps followed by ".gz".
 bool is_mesh_file(const std::string& file);
 
-/// Writes encode_mesh() into a file. @throws OutputError as well
+/// Writes encode_mesh() into a file. @throws as encode_mesh(), and OutputError if the file cannot be written
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 }   // namespace meshfolio

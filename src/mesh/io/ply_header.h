@@ -54,7 +54,7 @@ struct PlyMeshParts {
     bool is_corners(const PlyElement& element, std::size_t property) const { return &element == faces && property == corners; }
 };
 
-/// Finds the parts of the mesh. @throws InputError naming the missing one
+/// Returns the parts of the header that make up the mesh. @throws InputError naming the part that is missing
 PlyMeshParts mesh_parts(const PlyHeader& header, const std::string& file);
 
 }   // namespace meshfolio

@@ -17,7 +17,8 @@ namespace meshfolio {
 /// Warnings of a reader, one per kind: a file with 20 000 odd faces gives one line, not 20 000.
 class WarningTally {
 public:
-    /// Counts a case of the kind `many`. The message is `one` for one case, else "N `many`", with the line and the `example` of the first.
+    /// Counts a case of the kind `many`, a phrase in the plural. The message is `one` for one case, else "N `many`", with the line and the
+    /// `example` of the first.
     void add(long line, std::string_view one, std::string_view many, const std::string& example = "");
 
     /// Returns one warning per kind, in the order of their first cases.
@@ -81,20 +82,21 @@ struct WeldedMesh {
 WeldedMesh welded(const std::vector<std::array<double, 3>>& points, std::span<const int> corners, const std::vector<long>& lines,
                   const std::string& file, WarningTally warnings, std::vector<std::size_t> groups = {});
 
-/// Returns a word of a file as a coordinate.
+/// Returns the number that a word of a file stands for.
 /// @throws InputError if `word` is not a finite decimal number or exceeds largest_coordinate
 double checked_coordinate(std::string_view word, const std::string& file, long line);
 
 /// True if the type has the value x; types of floating point have any value.
 bool fits_type(double x, ScalarType type);
 
-/// Returns a word of a file as a value of the type, or nothing if it is none. NaN and infinities are values of floating point.
+/// Returns the number that a word of a file stands for, or nothing if the type has no such value. NaN and infinities are values of floating
+/// point.
 std::optional<double> value_of_type(std::string_view word, ScalarType type);
 
 /// Returns "1 vertex", "2 vertices" and so on.
 inline std::string vertex_count(long long n) { return std::to_string(n) + (n == 1 ? " vertex" : " vertices"); }
 
-/// @throws InputError if x exceeds largest_coordinate
+/// Checks a coordinate. @throws InputError if |x| exceeds largest_coordinate or x is NaN
 void check_range(double x, const std::string& file, long line);
 
 }   // namespace meshfolio

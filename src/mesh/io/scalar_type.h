@@ -96,7 +96,7 @@ inline std::string component_name(const std::string& array, std::size_t part, st
     return array + "_" + (parts == 3 ? std::string(1, "xyz"[part]) : std::to_string(part));
 }
 
-/// Convert a channel of a colour in [0, 1] between sRGB, as in PLY, OBJ and VTP, and linear light, as in COLOR_0 of glTF (IEC 61966-2-1).
+/// Converts a channel of a colour in [0, 1] between sRGB, as in PLY, OBJ and VTP, and linear light, as in COLOR_0 of glTF (IEC 61966-2-1).
 inline double linear_of_srgb(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 inline double srgb_of_linear(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055; }
 

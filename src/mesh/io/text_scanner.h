@@ -16,13 +16,13 @@ std::string_view without_bom(std::string_view text);
 /// Returns `text` without white space and line ends at its beginning.
 std::string_view without_leading_space(std::string_view text);
 
-/// True if the words are equal but for case.
+/// True if the words are equal but for the case of ASCII letters.
 bool same_but_for_case(std::string_view a, std::string_view b);
 
 /// Returns the line without its comment, which begins with a '#' at the start of a word. ("-1.#IND" is a bad number.)
 std::string_view without_comment(std::string_view line);
 
-/// @throws InputError at the line of the first NUL byte, which no text file has
+/// Checks that a text has no NUL byte. @throws InputError at the line of the first one
 void refuse_nul_bytes(std::string_view text, const std::string& file);
 
 /// Iterates over the lines of a text. They may end in \n, \r\n or \r.

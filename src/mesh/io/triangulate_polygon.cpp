@@ -100,7 +100,7 @@ private:
         left_ = std::move(kept);
     }
 
-    /// Removes the last corners, all at one place, if they are a spike before the next corner. Returns whether they were.
+    /// Removes the last corners, all at one place, if they are a spike before the next corner. Returns true if they were.
     bool remove_spike(std::vector<int>& kept, int next) const {
         if (kept.empty() || is_same_place(kept.back(), next)) return false;
         const auto elsewhere = std::find_if(kept.rbegin(), kept.rend(), [&](int corner) { return !is_same_place(corner, kept.back()); });

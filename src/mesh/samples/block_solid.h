@@ -23,7 +23,8 @@ struct BlockSurface {
 /// Returns the quads between filled and empty blocks: a closed surface, manifold unless filled blocks touch along an edge or a corner only.
 BlockSurface surface_of_blocks(const BlockDivisions& divisions, const std::function<bool(int i, int j, int k)>& filled);
 
-/// Cuts quad q in two along its corners 0–2 if `first_diagonal(surface, q)`, else along 1–3.
+/// Returns two triangles for each quad q, cut along its corners 0–2 if `first_diagonal(surface, q)`, else along 1–3. Vertices are those of
+/// the surface.
 TriangleMesh triangulated(const BlockSurface& surface, const std::function<bool(const BlockSurface&, int q)>& first_diagonal);
 
 }   // namespace meshfolio

@@ -18,7 +18,7 @@ TriangleMesh fandisk_sample(int subdivide);
 /// Returns Hermite's cubic of t in [0, 1]: from 0 to 1, level at both ends.
 inline double smooth_step(double t) { return t * t * (3 - 2 * t); }
 
-/// Divides every triangle into four, `times` times, and moves each vertex by `onto_surface` after each division.
+/// Returns the mesh with every triangle divided into four, `times` times, and all vertices moved by `onto_surface` after each division.
 TriangleMesh subdivided_onto(TriangleMesh mesh, int times, const std::function<Vector3(const Vector3&)>& onto_surface);
 
 }   // namespace meshfolio

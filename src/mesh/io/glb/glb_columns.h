@@ -14,7 +14,7 @@ class GlbColumns {
 public:
     GlbColumns(GlbDocument& document, WarningTally& warnings) : document_(document), warnings_(warnings) {}
 
-    /// Adds the values of a primitive: `vertices` of its accessors are the points from number `before` on.
+    /// Adds the values of a primitive: element vertices[i] of each of its accessors belongs to point number before + i.
     void add(const GlbDocument::Json& primitive, const std::vector<std::uint32_t>& vertices, std::size_t before);
     /// Returns the columns of the welded mesh. Colours are sRGB: in 8 bits if these hold them, else in 16 bits or floats. Points without a
     /// colour are white (§3.7.2.1), values of points without one are NaN. Warns of attributes that are not kept.

@@ -39,20 +39,21 @@ public:
     GlbDocument(std::string_view bytes, const std::string& file, WarningTally& warnings);
 
     const Json& json() const { return json_; }
-    /// Returns entry `index` of a list at the top. @throws InputError if there is none
+    /// Returns entry `index` of a list of the file, such as "meshes". @throws InputError if there is none
     const Json& entry(const char* list, std::size_t index) const;
-    /// Returns the number of entries of a list at the top; 0 if there is no such list.
+    /// Returns the number of entries of a list of the file, such as "nodes"; 0 if there is no such list.
     std::size_t size_of_list(const char* list) const;
-    /// Returns a whole number of an object, from 0; `otherwise` if it has none.
+    /// Returns the whole number ≥ 0 that an object has under `key`; `otherwise` if it has none. @throws InputError for another value
     std::size_t number(const Json& object, const char* key, std::size_t otherwise) const;
     /// Returns accessor `index`, with its data. @throws InputError if they do not fit the file
     GlbAccessor accessor(std::size_t index);
-    /// Returns the accessor of an attribute. @throws InputError if there is none
+    /// Returns the accessor of the attribute `name`, such as "POSITION". @throws InputError if there is none
     GlbAccessor accessor(const Json& attributes, const std::string& name);
 
-    /// @throws InputError for more points or triangles than 200,000 or a quarter of the file's bytes: instances may multiply a small mesh
+    /// Checks a number of points or triangles. @throws InputError beyond 200,000 and a quarter of the file's bytes, whichever is larger:
+    /// instances may multiply a small mesh
     void refuse_too_many(std::size_t count) const;
-    /// Adds steps of reading, which instances repeat. @throws InputError beyond 32 times that number
+    /// Counts steps of reading, which instances repeat. @throws InputError if their sum exceeds 32 times the limit of refuse_too_many()
     void spend(std::size_t steps);
 
     [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const { throw InputError({file_, 0}, problem, remedy); }

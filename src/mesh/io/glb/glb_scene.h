@@ -31,7 +31,7 @@ public:
              const std::vector<Eigen::Matrix4d>* joints, WarningTally& warnings);
 
     std::size_t vertex_count() const { return base_.count; }
-    /// Returns about how many numbers a vertex is computed from.
+    /// Returns about the number of matrices and vectors from which a vertex is computed.
     std::size_t cost() const { return 1 + targets_.size() + 4 * influences_.size(); }
     /// Returns vertex i, morphed, in homogeneous coordinates of the node or of its skin.
     Eigen::Vector4d vertex(std::size_t i) const;
