@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <string>
 
 #include "base/at.h"
 #include "base/errors.h"
@@ -11,8 +12,13 @@ namespace meshfolio {
 
 CorrectedCurvature corrected_curvature(const TriangleMesh& mesh, const MeshTopology& topology, const Positions& normals) {
     const int n = mesh.vertex_count();
-    if (normals.rows() != n) throw MeshError("corrected_curvature: not one normal a vertex");
-    if (std::ssize(topology.nonmanifold) != n) throw MeshError("corrected_curvature: the topology is of another mesh");
+    if (normals.rows() != n)
+        throw MeshError("corrected_curvature: " + std::to_string(normals.rows()) + " normals for " + std::to_string(n) + " vertices",
+                        "give one a vertex");
+    if (std::ssize(topology.nonmanifold) != n)
+        throw MeshError("corrected_curvature: a topology of " + std::to_string(topology.nonmanifold.size()) + " vertices for a mesh of " +
+                            std::to_string(n),
+                        "compute it from this mesh");
     Positions measures = Positions::Zero(n, 3);   // Σμ₀, Σμ₁, Σμ₂ over the triangles around each vertex
     for (const auto& f : mesh.F.rowwise()) {
         Eigen::Matrix3d x, u;

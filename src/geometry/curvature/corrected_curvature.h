@@ -8,7 +8,7 @@
 namespace meshfolio {
 
 struct CorrectedCurvature {
-    Vector H, K;   // a value a vertex: mean [1/length], Gaussian [1/length²]
+    Vector H, K;   // n values, one a vertex: mean [1/length], Gaussian [1/length²]
 };
 
 /// Returns H = Σμ₁/(2Σμ₀) and K = Σμ₂/Σμ₀ at each vertex, summed over the triangles around it, with normals u and their mean ū,

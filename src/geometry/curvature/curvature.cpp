@@ -16,8 +16,9 @@ namespace {
 
 void require_size(const char* function, const char* what, Eigen::Index size, const TriangleMesh& mesh) {
     if (size == mesh.X.rows()) return;
-    throw MeshError(std::string(function) + ": " + what + " of " + std::to_string(size) + " vertices for a mesh of " +
-                    std::to_string(mesh.X.rows()));
+    throw MeshError(
+        std::string(function) + ": " + what + " of " + std::to_string(size) + " vertices for a mesh of " + std::to_string(mesh.X.rows()),
+        "compute it from this mesh");
 }
 
 /// True if the one-ring is a closed disk around v.

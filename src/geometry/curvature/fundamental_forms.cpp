@@ -75,7 +75,7 @@ FundamentalForms ellipsoid_forms(const Ellipsoid& ellipsoid, double u, double v)
 FundamentalForms ellipsoid_forms_by_differences(const Ellipsoid& ellipsoid, double u, double v, double h) {
     require_ellipsoid(ellipsoid);
     require_regular_point(u, v);
-    if (!(h > 0)) throw MeshError("ellipsoid_forms_by_differences: the step must be > 0");
+    if (!(h > 0)) throw MeshError("ellipsoid_forms_by_differences: the step is " + std::to_string(h), "it must be > 0");
     const auto derivative = [&](const auto& in_u, const auto& in_v, double power_of_h) -> Vector3 {
         Vector3 sum = Vector3::Zero();   // Σ_ij w_i w_j p(u + ih, v + jh): the derivative times a power of h
         for (int i = 0; i < 5; ++i) {

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "base/at.h"
@@ -70,8 +71,8 @@ public:
     }
 
 private:
-    /// Sets the coordinates of the points in the frame of v and returns their unit, the largest distance from v along the plane, so that no
-    /// power leaves the range.
+    /// Sets the coordinates of the points in the frame of v and returns their unit, 0 if all lie on its normal, the largest distance from v
+    /// along the plane, so that no power leaves the range.
     double read_points(int v) {
         const Vector3 normal = normals_.row(v).transpose();
         Eigen::Matrix3d frame;   // axes of the plane and its normal, as rows
@@ -158,7 +159,7 @@ private:
     Table table_;   // monomials of the points and their heights
 };
 
-/// Fits jets on a mesh without coincident vertices.
+/// Returns jet_curvature() of a mesh without coincident vertices.
 JetCurvature jets_of(const TriangleMesh& mesh, const MeshTopology& topology) {
     const int n = mesh.vertex_count();
     const Positions normals = vertex_normals(mesh);
@@ -178,7 +179,10 @@ JetCurvature jets_of(const TriangleMesh& mesh, const MeshTopology& topology) {
 }   // namespace
 
 JetCurvature jet_curvature(const TriangleMesh& mesh, const MeshTopology& topology) {
-    if (std::ssize(topology.nonmanifold) != mesh.vertex_count()) throw MeshError("jet_curvature: the topology is of another mesh");
+    if (std::ssize(topology.nonmanifold) != mesh.vertex_count())
+        throw MeshError("jet_curvature: a topology of " + std::to_string(topology.nonmanifold.size()) + " vertices for a mesh of " +
+                            std::to_string(mesh.vertex_count()),
+                        "compute it from this mesh");
     const std::vector<VertexCopy> copies = coincident_vertices(mesh);
     const TriangleMesh joined = copies.empty() ? TriangleMesh() : with_joined_vertices(mesh, copies);
     JetCurvature jets = copies.empty() ? jets_of(mesh, topology) : jets_of(joined, topology_of(joined));

@@ -57,7 +57,8 @@ DenoisingRun diffused(const DenoisingInput& input, const DenoisingOptions& optio
     return {std::move(run.X), run.iterations, run.blew_up || run.collapse_iteration > 0};
 }
 
-/// The flow is linear and keeps constants, so scaling a state does not change the later ones: each state of the plain run is scaled alone.
+/// Runs implicit diffusion with each component scaled back to its volume. The flow is linear and keeps constants, so scaling a state does
+/// not change the later ones: each state of the plain run is scaled alone.
 DenoisingRun rescaled(const DenoisingInput& input, DenoisingOptions options, ImplicitSolver& solver) {
     const ComponentSizes wanted = component_sizes(input.mesh, input.topology);
     const auto scaled = [&](const Positions& X) { return with_volumes(moved_to(input.mesh, X), input.topology, wanted); };
@@ -70,8 +71,8 @@ DenoisingRun rescaled(const DenoisingInput& input, DenoisingOptions options, Imp
     return run;
 }
 
-/// Conformalised mean curvature flow (Kazhdan, Solomon & Ben-Chen 2012): the stiffness stays that of the input, the masses are those of the
-/// current surface. A conformal flow is mean curvature flow without its singularities.
+/// Runs conformalised mean curvature flow (Kazhdan, Solomon & Ben-Chen 2012): the stiffness stays that of the input, the masses are those
+/// of the current surface. A conformal flow is mean curvature flow without its singularities.
 DenoisingRun conformalised(const DenoisingInput& input, const DenoisingOptions& options, ImplicitSolver& solver) {
     const ComponentSizes wanted = component_sizes(input.mesh, input.topology);
     LaplaceBeltrami laplacian = laplace_beltrami(input.mesh);
@@ -136,11 +137,13 @@ DenoisingRun denoise(const DenoisingInput& input, const DenoisingOptions& option
     const std::string name(denoising_entry(options.method).name);
     if (!(std::isfinite(options.parameter) && options.parameter > 0))
         throw MeshError("denoising, " + name + ": parameter = " + plain_text(options.parameter), "it must be positive and finite");
-    if (options.steps < 0) throw MeshError("denoising, " + name + ": " + std::to_string(options.steps) + " steps");
+    if (options.steps < 0) throw MeshError("denoising, " + name + ": " + std::to_string(options.steps) + " steps", "give 0 or more");
     if (options.method == DenoisingMethod::taubin && !(input.largest_eigenvalue > 0))
-        throw MeshError("denoising, " + name + ": largest eigenvalue = " + plain_text(input.largest_eigenvalue));
+        throw MeshError("denoising, " + name + ": largest eigenvalue = " + plain_text(input.largest_eigenvalue),
+                        "it must be positive: give that of the cotangent operator");
     if (!is_defined(options.method, input.mesh, input.topology))
-        throw MeshError("denoising, " + name + ": the mesh encloses no volume", "take another method");
+        throw MeshError("denoising, " + name + ": a component of the mesh encloses no volume to keep",
+                        "close the mesh, or take another method");
 
     // About the box centre and scaled by a power of two, so that far coordinates and the model's unit cost no digits.
     const double scale = unit_scale(input.mesh);

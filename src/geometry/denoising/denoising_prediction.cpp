@@ -13,11 +13,14 @@ namespace {
 void check_prediction(const LaplaceBeltrami& laplacian, const Positions& X, const PredictionOptions& options) {
     if (!(std::isfinite(options.lambda) && options.lambda > 0))
         throw MeshError("denoising_prediction: lambda = " + plain_text(options.lambda), "it must be positive and finite");
-    if (options.iterations < 0) throw MeshError("denoising_prediction: " + std::to_string(options.iterations) + " iterations");
-    if (options.probe_triples < 1) throw MeshError("denoising_prediction: " + std::to_string(options.probe_triples) + " triples of probes");
+    if (options.iterations < 0)
+        throw MeshError("denoising_prediction: " + std::to_string(options.iterations) + " iterations", "give 0 or more");
+    if (options.probe_triples < 1)
+        throw MeshError("denoising_prediction: " + std::to_string(options.probe_triples) + " triples of probes", "give at least one");
     if (X.rows() != laplacian.M.size()) {
         throw MeshError("denoising_prediction: " + std::to_string(X.rows()) + " positions for an operator on " +
-                        std::to_string(laplacian.M.size()) + " vertices");
+                            std::to_string(laplacian.M.size()) + " vertices",
+                        "give one position a vertex");
     }
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "base/at.h"
@@ -25,7 +26,8 @@ struct Residual {
     int freedom = 0;      // points minus coefficients; 0: no fit
 };
 
-/// Fits a quadratic to the heights of the points of X over the plane with this normal through the vertex; parameters are those of `plane`.
+/// Returns the residual of a quadratic fitted to the heights of the points of X over the plane with this normal through the vertex, in
+/// parameters from `plane`; freedom 0 if it cannot be fitted.
 Residual residual_of_patch(const Positions& X, const Positions& plane, const std::vector<int>& patch, int vertex, const Vector3& normal) {
     const auto m = static_cast<Eigen::Index>(patch.size());
     if (m < coefficients + 2 || !(normal.squaredNorm() > 0)) return {};
@@ -55,7 +57,8 @@ struct Explained {
     int patches;
 };
 
-/// Finds the patches with residuals that noise of this variance explains; χ² cut off at its 99th percentile has a smaller mean.
+/// Returns the number of patches with residuals that noise of this variance explains, and the variance found from them; χ² cut off at its
+/// 99th percentile has a smaller mean.
 Explained explained_by(double variance, const std::vector<Residual>& residuals) {
     double squares = 0, freedom = 0;
     int kept = 0;
@@ -79,7 +82,10 @@ double chi_square_share(double x, double k) {
 }
 
 NoiseLevel noise_level(const TriangleMesh& mesh, const MeshTopology& topology) {
-    if (std::ssize(topology.vertex_faces.start) != mesh.vertex_count() + 1) throw MeshError("noise_level: the topology is of another mesh");
+    if (std::ssize(topology.vertex_faces.start) != mesh.vertex_count() + 1)
+        throw MeshError("noise_level: a topology of " + std::to_string(std::ssize(topology.vertex_faces.start) - 1) +
+                            " vertices for a mesh of " + std::to_string(mesh.vertex_count()),
+                        "compute it from this mesh");
     const SparseMatrix U = uniform_laplacian(topology);
     Positions plane = mesh.X;   // after two half steps to the mean of the neighbours
     for (int step = 0; step < 2; ++step) plane += 0.5 * (U * plane);

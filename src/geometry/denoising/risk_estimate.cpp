@@ -31,7 +31,8 @@ int RiskEstimate::by_discrepancy(double sigma) const {
 
 RiskEstimate risk_estimate(const Trajectory& run, const Trajectory& moved, const Positions& direction, double amount) {
     if (run.empty() || run.size() != moved.size())
-        throw MeshError("risk_estimate: runs of " + std::to_string(run.size()) + " and " + std::to_string(moved.size()) + " positions");
+        throw MeshError("risk_estimate: runs of " + std::to_string(run.size()) + " and " + std::to_string(moved.size()) + " states",
+                        "give two runs of equal length, at least one state each");
     const auto length = static_cast<Eigen::Index>(run.size());
     RiskEstimate estimate{Vector(length), Vector(length), static_cast<double>(direction.size())};
     for (std::size_t t = 0; t < run.size(); ++t) {

@@ -14,8 +14,8 @@
 namespace meshfolio {
 namespace {
 
-/// Counts by the factor of the ranks, with a measured δ. With ET, T = (S + E)⁻¹S, in place of E, ‖E‖ ≤ 2‖ET‖ unless an eigenvalue lies
-/// within δ. One of ten random vectors shows at least a tenth of a norm: Halko, Martinsson & Tropp 2011, lemma 4.1.
+/// Counts the eigenvalues below σ by the factor of the ranks, with a measured δ. With ET, T = (S + E)⁻¹S, in place of E, ‖E‖ ≤ 2‖ET‖ unless
+/// an eigenvalue lies within δ. One of ten random vectors shows at least a tenth of a norm: Halko, Martinsson & Tropp 2011, lemma 4.1.
 Inertia measured_inertia(Ranks& ranks, const SparseMatrix& A, const Vector& M, double sigma) {
     constexpr int probes = 10;
     constexpr double roundings = 10 * epsilon / 2;   // of a row's product, seven entries long or so
@@ -41,7 +41,7 @@ Inertia measured_inertia(Ranks& ranks, const SparseMatrix& A, const Vector& M, d
 /// B + 0.1 I is definite, and far enough from singular for accurate solves; the other eigenvalues of a compact surface are above 10.
 constexpr double least_shift = 0.1;
 
-/// Computes the k smallest pairs.
+/// Computes the k smallest pairs of a connected operator by the ranks.
 /// @param A  −C, @param M  its masses, ΣM = 1
 /// @throws SolverError if pairs do not converge, or are counted and not found
 Modes distributed_modes(const SparseMatrix& A, const Vector& M, int k, Ranks& ranks, const InertiaAt& inertia_at) {

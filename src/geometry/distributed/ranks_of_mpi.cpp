@@ -101,7 +101,7 @@ private:
     void check(PetscErrorCode code) const {
         if (code == 0) return;
         if (code == PETSC_ERR_MEM) throw SolverError("rank " + std::to_string(rank_) + ": out of memory", "take more ranks");
-        throw SolverError("PETSc: " + message_);
+        throw SolverError("PETSc failed on rank " + std::to_string(rank_) + ": " + message_, "take more ranks, or run without mpirun");
     }
 
     /// Waits without using the processor, since the first may work alone for long; returns false at the limit.

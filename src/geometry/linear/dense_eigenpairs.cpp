@@ -10,7 +10,9 @@ namespace {
 using Solver = Eigen::SelfAdjointEigenSolver<DenseMatrix>;
 
 DenseEigenpairs pairs_of(const Solver& solver) {
-    if (solver.info() != Eigen::Success) throw SolverError("the dense eigensolver did not converge");
+    if (solver.info() != Eigen::Success)
+        throw SolverError("the dense eigensolver did not converge",
+                          "repair triangles of zero area, which give entries that are not finite");
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 

@@ -47,7 +47,10 @@ FactorOperations factor_operations(const SparseMatrix& S) {
 }
 
 EliminationOrder::EliminationOrder(const SparseMatrix& A) {
-    if (A.rows() != A.cols() || A.rows() == 0) throw SolverError("LDLᵀ factorisation: the matrix is empty or not square");
+    if (A.rows() != A.cols() || A.rows() == 0)
+        throw SolverError(
+            "LDLᵀ factorisation: a matrix of " + std::to_string(A.rows()) + " × " + std::to_string(A.cols()) + " is empty or not square",
+            "give a square matrix with at least one row");
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
     Eigen::AMDOrdering<int>()(A, order);
     row.assign(order.indices().begin(), order.indices().end());
@@ -66,7 +69,7 @@ SparseMatrix EliminationOrder::apply(const SparseMatrix& A) const {
 
 OrderedFactor::OrderedFactor(const SparseMatrix& S, double sigma, Kind kind) {
     if (!Eigen::Map<const Vector>(S.valuePtr(), S.nonZeros()).allFinite() || !std::isfinite(sigma))
-        throw SolverError("LDLᵀ factorisation: the matrix has an entry that is not finite");
+        throw SolverError("LDLᵀ factorisation of a " + std::to_string(S.rows()) + "-row matrix: an entry is not finite");
     const auto ldlt = std::make_shared<Ldlt>();
     ldlt->setShift(-sigma);
     ldlt->compute(S);
@@ -140,7 +143,9 @@ double OrderedFactor::backward_error(const Vector& W, int passes) const {
 
 DenseMatrix SparseFactor::solve(const DenseMatrix& B) const {
     if (B.rows() != factor_.size())
-        throw SolverError("solve: " + std::to_string(B.rows()) + " rows for a " + std::to_string(factor_.size()) + "-row matrix");
+        throw SolverError(
+            "solve: a right-hand side of " + std::to_string(B.rows()) + " rows for a matrix of " + std::to_string(factor_.size()),
+            "give one row for each row of the matrix");
     DenseMatrix ordered = B(order_.row, Eigen::all), X(B.rows(), B.cols());
     factor_.solve_in_place(ordered);
     X(order_.row, Eigen::all) = ordered;

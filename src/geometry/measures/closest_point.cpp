@@ -105,7 +105,7 @@ double ClosestPoint::to_triangle(const Vector3& p, int t, double known_bound) co
 // Sorting along a curve takes a tenth of the time of splitting at medians, and searches hardly take longer.
 ClosestPoint::ClosestPoint(TriangleMesh mesh) : mesh_(std::move(mesh)) {
     int count = mesh_.face_count();
-    if (count == 0) throw MeshError("ClosestPoint: a mesh without triangles has no surface");
+    if (count == 0) throw MeshError("a mesh without triangles has no surface to measure distances from", "take a mesh with triangles");
     Positions centroids(count, 3);
     for (int t = 0; t < count; ++t)
         centroids.row(t) = (mesh_.X.row(mesh_.F(t, 0)) + mesh_.X.row(mesh_.F(t, 1)) + mesh_.X.row(mesh_.F(t, 2))) / 3;

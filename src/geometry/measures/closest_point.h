@@ -27,8 +27,8 @@ public:
     double squared_distance(const Vector3& p, double known_bound = std::numeric_limits<double>::infinity(), double enough = 0) const {
         return nearest(p, known_bound, enough).squared_distance;
     }
-    /// The result of a search. One that opens `most` boxes without an end returns the least distance found and a lower bound: if a point is
-    /// equally far from all triangles, no tree can exclude any of them.
+    /// The result of a search. A search that opens `most` boxes without an end gives the least distance found and a lower bound: if a point
+    /// is equally far from all triangles, no tree can exclude any of them.
     struct Nearest {
         double squared_distance;   // [length²]
         int triangle;              // of mesh(); −1: none below `known_bound`

@@ -246,7 +246,7 @@ private:
     std::vector<Candidate> waiting_;
 };
 
-/// Bounds the distances of groups of triangles by that of one point of each.
+/// Lowers search.bounds by the distance measured at one point of each group of triangles; sets search.found to the largest.
 void bound_groups(DistanceSearch& search) {
     const TriangleMesh& from = search.from;
     const int groups = (from.face_count() - 1) / triangles_in_a_group + 1;
@@ -265,7 +265,7 @@ void bound_groups(DistanceSearch& search) {
     search.found = measured.maxCoeff();
 }
 
-/// Returns bounds for corresponding meshes: the distance of a point of a triangle is at most the largest displacement of its corners, as
+/// Returns a bound of the distances of each triangle between corresponding meshes: at most the largest displacement of its corners, as
 /// |a(x) − b(x)| is convex.
 Vector displacement_bounds(const TriangleMesh& from, const Vector& displacements) {
     Vector bounds(from.face_count());

@@ -41,8 +41,10 @@ MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b) {
     const auto differ = [](const std::string& how) {
         return MeshError("the meshes differ: " + how, "compare meshes with the same triangles");
     };
-    if (a.X.rows() != b.X.rows()) throw differ(std::to_string(a.X.rows()) + " vertices against " + std::to_string(b.X.rows()));
-    if (a.F.rows() != b.F.rows()) throw differ(std::to_string(a.F.rows()) + " triangles against " + std::to_string(b.F.rows()));
+    if (a.X.rows() != b.X.rows())
+        throw differ(std::to_string(a.X.rows()) + " vertices in one, " + std::to_string(b.X.rows()) + " in the other");
+    if (a.F.rows() != b.F.rows())
+        throw differ(std::to_string(a.F.rows()) + " triangles in one, " + std::to_string(b.F.rows()) + " in the other");
     for (int t = 0; t < a.face_count(); ++t)
         if (a.F.row(t) != b.F.row(t)) throw differ("triangle " + std::to_string(t) + " is not the same in both meshes");
 
@@ -68,7 +70,9 @@ MeshDifference compare_meshes(const TriangleMesh& a, const TriangleMesh& b) {
 }
 
 double vertex_rms(const Positions& a, const Positions& b) {
-    if (a.rows() != b.rows()) throw MeshError("vertex_rms: " + std::to_string(a.rows()) + " vertices against " + std::to_string(b.rows()));
+    if (a.rows() != b.rows())
+        throw MeshError("vertex_rms: one mesh has " + std::to_string(a.rows()) + " vertices, the other " + std::to_string(b.rows()),
+                        "compare meshes with the same vertices");
     return a.rows() > 0 ? std::sqrt((a - b).squaredNorm() / static_cast<double>(a.rows())) : 0;
 }
 
@@ -78,7 +82,9 @@ double shape_rms(const TriangleMesh& clean, const Positions& X) {
 
 double mean_normal_angle(const Positions& a, const Positions& b) {
     if (a.rows() != b.rows())
-        throw MeshError("mean_normal_angle: " + std::to_string(a.rows()) + " normals against " + std::to_string(b.rows()));
+        throw MeshError(
+            "mean_normal_angle: " + std::to_string(a.rows()) + " normals and " + std::to_string(b.rows()) + " to compare them with",
+            "compare meshes with the same triangles");
     return NormalAngles(a, b).mean;
 }
 

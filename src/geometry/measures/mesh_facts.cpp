@@ -37,7 +37,8 @@ double spacing_at(double x) {
     return static_cast<double>(std::nextafter(number, std::numeric_limits<Number>::infinity()) - number);
 }
 
-/// Returns the shortest of the three axes' largest common steps, in units of 1/per_unit; 1 where nothing differs.
+/// Returns the largest common step of the coordinates of each axis, the shortest of the three, in units of 1/per_unit; 1 where nothing
+/// differs.
 /// @param per_unit  coordinates are whole multiples of its inverse
 double grid_step(const Positions& X, double per_unit) {
     long long least = 0;

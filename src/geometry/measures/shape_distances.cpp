@@ -133,7 +133,8 @@ HWY_EXPORT(LowerToShape);
 
 Vector shape_distances(const TriangleMesh& clean, const Positions& X) {
     if (clean.X.rows() != X.rows())
-        throw MeshError("shape_distances: " + std::to_string(clean.X.rows()) + " vertices against " + std::to_string(X.rows()));
+        throw MeshError("the clean mesh has " + std::to_string(clean.X.rows()) + " vertices, the other " + std::to_string(X.rows()),
+                        "compare meshes with the same vertices");
     Vector nearest = (X - clean.X).rowwise().squaredNorm();
     HWY_DYNAMIC_DISPATCH(LowerToShape)(clean, X, nearest);
     return nearest.cwiseSqrt();

@@ -22,7 +22,7 @@ struct Apex {
     double along, height;   // from the start of the side, and above it [length]
 };
 
-/// Lays out a triangle over a side from the origin along x; `before` is the length of the side at its start, `after` at its end.
+/// Returns the apex of a triangle over a side from the origin along x; `before` is the length of the side at its start, `after` at its end.
 Apex apex_over(double side, double before, double after) {
     const double along = side > 0 ? 0.5 * (side + (before - after) * ((before + after) / side)) : 0;
     return {along, side > 0 ? triangle_shape(side, before, after).cross / side : before};
@@ -42,7 +42,9 @@ public:
             waiting_[at(side)] = 0;
             if (!needs_flip(side)) continue;
             flip(side);
-            if (++flips > most) throw SolverError("intrinsic Delaunay: no end after " + std::to_string(flips) + " flips");
+            if (++flips > most)
+                throw SolverError("intrinsic Delaunay: the flips do not end (" + std::to_string(flips) + " done)",
+                                  "repair triangles of zero area");
         }
         return flips;
     }
@@ -149,19 +151,22 @@ IntrinsicTriangles intrinsic_triangles(const TriangleMesh& mesh) {
 
 void require_corner_values(const std::string& function, const Faces& F, int vertex_count, const CornerValues& values) {
     if (values.rows() != F.rows()) {
-        throw MeshError(function + ": corner values for " + std::to_string(values.rows()) + " triangles, but there are " +
-                        std::to_string(F.rows()));
+        throw MeshError(
+            function + ": corner values for " + std::to_string(values.rows()) + " triangles, but there are " + std::to_string(F.rows()),
+            "give a row a triangle");
     }
     if (F.rows() > 0 && (F.minCoeff() < 0 || F.maxCoeff() >= vertex_count)) {
         throw MeshError(function + ": a triangle names vertex " + std::to_string(F.minCoeff() < 0 ? F.minCoeff() : F.maxCoeff()) + " of " +
-                        std::to_string(vertex_count));
+                            std::to_string(vertex_count),
+                        "indices count from 0");
     }
 }
 
 void require_lengths(const std::string& function, const CornerValues& lengths) {
     for (Eigen::Index t = 0; t < lengths.rows(); ++t)
         if (!lengths.row(t).allFinite() || lengths.row(t).minCoeff() < 0)
-            throw MeshError(function + ": triangle " + std::to_string(t) + " has an edge length that is negative or not finite");
+            throw MeshError(function + ": triangle " + std::to_string(t) + " has an edge length that is negative or not finite",
+                            "repair it");
 }
 
 IntrinsicDelaunay intrinsic_delaunay(IntrinsicTriangles triangles) {

@@ -31,7 +31,7 @@ constexpr std::array operators{
                   "Intrinsic Delaunay on the two-sided cover with mollified lengths, for non-manifold meshes too."},
 };
 
-/// Assembles an operator on a mesh without coincident vertices.
+/// Returns the edge-normalised, tufted or Delaunay operator of a mesh without coincident vertices.
 LaplaceBeltrami assembled(const TriangleMesh& mesh, OperatorKind kind, AreaForm area) {
     if (kind == OperatorKind::edge_normalised) {
         LaplaceBeltrami laplacian{edge_normalised_laplacian(mesh), Vector::Zero(mesh.X.rows())};
@@ -97,7 +97,7 @@ LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, Ar
             return assembled_joined(
                 mesh, [&](const TriangleMesh& joined) { return assembled(joined, kind, area); }, no_length_to_flips);
     }
-    throw UsageError("laplace_operator: unknown operator");
+    throw UsageError("there is no operator number " + std::to_string(static_cast<int>(kind)), "take one of operator_list()");
 }
 
 Vector operator_mean_curvature(const TriangleMesh& mesh, const MeshTopology& topology, OperatorKind kind,

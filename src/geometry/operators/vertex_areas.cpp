@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 3> form_names{"barycentric", "voronoi", "
 
 using CornerAreas = std::array<double, 3>;
 
-/// Returns the share of each corner in the area of a triangle.
+/// Returns the area that each corner of a triangle gets.
 CornerAreas corner_areas(const TriangleShape& triangle, AreaForm form) {
     CornerAreas shares;
     shares.fill(triangle.area() / 3);

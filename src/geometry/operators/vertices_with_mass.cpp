@@ -12,7 +12,9 @@ namespace {
 void check_masses(const LaplaceBeltrami& laplacian) {
     const auto& [C, M, copies] = laplacian;
     if (C.rows() != C.cols() || C.rows() != M.size())
-        throw MeshError("the operator has " + std::to_string(C.rows()) + " rows, the mass " + std::to_string(M.size()));
+        throw MeshError("C has " + std::to_string(C.rows()) + " rows and " + std::to_string(C.cols()) + " columns for " +
+                            std::to_string(M.size()) + " masses",
+                        "take C and M of one mesh");
     for (Eigen::Index i = 0; i < M.size(); ++i) {
         if (std::isfinite(M[i]) && M[i] >= 0) continue;
         throw MeshError("vertex " + std::to_string(i) + " has area " + plain_text(M[i], 3), "use barycentric or mixed areas");
@@ -24,7 +26,7 @@ void check_masses(const LaplaceBeltrami& laplacian) {
 }   // namespace
 
 OperatorWithMass operator_with_mass(const LaplaceBeltrami& laplacian) {
-    if (laplacian.M.size() == 0) throw MeshError("the mesh has no vertices");
+    if (laplacian.M.size() == 0) throw MeshError("an operator needs a mesh with vertices, this one has none", "take another mesh");
     check_masses(laplacian);
     const SparseMatrix& C = laplacian.C;
     const Vector M = summed_at_first(laplacian.copies, laplacian.M);

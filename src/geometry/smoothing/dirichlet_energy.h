@@ -24,7 +24,7 @@ class EnergyWatch {
 public:
     /// @param laplacian  kept by reference
     EnergyWatch(const LaplaceBeltrami& laplacian, SmoothingScheme scheme, double lambda, const Positions& start);
-    /// Takes the positions after the next step.
+    /// Stores the energy at the positions X after the next step, and the rounding of that step.
     void look(const Positions& X);
 
     /// Returns the energy after t = 0, 1, … steps. [length²]
@@ -33,7 +33,7 @@ public:
     const std::vector<double>& rounding() const { return rounding_; }
 
 private:
-    /// Stores the energy at X and the rounding of its evaluation.
+    /// Appends the energy at X, and sets the rounding of its evaluation.
     void enter(const Positions& X);
     /// Returns the bound of D, the energy of the rounding in the step from the positions before to X.
     double energy_of_rounding(const Positions& X) const;

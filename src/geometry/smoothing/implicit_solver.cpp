@@ -35,7 +35,8 @@ public:
         if (solver_.info() != Eigen::Success) throw SolverError("conjugate gradients: the matrix is not positive definite");
     }
 
-    /// Replaces X by X', starting from X. Returns the iterations. @throws SolverError if they do not end
+    /// Replaces X by X', starting from X. Returns the number of iterations, summed over the coordinates. @throws SolverError if they do not
+    /// end
     long long solve(FourColumns& X) const {
         Columns columns(X.data(), X.rows(), FourColumns::width);
         long long iterations = 0;

@@ -27,7 +27,7 @@ struct Frame {
 
     explicit Frame(const TriangleMesh& mesh) {
         const Box box = bounding_box(mesh);
-        if (!(box.diagonal() > 0)) throw MeshError("smoothing: the mesh has no extent");
+        if (!(box.diagonal() > 0)) throw MeshError("smoothing: all vertices of the mesh lie at one point", "take another mesh");
         centre = box.centre().transpose();
         unit = std::exp2(std::ceil(std::log2(box.diagonal())));
         diagonal = box.diagonal() / unit;
@@ -38,22 +38,23 @@ struct Frame {
 void check(const SmoothingOptions& options) {
     if (!std::isfinite(options.lambda) || options.lambda <= 0)
         throw MeshError("smoothing: lambda = " + plain_text(options.lambda), "it must be positive and finite");
-    if (options.iterations < 0) throw MeshError("smoothing: " + std::to_string(options.iterations) + " iterations");
+    if (options.iterations < 0) throw MeshError("smoothing: " + std::to_string(options.iterations) + " iterations", "give 0 or more");
     if (!(options.adaptive >= 0 && options.adaptive <= 1))
         throw MeshError("smoothing: adaptive = " + plain_text(options.adaptive), "it is a share of the limit, between 0 and 1");
     if (options.scheme != SmoothingScheme::explicit_euler && (options.monitor || options.adaptive > 0)) {
         throw MeshError("smoothing: only explicit steps have a limit to keep",
                         "take the explicit scheme, or leave monitor and adaptive off");
     }
-    if (!(options.blow_up_at > 0)) throw MeshError("smoothing: blow_up_at = " + plain_text(options.blow_up_at));
+    if (!(options.blow_up_at > 0)) throw MeshError("smoothing: blow_up_at = " + plain_text(options.blow_up_at), "it must be positive");
     if (options.scheme == SmoothingScheme::taubin && !(std::isfinite(options.taubin_mu) && options.taubin_mu <= 0))
         throw MeshError("smoothing: Taubin's mu = " + plain_text(options.taubin_mu), "it must be negative, or 0 for the pass-band");
 }
 
 void check_rows(const OperatorWithMass& whole, const Positions& X) {
     if (X.rows() == whole.all_vertices) return;
-    throw MeshError("smoothing: " + std::to_string(X.rows()) + " positions for an operator on " + std::to_string(whole.all_vertices) +
-                    " vertices");
+    throw MeshError(
+        "smoothing: " + std::to_string(X.rows()) + " positions for an operator on " + std::to_string(whole.all_vertices) + " vertices",
+        "give one position a vertex");
 }
 
 /// A run in the units of the frame: one scheme, one operator at a time, and the positions of the vertices with mass as rows of its solver.
@@ -138,7 +139,7 @@ private:
         between_ = FourColumns(options_.scheme == SmoothingScheme::taubin ? X_.rows() : 0);
     }
 
-    /// Computes the next X. @return true if all its coordinates are known to be finite and within ± `bound`
+    /// Computes the positions after the next step. @return true if all their coordinates are known to be finite and within ± `bound`
     bool advance(double bound) {
         switch (options_.scheme) {
             case SmoothingScheme::implicit_euler:
@@ -154,7 +155,7 @@ private:
         return explicit_->step(limit_.lambda(), X_, next_, bound);
     }
 
-    /// Returns the vertex of each row.
+    /// Returns the vertex of each row of the positions of the solver in use.
     const std::vector<int>& vertex() const { return explicit_ ? explicit_->vertex() : implicit_.vertex(); }
 
     const TriangleMesh& mesh_;

@@ -90,9 +90,9 @@ struct TaubinGrowth {
 /// Computes the growth of one Taubin iteration for options.lambda and taubin_mu_of(). @throws MeshError as taubin_mu_of()
 TaubinGrowth taubin_growth(const LaplaceBeltrami& laplacian, const SmoothingOptions& options);
 
-/// Returns X + λLX, one explicit step with a fixed operator.
+/// Returns X + λLX, n × 3, one explicit step with a fixed operator; vertices without mass stay.
 Positions explicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X);
-/// Returns the solution X' of (M − λC)X' = MX, one implicit step.
+/// Returns the solution X' of (M − λC)X' = MX, n × 3, one implicit step; vertices without mass stay.
 Positions implicit_step(const LaplaceBeltrami& laplacian, double lambda, const Positions& X);
 
 }   // namespace meshfolio

@@ -19,7 +19,8 @@ StabilityCertificate stability_certificate(const LaplaceBeltrami& laplacian, con
     const double unit = std::exp2(std::round(std::log2(whole.M.mean())));   // a power of two: scaling by it is exact
     whole.M /= unit;
     const double bound = gershgorin_bound(whole.A, whole.M);
-    if (!(bound > 0)) throw MeshError("stability certificate: no two vertices are joined");
+    if (!(bound > 0))
+        throw MeshError("stability certificate: no two vertices are joined by a weight", "take a mesh with triangles of some area");
     report("proof of the largest eigenvalue");
     const Enclosure enclosure =
         enclose_largest(whole.A, whole.M, guess, {.high = bound, .width = options.width, .missing = estimate.change});

@@ -48,7 +48,7 @@ bool stands_alone(const LaplaceBeltrami& laplacian) {
     return true;
 }
 
-/// Returns A, with rows that sum to 0, without the stiffest vertex of each component.
+/// Returns the operator without the stiffest vertex of each component, its diagonal computed such that rows of the whole sum to 0.
 OperatorWithMass grounded(const OperatorWithMass& whole) {
     const Components components = components_of(whole.A);
     std::vector<int> ground(at(components.count), -1), row(at(whole.size()), -1);

@@ -87,7 +87,7 @@ public:
 private:
     double scale() const { return std::max(result_.quotient, least_scale_); }
     /// Raises the quotient with the last factor: solves are cheap beside a factorisation.
-    /// @return the distance from the quotient for the next one
+    /// @return the relative distance of the next σ from the quotient
     double approach(double last) {
         constexpr int most_rounds = 3;
         double expected = 0;

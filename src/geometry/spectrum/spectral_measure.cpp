@@ -71,7 +71,8 @@ Quadrature gauss_quadrature(const SparseMatrix& B, const Vector& y, int steps) {
 SpectralMeasure spectral_measure(const LaplaceBeltrami& laplacian, const Positions& X, int steps) {
     if (X.rows() != laplacian.M.size() || steps < 1) {
         throw MeshError("spectral measure: " + std::to_string(X.rows()) + " positions and " + std::to_string(steps) +
-                        " steps for an operator on " + std::to_string(laplacian.M.size()) + " vertices");
+                            " steps for an operator on " + std::to_string(laplacian.M.size()) + " vertices",
+                        "give one position a vertex and at least one step");
     }
     const OperatorWithMass whole = operator_with_mass(laplacian);
     const SparseMatrix B = symmetric_form(whole.A, whole.M);

@@ -23,7 +23,7 @@ struct SpectralMeasure {
     double integral(Function f) const {
         return sum(f, nodes, weights);
     }
-    /// Returns the relative change of the integral in the last fifth of the steps, for smooth f more than its error.
+    /// Returns the relative change of integral(f) in the last fifth of the steps, for smooth f more than its error; 0 if `exact`.
     template <class Function>
     double uncertainty(Function f) const {
         return exact ? 0 : std::abs(sum(f, fewer_nodes, fewer_weights) / integral(f) - 1);

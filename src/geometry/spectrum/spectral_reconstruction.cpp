@@ -30,8 +30,9 @@ void check_sizes(const Spectrum& spectrum, const Vector& M, const Positions& X, 
     const DenseMatrix& Phi = spectrum.eigenvectors;
     if (Phi.rows() == M.size() && X.rows() == M.size() && M.size() > 0 && k >= 0 && k <= Phi.cols()) return;
     throw MeshError("a reconstruction from " + std::to_string(k) + " of " + std::to_string(Phi.cols()) + " modes with " +
-                    std::to_string(Phi.rows()) + " rows, " + std::to_string(M.size()) + " areas and " + std::to_string(X.rows()) +
-                    " positions does not fit together");
+                        std::to_string(Phi.rows()) + " rows, " + std::to_string(M.size()) + " areas and " + std::to_string(X.rows()) +
+                        " positions does not fit together",
+                    "take all of one mesh, and no more modes than there are");
 }
 
 Positions with_massless_kept(Positions rebuilt, const Vector& M, const Positions& X) {
@@ -55,7 +56,8 @@ DenseMatrix spectral_coefficients(const Spectrum& spectrum, const Vector& M, con
 
 ReconstructionStream::ReconstructionStream(const Vector& M, const Positions& X) : M_(M), X_(X) {
     if (X.rows() != M.size())
-        throw MeshError(std::to_string(M.size()) + " areas and " + std::to_string(X.rows()) + " positions do not belong together");
+        throw MeshError(std::to_string(M.size()) + " areas and " + std::to_string(X.rows()) + " positions do not belong together",
+                        "take both of one mesh");
     Centred about = centred(M, X);
     centroid_ = about.centroid;
     centred_ = std::move(about.X);
@@ -65,7 +67,9 @@ ReconstructionStream::ReconstructionStream(const Vector& M, const Positions& X) 
 
 void ReconstructionStream::add(const Eigen::Ref<const DenseMatrix>& modes, const Eigen::Ref<const Vector>& eigenvalues) {
     if (modes.rows() != M_.size() || modes.cols() != eigenvalues.size())
-        throw MeshError("modes of " + std::to_string(modes.rows()) + " rows for " + std::to_string(M_.size()) + " vertices");
+        throw MeshError(std::to_string(modes.cols()) + " modes of " + std::to_string(modes.rows()) + " rows with " +
+                            std::to_string(eigenvalues.size()) + " eigenvalues for " + std::to_string(M_.size()) + " vertices",
+                        "give one row a vertex and one eigenvalue a mode");
     DenseMatrix coefficients = modes.transpose() * (M_.asDiagonal() * centred_);
     sum_.noalias() += modes * coefficients;
     const Eigen::Index zeros = (eigenvalues.array() == 0).count();

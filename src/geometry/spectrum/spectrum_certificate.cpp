@@ -192,7 +192,7 @@ public:
         const double u = largest / (largest > 0 ? 1 - eta_ : 1 + eta_);
         return u + 16 * epsilon * std::abs(u);
     }
-    /// Returns the distance of σ from u and from the next value found.
+    /// Returns the smaller of the distances of σ from u and from the next value found.
     double gap_at(double sigma) const {
         const int f = below(sigma);
         return std::min(sigma - upper_bound(f), f < count() ? theta_[f] - sigma : infinity);
@@ -201,7 +201,7 @@ public:
     double distance_from(double sigma) const {
         return ((theta_.array() - sigma).abs() - rho_squared_.array().sqrt() / std::sqrt(1 - std::min(eta_, 0.5))).minCoeff();
     }
-    /// Returns the first value of the last cluster.
+    /// Returns the index of the first value of the last cluster.
     int first_of_last_cluster() const {
         Eigen::Index i = count() - 1;
         while (i > 0 && theta_[i] - theta_[i - 1] <= cluster_gap * theta_[i]) --i;
@@ -217,7 +217,8 @@ std::optional<Inertia> inertia_beside(const UnitProblem& problem, double sigma, 
     return inertia_between(problem.A, problem.M, sigma - gap, sigma + gap, problem.inertia_at);
 }
 
-/// Counts above the last value: where the solver knows a gap, else ever nearer until no more are counted than were found.
+/// Counts eigenvalues below a σ above the last value found: where the solver knows a gap, else ever nearer until no more are counted than
+/// were found.
 std::optional<Inertia> count_above_last(const UnitProblem& problem, const FoundValues& found, double hint) {
     const double last = found.last();
     if (hint > last) return inertia_beside(problem, hint, 0.9 * (hint - last));
@@ -230,7 +231,7 @@ std::optional<Inertia> count_above_last(const UnitProblem& problem, const FoundV
     return inertia;
 }
 
-/// Counts just below the last cluster, as near as rounding permits: eigenvalues between would be missed.
+/// Counts eigenvalues below a σ just below the last cluster found, as near as rounding permits: eigenvalues between would be missed.
 std::optional<Inertia> count_below_last_cluster(const UnitProblem& problem, const FoundValues& found, double delta) {
     const int f = found.first_of_last_cluster();
     const double first = found.theta()[f], size = found.size(first), u = found.upper_bound(f);
@@ -304,7 +305,8 @@ SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBelt
     const DenseMatrix& Phi = spectrum.eigenvectors;
     if (laplacian.M.size() != n || Phi.rows() != n || Phi.cols() != k || k == 0)
         throw MeshError("certify_spectrum: " + std::to_string(k) + " eigenvalues and " + std::to_string(Phi.rows()) + " × " +
-                        std::to_string(Phi.cols()) + " eigenvectors for a mesh of " + std::to_string(n) + " vertices");
+                            std::to_string(Phi.cols()) + " eigenvectors for a mesh of " + std::to_string(n) + " vertices",
+                        "certify a spectrum of this mesh, not empty");
     const UnitProblem problem(laplacian, spectrum, inertia_at);
     const Residuals residuals(problem);
     SpectrumCertificate certificate;

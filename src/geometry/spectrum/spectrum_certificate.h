@@ -54,7 +54,8 @@ struct SpectrumCertificate {
     /// True if nothing was found below σ and nothing counted: k cuts the first cluster, for example if k is less than the components.
     bool says_nothing() const { return found_below == 0 && counted_below == 0; }
     bool residual_undecided() const { return residual > residual_limit && residual <= residual_rounding; }
-    /// Returns `refuted` if a measure exceeds its limit or the count refutes; `proved` if all is well and none is missing.
+    /// Returns `refuted` if a measure exceeds its limit or the count refutes; `proved` if every measure is within its limit and the count
+    /// proves that none is missing; else `undecided`.
     Proof verdict() const;
     bool holds() const { return verdict() == Proof::proved; }
 };

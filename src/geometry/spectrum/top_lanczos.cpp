@@ -168,7 +168,8 @@ TopEstimate top_estimate(const OperatorWithMass& whole, const TopSearch& search,
     } else {
         top = top_by_lanczos(B, y, search);
     }
-    if (!std::isfinite(top.mu)) throw SolverError("largest eigenvalue: the operator has weights that are not finite");
+    if (!std::isfinite(top.mu))
+        throw SolverError("largest eigenvalue: the operator has weights that are not finite", "repair triangles of zero area");
     top.mu /= total;
     top.phi = top.phi.cwiseQuotient(M.cwiseSqrt()).eval();
     return top;

@@ -85,20 +85,21 @@ namespace meshfolio {
 
 namespace {
 
-/// Returns the best pairs of the space that Y spans. Y R⁻¹ has orthonormal columns with Cholesky's factor RᵀR of YᵀY, applied twice: exact
-/// to rounding unless they are nearly dependent (Yamamoto et al. 2015).
+/// Returns the Ritz pairs of B in the space that Y spans. Y R⁻¹ has orthonormal columns with Cholesky's factor RᵀR of YᵀY, applied twice:
+/// exact to rounding unless they are nearly dependent (Yamamoto et al. 2015).
 SymmetricPairs rayleigh_ritz(const SparseMatrix& B, DenseMatrix Y) {
     if (Y.cols() == 0) return {Vector(0), Y};
     for (int pass = 0; pass < 2; ++pass) {
         const Eigen::LLT<DenseMatrix> gram(DenseMatrix(Y.transpose() * Y));
-        if (gram.info() != Eigen::Success) throw SolverError("eigenvectors found are linearly dependent");
+        if (gram.info() != Eigen::Success)
+            throw SolverError(std::to_string(Y.cols()) + " eigenvectors found are linearly dependent", "ask for fewer eigenpairs");
         gram.matrixU().solveInPlace<Eigen::OnTheRight>(Y);
     }
     const DenseEigenpairs ritz = dense_eigenpairs(Y.transpose() * (B * Y));
     return {ritz.values, Y * ritz.vectors};
 }
 
-/// Improves pairs with noise, vectors of large eigenvalues added by rounding, by one more solve, which multiplies it by μ/‖B‖.
+/// Returns the pairs with noise, vectors of large eigenvalues added by rounding, removed by one more solve, which multiplies it by μ/‖B‖.
 SymmetricPairs without_noise(const SpectrumProblem& problem, const DeflatedInverse& inverse, SymmetricPairs pairs, double tolerance) {
     constexpr int most_rounds = 3;
     for (int round = 0; round < most_rounds && pairs.count() > 0; ++round) {
@@ -132,7 +133,7 @@ DenseMatrix random_columns(Eigen::Index rows, int columns, std::uint64_t seed) {
     return Y;
 }
 
-/// Sorts pairs by eigenvalue.
+/// Returns the pairs in ascending order of eigenvalues.
 SymmetricPairs ascending(const Vector& mu, const DenseMatrix& Y) {
     std::vector<Eigen::Index> order(static_cast<std::size_t>(mu.size()));
     std::iota(order.begin(), order.end(), Eigen::Index{0});

@@ -12,7 +12,7 @@
 namespace meshfolio {
 namespace {
 
-/// Returns the constant and these pairs after it.
+/// Returns the pair of the constant, μ = 0, and the given pairs after it.
 SymmetricPairs with_constant(const Vector& M, const Vector& mu, const Eigen::Ref<const DenseMatrix>& Y) {
     SymmetricPairs all{Vector(mu.size() + 1), DenseMatrix(M.size(), mu.size() + 1)};
     all.mu << 0, mu;

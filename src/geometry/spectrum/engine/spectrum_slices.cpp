@@ -122,7 +122,7 @@ private:
         return shift_below_zero(problem_, sigma_below_zero(problem_.B));
     }
 
-    /// Returns false if Spectra does not find k pairs.
+    /// Finds k pairs by one shift. Returns false if Spectra does not find as many.
     bool find_in_one_slice(int k) {
         SharedProgress progress(options_.progress, 1);
         const Shift shift = shift_among_lowest(k);
@@ -147,7 +147,7 @@ private:
         return count.others - found.count_below(count.sigma) > 40 + k;
     }
 
-    /// Finds the slices in parallel; the result does not depend on that.
+    /// Finds the pairs of all slices in parallel; the result does not depend on the number of threads.
     void find_in_slices(const std::vector<Count>& limits, int k) {
         std::vector<Slice> slices;
         for (std::size_t i = 1; i < limits.size(); ++i) slices.push_back({limits[i - 1], limits[i]});
@@ -172,7 +172,7 @@ private:
         for (std::size_t i = 1; i < blocks_.size(); ++i) blocks_[i] = beside(blocks_[i - 1], std::move(blocks_[i]));
     }
 
-    /// Returns the pairs of a slice; halves it where Spectra finds too few.
+    /// Returns the pairs of a slice, which is halved where Spectra finds too few.
     SymmetricPairs found_in(Slice slice, const std::function<void(double)>& report, int halvings) {
         constexpr int most_halvings = 6;
         if (slice.wanted == 0) return no_pairs();
@@ -190,7 +190,8 @@ private:
         return merged(lower, beside(lower, found_in({middle, slice.high}, report, halvings + 1)));
     }
 
-    /// Repeats runs, orthogonal to the pairs found, until as many are found as are counted, or no more appear.
+    /// Returns the pairs of a slice: repeats runs, orthogonal to the pairs found, until as many are found as are counted, or no more
+    /// appear.
     SymmetricPairs found_in(const Slice& slice, const Shift& shift, SymmetricPairs found, const std::function<void(double)>& report) {
         constexpr int most_runs = 40;
         for (int run = found.count() > 0 ? 1 : 0; run < most_runs && slice.held(found) < slice.wanted; ++run) {
@@ -210,7 +211,8 @@ private:
 
     SymmetricPairs no_pairs() const { return {Vector(0), DenseMatrix(problem_.size(), 0)}; }
 
-    /// @throws CrowdedSpectrum if the values mu found below the last count are not as many, unless rounding may have changed it
+    /// Compares the values mu found with the last count. @throws CrowdedSpectrum if not as many lie below its σ as are counted, unless
+    /// rounding may have changed the count
     void check_count(const std::vector<double>& mu) const {
         int found = 0;
         double nearest = last_.sigma;
@@ -226,7 +228,7 @@ private:
             "usual cause");
     }
 
-    /// Returns the first k pairs of all slices.
+    /// Returns the k smallest pairs of all slices. @throws CrowdedSpectrum if there are fewer, or as check_count()
     Modes united(int k) {
         struct Place {
             std::size_t block;
