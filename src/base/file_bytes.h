@@ -9,7 +9,8 @@
 
 namespace meshfolio {
 
-/// False only if nothing has that name. Broken links and names in folders without access count as there: reading them reports the problem.
+/// False only if no file, folder or link has this path. Broken links and names in folders without access count as there: reading them
+/// reports the problem.
 bool may_be_there(const std::filesystem::path& path);
 
 /// Returns "did you mean 'bunny.obj' or 'bunny.off'?" with up to three similar names from the folder of a missing file; "" if the file

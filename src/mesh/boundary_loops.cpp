@@ -11,7 +11,7 @@ struct BoundaryEdge {
     int from, to;   // as its triangle runs through it
 };
 
-/// Returns the boundary edges, sorted by their ends.
+/// Returns the edges with one triangle, directed as it runs through them, sorted by their ends.
 std::vector<BoundaryEdge> boundary_edges(const TriangleMesh& mesh, const std::vector<Edge>& edges) {
     std::vector<char> on_boundary(at(mesh.vertex_count()), 0);
     for (const Edge& e : edges)

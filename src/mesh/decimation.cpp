@@ -210,7 +210,7 @@ private:
 }   // namespace
 
 TriangleMesh decimated(const TriangleMesh& mesh, int vertices) {
-    if (vertices < 4) throw MeshError("decimated: " + std::to_string(vertices) + " vertices", "ask for at least four");
+    if (vertices < 4) throw MeshError("a mesh cannot be decimated to " + std::to_string(vertices) + " vertices", "ask for at least four");
     // The box is moved to the origin and scaled to 1, because quadrics hold fourth powers of coordinates.
     const Box box = bounding_box(mesh);
     const Eigen::RowVector3d centre = box.centre();
@@ -237,7 +237,9 @@ TriangleMesh small_copy(const TriangleMesh& mesh, int vertices) {
 
 CompactMesh surface_patch(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int most_vertices) {
     if (vertex < 0 || vertex >= mesh.vertex_count())
-        throw MeshError("surface_patch: no vertex " + std::to_string(vertex) + " among " + std::to_string(mesh.vertex_count()));
+        throw MeshError(
+            "surface_patch: there is no vertex " + std::to_string(vertex) + ", the mesh has " + std::to_string(mesh.vertex_count()),
+            "vertices count from 0");
     if (mesh.vertex_count() <= most_vertices) return {mesh, Eigen::VectorXi::LinSpaced(mesh.vertex_count(), 0, mesh.vertex_count() - 1)};
     std::vector<char> inside(at(mesh.vertex_count()), 0);
     std::vector<int> reached{vertex};

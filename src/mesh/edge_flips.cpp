@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,10 @@ public:
                     open.erase(other);
                 } else {
                     add_edge(a, b);
-                    if (!open.try_emplace({a, b}, here).second) throw MeshError("delaunay_flipped: more than two triangles share an edge");
+                    if (!open.try_emplace({a, b}, here).second)
+                        throw MeshError("edge flips: more than two triangles share the edge of vertices " + std::to_string(a) + " and " +
+                                            std::to_string(b),
+                                        "flip the edges of a manifold mesh");
                 }
             }
         }

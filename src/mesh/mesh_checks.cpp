@@ -34,7 +34,8 @@ void check_coordinates(const LoadedMesh& loaded) {
     for (const int v : mesh.F.reshaped()) {
         if (v < 0 || v >= mesh.vertex_count())
             throw InputError({loaded.file, 0},
-                             "vertex index " + std::to_string(v) + " with " + std::to_string(mesh.vertex_count()) + " vertices");
+                             "vertex index " + std::to_string(v) + " with " + std::to_string(mesh.vertex_count()) + " vertices",
+                             "indices count from 0");
     }
 }
 

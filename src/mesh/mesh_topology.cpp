@@ -16,7 +16,7 @@ namespace meshfolio {
 
 namespace {
 
-/// Sorts, for each vertex a, the ends b > a of the edges of its triangles; equal ends are one edge.
+/// Returns the edges, sorted by (a, b): for each vertex a, sorts the ends b > a of the edges of its triangles; equal ends are one edge.
 std::vector<Edge> collected_edges(const TriangleMesh& mesh, const Incidence& vertex_faces) {
     std::vector<Edge> edges;
     edges.reserve(at(mesh.face_count()) * 3 / 2 + at(mesh.vertex_count()) / 8);

@@ -27,8 +27,8 @@ public:
         if (!boxes_.empty()) build(0, 0, order_.size());
     }
 
-    /// Calls found(i) for each box i that passes wanted(box), until found returns false. Returns false then. A box around others must pass
-    /// wanted if one of them does.
+    /// Calls found(i) for each box i that passes wanted(box), until found returns false. Returns false in this case, else true. A box
+    /// around others must pass wanted if one of them does.
     template <class Wanted, class Found>
     bool visit(const Wanted& wanted, const Found& found) const {
         return boxes_.empty() || visit(0, 0, order_.size(), wanted, found);
@@ -251,10 +251,10 @@ private:
         return right_sign > 0 ? Turn::outwards : Turn::inwards;
     }
 
-    /// Returns the place of shell s relative to one that is nearer than the digits of most files, by all its points.
+    /// Returns the place of shell s relative to a shell that is nearer than the digits of most files, by all points of s.
     Relation exact_relation(int s, int other) { return relation_of(s, other, 0x1p-46 * farthest_, true); }
 
-    /// Returns the place of shell s relative to another.
+    /// Returns the place of shell s relative to shell `other`.
     /// @param near  points within this distance of the other shell do not count
     /// @param all  points inside and points outside together mean the same place, not outside
     Relation relation_of(int s, int other, double near, bool all) {

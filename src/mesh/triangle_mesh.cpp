@@ -10,7 +10,8 @@ namespace meshfolio {
 
 TriangleMesh moved_to(TriangleMesh mesh, Positions X) {
     if (X.rows() != mesh.X.rows())
-        throw MeshError("moved_to: " + std::to_string(X.rows()) + " positions for " + std::to_string(mesh.X.rows()) + " vertices");
+        throw MeshError("moved_to: " + std::to_string(X.rows()) + " positions for " + std::to_string(mesh.X.rows()) + " vertices",
+                        "give one a vertex");
     mesh.X = std::move(X);
     return mesh;
 }

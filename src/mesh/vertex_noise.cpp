@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "base/errors.h"
 #include "mesh/triangle_measures.h"
@@ -83,7 +84,7 @@ Positions with_noise(const TriangleMesh& mesh, NoiseKind kind, double sigma, std
         case NoiseKind::box: {
             const Vector3 extent = bounding_box(mesh).extent();
             const double diagonal = extent.norm();
-            if (!(diagonal > 0)) throw MeshError("noise by the bounding box: the mesh has no extent");
+            if (!(diagonal > 0)) throw MeshError("noise by the bounding box: the box has no extent", "take another kind of noise");
             return with_gaussian_noise(mesh.X, std::sqrt(3) * sigma / diagonal * extent, seed);
         }
         case NoiseKind::impulsive: {
@@ -91,7 +92,7 @@ Positions with_noise(const TriangleMesh& mesh, NoiseKind kind, double sigma, std
             return with_impulsive_noise(mesh.X, count, sigma * std::sqrt(static_cast<double>(n) / count), seed);
         }
     }
-    throw UsageError("with_noise: unknown kind");
+    throw UsageError("there is no noise of kind number " + std::to_string(static_cast<int>(kind)), "take a kind of noise_list()");
 }
 
 }   // namespace meshfolio

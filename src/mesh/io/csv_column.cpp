@@ -106,7 +106,7 @@ struct Header {
     std::size_t columns = 1, place = 0;   // their number, and the requested one
 };
 
-/// Returns the header in a line, or nothing if the line has none of the names.
+/// Returns the header in a line and the place of the requested column, or nothing if the line has none of the names.
 std::optional<Header> header_in(std::string_view line, const std::vector<std::string>& names, const LineScanner& rows) {
     std::size_t best = 2 * names.size();   // the names in their own case, then the names in another case
     const auto is_better = [&](std::string_view cell) {

@@ -47,7 +47,7 @@ constexpr Signature signatures[] = {
     {"Kaydara FBX"sv, "FBX, which is not supported"sv, other_remedy},
 };
 
-/// Returns the ending of the format that begins like these bytes; empty if it could be any.
+/// Returns the ending, such as ".ply", of the format that begins like these bytes; empty if it could be any.
 std::string_view ending_of_content(std::string_view bytes) {
     if (bytes.starts_with("glTF")) return ".glb";
     const std::string_view start = without_bom(bytes).substr(0, 4096);
@@ -65,7 +65,7 @@ std::string_view ending_of_content(std::string_view bytes) {
     return same_but_for_case(word, "solid") ? ".stl" : "";
 }
 
-/// @throws InputError if the bytes are no mesh in a format that is read
+/// Checks the first bytes of a file. @throws InputError if they are no mesh in a format that is read
 void refuse_other_content(std::string_view bytes, const std::string& file) {
     for (const Signature& s : signatures)
         if (bytes.starts_with(s.begin)) throw InputError({file, 0}, std::string(s.name), std::string(s.remedy));
@@ -80,7 +80,7 @@ std::filesystem::path without_gz(const std::filesystem::path& file) {
     return lower_case_ending(file) == ".gz" ? file.parent_path() / file.stem() : file;
 }
 
-/// Returns the format of that ending, or null.
+/// Returns the format with this ending, such as ".ply", or null.
 const Format* format_of(std::string_view ending) {
     const auto format = std::ranges::find(formats, ending, &Format::ending);
     return format == std::end(formats) ? nullptr : format;

@@ -28,7 +28,7 @@ struct LoadedMesh {
     Attributes attributes = {};          // if they were asked for
 };
 
-/// Keep the mesh alone, or attributes as well.
+/// The content of a file that a reader returns: the mesh alone, or its attributes as well.
 enum class Keep { mesh, attributes };
 
 inline constexpr char formats_read[] = "OBJ, OFF, PLY, STL, VTP or GLB, also packed by gzip; - for standard input";

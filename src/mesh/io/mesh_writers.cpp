@@ -22,7 +22,7 @@ namespace meshfolio {
 
 namespace {
 
-/// Returns the text with a line for each vertex and then for each face.
+/// Returns `text` with a line added for each vertex and then for each face. @param first_index  number of vertex 0 in faces
 std::string text_of(const TriangleMesh& mesh, std::string text, const char* before_vertex, const char* before_face, int first_index) {
     for (int v = 0; v < mesh.vertex_count(); ++v)
         text += before_vertex + exact_text(mesh.X(v, 0)) + ' ' + exact_text(mesh.X(v, 1)) + ' ' + exact_text(mesh.X(v, 2)) + '\n';
@@ -33,7 +33,7 @@ std::string text_of(const TriangleMesh& mesh, std::string text, const char* befo
     return text;
 }
 
-/// Replaces normals among the columns by those of the mesh.
+/// Returns the columns with nx, ny and nz, if they are there, replaced by the vertex normals of the mesh.
 std::vector<VertexColumn> with_normals_of(const TriangleMesh& mesh, std::vector<VertexColumn> columns) {
     if (std::ranges::none_of(columns, is_normal)) return columns;
     const Positions normals = vertex_normals(mesh);
@@ -58,7 +58,7 @@ std::string stl_bytes(const TriangleMesh& mesh, const std::string& file) {
     return bytes;
 }
 
-/// Writes binary PLY, little endian, coordinates as double.
+/// Returns a file of binary PLY, little endian, coordinates as double.
 std::string ply_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>& columns) {
     std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.vertex_count()) +
                         "\nproperty double x\nproperty double y\nproperty double z\n";
@@ -104,7 +104,8 @@ struct VtpWriter {
     }
 };
 
-/// Writes PolyData of VTK in XML, its arrays appended as raw data, coordinates as double. Colours and normals are arrays of components.
+/// Returns a file of PolyData of VTK in XML, its arrays appended as raw data, coordinates as double. Colours and normals are arrays of
+/// components.
 std::string vtp_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>& columns) {
     const int n = mesh.vertex_count(), m = mesh.face_count();
     VtpWriter vtp;
@@ -229,9 +230,11 @@ std::vector<ColumnGroup> groups_of(const std::vector<VertexColumn>& columns) {
 std::string encode_mesh(const TriangleMesh& mesh, const std::string& file, const Attributes& attributes) {
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         if (!mesh.X.row(v).allFinite())
-            throw MeshError("vertex " + std::to_string(v) + " is not finite", "such a mesh is not written", {file, 0});
+            throw MeshError("vertex " + std::to_string(v) + " is not finite and cannot be written", "every coordinate must be a number",
+                            {file, 0});
         if (mesh.X.row(v).cwiseAbs().maxCoeff() > largest_coordinate)
-            throw MeshError("vertex " + std::to_string(v) + " has a coordinate beyond 1e100", "no reader of ours would take it", {file, 0});
+            throw MeshError("vertex " + std::to_string(v) + " has a coordinate beyond 1e100",
+                            "scale the mesh down, or readers will refuse it", {file, 0});
     }
     const std::string ending = file == "-" ? ".obj" : lower_case_ending(file);
     if (ending == ".obj") return attributes.obj.empty() ? text_of(mesh, "", "v ", "f ", 1) : obj_with_positions(attributes, mesh);

@@ -65,7 +65,7 @@ private:
         out_->append(rest) += '\n';   // a weight, a colour
     }
 
-    /// Returns an index from 0 for an index of the file: those below 0 count back from the last one so far.
+    /// Returns an index from 0 for an index of the file: indices below 0 count back from the last element so far.
     static long long index(std::string_view word, long long seen) {
         const long long number = parse_integer(word).value_or(0);
         return number < 0 ? seen + number : number - 1;

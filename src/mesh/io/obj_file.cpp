@@ -27,7 +27,7 @@ void add_face(void* user, tinyobj::index_t* corners, int count) {
     found.polygons.end_polygon(number < found.lines.size() ? found.lines[number] : 0);
 }
 
-/// @throws InputError if an index is too large, or there are no vertices or no faces
+/// Checks that the file has vertices and faces. @throws InputError if it has none, or an index is too large
 void check_content(const CheckedObj& checked, const PolygonList& polygons, const std::string& file) {
     const std::string hint = checked.unknown.empty() ? "" : "the first unknown statement is " + checked.unknown;
     const int vertices = static_cast<int>(checked.coordinates.size() / 3);
@@ -80,7 +80,9 @@ LoadedMesh parse_obj(std::string_view text, const std::string& file, Keep keep) 
     // No material reader: no other file is ever opened.
     const bool parsed = tinyobj::LoadObjWithCallback(stream, callback, &found, nullptr, &warnings, &errors);
     if (!parsed || found.polygons.size() != checked.face_lines.size())
-        throw MeshError("tinyobjloader disagrees with the check of the file: " + errors + warnings);
+        throw MeshError("tinyobjloader found " + std::to_string(found.polygons.size()) + " faces where the check of the file found " +
+                            std::to_string(checked.face_lines.size()) + ": " + errors + warnings,
+                        "export the mesh again", {file, 0});
     check_content(checked, found.polygons, file);
     std::vector<VertexColumn> colors = keep == Keep::attributes ? colors_of(checked) : std::vector<VertexColumn>();
     Positions X = Eigen::Map<const Positions>(checked.coordinates.data(), static_cast<Eigen::Index>(checked.coordinates.size() / 3), 3);

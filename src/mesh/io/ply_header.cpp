@@ -146,7 +146,7 @@ private:
     throw InputError({file, line}, problem, remedy);
 }
 
-/// Returns the element or property of that name, or null.
+/// Returns the element or property named `name`, or null.
 template <class Named>
 const Named* named(const std::vector<Named>& list, std::string_view name) {
     const auto found = std::ranges::find_if(list, [&](const Named& entry) { return entry.name == name; });

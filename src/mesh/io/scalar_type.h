@@ -19,7 +19,7 @@ namespace meshfolio {
 
 enum class ScalarType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
-/// The names of the types in VTK's XML files, in the same order.
+/// The names of the types in VTK's XML files, in the order of ScalarType.
 inline constexpr std::array<std::string_view, 10> vtk_type_names{"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
                                                                  "UInt32", "Int64", "UInt64", "Float32", "Float64"};
 

@@ -133,7 +133,7 @@ LoadedMesh parse_binary(std::string_view bytes, const std::string& file) {
     return welded(corners, {}, {}, file, std::move(warnings)).loaded;
 }
 
-/// True for text. Some binary files begin with "solid" too, but their size fits their count, or they have NUL bytes.
+/// True if the file is STL as text. Some binary files begin with "solid" too, but their size fits their count, or they have NUL bytes.
 bool is_text(std::string_view bytes) {
     if (bytes.size() >= header_bytes && bytes.size() == header_bytes + triangle_bytes * little_endian<std::uint32_t>(bytes.data() + 80))
         return false;

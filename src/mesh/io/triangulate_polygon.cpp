@@ -282,7 +282,8 @@ constexpr std::array spike_tolerances{rounding, 1e-9, 1e-6, 1e-5};
 PolygonTriangles triangulated_polygon(const Positions& corners) {
     const int count = static_cast<int>(corners.rows());
     if (count < 3 || count > max_polygon_corners)
-        throw MeshError("polygon of " + std::to_string(count) + " corners (limits 3 and " + std::to_string(max_polygon_corners) + ")");
+        throw MeshError("a polygon of " + std::to_string(count) + " corners cannot be triangulated",
+                        "give 3 to " + std::to_string(max_polygon_corners) + " corners");
     if (count == 3) return {fan(count), true};
     const std::vector<Point> points = flattened(corners);
     if (points.empty()) return {fan(count), false};

@@ -77,8 +77,8 @@ VtkArray VtkFile::array(const pugi::xml_node& element) {
     return array;
 }
 
-/// Decodes sizes and then data. Packed data have the number of blocks, their size, the size of the last (0: the same), and the packed size
-/// of each. In base64, sizes and data are encoded together or apart.
+/// Returns the data behind their sizes, decoded and unpacked. Packed data have the number of blocks, their size, the size of the last (0:
+/// like the others), and the packed size of each. In base64, sizes and data are encoded together or apart.
 std::string VtkFile::data_of(std::string_view encoded, bool is_text, const std::string& name) {
     const std::size_t word = size_of(header_);
     const auto bytes = [&](std::size_t count) {   // the first so many

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "base/errors.h"
@@ -106,7 +107,7 @@ private:
 }   // namespace
 
 TriangleMesh random_sphere(int points, std::uint64_t seed) {
-    if (points < 6) throw UsageError("random_sphere: fewer than six points");
+    if (points < 6) throw UsageError("a random sphere cannot have " + std::to_string(points) + " points", "ask for at least six");
     TriangleMesh mesh;
     mesh.X.resize(points, 3);
     mesh.X.topRows<6>() << 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1;

@@ -36,7 +36,7 @@ double within(double x, double i) { return std::clamp(x - i, 0.0, 1.0); }
 /// Returns a parabola: 0 at both ends of [0, 1], 1 in the middle.
 double arc(double t) { return 4 * t * (1 - t); }
 
-/// Maps block coordinates (radius, angle, height) to space. The axis is z; the sector stands upright.
+/// Returns the point in space of block coordinates (radius, angle, height). The axis is z; the sector stands upright.
 Vector3 bent(const Vector3& block) {
     constexpr std::array<double, 5> radii{0.8, 1.08, 1.7, 1.95, 2.2};
     constexpr std::array<double, 4> angles{-0.72, -0.25, 0.25, 0.72}, heights{-0.5, -0.15, 0.2, 0.55};

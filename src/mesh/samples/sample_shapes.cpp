@@ -16,13 +16,14 @@ namespace meshfolio {
 
 namespace {
 
-/// Rounds coordinates to six decimals: seven significant digits at the size of the samples, which lies between 1 and 10.
+/// Returns the mesh with coordinates rounded to six decimals: seven significant digits at the size of the samples, which lies between 1 and
+/// 10.
 TriangleMesh rounded(TriangleMesh mesh) {
     mesh.X = mesh.X.unaryExpr([](double x) { return std::round(x * 1e6) / 1e6 + 0.0; });   // + 0.0: no negative zero
     return mesh;
 }
 
-/// Adds noise of sigma mean edges to the subdivided mesh, so that a finer mesh is not a smoother one.
+/// Returns the mesh with noise of sigma mean edges of the subdivided mesh, so that a finer mesh is not a smoother one.
 TriangleMesh noisy(TriangleMesh mesh, const Vector3& sigma, std::uint64_t seed) {
     mesh.X = with_gaussian_noise(mesh.X, mean_edge_length(mesh) * sigma, seed);
     return mesh;

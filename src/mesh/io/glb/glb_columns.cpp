@@ -62,7 +62,8 @@ void GlbColumns::add_attribute(const std::string& name, const GlbAccessor& value
     }
 }
 
-/// Returns 8 bits if these hold every channel up to the rounding of 16 bits, else the widest type of a colour in the file.
+/// Returns the type that colours get: 8 bits if these hold every channel up to the rounding of 16 bits, else the widest type of a colour in
+/// the file.
 ScalarType GlbColumns::color_type() const {
     constexpr double rounded = 1.5 / 65535;
     ScalarType type = ScalarType::uint8;

@@ -59,7 +59,7 @@ std::string_view GlbDocument::take_chunk(std::string_view& bytes, std::string_vi
     return chunk;
 }
 
-/// @throws InputError unless the extension is supported or changes the look only
+/// Checks a required extension. @throws InputError unless it is supported or changes the look only
 void GlbDocument::refuse_unknown(const std::string& extension) const {
     static constexpr std::array harmless{
         "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"};

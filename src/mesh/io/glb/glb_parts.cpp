@@ -14,7 +14,7 @@ namespace meshfolio {
 
 namespace {
 
-/// Returns a number for each vertex, the same for equal coordinates.
+/// Returns a number for each vertex, from 0; vertices with equal coordinates get equal numbers.
 std::vector<int> places_of(const Positions& X) {
     PointTable table(static_cast<std::size_t>(X.rows()));
     std::vector<int> places;
