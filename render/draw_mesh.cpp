@@ -35,17 +35,17 @@ namespace render {
 
 namespace {
 
-/// Checks the options and completes those that depend on others.
+/// Returns the options with those completed that depend on others. @throws std::invalid_argument as draw_views()
 DrawOptions completed(const Surface& surface, DrawOptions options) {
     if (options.width < 1 || options.height < 1 || options.width > 16384 || options.height > 16384)
         throw std::invalid_argument("draw_views: a picture has 1 to 16384 pixels on a side, not " + std::to_string(options.width) + "x" +
                                     std::to_string(options.height));
     const std::array possible{0, 1, 4, 16};
     if (std::ranges::find(possible, options.samples) == possible.end())
-        throw std::invalid_argument("draw_views: samples must be 1, 4 or 16");
+        throw std::invalid_argument("draw_views: samples must be 1, 4 or 16 (or 0, to choose), not " + std::to_string(options.samples));
     if (!surface.values.empty() && surface.values.size() != surface.positions.size())
         throw std::invalid_argument("draw_views: " + std::to_string(surface.values.size()) + " values for " +
-                                    std::to_string(surface.positions.size()) + " vertices");
+                                    std::to_string(surface.positions.size()) + " vertices; give one a vertex");
     if (options.range.colormap == nullptr) options.range.colormap = &colormap_named("viridis");
     if (options.face_colors_from_id) options.samples = 1, options.shading = false;   // numbers cannot be averaged
     options.occlusion = options.occlusion && options.shading;
@@ -104,7 +104,7 @@ private:
     std::span<const std::unique_ptr<ViewPicture>> pictures_;
 };
 
-/// Returns empty pictures for the views of a projection. Their buffers, if they need any, are those of the projection before.
+/// Returns empty pictures for the views of a projection. If they need buffers, they reuse those of the projection drawn before.
 std::vector<std::unique_ptr<ViewPicture>> empty_pictures(const Projection& projection, const DrawOptions& options, bool has_values,
                                                          std::vector<std::unique_ptr<ViewBuffers>>& buffers) {
     const bool with_buffers = options.occlusion || !options.marked_vertices.empty();
@@ -144,7 +144,7 @@ void draw_marks(const ProjectedScene& projected, std::span<const int> vertices, 
     }
 }
 
-/// Draws all views on one frame. @param default_samples  per pixel, unless the options say how many
+/// Returns a picture of each view, all on one frame. @param default_samples  per pixel, if options.samples is 0
 std::vector<Image> draw_framed(const Surface& surface, std::span<const View> views, const Frame& frame, DrawOptions options,
                                int default_samples) {
     if (options.samples == 0) options.samples = default_samples;

@@ -28,8 +28,8 @@ struct ValueRange {
     double low = 0, high = 1;             // ends of the map; values beyond are clamped
     bool logarithmic = false;             // positions by the logarithm; low > 0, and lower values count as low
 
-    /// Returns the position of a value in the map: 0 at the low end, 1 at the high end, beyond these for values beyond the ends; in a
-    /// logarithmic range never below 0. Not finite if the ends are equal.
+    /// Returns the position of a value in the map: 0 at the low end, 1 at the high end; below 0 or above 1 outside of the range, but never
+    /// below 0 in a logarithmic one. Not finite if the ends are equal.
     double position(double value) const;
 };
 

@@ -41,9 +41,12 @@ using Byte = std::uint8_t;
 constexpr std::int64_t largest_jpeg = std::int64_t{16384} * 16384;
 
 void check_size(const Image& image, std::int64_t largest, const char* caller) {
-    if (image.width < 1 || image.height < 1) throw std::invalid_argument(std::string(caller) + ": the picture is empty");
+    if (image.width < 1 || image.height < 1)
+        throw std::invalid_argument(std::string(caller) + ": the picture is empty (" + std::to_string(image.width) + "x" +
+                                    std::to_string(image.height) + ")");
     if (std::int64_t{image.width} * image.height > largest)
-        throw std::invalid_argument(std::string(caller) + ": the picture has more than " + std::to_string(largest) + " pixels");
+        throw std::invalid_argument(std::string(caller) + ": " + std::to_string(image.width) + "x" + std::to_string(image.height) +
+                                    " pixels are more than the limit of " + std::to_string(largest) + "; draw a smaller picture");
 }
 
 /// Writes three bytes a pixel, and one byte beyond the last.
@@ -88,8 +91,8 @@ void subtract_paeth(const Byte* row, const Byte* above, std::size_t size, std::s
     }
 }
 
-/// Writes the number of the filter and row y minus its prediction. Stretches that repeat the row above, such as background, give zeros.
-/// False if one of the other pixels is not opaque.
+/// Writes filter number 4 and row y minus its Paeth prediction, 1 + channels · width bytes. Stretches that repeat the row above, such as
+/// background, give zeros. Returns false if a pixel outside of such stretches is not opaque.
 bool filter_row(const Image& image, std::size_t channels, int y, Byte* line) {
     constexpr int stretch = 64;
     const auto copy = [&](int x, int row, int count, Byte* bytes) {
@@ -202,7 +205,8 @@ std::string encode_png(const Image& image) {
 
 std::string encode_jpeg(const Image& image, int quality) {
     check_size(image, largest_jpeg, "encode_jpeg");
-    if (quality < 1 || quality > 100) throw std::invalid_argument("encode_jpeg: quality must lie in 1 to 100");
+    if (quality < 1 || quality > 100)
+        throw std::invalid_argument("encode_jpeg: quality must lie in 1 to 100, not " + std::to_string(quality));
     Image on_white(image.width, image.height);
     paste(on_white, image, 0, 0);
     std::vector<Byte> rgb(3 * on_white.pixels.size() + 1);

@@ -55,7 +55,7 @@ bool has_known_corners(const glm::ivec3& triangle, std::size_t vertices) {
 /// The state of a vertex, in one byte: unlike positions, these stay in the cache while triangles visit them in any order.
 enum class Corner : std::uint8_t { not_finite, unused, drawn };
 
-/// Returns for each vertex whether it is a corner of a triangle that can be drawn.
+/// Returns the state of each vertex: drawn if it is a corner of a triangle that can be drawn.
 std::vector<Corner> drawn_corners(std::span<const glm::dvec3> positions, std::span<const glm::ivec3> triangles) {
     std::vector<Corner> corners(positions.size());
     for_each_index(positions.size(), [&](std::size_t i) { corners[i] = is_finite(positions[i]) ? Corner::unused : Corner::not_finite; });

@@ -77,7 +77,7 @@ private:
     std::array<int, 3> component_;
 };
 
-/// Mixes the normals of vertex and triangle: the latter dominates at a crease, as far as it can be trusted.
+/// Returns the normal at a corner: of the vertex or, at a crease, of the triangle as far as it can be trusted.
 HWY_INLINE Vector3 corner_normal(const Corner& corner, const Vector3& face_normal, FloatVector trust) {
     const FloatVector sharp = hn::Mul(trust, corner.sharpness);
     return sum(scaled(sharp, face_normal), scaled(hn::Sub(set(1), sharp), corner.normal));

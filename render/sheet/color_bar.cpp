@@ -125,7 +125,7 @@ void draw_notes(Image& image, const ColorBar& bar, const BarBox& e, double em, R
     if (bar.clipped_above > 0) draw_text(image, e.x1, baseline, fit_text(share_text(bar.clipped_above) + " above", third, style), style);
 }
 
-/// The texts at the ends of a small bar: "0", "7.2 % of h" or "20/length²".
+/// Returns the text at the low end of a small bar, such as "0"; high_end() the text at the high end, such as "7.2 % of h" or "20/length²".
 std::string low_end(const ColorBar& bar) { return number_text(bar.range.low); }
 std::string high_end(const ColorBar& bar) {
     const double beyond = bar.clipped_below + bar.clipped_above;

@@ -55,7 +55,7 @@ struct Grid {
         heads = sheet.heads.empty() ? 0 : rounded((sheet.subheads.empty() ? 1.6 : 2.9) * em);
         names = sheet.view_names.empty() ? 0 : rounded(view_label_height(0.95 * em) + 0.1 * em);
     }
-    /// The gap between groups is three times that inside.
+    /// Returns the left end of the picture in a place. The gap between groups is three times the gap inside.
     int left(int place) const { return place % columns * (cell_width + gap) + (group > 1 ? place % columns / group * 2 * gap : 0); }
     int top(int place) const { return heads + place / columns * (cell_height + names + gap); }
     int width() const { return left(columns - 1) + cell_width; }
@@ -104,7 +104,9 @@ Image compose(const ContactSheet& sheet) {
     for (const Image& picture : sheet.pictures) {
         const Image& first = sheet.pictures.front();
         if (picture.width != first.width || picture.height != first.height || picture.width < 1 || picture.height < 1)
-            throw std::invalid_argument("compose: the pictures of a sheet must be of one size, and not empty");
+            throw std::invalid_argument("compose: the pictures of a sheet must be of one size and not empty, but one is " +
+                                        std::to_string(picture.width) + "x" + std::to_string(picture.height) + ", the first " +
+                                        std::to_string(first.width) + "x" + std::to_string(first.height));
     }
     const Grid grid(sheet);
     FigureSheet figure{.title = sheet.title,

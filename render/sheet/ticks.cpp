@@ -19,7 +19,8 @@ struct Step {
     int exponent;
 
     double value() const { return scaled(mantissa, exponent); }
-    /// The first and last multiples of the step in a range, including ends that are ticks but for rounding.
+    /// Returns the number of the first multiple of the step from `low` on, last() of the last up to `high`; an end within rounding of a
+    /// multiple counts.
     double first(double low) const { return std::ceil(low / value() - 1e-9); }
     double last(double high) const { return std::floor(high / value() + 1e-9); }
 };

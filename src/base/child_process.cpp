@@ -98,7 +98,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
 }
 
 /// Starts the program and enters its group in the registry.
-/// @return errno, or 0 and the number of the process
+/// @return 0, with its number in `process`, or errno
 int start(const ChildTask& task, int output, pid_t& process) {
     std::vector<std::string> words{task.program.string()}, environment;
     words.insert(words.end(), task.arguments.begin(), task.arguments.end());

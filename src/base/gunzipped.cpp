@@ -31,7 +31,7 @@ std::string gunzipped(std::string_view bytes, const std::string& file) {
         } else if (result != LIBDEFLATE_INSUFFICIENT_SPACE) {
             throw InputError({file, 0}, "damaged gzip data", "the file may be cut off");
         } else if (have + room == most) {
-            throw InputError({file, 0}, "gzip data that unpacks to more than " + std::to_string(most) + " bytes",
+            throw InputError({file, 0}, "the gzip data unpack to more than " + std::to_string(most) + " bytes",
                              "unpack it with gunzip first, if you trust it");
         } else {
             room = 2 * room + 64;

@@ -40,7 +40,7 @@ std::string with_typographic_minus(std::string s) {
     return s;
 }
 
-/// Groups five or more digits before the point: "43243" becomes "43 243", with U+202F.
+/// Returns the number with five or more digits before the point grouped by three: "43243" becomes "43 243", with U+202F.
 std::string grouped(const std::string& number) {
     const std::size_t begin = number.front() == '-' ? 1 : 0;
     const std::size_t whole = std::min(number.find('.'), number.size()) - begin;

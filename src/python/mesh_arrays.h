@@ -68,10 +68,12 @@ inline std::vector<VertexColumn> columns_of(const py::dict& arrays, Eigen::Index
     for (const auto& [key, value] : arrays) {
         const std::string name = py::str(key), about = "attribute '" + printable(name) + "'";
         const py::array array = py::array::ensure(value);
-        if (!array || std::string("biuf").find(array.dtype().kind()) == std::string::npos) throw MeshError(about + " holds no numbers");
+        if (!array || std::string("biuf").find(array.dtype().kind()) == std::string::npos)
+            throw MeshError(about + " holds no numbers", "give an array of booleans, integers or floats");
         if (array.ndim() < 1 || array.ndim() > 2) throw MeshError(about + " has neither one axis nor two", "give n numbers or n x k");
         if (array.shape(0) != n)
-            throw MeshError(about + " has " + std::to_string(array.shape(0)) + " values, the mesh has " + std::to_string(n) + " vertices");
+            throw MeshError(about + " has " + std::to_string(array.shape(0)) + " values, the mesh has " + std::to_string(n) + " vertices",
+                            "give one row a vertex");
         const auto values = array.cast<DenseMatrix>();
         const ScalarType type = type_in_files(array.dtype(), values);
         for (Eigen::Index k = 0; k < values.cols(); ++k)
@@ -138,11 +140,13 @@ inline TriangleMesh triangles_of(const py::object& vertices, const py::object& f
     mesh.X = rows_of_three(vertices, "vertices", "iuf").cast<Positions>();
     const Indices indices = rows_of_three(faces, "faces", "iu").cast<Indices>();
     for (Eigen::Index v = 0; v < mesh.X.rows(); ++v) {
-        if (!mesh.X.row(v).allFinite()) throw MeshError("vertex " + std::to_string(v) + " is not finite", "", {name});
+        if (!mesh.X.row(v).allFinite())
+            throw MeshError("vertex " + std::to_string(v) + " is not finite", "every coordinate must be a number", {name});
     }
     for (Eigen::Index t = 0; t < indices.rows(); ++t) {
         if (indices.row(t).minCoeff() < 0 || indices.row(t).maxCoeff() >= mesh.X.rows())
-            throw MeshError("face " + std::to_string(t) + " names a vertex that is not there", "", {name});
+            throw MeshError("face " + std::to_string(t) + " names a vertex that is not there",
+                            "indices lie from 0 to " + std::to_string(mesh.X.rows() - 1), {name});
     }
     mesh.F = indices.cast<int>();
     return mesh;

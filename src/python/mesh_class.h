@@ -88,18 +88,18 @@ inline void add_mesh(py::module_& m) {
              "vertices: n x 3 coordinates in any unit of length; faces: m x 3 rows of vertices, counter-clockwise seen from outside;\n"
              "attributes: names with n numbers each, or n x k.")
         .def_property_readonly("vertices", vertices, "n x 3 float64 [length], read-only, no copy")
-        .def_property_readonly("points", vertices, "the same as vertices, as PyVista calls them")
+        .def_property_readonly("points", vertices, "vertices, under PyVista's name for them")
         .def_property_readonly(
             "faces", [](const Mesh& mesh) { return rows_of(mesh.triangles().F, mesh); }, "m x 3 int32, read-only, no copy")
         .def_property_readonly(
             "attributes", attributes,
             "a dict, name -> n numbers (or n x k), read and written: colours, quality, … of the file; save() writes them,\n"
             "smooth() and noise() keep them. Normals are computed anew when they are written")
-        .def_property_readonly("vertex_attributes", attributes, "the same as attributes, as trimesh calls them")
-        .def_property_readonly("point_data", attributes, "the same as attributes, as PyVista calls them")
+        .def_property_readonly("vertex_attributes", attributes, "attributes, under trimesh's name for them")
+        .def_property_readonly("point_data", attributes, "attributes, under PyVista's name for them")
         .def_property_readonly(
             "name", [](const Mesh& mesh) { return mesh.prepared->file; }, "file it was read from, or what it was called")
-        .def_property_readonly("warnings", &warnings_of, "what looked odd when it was read, and what was repaired");
+        .def_property_readonly("warnings", &warnings_of, "a list of sentences: oddities found when it was read, and repairs");
     mesh_class
         .def_property_readonly(
             "n_points", [](const Mesh& mesh) { return mesh.triangles().vertex_count(); }, "vertices")

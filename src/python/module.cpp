@@ -174,7 +174,7 @@ Mesh smooth_mesh(const Mesh& mesh, std::optional<double> step, const std::string
 
 Mesh noise(const Mesh& mesh, double sigma, std::uint64_t seed, const std::string& unit) {
     if (run::number_not_negative("sigma", plain_text(sigma)) > largest_coordinate)
-        throw UsageError("sigma " + plain_text(sigma) + " is beyond 1e100");
+        throw UsageError("sigma " + plain_text(sigma) + " is beyond 1e100", "take a smaller one");
     run::require_choice("unit", unit, {"raw", "bbox"});
     const Vector3 scale = unit == "bbox" ? bounding_box(mesh.triangles()).extent() : Vector3::Ones();
     return moved_to(mesh, with_gaussian_noise(mesh.triangles().X, sigma * scale, seed));
@@ -216,14 +216,15 @@ py::array draw(const Mesh& mesh, const std::string& field_name, const std::optio
         request.range =
             run::value_limits(range->first, range->second, "range (" + plain_text(range->first) + ", " + plain_text(range->second) + ")");
     }
-    if (!(isolines >= 0)) throw UsageError("isolines is below 0", "give the distance of two lines, 0 for none");
+    if (!(isolines >= 0))
+        throw UsageError("isolines must be a number >= 0, not " + plain_text(isolines), "give the distance between lines, 0 for none");
     request.draw.isoline_spacing = isolines;
     request.draw.edges = edges;
     request.draw.face_colors_from_id = !values && field_name == "id";
     if (transparent) request.draw.background = {255, 255, 255, 0};
     if (values && values->size() != mesh.triangles().X.rows())
-        throw MeshError(std::to_string(values->size()) + " values, the mesh has " + std::to_string(mesh.triangles().X.rows()) +
-                        " vertices");
+        throw MeshError(std::to_string(values->size()) + " values, the mesh has " + std::to_string(mesh.triangles().X.rows()) + " vertices",
+                        "give one value a vertex, NaN where undefined");
     return array_of(interruptible([=, of = mesh.prepared](const Stop& stop) {
         const run::Field field = values ? run::field_of_values(*values, label) : run::field_of(*of, field_name);
         stop.check();
@@ -277,17 +278,18 @@ PYBIND11_MODULE(_core, m) {
     m.attr("__version__") = build_info::version;
     leave_works_at_exit();
     m.def("load", &load, "path"_a,
-          "A mesh from an OBJ, OFF, PLY, STL, VTP or GLB file, perhaps packed by gzip, with what the file holds of its vertices in\n"
-          "`attributes`. MissingFileError, a FileNotFoundError, where there is none.");
+          "A mesh from an OBJ, OFF, PLY, STL, VTP or GLB file, perhaps packed by gzip, with the values that the file holds for its\n"
+          "vertices in `attributes`. Raises MissingFileError, a FileNotFoundError, where there is no file.");
     m.def(
         "sample",
         [](const std::string& name, int subdivide) {
             return mesh_of(interruptible([=](const Stop&) { return prepare_mesh({make_sample(name, subdivide), name, {}, {}}); }));
         },
-        "name"_a, "subdivide"_a = 0, "A bundled mesh, its triangles divided into four so many times, onto the surface.");
+        "name"_a, "subdivide"_a = 0,
+        "A bundled mesh, its triangles divided into four `subdivide` times, with new vertices on its surface.");
     m.def("save", &save, "mesh"_a, "path"_a,
-          "Into an OBJ, OFF, PLY, STL, VTP or GLB file, which is replaced as a whole. PLY, VTP and GLB take the attributes: of an array\n"
-          "n x k columns NAME_0, NAME_1, … An OBJ file's texture coordinates, groups and materials go into OBJ.");
+          "Writes an OBJ, OFF, PLY, STL, VTP or GLB file, which is replaced as a whole. PLY, VTP and GLB take the attributes:\n"
+          "an n x k array as columns NAME_0, NAME_1, … An OBJ file's texture coordinates, groups and materials go into OBJ.");
     m.def("curvature", &curvature, "mesh"_a, py::kw_only(), "area"_a = "barycentric", "operator"_a = "cotan", "jets"_a = false,
           "A dict of n float64 each, NaN where undefined: area [length^2], h_uniform [length], k_gauss [1/length^2], h_cotan and\n"
           "h_uniform_scaled [1/length]; with jets also h_jet, k_jet; h_<operator> of another operator.");
@@ -296,13 +298,13 @@ PYBIND11_MODULE(_core, m) {
           "without\n"
           "length join, the first has the row and the mass of all; the others, like unreferenced vertices, have zeros.");
     m.def("spectrum", &spectrum, "mesh"_a, "k"_a, py::kw_only(), "operator"_a = "cotan", "area"_a = "barycentric",
-          "The k smallest eigenpairs, M-orthonormal, and whether they are proved complete.");
+          "A Spectrum: the k smallest eigenpairs, M-orthonormal, with a certificate; fewer, with a warning, on a mesh of fewer vertices.");
     m.def("smooth", &smooth_mesh, "mesh"_a, "step"_a = py::none(), py::kw_only(), "scheme"_a = "explicit", "operator"_a = "cotan",
           "unit"_a = "raw", "iterations"_a = 1, "rebuild"_a = false, "adaptive"_a = false, "mu"_a = py::none(),
-          "Laplacian smoothing: scheme explicit, implicit or taubin. step is lambda in unit raw [length^2], tau (1 is the largest stable\n"
+          "A smoothed mesh, by scheme explicit, implicit or taubin. step is lambda in unit raw [length^2], tau (1 is the largest stable\n"
           "step) or h2 (mean edge squared); default: half the largest stable one. SolverError when it blows up.");
     m.def("noise", &noise, "mesh"_a, "sigma"_a, py::kw_only(), "seed"_a = 1, "unit"_a = "raw",
-          "Seeded Gaussian noise of standard deviation sigma per coordinate: raw [length], or bbox, a share of each extent.");
+          "A mesh with seeded Gaussian noise of standard deviation sigma per coordinate: raw [length], or bbox, a share of each extent.");
     m.def("compare", &compare, "a"_a, "b"_a, py::kw_only(), "surfaces"_a = false, "accuracy"_a = default_accuracy,
           "A dict of errors of b against a: rms, max, hausdorff, hausdorff_bound [length], mean_normal_angle_deg, volume_ratio, area_ratio "
           "and more. Vertex "

@@ -7,8 +7,8 @@
     mesh.attributes.update(meshfolio.curvature(mesh))
     meshfolio.save(mesh, "curved.ply")              # with the curvatures as properties of its vertices
 
-Lengths are in the unit of the mesh. What is refused is a meshfolio.Error, with the words of the command line; what looks wrong but can be
-done is a RuntimeWarning. Long calls leave Python to its other threads. Ctrl-C ends them at once; where a factorisation is under way, its
+Lengths are in the unit of the mesh. A refused call raises a meshfolio.Error with the message of the command line; a doubtful one
+warns with a RuntimeWarning. Long calls leave Python to its other threads. Ctrl-C ends them at once; where a factorisation is under way, its
 threads compute on for some seconds in a session that goes on. save() is not left half done.
 """
 
@@ -86,7 +86,7 @@ class Picture(numpy.ndarray):
         return _core.encode_png(self) if is_picture else None
 
     def save(self, path):
-        """Into a PNG file."""
+        """Writes a PNG file."""
         with open(path, "wb") as file:
             file.write(_core.encode_png(self))
 
