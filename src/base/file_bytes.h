@@ -32,7 +32,7 @@ void read_in_pieces(const std::filesystem::path& path, const std::function<void(
 inline constexpr std::filesystem::perms new_file_permissions{0666};
 
 /// Creates or replaces the file `path`; the bytes have reached the disk when this returns. A file that has other hard links is replaced by
-/// a new one, so that those keep their contents. @throws OutputError with the path and the system's reason
+/// a new one, so that its other names keep their contents. @throws OutputError with the path and the system's reason
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// write_file() in two steps: the name appears before the bytes.

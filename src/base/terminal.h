@@ -9,8 +9,9 @@ namespace meshfolio {
 
 enum class Ink { bold = 1, dim = 2, red = 31, green = 32, yellow = 33 };   // "select graphic rendition", ECMA-48
 
-/// Returns the text in escape sequences of this colour, or unchanged if the descriptor is to have no colours. A terminal has colours unless
-/// NO_COLOR is set or CLICOLOR is 0; others have them if CLICOLOR_FORCE is set (no-color.org, bixense.com/clicolors).
+/// Returns the text in escape sequences of this colour, or unchanged if the descriptor is to have no colours. None has colours if NO_COLOR
+/// is set; else all have if CLICOLOR_FORCE is set and not 0; else a terminal has unless TERM is empty or "dumb", or CLICOLOR is 0
+/// (no-color.org, bixense.com/clicolors).
 std::string inked(Ink ink, const std::string& text, int descriptor = 1);
 
 /// Returns the text with its numbers in bold, or unchanged if the descriptor is to have no colours.

@@ -57,7 +57,7 @@ VertexFan fan_around(const TriangleMesh& mesh, const Incidence& vertex_faces, in
 /// Returns the edges, sorted by (a, b). Edges of a triangle that names a vertex twice are counted twice.
 std::vector<Edge> edges_of(const TriangleMesh& mesh);
 
-/// Returns the whole topology. @throws MeshError if a triangle names a vertex twice or one that does not exist
+/// Returns the topology of the mesh, with all its members. @throws MeshError if a triangle names a vertex twice or one that does not exist
 MeshTopology topology_of(const TriangleMesh& mesh);
 /// Returns the topology with empty `edges` and `neighbours`, in half the time. Triangles must name three different, existing vertices.
 MeshTopology topology_without_edges(const TriangleMesh& mesh);

@@ -35,8 +35,8 @@ public:
         double squared_low;        // a lower bound, less than squared_distance only if the search was cut off [length²]
         std::int64_t opened;       // boxes opened
     };
-    /// Finds the triangle nearest to p among those at a squared distance below `known_bound`. May stop at a squared distance ≤ `enough`
-    /// [length²], and stops after opening `most` boxes.
+    /// Finds the triangle nearest to p among the triangles at a squared distance below `known_bound`. May stop at a squared distance ≤
+    /// `enough` [length²], and stops after opening `most` boxes.
     Nearest nearest(const Vector3& p, double known_bound = std::numeric_limits<double>::infinity(), double enough = 0,
                     std::int64_t most = std::numeric_limits<std::int64_t>::max()) const;
 

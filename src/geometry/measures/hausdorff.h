@@ -18,8 +18,8 @@ struct HausdorffDistance {
 inline constexpr double default_accuracy = 1e-3;                    // of (bound − distance)/distance
 inline constexpr double least_accuracy = 1e-9, most_accuracy = 1;   // the range of accuracies
 
-/// Computes the two-sided distance over all points of all triangles; those without area are the segments and points that they are. 0 if
-/// neither mesh has a triangle. Ends when no point can be farther than (1 + accuracy) times one found.
+/// Computes the two-sided distance over all points of all triangles; triangles without area count as the segments and points that they are.
+/// 0 if neither mesh has a triangle. Ends when no point can be farther than (1 + accuracy) times one found.
 /// @throws MeshError if only one of them has no triangle
 HausdorffDistance hausdorff_distance(const TriangleMesh& a, const TriangleMesh& b, double accuracy = default_accuracy);
 

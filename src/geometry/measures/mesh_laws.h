@@ -23,7 +23,7 @@ double energy_over_area(const TriangleMesh& mesh, const SparseMatrix& C);
 /// The gradient comes from normals and edges, without cotangents.
 double first_variation_error(const TriangleMesh& mesh, const SparseMatrix& C);
 
-/// Returns ΣM over the area of the triangles, without those of zero area (triangle_kind.h): 1 up to rounding.
+/// Returns ΣM over the area of the triangles, without triangles of zero area (triangle_kind.h): 1 up to rounding.
 double mass_over_area(const TriangleMesh& mesh, const Vector& M);
 
 /// Counts the eigenvalues of −Cx = νDx below σ = −1e-10, D its diagonal, with the rounding of the count: none if −C is positive

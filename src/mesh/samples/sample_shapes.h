@@ -23,7 +23,7 @@ std::span<const Sample> sample_list();
 
 inline constexpr int most_subdivisions = 6;   // already 4096 times as many triangles
 
-/// Returns the sample of that name. @throws UsageError for an unknown name (with the nearest one), or `subdivide` below 0 or above
+/// Returns the sample named `name`. @throws UsageError for an unknown name (with the nearest one), or `subdivide` below 0 or above
 /// most_subdivisions
 TriangleMesh make_sample(const std::string& name, int subdivide = 0);
 
