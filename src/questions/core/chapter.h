@@ -27,14 +27,14 @@ struct Answer {
     std::vector<output::MeshOutput> meshes = {};
 };
 
-/// Called while a chapter works; may throw to stop it.
+/// Called with the name of each step as it begins, “denoising of cube”; may throw to stop the chapter.
 using Progress = std::function<void(std::string_view step)>;
 
 /// fixed + Σ over the meshes of (linear x + growing x^(3/2)), x in 100,000 vertices: the power is that of a sparse factor.
 struct CostModel {
     double fixed, linear, growing = 0;
 
-    /// Returns the share of one mesh. @param work  factor on it
+    /// Returns work · (linear x + growing x^(3/2)) for one mesh, x = vertices / 100,000; `fixed` is not included.
     double per_mesh(double vertices, double work = 1) const {
         const double x = vertices / 1e5;
         return work * (linear * x + growing * x * std::sqrt(x));
@@ -55,7 +55,8 @@ struct ChapterCost {
     std::vector<int> QuestionSettings::*lengths = nullptr;
     double length[2] = {1, 1}, runs[2] = {1, 1};
 
-    /// Returns the work that the settings ask for, over that of the defaults.
+    /// Returns (longest run / default length) × (number of λ × number of σ / default number of runs); a factor whose lists are empty is 1,
+    /// and everything is 1 if `lengths` is null. @param small  compare with the defaults of --quick
     double work_of(const QuestionSettings& settings, bool small) const;
 };
 
@@ -85,16 +86,17 @@ struct Chapter {
     bool is_question() const { return report::is_question(id); }
     report::Words words() const { return report::Words(id); }   // templates/words/<id>.md
     std::string title() const { return words().line("title"); }
-    /// The assignment's question in one sentence.
+    /// Returns the assignment's question in one sentence.
     std::string asked() const { return words().line("asked"); }
-    /// Returns the cited code without line numbers, which src/submission finds.
+    /// Returns `code` with the words for its purposes, without line numbers, which src/submission finds.
     std::vector<report::CodeReference> cited_code() const;
 };
 
-/// All, in their order, those on request last. A new one is a folder and a line of chapter_list.cpp.
+/// Returns all chapters in the order of the report, chapters on request last. A new chapter is a folder and a line of chapter_list.cpp.
 std::span<const Chapter* const> chapter_list();
-/// @throws std::logic_error if none has this id
+/// Returns the chapter with this id. @throws std::logic_error if there is none
 const Chapter& chapter_of_id(std::string_view id);
+/// Returns the ids of chapter_list(), in its order: "q1", … "claims".
 std::vector<std::string> section_ids();
 
 }   // namespace meshfolio

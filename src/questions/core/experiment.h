@@ -68,16 +68,17 @@ struct Experiment {
     bool brief = false;     // small and telling enough for a report that names no experiments
 };
 
-// Names as they stand in settings files; name lists are in the order of the enumerations.
-std::vector<std::string> experiment_kind_names();
-std::vector<std::string> smoothing_method_names();
-std::vector<std::string> noise_unit_names();
-std::vector<std::string> experiment_colour_names();
+// All names as in settings files, in the order of the enumerations.
+std::vector<std::string> experiment_kind_names();     // "curvature", … "error-curve"
+std::vector<std::string> smoothing_method_names();    // "explicit", … "implicit-rebuilt", "taubin"
+std::vector<std::string> noise_unit_names();          // "raw", "box", "diagonal", "edge"
+std::vector<std::string> experiment_colour_names();   // "none", "h-cotan", … "distance"
+
 std::string name_of(ExperimentKind kind);
 std::string name_of(const SmoothingMethod& method);
 std::string name_of(NoiseUnit unit);
 std::string name_of(ExperimentColour colour);
-/// @throws UsageError with the nearest name
+/// Return the value of a name in a settings file. @throws UsageError that suggests the nearest name
 ExperimentKind experiment_kind_named(const std::string& name);
 SmoothingMethod smoothing_method_named(const std::string& name);
 NoiseUnit noise_unit_named(const std::string& name);
@@ -88,9 +89,9 @@ inline constexpr int first_row = 7, last_row = 34;   // of the requirements that
 inline constexpr int most_experiments = 100;
 }   // namespace limits
 
-/// A settings file of data/reports as compiled in, by its name without ending ("s0"); empty when there is none.
+/// Returns the text of a settings file of data/reports as compiled in, by its name without ending ("s0"); empty if there is none.
 std::string_view bundled_report_text(const std::string& name);
-/// "laboratory", "s0", …: the names bundled_report_text() knows, sorted.
+/// Returns the names that bundled_report_text() knows, sorted: "earlier", "laboratory", "s0", …
 std::vector<std::string> bundled_report_names();
 
 }   // namespace meshfolio

@@ -8,18 +8,20 @@
 
 namespace meshfolio {
 
-/// Appends the figure to the section and asks for its pictures. The alternative text is made from title, panels and colours.
+/// Appends a figure with this caption to answer.section, and the request to answer.figures. Without `alt`, the alternative text is made of
+/// title, panels and colour range.
 void add_figure(Answer& answer, output::FigureRequest request, std::string caption);
 void add_figure(Answer& answer, output::FigureRequest request, std::string caption, std::string alt);
 
-/// "lily.obj, 1284 vertices".
+/// Returns the file name and the number of vertices: "lily.obj, 1284 vertices".
 std::string subtitle_of(const LibraryMesh& mesh);
 
-/// A panel of the library's own mesh; of other positions or another mesh.
+/// Makes a panel of a mesh of the library, which is not copied, or of another mesh. @param values  n values to colour; empty: none
 output::Panel panel_of(const LibraryMesh& mesh, std::string name, std::string label, Vector values = {});
 output::Panel panel_of(TriangleMesh mesh, std::string name, std::string label, Vector values = {});
 
-/// The positions about the centre of the mesh's box, in its diagonals, so that meshes of any size can stand side by side.
+/// Returns the triangles of `mesh` with positions (X − centre)/diagonal, centre and diagonal of the bounding box of `mesh`, so that meshes
+/// of any size can stand side by side.
 TriangleMesh in_unit_box(const TriangleMesh& mesh, const Positions& X);
 
 }   // namespace meshfolio

@@ -41,13 +41,13 @@ struct FoundMesh {
 
 class MeshFinder {
 public:
-    /// @param listed  see MeshLibrary
+    /// @param listed  see MeshLibrary @throws InputError if one of `data_folders` is no folder
     MeshFinder(std::vector<std::filesystem::path> data_folders, std::vector<std::filesystem::path> own_meshes,
                const std::vector<std::filesystem::path>& listed);
 
     const std::vector<std::filesystem::path>& own() const { return own_; }
-    /// Returns the file of a mesh; nothing for By::in_data if no data folder has it.
-    /// @throws InputError if the mesh is nowhere; UsageError for an unknown role
+    /// Returns the file of a mesh; nothing for By::in_data if no data folder has it. @param base  folder of relative paths for By::file and
+    /// By::original @throws InputError if a By::file is nowhere; UsageError for an unknown role
     std::optional<FoundMesh> found(const MeshLookup& lookup, const std::filesystem::path& base) const;
 
 private:
@@ -62,10 +62,11 @@ private:
     FoundMesh found_own(const std::filesystem::path& path) const;
 };
 
-/// Returns the error with another name of the file at the beginning of its message.
+/// Returns an InputError with the message, in which `after` replaces `before` if the message begins with it.
 InputError renamed(const Error& error, const std::string& before, const std::string& after);
 
-/// Returns the stem of a file name, made safe for ids: [a-z0-9_], at most 40 characters, never empty.
+/// Returns the stem of a file name, made safe for ids: lower case, one _ for each run of characters outside a–z and 0–9, at most 40
+/// characters; "mesh" if nothing is left.
 std::string short_name(const std::filesystem::path& path);
 
 }   // namespace meshfolio

@@ -48,13 +48,15 @@ public:
     MeshLibrary(std::vector<std::filesystem::path> data_folders, std::vector<std::filesystem::path> own_meshes,
                 const std::vector<std::filesystem::path>& listed = {}, std::shared_ptr<OnceMap> values = std::make_shared<OnceMap>());
 
-    /// @throws InputError if the file is missing or unusable; UsageError for an unknown role; std::logic_error for one not offered
+    /// Returns the mesh of a role; if the user has own meshes, the first of them. @throws InputError if the file is unusable; UsageError
+    /// for an unknown role; std::logic_error for a role that offering() leaves out
     SharedMesh role(const std::string& role) const;
-    /// Returns a mesh that the settings name: relative to `base`, then in the data folders, then among the bundled ones.
+    /// Returns a mesh that the settings name, looked for relative to `base`, then in the data folders, then among the bundled meshes.
+    /// @throws InputError if it is nowhere or unusable
     SharedMesh file(const std::filesystem::path& path, const std::filesystem::path& base) const;
 
     /// Returns a mesh of an earlier report: `path` relative to `base`, then by its whole path in a data folder, then by its bare name; else
-    /// the bundled mesh that stands in for it. An empty path is that of a lost mesh. The user's own mesh replaces it.
+    /// the bundled mesh `stand_in`. An empty path means a lost mesh. The user's first own mesh replaces every original.
     SharedMesh original(const std::string& name, const std::filesystem::path& path, const std::string& stand_in,
                         const std::filesystem::path& base) const;
     /// Returns a mesh by its file name from the data folders; null if none has it.
@@ -63,20 +65,21 @@ public:
     bool has_own_meshes() const { return !finder_.own().empty(); }
     /// Returns the user's own meshes (`report MY.obj …`), which replace every list of roles. @throws InputError, MeshError
     LibraryMeshes own_meshes() const;
-    /// Reads the user's own meshes before any work begins. @throws InputError naming the first that cannot be used by its path
+    /// Reads the user's own meshes before any work begins. @throws InputError that names the first unusable mesh by its path
     void open_own_meshes() const;
 
-    /// Returns a view of this library that hands out decimated copies (mesh/decimation.h) of meshes with more vertices, each made once.
-    /// @param vertices  of the largest mesh handed out; 0: no limit
+    /// Returns a view of this library that hands out decimated copies (mesh/decimation.h) of meshes with more than this number of vertices,
+    /// each made once. @param vertices  0: no limit
     MeshLibrary limited_to(int vertices) const;
-    /// Returns a view of this library that hands out these roles only: what a chapter reads is what its answer is stored under.
+    /// Returns a view of this library in which role() throws for all other roles, so that a chapter reads only the meshes that its answer
+    /// is stored under.
     MeshLibrary offering(std::vector<std::string_view> roles) const;
-    /// Returns the value of `key`, made once for this library and its copies; see OnceMap.
+    /// Returns the value of `key`; the first caller makes it by make(), for this library and all copies of it. See OnceMap.
     const auto& once(const std::string& key, const auto& make) const { return values_->value(key, make); }
     /// Returns the input that a lookup finds now, without the counts of the mesh; nothing if the mesh cannot be had.
     std::optional<report::Input> input_of(const MeshLookup& lookup, const std::filesystem::path& base) const;
-    /// Returns words that are equal exactly where the mesh is, without preparing it: its name and the SHA-256 of its bytes, or the reason
-    /// why it cannot be read.
+    /// Returns a text that is equal for equal meshes alone: names, role and SHA-256 of the bytes; "none" if no data folder has it; else the
+    /// error why it cannot be read. The mesh is not prepared.
     std::string identity_of(const MeshLookup& lookup, const std::filesystem::path& base) const;
 
 private:

@@ -17,11 +17,12 @@ struct MeshRole {
     std::string_view bundled;            // "creature.obj" in data/
     TriangleMesh (*clean)() = nullptr;   // makes a noisy bundled mesh without its noise, vertex by vertex; null: it has no noise
 };
+/// Returns all roles, the five of the assignment first.
 std::span<const MeshRole> mesh_role_list();
 
 /// Returns the role of this name. @throws UsageError if there is none
 const MeshRole& role_named(const std::string& name);
-/// Returns the role that a path stands for: by the assignment's path, the file's name, or a bare stem such as "torus"; null: none.
+/// Returns the role that a path stands for: the assignment's path or file name, a bundled file, or its stem such as "torus"; null: none.
 const MeshRole* role_of_path(const std::string& path);
 
 /// Returns the bytes of a file of data/ as compiled into the program; nothing if there is none.

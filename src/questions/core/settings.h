@@ -42,7 +42,7 @@ inline constexpr long long largest_list = 100;       // values of one list
 inline constexpr long long longest_text = 200;       // bytes of a title or author
 }   // namespace limits
 
-/// data/report.toml as compiled in: the default settings.
+/// Returns the default settings: the text of data/report.toml as compiled in.
 std::string_view default_settings_text();
 
 }   // namespace meshfolio

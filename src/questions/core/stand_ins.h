@@ -20,6 +20,7 @@ struct StandIn {
     double mean_edge = 0;   // [length]
     int vertices = 0, triangles = 0;
 };
+/// Returns the entries of bunny, cow, cube and bumpy_cube.
 std::span<const StandIn> stand_in_list();
 
 /// A mesh of an earlier report: the original, or its stand-in.
@@ -32,10 +33,11 @@ struct ReportMesh {
 
     /// Returns "bunny", "creature in place of bunny.off", or the name of the user's own mesh.
     std::string called() const;
+    /// Returns the input of the mesh; with the name and file of the entry as its role and the file asked for, unless it is the user's own.
     report::Input input() const;
 };
 
-/// Finds a mesh by a name of the list, else by a role. The user's own mesh replaces all.
+/// Finds a mesh by a name of stand_in_list(), in a data folder or else its stand-in; or by a role. The user's first own mesh replaces all.
 ReportMesh report_mesh(const MeshLibrary& library, std::string_view name);
 
 }   // namespace meshfolio

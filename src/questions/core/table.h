@@ -42,7 +42,7 @@ public:
         table_.rows.resize(std::size(rows_));
     }
 
-    /// @param look  unit, digits, …; its name is `name`
+    /// Adds a column with a cell for each element. @param look  unit, digits, …; its name becomes `name`
     /// @param cell_of  from an element to a number, a text or a report::Cell
     template <class CellOf>
     TableBuilder& column(std::string name, report::Column look, const CellOf& cell_of) {
@@ -57,13 +57,13 @@ public:
         return column(std::move(name), report::Column{}, cell_of);
     }
 
-    /// Readers of the page may sort it.
+    /// Lets readers of the page sort the rows.
     TableBuilder& sortable() {
         table_.sortable = true;
         return *this;
     }
 
-    /// For programs alone: no page shows it, so no text may refer to it.
+    /// Writes the table to a file for programs alone: no page shows it, so no text may refer to it.
     TableBuilder& file_only() {
         table_.file_only = true;
         return *this;
@@ -76,6 +76,7 @@ private:
     report::Table table_;
 };
 
+/// Begins a table with a row for each element of `rows`, and no columns yet.
 template <class Rows>
 TableBuilder<Rows> table(std::string id, std::string caption, Rows&& rows) {
     return {std::move(id), std::move(caption), std::forward<Rows>(rows)};
@@ -88,7 +89,7 @@ struct Within {
     const Part& part;
 };
 
-/// Every part of every whole, in order. @param parts_of  from a whole to a range that it holds
+/// Returns every part of every whole, in order, each with its whole. @param parts_of  from a whole to a range that it holds
 template <class Wholes, class PartsOf>
 auto parts_within(const Wholes& wholes, const PartsOf& parts_of) {
     using Whole = std::remove_cvref_t<decltype(*std::begin(wholes))>;
