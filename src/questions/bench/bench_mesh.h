@@ -57,21 +57,21 @@ struct BenchMesh {
     std::vector<char> measured;   // at least three edges of level 2 from the boundary
     double mean_edge = 0;         // [length]
 
-    /// Returns the value of this name, which several estimators need; the first call makes it.
+    /// Returns the value of this name; the first call on this mesh or a copy of it makes the value by make().
     const auto& shared(const std::string& name, const auto& make) const { return shared_->value(name, make); }
-    const SparseMatrix& C() const;   // cotangent stiffness
-    const Vector& angle_deficits() const;
+    const SparseMatrix& C() const;          // cotangent stiffness
+    const Vector& angle_deficits() const;   // n values 2π − Σθ, on the boundary π − Σθ [rad]
 
 private:
     std::shared_ptr<OnceMap> shared_ = std::make_shared<OnceMap>();   // by copies, too
 };
-/// Makes a mesh of the surface with the truth at its vertices; each level halves the edges.
+/// Makes a mesh of the surface with the true normals and curvatures at its vertices; each level halves the edges.
 BenchMesh bench_mesh(const KnownSurface& surface, MeshKind kind, int level, std::uint64_t seed);
-/// Makes the hull of random points on an ellipsoid, the images of uniform points on the sphere, with the truth at its vertices.
+/// Makes the hull of random points on an ellipsoid, the images of uniform points on the sphere, with the true normals and curvatures.
 BenchMesh random_ellipsoid(const Vector3& half_axes, int points, std::uint64_t seed);
 
-/// Returns positions with each inner vertex moved by a uniform random step of up to `amount` of its shortest edge in each axis, then
-/// projected. No triangle turns over while `amount` is below 0.2.
+/// Returns positions with each inner vertex moved by a uniform random step of up to ± `amount` of its shortest edge in each axis, then
+/// mapped by `projected`; boundary vertices stay. No triangle turns over while `amount` is below 0.2.
 Positions jittered(const TriangleMesh& mesh, const MeshTopology& topology, double amount, std::uint64_t seed,
                    const std::function<Vector3(const Vector3&)>& projected);
 
@@ -80,6 +80,7 @@ struct NegativeWeights {
     int inside = 0, boundary = 0;
     double smallest = infinity;   // stays so without edges
 };
+/// Counts the edges with C_ij < −1e-9, with one face (boundary) and with more (inside), and finds the smallest C_ij of all edges.
 NegativeWeights negative_weights(const SparseMatrix& C, const MeshTopology& topology);
 
 }   // namespace meshfolio

@@ -30,7 +30,7 @@ struct CotangentComparison {
 
     const std::string& name() const { return subject.name(); }
 };
-/// Computes both curvatures and compares them.
+/// Computes uniform and cotangent H of the mesh, their differences, and three variants of the cotangent operator.
 CotangentComparison compare_operators(SharedMesh source);
 
 /// H of a flat square with inner vertices moved within it; the right value is 0 everywhere.
@@ -40,7 +40,7 @@ struct PlaneTest {
     double negative_weights = 0;                      // share of the edges
     double cotangent = 0, clamped = 0, uniform = 0;   // largest |H| × mean edge inside
 };
-/// Moves the vertices of the square at random and computes H.
+/// Makes a grid of 24 × 24 vertices on the unit square, moves its inner vertices at random within the square, and computes H.
 PlaneTest irregular_plane(std::uint64_t seed);
 
 }   // namespace meshfolio

@@ -5,8 +5,8 @@
 
 #include <array>
 #include <functional>
-#include <span>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "questions/bench/bench_mesh.h"
@@ -30,7 +30,7 @@ struct Order {
     double margin = 0;     // half the 95 % confidence interval of the slope; NaN with fewer than three errors
     bool exact = false;    // the finest error is rounding
 
-    /// Returns true from order ½ on: halving the edges four times quarters the error at least.
+    /// Returns true if the error is exact or of order ½ at least: halving the edges four times then quarters it.
     bool converges() const { return exact || exponent >= 0.5; }
 };
 /// Returns "1.98 ± 0.01", "exact", or "–" if too few errors are known.
@@ -40,23 +40,23 @@ std::string words_of(const Order& order);
 struct ErrorHistory {
     std::vector<double> mean_edges, errors;   // coarse to fine
 
-    /// Returns the coarsest of the errors that give the order.
+    /// Returns the third error from the end, the coarsest that the order is fitted to; the first of fewer than three.
     double first() const { return errors[errors.size() > 3 ? errors.size() - 3 : 0]; }
-    double last() const { return errors.back(); }
-    Order order() const;
+    double last() const { return errors.back(); }   // of the finest mesh
+    Order order() const;                            // fitted to the three finest meshes
 };
 /// Describes the errors: "falls from 3.1 % to 0.05 % (order 1.98 ± 0.01)", "goes from 14.6 % to …", "grows from … to …".
 std::string trend(const ErrorHistory& history);
 /// Makes an empty log–log plot of relative L2 errors over the mean edge.
 report::Plot error_plot(std::string id, std::string caption, std::string alt);
-/// Makes a series for such a plot, in percent.
+/// Makes a series for error_plot(): the errors in percent over the mean edges.
 report::Series error_series(std::string name, const ErrorHistory& history, report::Series::Style style);
 
 /// Distances of cotangent H from the H of the jet and from the truth, over the vertices with both estimates.
 struct ErrorIndicator {
     int vertices = 0;
     double indicated = 0;   // √(Σ A (H_cotan − H_jet)² / Σ A H²)
-    double actual = 0;      // the same with the closed form in place of the jet
+    double actual = 0;      // √(Σ A (H_cotan − H)² / Σ A H²)
     double found = 0;       // share of the tenth with the largest errors that is also in the tenth with the largest indications
 };
 
@@ -72,9 +72,10 @@ struct BenchLevel {
 
     const EstimateError& error(std::string_view key) const { return errors.at(key); }
 };
-/// Measures the errors of all estimators on the mesh.
+/// Measures the sizes of the mesh, the errors of all estimators, and the error indicator.
 BenchLevel measured(const BenchMesh& mesh);
-/// Measures on random points of the ellipsoid with half axes 1.5, 1 and 0.7, as published; once per library.
+/// Measures all estimators on the hull of `points` random points of the ellipsoid with half axes 1.5, 1 and 0.7, as published; once for
+/// each library, number and seed.
 BenchLevel reference_level(const MeshLibrary& library, int points, std::uint64_t seed);
 
 /// The measurements on one surface in one kind of mesh, coarse to fine.
@@ -85,11 +86,13 @@ struct BenchRun {
 
     std::string title() const { return surface + ", " + std::string(name_of(kind)); }
     const BenchLevel& finest() const { return levels.back(); }
+    /// Returns the errors of the estimator with this key over the levels, in one norm.
     ErrorHistory errors(std::string_view key, Norm norm = &EstimateError::l2) const;
 };
 using BenchRuns = std::vector<BenchRun>;
 
-/// Measures on every surface in every kind of mesh, one kind after the other; on each mesh once per library.
+/// Measures all estimators at all `levels` of every surface in every kind of mesh, each mesh once per library. Returns the runs of the
+/// first kind on all surfaces, then those of the next kind.
 BenchRuns bench_runs(const MeshLibrary& library, const std::vector<KnownSurface>& surfaces, std::span<const MeshKind> kinds,
                      const std::vector<int>& levels, std::uint64_t seed, const Progress& progress);
 
@@ -98,23 +101,24 @@ std::vector<std::reference_wrapper<const BenchRun>> of_kind(const BenchRuns& run
 /// Returns the run on this surface and kind. @throws std::logic_error if there is none
 const BenchRun& run_on(const BenchRuns& runs, std::string_view surface, MeshKind kind);
 
-/// Computes the relative error of barycentric H at a flat regular pentagon, where the L∞ error on the icosphere stalls (twelve vertices).
+/// Returns 3 cot 54° / (2 sin 72°) − 1 = 0.146, the relative error of barycentric H at a flat regular pentagon. The L∞ error on the
+/// icosphere, which has twelve of them, stalls there.
 double pentagon_excess();
-/// Checks that the L∞ error of barycentric H on the finest icosphere is pentagon_excess().
+/// Checks that the L∞ error of barycentric H on the finest regular sphere is pentagon_excess(), to a quarter of the squared mean edge.
 report::Check pentagon_check(const BenchRuns& runs);
 
 inline constexpr std::array question_kinds{MeshKind::regular, MeshKind::jittered};
-/// Returns the refinement levels of questions 1 and 3, coarse to fine: four, or three for a quick report.
+/// Returns the refinement levels of questions 1 and 3, coarse to fine: 2, 3, 4, 5; for a quick report 3, 4, 5.
 std::vector<int> refinement_levels(bool quick);
-/// Measures for questions 1 and 3: sphere, ellipsoid and torus, regular and jittered, up to 10 000 vertices.
+/// Measures all estimators for questions 1 and 3: regular sphere, ellipsoid and torus, then jittered ones, up to 10 000 vertices.
 BenchRuns question_runs(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress);
-/// Plots L2 errors of those runs, one panel per surface, jittered meshes dashed.
+/// Plots the L2 errors of question_runs() over the mean edge, one panel per surface, jittered meshes dashed.
 /// @param estimators  keys, each with the key of the message that names its curves
 report::Plot convergence_plot(std::string id, const report::Words& words, const BenchRuns& runs,
                               std::initializer_list<std::pair<std::string_view, std::string_view>> estimators);
 
 inline constexpr std::array panel_kinds{MeshKind::regular, MeshKind::random, MeshKind::noisy, MeshKind::anisotropic};
-/// Measures for the ground-truth panel: all surfaces, four refinements up to 17 000 vertices, or three for a quick report.
+/// Measures all estimators on all known_surfaces() in all panel_kinds, at levels 2 to 5 (quick: 2 to 4), up to 17 000 vertices.
 BenchRuns panel_runs(const MeshLibrary& library, std::uint64_t seed, bool quick, const Progress& progress);
 
 }   // namespace meshfolio

@@ -25,8 +25,10 @@ struct SearchPlan {
     double unit = 1;              // value × unit is DenoisingOptions::parameter
     int steps = 0;
 };
-/// Plans geometric sequences: explicit flow, λ from 0.05 to 0.9 of 2/μ_max; Taubin, pass bands from 0.01 to 0.3; other flows, λ from 0.0025
-/// to 2.56 squared mean edges of the noisy mesh; filters of normals, σ_r from 0.1 to 1.
+/// Plans geometric sequences of values in units of plan.unit: explicit flow, λ from 0.05 to 0.9 of 2/μ_max; Taubin, pass bands from 0.01 to
+/// 0.3; other flows, λ from 0.0025 to 2.56 squared mean edges; filters of normals, σ_r from 0.1 to 1. A single value is their geometric
+/// mean.
+/// @param mean_edge, largest_eigenvalue  of the noisy mesh [length], [1/length²]
 SearchPlan search_plan(DenoisingMethod method, const SearchBudget& budget, double mean_edge, double largest_eigenvalue);
 
 /// One state of a run. Step 0 is the noisy mesh, for which `value` has no meaning.
@@ -78,11 +80,12 @@ struct SearchInput {
     DenoisingInput noisy;
     double mean_edge = 0;   // of the noisy mesh [length]
 };
-/// Runs the method for every value of the plan and returns the best states.
-/// @param after_state  called with every state and its positions; returning false ends the run
+/// Runs the method for every value of the plan and returns the state with the least error of each measure, the noisy mesh included. Without
+/// a run if the method is not defined on the mesh.
+/// @param after_state  called with the state and positions after every step; returning false ends the run
 SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchPlan& plan,
                     const std::function<bool(const SearchState&, const Positions&)>& after_state = {});
-/// Does the same with the search_plan() of the budget.
+/// Runs the method by the search_plan() of the budget and returns the best states.
 SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchBudget& budget);
 
 }   // namespace meshfolio

@@ -14,7 +14,7 @@ inline constexpr Ellipsoid tall_ellipsoid{1.7, 0.6, 1.1};
 
 /// Formats the half axes: "a = 1.7, b = …".
 std::string axes_text(const Ellipsoid& e);
-Vector3 axes_of(const Ellipsoid& e);
+Vector3 axes_of(const Ellipsoid& e);   // (a, b, c)
 
 /// Deviations of the closed forms from two oracles, the largest over random points.
 struct OracleErrors {
@@ -23,7 +23,7 @@ struct OracleErrors {
     double K = 0, H = 0;    // from the implicit closed form, relative
     int points = 0;
 };
-/// Measures the deviations on five ellipsoids, one of them a sphere.
+/// Measures the largest deviations on five ellipsoids, one of them a sphere, over 200 random points each (quick: 50).
 std::vector<OracleErrors> all_oracle_errors(const QuestionSettings& settings);
 
 /// The curvatures at the tip (a, 0, 0), that is (u, v) = (0, π/2).
@@ -33,12 +33,13 @@ struct Tip {
     PrincipalCurvatures principal;
     double H = 0, K = 0;
     double worst_euler = 0;        // largest relative gap between II(t, t)/I(t, t) and Euler's formula, over unit tangents
-    double worst_parameters = 0;   // the same over (du, dv) = (cos t, sin t)
+    double worst_parameters = 0;   // between II/I and tip_curvature_by_parameters(), over (du, dv) = (cos t, sin t)
     double at_45_angle = 0, at_45_parameters = 0;
 
     /// True if κ_n is largest along ±y (b < c) rather than ±z (b > c).
     bool largest_along_y() const { return std::abs(principal.maximum_direction.y()) > std::abs(principal.maximum_direction.z()); }
 };
+/// Computes the curvatures at the tip, and the largest gaps over 360 directions.
 Tip tip_of(const Ellipsoid& ellipsoid);
 
 struct PoleStep {
@@ -46,7 +47,7 @@ struct PoleStep {
     double area_element_squared = 0;   // EG − F² [length⁴]
     double K = 0;                      // [1/length²]
 };
-/// Evaluates the forms along u = 0, at shrinking distances π − v from the south pole.
+/// Evaluates EG − F² and K along u = 0, at the distances π − v = 0.5, 0.1, 0.01, 0.001 and 0.0001 from the south pole.
 std::vector<PoleStep> towards_the_pole(const Ellipsoid& ellipsoid);
 
 /// Cotangent H and angle-deficit K (Voronoi areas) at the tip of a mesh.
@@ -62,9 +63,10 @@ struct DiscreteTip {
 struct DiscreteTips {
     std::vector<DiscreteTip> grid, icosphere;
 };
+/// Measures the tips of both meshes at levels 2 to 5 (quick: 2 to 4); each level halves the edges.
 DiscreteTips discrete_tips(const Ellipsoid& ellipsoid, bool quick);
 
-/// Returns one error of the tips over their mean edges.
+/// Returns one error of the tips, H_error or K_error, over their mean edges.
 ErrorHistory errors_of(const std::vector<DiscreteTip>& tips, double DiscreteTip::*error);
 
 }   // namespace meshfolio

@@ -8,7 +8,6 @@
 
 #include "geometry/operators/vertex_areas.h"
 #include "questions/bench/bench_mesh.h"
-#include "questions/bench/bench_mesh.h"
 
 namespace meshfolio {
 
@@ -37,7 +36,7 @@ const Estimator& estimator(std::string_view key);
 inline constexpr std::array area_forms{AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed};
 /// Returns the name of the areas in prose and tables: "Voronoi".
 std::string area_name(AreaForm form);
-/// Returns the key of the cotangent H or the angle-deficit K with these areas: "H.mixed".
+/// Return the keys of the cotangent H and of the angle-deficit K with these areas: "H.mixed", "K.mixed".
 inline std::string H_with(AreaForm form) { return "H." + std::string(name_of(form)); }
 inline std::string K_with(AreaForm form) { return "K." + std::string(name_of(form)); }
 

@@ -52,26 +52,27 @@ struct LabScale {
 /// The panel that a chapter offers.
 struct LabOffer {
     std::string_view role;   // its mesh, one of the chapter's roles
-    /// Returns the settings worth a click.
+    /// Returns the buttons of the panel. @param denoised  of denoised(); empty for a panel without noise
     std::vector<LabPreset> (*presets)(const std::vector<BestDenoising>& denoised);
     /// Returns the settings at which the chapter's tables have numbers.
     std::vector<LabSetting> (*reported)(const QuestionSettings& settings, const LabScale& scale,
                                         const std::vector<BestDenoising>& denoised);
-    /// Returns the setting that the panel opens with, where the page has all modes.
+    /// Returns the setting that the panel opens with if the page has all modes.
     LabSetting (*start)(const QuestionSettings& settings, const LabScale& scale, const std::vector<BestDenoising>& denoised);
-    /// Denoises the clean mesh at every level of noise; null for a panel without noise. @param mean_edge  h̄ of the mesh; `diagonal` of its
-    /// box [length]
+    /// Denoises the clean mesh at every level of noise and returns the best results, a level each; null for a panel without noise.
+    /// @param mean_edge, diagonal  h̄ of the mesh and diagonal of its box [length]
     std::vector<BestDenoising> (*denoised)(const TriangleMesh& clean, double mean_edge, double diagonal,
                                            const QuestionSettings& settings) = nullptr;
 };
 
-/// Returns the projection onto about fifteen modes, which every mesh has.
+/// Returns the projection onto the k of mode_counts() that is nearest to 15.
 LabSetting coarse_projection(const QuestionSettings& settings, const LabScale& scale);
 
-/// Returns the steps of the settings, else the chapter's own, as multiples of λ_crit, to ten digits: the page shows them.
+/// Returns the steps of the settings over λ_crit, else `own_steps`, which are multiples of λ_crit; ascending, rounded to ten digits for the
+/// page.
 std::vector<double> lab_steps(const QuestionSettings& settings, const std::vector<double>& own_steps, const LabScale& scale);
 
-/// Returns the value nearest to `wish`.
+/// Returns the value nearest to `wish`, the first of equals. @pre there are values
 template <class Number>
 Number nearest(const std::vector<Number>& values, Number wish) {
     return *std::ranges::min_element(values, {}, [&](Number value) { return value > wish ? value - wish : wish - value; });

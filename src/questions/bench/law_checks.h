@@ -21,14 +21,15 @@ inline std::string law(std::string_view key, const std::string& on = "") { retur
 /// Returns "it cannot be proved here: …", the note of an undecided check. Both numbers are in units of the eigenvalue.
 std::string cannot_be_proved(double rounding, double gap);
 
-/// Checks a spectrum by its certificate. Completeness is undecided if the rounding of a count exceeds its gap.
+/// Returns six checks of a spectrum by its certificate: residual, orthonormality, Parseval, completeness, zeros, ascending order.
+/// Completeness is undecided if the rounding of a count exceeds its gap.
 /// @param on    the ending of the names: " on cube"
 /// @param note  the reason why a limit may be hard to reach
 std::vector<report::Check> spectrum_checks(const SpectrumCertificate& certificate, const std::string& on, const std::string& note = "");
 
-/// Checks C and M as the unclamped cotangent operator of this mesh. Energy and first variation are left out if there are triangles without
-/// area, where the area has no gradient.
-/// @param without_area  their number
+/// Checks C and M as the unclamped cotangent operator of this mesh: symmetry, row sums, mass, semidefiniteness, energy, first variation.
+/// The last two are left out if there are triangles without area, where the area has no gradient.
+/// @param without_area  the number of such triangles
 std::vector<report::Check> operator_checks(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const std::string& on,
                                            int without_area = 0);
 

@@ -21,12 +21,12 @@ struct FlatRing {
 
     int triangles() const { return static_cast<int>(angles.size()); }
 };
-/// Unfolds the ring of an inner vertex. @param start  direction of the first edge [rad]
+/// Unfolds the ring of an inner vertex from its neighbour of smallest index. @param start  direction of the edge to that neighbour [rad]
 FlatRing flat_ring(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, double start = 0);
 
 /// Returns the polygon of the vertex's cell in triangle t. Its signed area is the triangle's share of vertex_areas().
 std::vector<report::DiagramPoint> cell_in_triangle(const FlatRing& ring, int t, AreaForm form);
-/// Returns the polygon of the whole cell.
+/// Returns the polygon of the vertex's cell in all triangles of the ring, without the vertex itself.
 std::vector<report::DiagramPoint> cell_of(const FlatRing& ring, AreaForm form);
 /// True if triangle t has an obtuse angle, at any of its corners.
 bool is_obtuse(const FlatRing& ring, int t);
@@ -48,7 +48,8 @@ struct SampleRing {
 SampleRing ring_on_a_sphere();
 /// Returns a flat equilateral mesh with vertices moved within the plane, and its most obtuse ring with a single obtuse triangle.
 SampleRing obtuse_ring_in_a_plane();
-/// Returns the same mesh, and its ring without obtuse triangles that has the mean of its corners farthest from the vertex, in mean edges.
+/// Returns the mesh of obtuse_ring_in_a_plane(), and its ring without obtuse triangles that has the mean of its corners farthest from the
+/// vertex, in mean edges of the ring.
 SampleRing uneven_ring_in_a_plane();
 
 }   // namespace meshfolio

@@ -42,7 +42,7 @@ const Spectrum& all_modes(const OnMesh& subject);
 /// Counts the operations of factoring and solving with the matrix of an implicit step; they do not depend on λ.
 FactorOperations implicit_operations_of(const SmoothingSubject& subject);
 
-/// Returns the steps of the settings, or these multiples of the explicit limit if there are none; ascending, without duplicates. [length²]
+/// Returns the λ of the settings, or `multiples` × `critical` if there are none; ascending, without duplicates. [length²]
 std::vector<double> steps_of(const QuestionSettings& settings, double critical, const std::vector<double>& multiples);
 
 struct SmoothingRun {
@@ -71,7 +71,7 @@ Smoothed smooth_until_collapse(const TriangleMesh& mesh, SmoothingOptions option
 /// @param keep  iterations with a snapshot: ascending, at most `iterations`
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
                            const std::vector<int>& keep = {});
-/// Does the same with a solver that implicit runs share.
+/// Smooths the mesh of the subject and measures every iteration, with a solver that implicit runs share.
 /// @param rebuild  make the operator anew from the positions of every step, until one cannot be factored
 SmoothingRun run_smoothing(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int iterations,
                            const std::vector<int>& keep, ImplicitSolver& solver, bool rebuild = false);
@@ -100,7 +100,7 @@ double share_of_top_mode(const SmoothingSubject& subject, const Positions& X);
 /// undefined.
 Vector curvature_colours(const SmoothingSubject& subject, const Positions& X);
 
-/// Returns the largest λμ_max of a monitored run; skips NaN.
+/// Returns the largest λμ_max over the steps of a monitored run; skips NaN; 0 without steps.
 double largest_product(const Smoothed& run);
 
 /// Formats a share: "93 %", or "less than 10⁻¹²" if it is rounding.
@@ -110,13 +110,14 @@ std::string in_limits(const SmoothingSubject& subject, double lambda);
 /// Formats λ for file names: "lambda0.0123".
 std::string step_name(double lambda);
 
-/// True if the box of X is at most twice as wide as the input's box. A cut-out of larger spikes shows nothing.
+/// True if the box diagonal of X is at most twice that of the input. A cut-out of larger spikes shows nothing.
 bool fits_a_frame(const SmoothingSubject& subject, const Positions& X);
-/// Makes a panel of the positions X; if they do not fit a frame, an empty one with a label that says how many boxes they span.
+/// Makes a panel of the positions X without colours; unless fits_a_frame(), an empty panel with a label that says how many boxes they span.
 output::Panel framed_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label);
 /// Makes a panel of the positions X, coloured by curvature_colours().
 output::Panel smoothing_panel(const SmoothingSubject& subject, const Positions& X, std::string name, std::string label);
-/// Returns the colour range of curvature_colours() that shows the input panels; an unstable result has curvatures of any size.
+/// Returns the diverging output::robust_range() of the panels of inputs, coloured by curvature_colours(), for all panels of a figure: an
+/// unstable result has curvatures of any size.
 output::ColorRange curvature_range(const std::vector<output::Panel>& inputs);
 
 }   // namespace meshfolio

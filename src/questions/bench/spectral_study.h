@@ -31,7 +31,8 @@ struct SpectralStudy : OnMesh {
     int vertices() const { return source->preflight().vertices_in_use; }
 };
 
-/// Returns the k of the settings, else those of the assignment (5, 15 and large) with steps in between; at most n.
+/// Returns the k of the settings, else 5, 15, 30, 60, 150 and a large one (n up to 700 vertices, else 300); quick: 5, 15, 60. Each is at
+/// least 1 and at most n; ascending.
 std::vector<int> mode_counts(const QuestionSettings& settings, int n);
 
 /// Solves once for the largest of the mode_counts() and rebuilds the mesh from each.
@@ -49,8 +50,8 @@ struct PowerLaw {
 };
 /// Fits the law over k = a … b by least squares in logarithms. @param a, b  a < b
 PowerLaw power_law(const SpectralStudy& study, int a, int b);
-/// Fits the law from the first k of the reconstructions to half of all modes, but not where errors are rounding. Nothing for fewer than
-/// five k.
+/// Fits the law from the smallest k of the reconstructions, at least 2, to the computed k up to half the number of vertices, without
+/// errors at the end that are rounding. Nothing for fewer than five k.
 std::optional<PowerLaw> fall_of_the_error(const SpectralStudy& study);
 
 /// Returns the share of the vertices that are farther from their places with `later` than with `earlier`, by more than rounding.
@@ -67,7 +68,7 @@ Vector coefficient_sizes(const Spectrum& spectrum, const Vector& M, const Positi
 
 /// Predicts the k-th eigenvalue by Weyl's law for a surface with a free boundary of this length: 4πk ≈ area μ + boundary √μ. [1/length²]
 double weyl_eigenvalue(double k, double area, double boundary);
-/// Predicts the k-th eigenvalue of the mesh.
+/// Predicts the k-th eigenvalue of the mesh by Weyl's law with its area and the length of its boundary. [1/length²]
 double weyl_eigenvalue(const SpectralStudy& study, int k);
 
 /// Returns the mean distance from the centroid of the worst-placed 5 % of the vertices, over that of all (weighted by area).
@@ -83,7 +84,7 @@ struct MistakeErrors {
     int k = 0;
     double right = 0, unmapped = 0, unweighted = 0, edge_normalised = 0;   // the last NaN if its operator has fewer modes
 };
-/// Measures the errors for ascending k.
+/// Measures the errors for k = 5, 10, 15, 30, 60 and 150, cut to the computed modes and to 150 (60, quick: 30 unless the solver is dense).
 std::vector<MistakeErrors> mistake_study(const SpectralStudy& study, bool quick);
 
 // ---- thin parts -----------------------------------------------------------------------------------------------------------
@@ -102,7 +103,8 @@ struct LimbStudy {
     std::vector<LimbErrors> errors;                 // ascending k, without those that are rounding
     bool measured() const { return thin_diameter > 0 && !errors.empty(); }
 };
-/// Compares the errors of the reconstructions on thin and thick parts of a closed mesh.
+/// Compares the errors of the reconstructions on thin and thick parts; measured() is false for open meshes and for fewer than 20 vertices
+/// with a thickness.
 LimbStudy limb_study(const SpectralStudy& study);
 
 }   // namespace meshfolio
