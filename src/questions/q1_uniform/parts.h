@@ -26,14 +26,14 @@ struct MeshCurvature {
     const std::string& name() const { return subject.name(); }
 };
 using Meshes = std::vector<MeshCurvature>;
-/// Computes all curvatures of one mesh.
+/// Computes the uniform, scaled uniform and cotangent H, K, areas and angle deficits of one mesh.
 MeshCurvature curvature_of(SharedMesh source);
 
 /// Median of some values in the quarter of the vertices where another value is smallest, and in the quarter where it is largest.
 struct Contrast {
     double least = 0, most = 0;   // NaN with fewer than eight vertices
 };
-/// Computes the contrast of `values` between the vertices of small and of large `by`.
+/// Computes the medians of `values` over the quarter of the vertices with the smallest `by` and the quarter with the largest.
 Contrast contrast(const Vector& values, const Vector& by);
 
 /// The part of Δx that lies along a curved surface and is no curvature. The gaps are rms differences, over the rms of cotangent H.
@@ -46,7 +46,7 @@ struct TangentialPart {
 
     bool explains() const { return share > 1e-3 && normal_gap < 0.9 * gap; }
 };
-/// Measures the tangential part over the vertices with curvature.
+/// Measures the tangential part over the vertices where scaled uniform and cotangent H are finite.
 TangentialPart tangential_part(const MeshCurvature& c);
 
 /// A vertex is flat if |K| and |cotangent H| are below this share of their colour ranges; ½‖Δx‖ is drift there.
@@ -60,18 +60,18 @@ struct FlatParts {
     /// True if the flat parts are large enough to be seen and their drift looks like curvature.
     bool mislead() const { return vertices >= 20 && share > 0.02 && coloured > 0.25 && drift > 0.5; }
 };
-/// Measures the flat vertices of one mesh.
+/// Measures the flat vertices of one mesh; all values are 0 if there are none.
 FlatParts flat_parts(const MeshCurvature& c);
 
 /// The picture of uniform H compared with that of cotangent H.
 struct Picture {
-    double correlation = 0;                    // rank_correlation() of the two
+    double correlation = 0;                    // rank_correlation() of ½‖Δx‖ and cotangent H
     double spread = 0, cotangent_spread = 0;   // 98th over 2nd percentile of values of one sign; 0 if there are both signs
 
     bool is_even() const { return cotangent_spread > 0 && cotangent_spread < 1.2; }   // the surface is evenly curved
     bool varies_where_truth_does_not() const { return is_even() && spread > 1.5 * cotangent_spread; }
 };
-/// Compares uniform H with cotangent H on one mesh.
+/// Compares ½‖Δ_uniform x‖ with cotangent H on one mesh.
 Picture picture_of(const MeshCurvature& c);
 /// True if the mesh is flat or evenly curved, so that one view shows all of it.
 bool looks_alike_from_all_sides(const MeshCurvature& c);
@@ -96,7 +96,7 @@ struct IrregularVertices {
     bool stand_out() const { return !vertices.empty() && off > 5 * off_elsewhere; }
     bool area_is_why() const { return off_with_voronoi < 0.2 * off; }
 };
-/// Finds the irregular vertices of a mesh with K of one sign; none if more than a twentieth of the vertices are irregular.
+/// Finds the irregular vertices where K is defined; none if K has both signs, or if more than a twentieth of these vertices are irregular.
 IrregularVertices irregular_vertices(const MeshCurvature& c);
 
 /// Gauss–Bonnet on one mesh: Σ deficit / 2π beside the Euler characteristic.
@@ -109,7 +109,7 @@ struct AngleSum {
     double tolerance() const { return 8.0 * std::max(vertices, faces) * std::numeric_limits<double>::epsilon(); }
 };
 using AngleSums = std::vector<AngleSum>;
-/// Sums the deficits of the meshes, then of the finest mesh of each run.
+/// Returns the sum of the deficits of each mesh, then that of the finest mesh of each run.
 AngleSums angle_sums(const Meshes& meshes, const BenchRuns& runs);
 
 /// Values of a flat mesh, whose curvature is zero: inside, and on the boundary, where pictures mask them.
@@ -122,18 +122,18 @@ struct FlatMesh {
     double turning = 0;           // Σ (π − Σθ) over the boundary / 2π
     int boundary_vertices = 0;
 };
-/// @pre the mesh has a common plane
+/// Measures a mesh in one plane. @pre c.subject.plane_normal is set
 FlatMesh flat_mesh(const MeshCurvature& c);
 
 /// Curvature × mean edge below this cannot be seen in any picture; coordinates of six digits leave as much.
 inline constexpr double visible = 1e-4;
 
-/// Draws Δx and its parts, the angle deficit, and the three areas, on real one-rings.
+/// Draws Δx and its parts on a one-ring of a sphere, its angle deficit, and the three forms of area on a flat ring with an obtuse triangle.
 report::Diagram ring_diagram();
 /// Draws a cap, a saddle and a cylinder with their κ₁, κ₂, H and K.
 report::Diagram sign_diagram();
 
-/// Adds figures of H and K of each mesh side by side: one view of meshes that look alike from all sides, six views of the others.
+/// Adds figures of ½‖Δx‖ and K of each mesh side by side: six views, but one view for meshes that look alike from all sides unless all do.
 void add_figures(Answer& answer, const Meshes& meshes);
 /// Adds a figure of the tangential shares on the curved meshes.
 void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::string& colormap);
@@ -145,7 +145,7 @@ struct Drifting {
 /// Returns the curved mesh with the largest part of ‖Δx‖² along the surface; none if that is at most 1 % everywhere.
 std::optional<Drifting> most_drifting(const Meshes& meshes);
 
-/// Returns a table of the L∞ errors of K on the finest meshes, one row an area form.
+/// Returns a table of the L∞ errors of K on the finest meshes [%], a row for each form of area, a column for each run.
 report::Table area_table(const BenchRuns& runs);
 
 /// Sets the answer of the section and adds its first paragraph.

@@ -20,16 +20,17 @@ struct Subject {
 
     const std::string& name() const { return study.name(); }
 };
-/// Rebuilds one mesh and measures the errors.
+/// Rebuilds one mesh from the k of mode_counts() and measures the errors, also on thin and thick parts.
 Subject subject_of(SharedMesh mesh, const QuestionSettings& settings);
 
 /// True for the reconstructions of the first two k, of the largest k that leaves an error, and of the largest k: the results show them.
 bool is_shown(const SpectralStudy& study, const Reconstruction& r);
-/// Returns the modes to draw, counted from 1: the first that is not constant on every component, then the 5th, 15th and 60th.
+/// Returns the modes to draw, counted from 1 and ascending: the first that is not constant on every component, and of the 5th, 15th and
+/// 60th those after it that are computed.
 std::vector<int> drawn_modes(const SpectralStudy& study);
-/// Returns the share of the area that is off by more than seen_error.
+/// Returns the share of the area with vertices that are off by more than seen_error of the box diagonal.
 double share_seen(const SpectralStudy& study, const Reconstruction& r);
-/// True if the error of k modes is rounding.
+/// True if the predicted error of k modes is below `rounding` of the box diagonal.
 bool is_exact(const SpectralStudy& study, int k);
 /// Returns the reconstruction of the largest k that leaves an error; null if all are exact.
 const Reconstruction* last_erring(const SpectralStudy& study);
@@ -46,16 +47,18 @@ inline std::string percent_of_box(const SpectralStudy& study, double length, int
     return readable_percent(length / study.diagonal, digits);
 }
 
-/// Adds a figure of the original and of the reconstructions that are shown.
+/// Adds a figure of the original and of the reconstructions that are is_shown(), coloured by their distance in % of the box diagonal.
 void add_reconstruction_figure(Answer& answer, const SpectralStudy& study);
 /// Adds a figure of drawn_modes() with their nodal lines, from one view.
 void add_eigenfunction_figure(Answer& answer, const SpectralStudy& study);
 
+/// Returns a table of the errors of each reconstruction, a row for each k: rms, maximum, Hausdorff, normals, volume, …
 report::Table error_table(const Subject& subject);
-/// Plots the error of every k, and the coefficients that add up to it.
+/// Plots over k the predicted and measured error, the coefficient of each mode, and the power law fitted to the error, in % of the box.
 report::Plot error_plot(const SpectralStudy& study);
-/// Plots the eigenvalues beside Weyl's law.
+/// Plots the eigenvalues above 0 and Weyl's law over k.
 report::Plot spectrum_plot(const SpectralStudy& study);
+/// Returns a table of the errors on thin and thick parts, a row for each k.
 report::Table limb_table(const SpectralStudy& study, const LimbStudy& limbs);
 
 }   // namespace meshfolio::q4_spectral

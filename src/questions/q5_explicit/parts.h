@@ -11,33 +11,35 @@ extern const LabOffer lab;
 
 struct ExplicitStudy;   // study.h
 using Studies = std::vector<ExplicitStudy>;
-/// Studies the meshes; a mesh that cannot be smoothed becomes a failed check.
+/// Studies the meshes in order; a mesh that cannot be smoothed becomes a failed check of `section`.
 std::shared_ptr<const Studies> explicit_studies(const LibraryMeshes& meshes, const QuestionSettings& settings, const Progress& progress,
                                                 report::Section& section);
 
-/// Returns the vertices where the top mode is largest if a few set the limit; else none.
+/// Returns study.peaks, the vertices where the top mode is largest, if the mode is confined to a small spot there; else none.
 std::vector<int> limiting_spot(const ExplicitStudy& study);
 
 /// Draws a wave after 0, 1 and 2 steps, explicit beside implicit, for three products λμ.
 report::Diagram wave_diagram();
-/// Adds a figure of the inputs and the results of the recommended steps; none if no step is recommended.
+/// Adds a figure of the meshes before and after the recommended run, coloured by mean curvature; none if no step is recommended.
 void add_recommended_figure(Answer& answer, const Studies& studies);
-/// Returns the id of that figure.
+/// Returns the id of the figure of add_recommended_figure(): "q5_cube_recommended" for one mesh, else "q5_recommended".
 std::string recommended_figure(const Studies& studies);
-/// True if a step beyond the limit was tried.
+/// True if a step beyond the limit was tried on some mesh.
 bool has_frames(const Studies& studies);
-/// Adds a figure of states of the runs beyond the limit, one row a mesh, if has_frames().
+/// Adds a figure with a row for each mesh: the input, two states just beyond the limit, two at the largest step; none unless has_frames().
 void add_frames_figure(Answer& answer, const Studies& studies);
 
-/// Plots the factors of a mode in one explicit and one implicit step; the band beyond λμ = 2, where modes grow, is shaded.
+/// Plots the factors 1 − λμ and 1/(1 + λμ) of a mode in one step over λμ from 0 to 2.4; the band from λμ = 2 on, where modes grow, is
+/// shaded.
 report::Plot damping_plot();
-/// Returns a table of the limit and the recommended step of each mesh.
+/// Returns a table with a row for each mesh: λ_crit, the recommended step and iterations, face angles before and after, and the size left.
 report::Table limit_table(const Studies& studies);
-/// Plots the energies over the iterations, a panel a mesh, for at most five steps; a curve ends beyond five times the input's energy.
+/// Plots the energies over the iterations, a panel for each mesh, for at most five steps each; a curve ends before five times the input's
+/// energy.
 report::Plot energy_plot(const Studies& studies);
 
 void add_checks(report::Section& section, const Studies& studies);
-/// Adds the tables of steps and bounds, and the limit with triangles of zero area on meshes that have some.
+/// Adds a table of every step on every mesh, a table of bounds, and for meshes with triangles of zero area a paragraph on their limit.
 void add_appendix(report::Section& section, const Studies& studies);
 /// Adds the parameters and the extent of the section.
 void add_record(report::Section& section, const Studies& studies);

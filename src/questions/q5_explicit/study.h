@@ -6,8 +6,8 @@
 
 namespace meshfolio::q5_explicit {
 
-/// The largest step that changes the sign of no mode, else the largest stable step. It has as many iterations as leave 95 % of the size,
-/// at most ten times those of the other runs.
+/// The run with the largest step that changes the sign of no mode, else with the largest stable step; steps that leave less than 95 % of
+/// the size after one iteration do not count. It has as many iterations as leave 95 %, at most ten times those of the study's runs.
 struct Recommendation {
     std::size_t run = 0;   // index of the run of the study with this step
     SmoothingRun stopped;
@@ -50,10 +50,10 @@ struct ExplicitStudy {
 
 /// Default steps, in multiples of the limit: two without overshoot, one with overshoot but stable, one just beyond, one far beyond.
 inline const std::vector<double> own_steps{0.05, 0.5, 0.95, 1.05, 2.0};
-/// Returns the number of iterations of every run.
+/// Returns the number of iterations of every run: the last of the settings, else 50 (quick: 20).
 int iterations_of(const QuestionSettings& settings);
 
-/// Smooths the mesh with the steps of the settings, else with own_steps.
+/// Smooths the mesh with every step of the settings, else of own_steps, and finds the recommended run.
 ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings);
 
 /// True if a step of λ changes the sign of no mode: λμ_max ≤ 1, half the limit.

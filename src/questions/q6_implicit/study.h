@@ -43,7 +43,7 @@ struct SmoothingCost {
     bool reached() const { return explicit_steps > 0; }
 };
 
-/// The least number of iterations at which implicit steps of a λ cost no more than explicit steps to the same energy.
+/// The least number of iterations from which on implicit steps of a λ cost no more than explicit steps to the same energy.
 struct BreakEven {
     double lambda = 0;
     int iterations = 0;
@@ -80,26 +80,26 @@ struct ImplicitStudy {
     const SmoothingCell& cell(std::size_t lambda, std::size_t t) const { return grid[lambda * iterations.size() + t]; }
     /// Returns the index of the largest λ within the explicit limit; none if all are beyond.
     std::optional<std::size_t> within_limit() const;
-    /// Returns the gaps between the schemes at within_limit(), as long as 0.1 % of the energy is left.
+    /// Returns the gaps between the schemes at the λ of within_limit(), for each iteration count that leaves 0.1 % of the energy or more.
     std::vector<SchemeGap> gaps() const;
     /// Returns the index of the smallest λ with an explicit run that blew up.
     std::optional<std::size_t> first_blown() const;
     /// Returns the recommended result: of those that keep 95 % of the size and come within 1 % of the least energy, the one with the fewest
     /// steps. Null if one step of every λ already goes too far.
     const SmoothingCell* good() const { return recommended ? &*recommended : nullptr; }
-    /// Returns the number of explicit steps of half of λ_crit to this share of the input's energy; 0 if none are needed, or more than were
-    /// tried.
+    /// Returns the least number of explicit steps of half of λ_crit that leave at most this share of the input's energy; 0 if none are
+    /// needed, or more than were tried.
     int explicit_steps_to(double energy) const;
-    /// Returns the operations of explicit steps over those of t implicit steps of the l-th λ, with their factorisation, to the same energy;
-    /// NaN if one is unknown.
+    /// Returns the price of t implicit steps of lambdas[l]: the operations of explicit steps to their energy, over those of the implicit
+    /// steps with the factorisation; NaN if prices are not counted or the explicit steps are unknown.
     double price(std::size_t l, int t) const;
-    /// Returns the break-even of the l-th λ; none if explicit steps stay cheaper.
+    /// Returns the break-even of lambdas[l]; none if explicit steps are cheaper at the last known price.
     std::optional<BreakEven> break_even(std::size_t l) const;
-    /// Returns the break-even that leaves most of the size.
+    /// Returns the break-even that leaves most of the size, over all λ; none if no λ has one.
     std::optional<BreakEven> break_even() const;
-    /// Returns the first iteration of the l-th λ that leaves less than `too_little` of the size; 0 if none does.
+    /// Returns the first iteration of lambdas[l] that leaves less than `too_little` of the size; 0 if none does.
     int too_far(std::size_t l) const;
-    /// Returns the cell of the same λt in the fewest steps; null if none has fewer than `cell`.
+    /// Returns the cell of equal λt with the fewest steps; null if none has fewer than `cell`.
     const SmoothingCell* in_fewer_steps(const SmoothingCell& cell) const;
 };
 
@@ -108,10 +108,10 @@ inline constexpr int most_priced_steps = 1000;
 
 /// Default steps, in multiples of the explicit limit: within it, a little beyond, far beyond.
 inline const std::vector<double> own_steps{0.5, 5.0, 50.0};
-/// Returns the iteration counts of the grid, ascending.
+/// Returns the iteration counts of the grid, ascending: those of the settings, else 1, 3, 10, 30, 100 (quick: 1, 10).
 std::vector<int> iterations_of(const QuestionSettings& settings);
 
-/// Smooths the mesh with the steps of the settings, else with own_steps.
+/// Smooths the mesh by both schemes with every λ of the settings, else of own_steps, and finds the recommended result and its cost.
 ImplicitStudy implicit_study(SharedMesh source, const QuestionSettings& settings);
 
 /// Converts a λt to squared mean edges.

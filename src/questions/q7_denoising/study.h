@@ -58,7 +58,7 @@ struct NoisyTrial {
     bool improved() const { return found.by_shape.step > 0; }
     /// Returns the volume of the best by a measure, over that of the clean mesh; NaN for an open mesh.
     double volume_by(const Measure& measure) const { return best_by(measure).volume / clean_volume; }
-    /// Return the share of the noisy mesh's squared error that the best by surface has removed, along and across the surface.
+    /// Return the share of the noisy mesh's squared error, along and across the surface, that the best by surface has removed.
     double removed_along() const;
     double removed_across() const { return 1 - std::pow(found.by_shape.shape / found.noisy.shape, 2); }
     /// Returns the rms distance of a state from the clean vertices along the surface. [length]
@@ -98,29 +98,30 @@ struct DenoisingTries {
     std::vector<double> lambdas;   // ascending [h̄²]
     int iterations = 0;            // of each run, at most
 };
-/// Returns the tries of the settings, else the default ones, for a mesh of that mean edge. [length]
+/// Returns the tries of the settings, else σ = 0.1, 0.3, 1, 3 % (quick: 0.3, 1), λ = 0.003 to 3 h̄² in steps of ten (quick: 0.01 to 1), 32
+/// iterations (quick: 16). @param mean_edge  h̄ of the mesh [length]
 DenoisingTries tries_of(const QuestionSettings& settings, double mean_edge);
 
-/// Searches the best states over every λ on one noisy mesh. A run ends after its first dozen iterations once no measure was best in its
-/// second half.
+/// Searches the states with the least error of each measure over all λ [h̄²] on one noisy mesh. A run ends, after twelve iterations at
+/// least, once no measure has been best in its second half.
 /// @param input  its mean edge is that of the clean mesh
 /// @param met    called with every state and its positions
 SearchResult search_for_best(const SearchInput& input, const std::vector<double>& lambdas, int iterations,
                              const std::function<void(const SearchState&, const Positions&)>& met = {});
 
-/// A further level of noise, between the levels in box diagonals. [mean edges]
+/// A further level of noise, beside the default levels in box diagonals. [mean edges]
 inline constexpr double level_in_edges = 0.3;
-/// True if that level is tried, by default in a full run.
+/// True if level_in_edges is tried: in runs that are not quick, if the settings name no noise.
 inline bool tries_in_edges(const QuestionSettings& settings) { return settings.noise.empty() && !settings.quick; }
 
-/// Runs the noise levels and steps of the settings, else default levels from barely visible to hopeless, with λ from 0.003 h̄² to 3 h̄².
+/// Smooths the mesh with every level of noise and every λ of tries_of(), and level_in_edges if tries_in_edges(); levels ascend.
 DenoisingGrid denoising_grid(SharedMesh clean, const QuestionSettings& settings);
 
 /// Returns "works" (gain by surface ≥ 2), "helps" (≥ 1.1), "fails" (below), "shrinks" (a gain that costs more than 15 % of the volume) or
 /// "–" (the noise does not move the surface).
 std::string verdict_on(const NoisyTrial& trial);
 inline constexpr double volume_to_keep = 0.85;
-/// True if `best` lies at an end of the amounts λt tried, so that less or more smoothing may gain more.
+/// True if `best` lies at the least or the largest λt of the trial's states, so that less or more smoothing may gain more.
 bool lies_at_an_end(const NoisyTrial& trial, const SearchState& best);
 
 /// Noise levels that separate the cases with the distance to the surface halved from the others. [mean edges]
@@ -129,7 +130,7 @@ struct NoiseSplit {
     double always_from = INFINITY;   // lowest level from which every error is halved; ∞: none
     bool decides = false;            // every level is on one of the two sides
 };
-/// Returns the split over all trials; levels that differ by rounding count as one.
+/// Returns the split over all trials of all grids with a gain that is not NaN; levels that differ by rounding count as one.
 NoiseSplit noise_split(const Grids& grids);
 
 using Case = Within<DenoisingGrid, NoisyTrial>;
@@ -178,27 +179,30 @@ struct Reasons {
     std::vector<ErrorCurve> levels;   // of each trial
 };
 
-/// True if every curve of `levels` with a minimum inside ends nearer to the curve of the clean mesh than it is at its minimum, and there is
+/// True if each curve of `levels` with its minimum inside ends nearer to parts.surface than it is at the minimum, as a ratio; false without
 /// such a curve.
 bool approaches_clean_curve(const Reasons& reasons);
 
 /// Joins the runs of all λ to one curve: each run from its third step on (the first run from its first), beyond the amounts of the runs
 /// before.
 ErrorCurve error_curve(const DenoisingGrid& grid, const NoisyTrial& trial);
-/// Smooths a noisy and the clean mesh by the clean mesh's operator and every λ of the grid, and splits the error.
+/// Smooths a noisy mesh and the clean mesh by the operator of the clean mesh with every λ of the grid, and splits the error.
 ErrorParts error_parts(const DenoisingGrid& grid, const TriangleMesh& noisy);
-/// Computes the bands from all modes of a small mesh, else from the smoothest ones. @param parts  of this trial @throws SolverError
+/// Computes the bands from all modes of a mesh of up to 700 vertices, else from the 150 smoothest. @param parts  error_parts() of this
+/// trial
+/// @throws SolverError if the modes are not found
 ModeBands mode_bands(const DenoisingGrid& grid, const NoisyTrial& trial, const ErrorParts& parts);
-/// Computes the reasons; without a grid if no mesh has a gain.
+/// Computes the modes and error curves of the smallest mesh with a gain in pictured(); grid is null if there is none.
 Reasons reasons_of(const Grids& grids);
 
 /// Returns the facts of labels about one trial and its best by surface.
 report::Facts facts_of(const DenoisingGrid& grid, const NoisyTrial& trial);
-/// Returns the grid with the largest drift of pictured() along the surface; null unless smoothing removes less along than across it.
+/// Returns the grid with the largest drift of pictured() along the surface [σ], of those where smoothing removes a smaller share of the
+/// error along the surface than across it; null if there are none.
 const DenoisingGrid* most_drifting(const Grids& grids);
-/// Returns the grid whose clean mesh loses most at its edges; null if none loses clearly more there.
+/// Returns the grid with the largest clean_loss.features.times() of pictured(), of those above 1.2 with a gain; null if there are none.
 const DenoisingGrid* most_rounded(const Grids& grids);
-/// Returns the grid whose clean mesh loses most of its volume; null if none loses any.
+/// Returns the grid with the largest loss of volume in clean_loss of pictured(), of those above 0.1 % with a gain; null if there are none.
 const DenoisingGrid* most_shrunk(const Grids& grids);
 
 }   // namespace meshfolio::q7_denoising
