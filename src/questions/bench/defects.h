@@ -28,7 +28,7 @@ struct FoundDefect {
     const Defect* defect;
     int count;   // at least 1
 };
-/// Returns the defects that occur, in the order of the list.
+/// Returns the defects with a count above 0, in the order of defect_list().
 std::vector<FoundDefect> defects_of(const MeshFacts& facts);
 
 /// Returns the ids of the affected questions: {"q3", "q4"}.

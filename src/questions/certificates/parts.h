@@ -24,11 +24,11 @@ struct Inspected : OnMesh {
     MeshFacts facts;
 
     const Preflight& counts() const { return facts.counts; }
-    bool is_sound() const;   // without a defect
+    bool is_sound() const;   // without any of defect_list()
 };
 
-/// Inspects the meshes of the settings, else the user's own, else one a role, each once, and enters them. An unusable mesh becomes a
-/// failed check.
+/// Inspects the meshes of the settings, else the user's own, else one for each role, each file once, and enters them into the section. An
+/// unusable mesh becomes a failed check.
 /// @throws InputError if none can be used
 std::vector<Inspected> inspected_meshes(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress,
                                         report::Section& section);

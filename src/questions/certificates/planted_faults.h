@@ -31,7 +31,7 @@ std::vector<report::Check> checks_of(const Specimen& specimen);
 
 struct PlantedFault {
     std::string name;    // "one face reversed"
-    std::string check;   // name of the check that must fail
+    std::string check;   // name of the check that must fail with the fault
     std::function<void(Specimen&)> plant;
 };
 /// Returns all faults, each with the check that must see it.
@@ -44,10 +44,10 @@ struct FaultTrial {
     Names also_seen_by;            // names of other checks that passed without the fault and fail with it
     bool caught() const { return sound.passed() && faulty.failed(); }   // an undecided check catches nothing
 };
-/// Plants a fault and compares all checks. @param sound_checks  checks_of(specimen)
-/// @throws std::logic_error if no check has the fault's name of a check
+/// Plants a fault in a copy of the specimen and compares all checks. @param sound_checks  checks_of(specimen)
+/// @throws std::logic_error if no check has the name fault.check
 FaultTrial trial_of(const Specimen& specimen, const std::vector<report::Check>& sound_checks, const PlantedFault& fault);
-/// Tries every planted fault.
+/// Returns the trial of every one of planted_faults(), in order.
 std::vector<FaultTrial> trials_of(const Specimen& specimen);
 
 /// Returns the check that the fault is caught, with 1 for caught and 0 for missed.

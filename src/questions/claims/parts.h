@@ -28,7 +28,7 @@ inline constexpr report::Words words("claims");
 
 enum class Verdict { holds, conditional, refuted, undecidable };
 
-/// "✓ holds", "◐ holds with condition", "✗ refuted", "? not decidable here".
+/// Returns "✓ holds", "◐ holds with condition", "✗ refuted" or "? not decidable here".
 std::string label_of(Verdict verdict);
 
 /// The condition under which a claim is true: a quantity on the right side of a threshold, in every case.
@@ -40,7 +40,7 @@ struct Rule {
 
     bool satisfied_by(double value) const { return relation == Relation::at_most ? value <= threshold : value >= threshold; }
 };
-/// "≤ 5 %".
+/// Returns the threshold in words: "≤ 5 %".
 std::string bound_of(const Rule& rule);
 
 /// The quantity under one condition that the claim does not exclude: a mesh, a step, a kind of triangles.
@@ -95,7 +95,7 @@ Decision decide(const Rule& rule, const Measurement& measurement);
 
 class ClaimBench;
 
-/// Measures a claim on those of its meshes that may be measured: each another mesh, at least as many as are compared.
+/// Measures a claim. @param meshes  those of the claim that are measurable(): different meshes, at least as many as are compared
 struct Measure : std::function<Measurement(ClaimBench& bench, const MeshNames& meshes)> {
     using function::function;
     Measure(Case (*case_on)(ClaimBench& bench, std::string_view mesh));   // a case for each mesh
@@ -131,15 +131,15 @@ struct JudgedClaim {
 /// Measures a claim and applies its rule. A claim that cannot be measured here is undecidable, with the reason.
 JudgedClaim judged(const Claim& claim, ClaimBench& bench);
 
-/// "0.35 %", "0.35": a value with the unit of the rule.
+/// Returns the value with the unit of the rule, three digits or as many as tell it from the threshold: "0.35 %", "0.35".
 std::string with_unit(double value, const Rule& rule);
-/// "Required: Dirichlet energy left, over that of the input, ≤ 2 %."
+/// Returns "Required: Dirichlet energy left, over that of the input, ≤ 2 %."
 report::Text rule_text(const JudgedClaim& judged);
-/// The verdict, the deciding numbers, the remark, and the meshes measured.
+/// Returns a paragraph of the verdict, the values of the cases, the remark, and the meshes measured; or the reason if undecidable.
 report::Text verdict_text(const JudgedClaim& judged);
 
 extern const std::vector<Claim> curvature_claims, spectral_claims, explicit_claims, implicit_claims, denoising_claims;
-/// The claims of four earlier reports on the same coursework, S0 to S3, and of the papers they rest on: by question, then by subject.
+/// Returns the claims of four earlier reports, S0 to S3, and of the papers they rest on, by question.
 const std::vector<Claim>& claim_list();
 
 // ---- how they are measured ------------------------------------------------------------------------------------------------
@@ -168,7 +168,7 @@ struct RunKey {
     auto operator<=>(const RunKey&) const = default;
 };
 
-/// Index of the smallest value: the best iteration.
+/// Returns the index of the smallest error, the first of equals.
 int best_of(const std::vector<double>& errors);
 
 /// The error left by each of several steps.
@@ -187,42 +187,43 @@ public:
 
     const QuestionSettings& settings() const { return settings_; }
 
-    /// @throws MeshError if the mesh has more vertices than this run has time for
+    /// Returns the mesh of this name. @throws MeshError if it has more than 12,000 vertices (quick: 7,000; laboratory: 200,000)
     const ReportMesh& mesh(std::string_view name);
-    /// True if the named mesh itself is there, and no stand-in: by its counts, mean edge and λ_crit to 10⁻⁴ if those are known, else by the
-    /// assignment's file in a data folder.
+    /// True if the mesh found for the name is the original, and no stand-in: by its counts, mean edge and λ_crit to 10⁻⁴ if they are known,
+    /// else because the assignment's file is in a data folder.
     bool is_itself(std::string_view name);
-    bool has(std::string_view name, Property property);
-    /// Chooses the meshes by the scope and the properties of the claim.
+    bool has(std::string_view name, Property property);   // true if the mesh of this name has the property
+    /// Returns the meshes that the scope and the properties of the claim admit, each mesh once; with the reason if there are too few.
     Measurable measurable(const About& about);
-    /// The positions without noise, which are known of the bundled noisy meshes only.
+    /// Returns the positions without noise of a bundled noisy mesh; nothing for other meshes.
     std::optional<Positions> clean_form(std::string_view noisy);
 
-    const SmoothingSubject& subject(std::string_view name);
-    /// λ_crit of the uniform operator.
+    const SmoothingSubject& subject(std::string_view name);   // of the mesh with the cotangent operator; computed once
+    /// Returns λ_crit of the uniform operator on the mesh.
     double uniform_limit(std::string_view name);
 
-    /// Carries a step over from the original mesh: on a stand-in, the same multiple of the largest stable step. [length²]
+    /// Returns λ on the original mesh; on a stand-in, λ / (λ_crit of the original) × λ_crit of the stand-in. [length²]
     double raw_step(std::string_view name, double lambda);
-    /// Carries a length (or with power 2 an area) over from the original mesh: on a stand-in, the same multiple of the mean edge.
+    /// Returns the length (with power 2: area) on the original mesh; on a stand-in, scaled by the ratio of the mean edges to that power.
     double raw_length(std::string_view name, double length, int power = 1);
 
-    /// The result of a run without noise.
+    /// Smooths the mesh of this name, without noise; computed once.
     const Smoothed& run(std::string_view name, const RunKey& key);
-    /// rms distance of the result of a run from the mesh [length].
+    /// Returns the rms distance between the vertices of the mesh and of run(name, key). [length]
     double motion(std::string_view name, const RunKey& key);
-    /// rms error of a run with noise against the mesh itself, after t = 0, 1, … iterations, up to the collapse of a rebuilt run. [length]
+    /// Returns the rms error of a run with noise against the mesh itself after t = 0, 1, … iterations, up to the collapse of a rebuilt run;
+    /// computed once. [length]
     const std::vector<double>& denoised(std::string_view name, const RunKey& key);
 
-    /// The errors left on a noisy mesh, with a known clean form, by runs that differ in λ alone; on the plane only heights count.
+    /// Returns the errors that run() with each λ leaves against clean_form() of a noisy mesh; on the plane only heights count.
     Sweep sweep(std::string_view noisy, RunKey key, std::vector<double> lambdas);
 
-    /// Computes 150 modes, fewer on smaller meshes.
+    /// Rebuilds the mesh of this name from 5, 10, 15, 30, 60 and 150 modes, or as many as it has; computed once.
     const SpectralStudy& spectrum(std::string_view name);
 
-    /// Estimates of curvature on a surface with a closed form, between two levels of 3 to 5.
+    /// Measures all estimators on a known surface at the refinement levels coarse, coarse + 1, … fine.
     BenchRun curvature(const std::string& surface, MeshKind kind, int coarse, int fine) const;
-    /// A flat square of irregular triangles.
+    /// Returns irregular_plane(), a flat square of irregular triangles; computed once.
     const PlaneTest& plane();
 
     /// Enters the meshes measured so far and the warnings of their preflight.
@@ -242,13 +243,13 @@ private:
     std::optional<PlaneTest> plane_;
 };
 
-/// Measures a case for each of these values.
+/// Returns a measure with the case case_at(bench, value) for each value, on no mesh.
 inline Measure at_each(std::vector<double> values, Case (*case_at)(ClaimBench& bench, double value)) {
     return [=](ClaimBench& bench, const MeshNames&) {
         return Measurement{.cases = each_of(values, [&](double value) { return case_at(bench, value); })};
     };
 }
-/// Adds the message "<id>.remark" to the measurement.
+/// Returns the measure with the message "<id>.remark" added to its measurement.
 inline Measure remarked(const Measure& measure) {
     return [=](ClaimBench& bench, const MeshNames& meshes) {
         Measurement m = measure(bench, meshes);
@@ -257,15 +258,15 @@ inline Measure remarked(const Measure& measure) {
     };
 }
 
-/// √(Σ A_i|(Lx)_i|²), the root of four times the integral of H²; zigzags dominate it. [1]
+/// Computes √(Σ A_i|(Lx)_i|²) at X, the root of four times the integral of H²; zigzags dominate it. [1]
 double roughness(const SmoothingSubject& subject, const Positions& X);
 
-/// Multiply–adds of `steps` implicit steps and of their factorisation, which counts with its lower bound nnz²/n.
+/// Returns the multiply–adds of `steps` implicit steps and of their factorisation, which counts with its lower bound nnz²/n.
 double implicit_operations(const Smoothed& run, int steps);
-/// Multiply–adds of `steps` explicit steps.
+/// Returns the multiply–adds of `steps` explicit steps, three for each entry of C.
 double explicit_operations(const SmoothingSubject& subject, int steps);
 
-/// "random triangles on the torus".
+/// Returns "random triangles on the torus".
 inline std::string sampled(MeshKind kind, std::string_view surface) {
     return words.line("case.sampling", "triangles"_a = name_of(kind), "surface"_a = surface);
 }

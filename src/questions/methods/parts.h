@@ -45,7 +45,7 @@ struct NoiseTrial {
     std::string id() const;      // "gaussian0300", in thousandths of a mean edge; "box_level20"
 };
 
-/// True if the gain equals the largest but for rounding. Methods that differ in a scale alone turn the normals alike.
+/// True if the gain is at least (1 − 1e-9) times the largest. Methods that differ in a scale alone turn the normals alike.
 inline bool ties(double gain, double largest) { return gain >= largest * (1 - 1e-9); }
 
 /// Returns the first result with the largest gain; null if no gain is above 1.
@@ -67,9 +67,10 @@ struct DenoisingLaboratory {
     std::vector<DenoisingTrials> meshes;
 };
 
-/// Returns the size of the largest mesh that is not cut, for this number of meshes. [vertices]
+/// Returns the size of the largest mesh that is not cut: 700 (quick: 250), for more than three meshes (laboratory: six) inversely
+/// proportional to their number, 100 at least. [vertices]
 int largest_subject(const QuestionSettings& settings, std::size_t meshes);
-/// Returns the budget of every method on every noisy mesh.
+/// Returns the budget of every method on every noisy mesh: 4 values × 5 steps (quick: 3 × 4, laboratory: 6 × 6).
 SearchBudget search_budget(const QuestionSettings& settings);
 /// Adds noise of every kind and level to the mesh and searches the best result of every method. @throws MeshError, SolverError
 DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSettings& settings);
@@ -82,7 +83,7 @@ struct ClassResult {
     std::vector<double> gain, angle_gain;   // one per method; NaN if it is not defined on all meshes
     int best = -1, best_by_angle = -1;      // methods with the largest gains; −1 if no noise changed the shape, or turned a face
 };
-/// Computes the results of each class, in the order of their first mesh.
+/// Computes the results of each class, classes in the order of their first mesh.
 std::vector<ClassResult> class_results(const DenoisingLaboratory& laboratory);
 
 inline constexpr double degrees = 180 / pi;
@@ -91,19 +92,19 @@ inline constexpr double degrees = 180 / pi;
 inline std::string method_title(std::size_t method) { return std::string(denoising_list()[method].title); }
 inline std::string method_title(const SearchResult& result) { return std::string(denoising_entry(result.method).title); }
 
-/// Lists the meshes and their classes.
+/// Returns a table of the meshes, a row each: vertices, mean edge, sharp edges, class.
 report::Table subject_table(const DenoisingLaboratory& laboratory);
-/// Shows the gain of every method in shape and the largest gains in places and normals, one row per noisy mesh.
+/// Returns a table with a row for each noisy mesh: the gain of every method in shape, and the largest gains in places and in normals.
 report::Table gain_table(const DenoisingLaboratory& laboratory);
-/// Shows the best methods of each class.
+/// Returns a table with a row for each class: the methods with the largest mean gain in shape and in normals, and these gains.
 report::Table winner_table(const std::vector<ClassResult>& classes);
-/// Plots the gain over the level of Gaussian noise for methods that differ, one panel per mesh.
+/// Plots the gain over the level of Gaussian noise, a panel for each mesh; explicit, rebuilt and conformal flow are left out.
 report::Plot gain_plot(const DenoisingLaboratory& laboratory);
 using Shown = Within<DenoisingTrials, NoiseTrial>;
-/// Adds small pictures of the clean mesh, the noisy one and the best results of the methods in the plot, one row per noisy mesh.
+/// Adds a figure with a row for each noisy mesh: the clean mesh, the noisy mesh, and the best result of each method in gain_plot().
 void add_method_figure(Answer& answer, const std::vector<Shown>& shown);
 
-/// Collects the facts of the discussion.
+/// Returns the facts of the discussion.
 report::Facts facts_of(const DenoisingLaboratory& laboratory);
 
 }   // namespace meshfolio::methods

@@ -36,16 +36,17 @@ struct CostModel {
 
     CostModel() = default;
     CostModel(const SmoothingSubject& subject, SpectralMeasure of_input);
-    /// Returns the energy that a filter f(−L) leaves.
+    /// Returns the energy that a filter f(−L) leaves, over that of the input. @param filter  f(μ)
     double share(const auto& filter) const { return measure.energy(filter) / initial_energy; }
-    /// Returns the way with the fewest steps at 0.95 λ_crit and at most this energy.
+    /// Returns the way with the fewest explicit steps of 0.95 λ_crit that leaves at most this energy; steps = 0 if most_steps are not
+    /// enough.
     SmoothingWay explicit_way(double energy) const;
-    /// Returns the way with this number of steps and exactly this energy.
+    /// Returns the implicit way with this number of steps and exactly this energy.
     SmoothingWay implicit_way(double energy, int steps) const;
-    /// Returns the way with the fewest implicit steps, exactly this energy and at most this error.
+    /// Returns the way with the fewest implicit steps, exactly this energy and at most this error; steps = 0 if 10 000 are not enough.
     SmoothingWay implicit_way_within(double energy, double error) const;
-    /// Returns the least energy ≥ `least` that the measure predicts to 10⁻⁷ for one implicit step, the way with the least certain
-    /// prediction.
+    /// Returns the energy of one implicit step, at least `least`, for the largest λ tried that the measure predicts to 10⁻⁷; that of λ_crit
+    /// if none is. One step has the least certain prediction of all ways.
     double least_energy(double least) const;
     /// Returns the diffusion time after which the exact flow has this energy. [length²]
     double exact_time(double energy) const;
@@ -58,7 +59,7 @@ struct SmoothingTarget {
     std::vector<SmoothingWay> implicit_ways;   // in the order of implicit_way_names()
 };
 inline constexpr int implicit_steps[] = {1, 3, 10};
-inline constexpr double implicit_accuracy = 0.01;   // error of the way that takes as many steps as that needs
+inline constexpr double implicit_accuracy = 0.01;   // error of the way accurate_way
 /// Indices of the implicit ways within implicit_accuracy, and within the error of the explicit way.
 inline constexpr std::size_t accurate_way = std::size(implicit_steps), matched_way = accurate_way + 1;
 inline constexpr std::size_t implicit_way_count = matched_way + 1;
@@ -66,15 +67,16 @@ inline constexpr std::size_t implicit_way_count = matched_way + 1;
 /// Returns "implicit, 1 step", …, "implicit, error ≤ 1 %", "implicit, as true as explicit".
 Names implicit_way_names();
 
-/// Computes all ways to this energy.
+/// Computes the explicit way and all implicit ways to this energy.
 SmoothingTarget smoothing_target(const CostModel& model, double energy);
 
-/// True if the way costs less than the explicit one, which may not reach the energy at all.
+/// True if the implicit way exists and needs fewer operations than the explicit way, or the explicit way does not reach the energy.
 bool is_cheaper(const SmoothingWay& way, const SmoothingWay& explicit_way);
 /// Returns the index of the first target from which on the implicit way `which` is cheaper to the end; nothing if there is none.
 /// @param targets  energies descending
 std::optional<std::size_t> cheaper_from(const std::vector<SmoothingTarget>& targets, std::size_t which);
-/// Finds the energy where that begins, between that target and the one before it.
+/// Finds the largest energy from which on down the implicit way `which` is cheaper, between the target cheaper_from() and the one before
+/// it; the first target if it is cheaper from there on; nothing if cheaper_from() finds none.
 std::optional<SmoothingTarget> crossing_of(const CostModel& model, const std::vector<SmoothingTarget>& targets, std::size_t which);
 
 /// Damping by some steps of one scheme, on coordinates that contain each mode with coefficient 1.
@@ -125,7 +127,7 @@ struct ModeStudy {
     const std::string& name() const { return subject.name(); }
     /// True if the gap is far enough above the rounding of coordinates to be compared with its prediction.
     bool is_measurable(const SchemeGap& gap) const { return gap.measured > 1e8 * rounding; }
-    /// True if this implicit way is cheaper than the explicit one at no energy of the curve; at all of them.
+    /// True if implicit way `which` has no crossing; true if it is cheaper than the explicit way at all energies of the curve.
     bool cheaper_nowhere(std::size_t which) const { return !crossings[which]; }
     bool cheaper_everywhere(std::size_t which) const { return crossings[which] && crossings[which]->energy >= curve.front().energy; }
 };
@@ -133,9 +135,9 @@ using ModeStudies = std::vector<ModeStudy>;
 inline constexpr int damped_steps = 3;          // step sizes of the dampings of one scheme
 inline constexpr double law_tolerance = 1e-9;   // largest deviation() that passes
 
-/// Returns the number of Lanczos steps of the spectral measure, for each coordinate.
+/// Returns the number of Lanczos steps of the spectral measure, alike for x, y and z: 100 (quick: 60, laboratory: 160).
 int lanczos_steps(const QuestionSettings& settings);
-/// Measures dampings, gaps (at the steps and iterations of the settings, else at three shares of the limit and three counts) and costs.
+/// Measures dampings, costs, and gaps at the λ and iterations of the settings, else at 0.1, 0.5, 0.9 of λ_crit and 1, 10, 100 iterations.
 ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings);
 
 }   // namespace meshfolio::modes

@@ -38,12 +38,13 @@ struct RunErrors {
     Vector mass;         // mean weighted by the areas of the clean mesh [length²]
     Vector tangential;   // the part of `vertices` along the clean surface [length²]
 };
+/// Computes the squared errors of a run against flow.clean, an entry for each of its positions.
 RunErrors errors_of_run(const DenoisingFlow& flow, const Trajectory& run);
 
 /// The errors over all seeds after t = 0, 1, … T steps.
 struct MeasuredCurve {
     Vector square, square_error;   // mean squared error and its standard error [length²]
-    Vector mass, mass_error;       // the same, weighted by area
+    Vector mass, mass_error;       // mean squared error weighted by area, and its standard error [length²]
     Vector tangential;             // mean of the part along the surface [length²]
     Vector low, high;              // tenth and ninetieth percentile of the rms error [length]
     int seeds = 0;
@@ -52,7 +53,7 @@ struct MeasuredCurve {
     Vector rms() const { return square.cwiseSqrt(); }
     int best() const;   // first iteration with the smallest mean squared error
 };
-/// Averages the runs. @throws MeshError without a run
+/// Averages the runs, which have equal length. @throws MeshError without a run
 MeasuredCurve measured_curve(const std::vector<RunErrors>& runs);
 
 /// Returns the index of the first smallest value.
@@ -66,6 +67,8 @@ struct Extent {
     int seeds = 20, rule_seeds;   // noisy meshes, and those of them that the rules are tried on
     int draws = 4;
 };
+/// Returns the levels of the settings, else 0.003 and 0.01 (quick: 0.01; laboratory: 0.001, 0.003, 0.01, 0.03), and up to 40 iterations
+/// (quick: 10, laboratory: 80), fewer on more than 15,000 vertices (quick: 60,000; laboratory: 7,500).
 Extent extent_of(const QuestionSettings& settings, int vertices);
 
 /// Returns the seed of one noisy mesh, draw or probe of a level. Runs count noisy meshes from 0, draws from first_draw, probes from
@@ -90,7 +93,7 @@ struct SeedResult {
     RunErrors errors;
     bool collapsed = false;   // the run ended early
     RiskEstimate risk;        // only of runs that rules are tried on
-    Vector held_fixed;        // zᵀSᵗz, the divergence as if the operator did not depend on the noise; likewise
+    Vector held_fixed;        // zᵀSᵗz, the divergence as if the operator did not depend on the noise; only with `risk`
 };
 
 /// The results of one noise level by operator and seed, and the noise levels estimated from the noisy meshes.
@@ -98,7 +101,7 @@ struct LevelResults {
     std::array<std::vector<SeedResult>, 2> of;
     std::vector<NoiseLevel> estimates;
 };
-/// Runs all seeds of every level, in parallel. @param iterations  of each level
+/// Runs all seeds of every level by both operators, in parallel. @param iterations  of each level @return the levels in order
 std::vector<LevelResults> results_of_levels(const Work& work, const std::vector<int>& iterations);
 
 // ---- predictions and rules
@@ -110,7 +113,7 @@ struct PredictedCurve {
 
     int best() const { return first_smallest(square); }
 };
-/// Returns the largest |predicted/measured − 1| of the rms error over the iterations; both arguments are squares.
+/// Returns the largest |predicted/measured − 1| of the rms error over the iterations, from squared errors; skips measured errors of 0.
 double deviation(const Vector& predicted_square, const Vector& measured_square);
 inline double deviation(const PredictedCurve& predicted, const MeasuredCurve& measured) {
     return deviation(predicted.square, measured.square);
@@ -165,8 +168,10 @@ struct PredictionStudy : OnMesh {
 
     int vertices() const { return source->mesh().vertex_count(); }
 };
+/// Predicts and measures the errors for every level of extent_of(), by λ = 0.1 squared mean edges or the first λ of the settings.
 PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& settings);
 
+/// Distances in standard errors, of the mean over the vertices and of the mean weighted by area.
 struct StandardDistance {
     double vertices = 0, mass = 0;
     double larger() const { return std::max(vertices, mass); }
@@ -187,6 +192,7 @@ struct ErrorAccount {
     /// Squared error along the clean surface over that of the noise, 2σ², and across it over σ².
     double along_own = 0, along_clean = 0, across_own = 0, across_clean = 0;
 };
+/// Computes the parts of the error with the noisy mesh's own operator at one level.
 ErrorAccount error_account(const NoiseLevelStudy& level);
 
 // Names of predictions and rules.

@@ -14,16 +14,16 @@ struct KnownTrial;
 using Labs = std::vector<LaboratoryMesh>;
 using KnownTrials = std::vector<KnownTrial>;
 
-/// Adds the description of the operators.
+/// Adds paragraphs and a list that describe all operators.
 void add_method(report::Section& section);
-/// Measures the operators on known surfaces, and adds their table and checks.
+/// Measures the operators on known surfaces, adds their table and checks, and returns the trials.
 std::shared_ptr<const KnownTrials> add_known(report::Section& section, const QuestionSettings& settings);
-/// Measures the operators on the meshes, and adds their tables, checks and the extent.
+/// Measures the operators on the meshes, adds their tables, checks and the extent, and returns the scores.
 std::shared_ptr<const Labs> add_scores(report::Section& section, const LibraryMeshes& meshes, const QuestionSettings& settings,
                                        const Progress& progress);
-/// Returns the mesh with the most Delaunay flips a vertex, where operators differ most.
+/// Returns the mesh with the most Delaunay flips per vertex, the first of equals; operators differ most there.
 const LaboratoryMesh& most_flipped(const Labs& labs);
-/// Adds one small picture of H per operator, in the colour range of the default operator.
+/// Adds a figure of one mesh with a panel of H × mean edge for each operator, in the colour range of the default operator.
 void add_figure_of(Answer& answer, const LaboratoryMesh& lab);
 /// Adds the discussion, and sets the answer. @param shown  the mesh of the figure
 void add_discussion(report::Section& section, const Labs& labs, const KnownTrials& known, const LaboratoryMesh& shown);

@@ -13,7 +13,7 @@ struct LaboratoryOperator {
     OperatorKind kind = OperatorKind::cotan;
     AreaForm area = AreaForm::barycentric;
 
-    std::string title() const;   // "cotangent, Voronoi areas"
+    std::string title() const;   // "cotangent, Voronoi areas"; areas are not named if barycentric
     std::string id() const;      // for file names: "cotan_voronoi"
     LaplaceBeltrami of(const TriangleMesh& mesh) const { return laplace_operator(mesh, kind, area); }
 };
@@ -39,7 +39,7 @@ struct LaboratoryMesh {
     const std::string& name() const { return subject.name(); }
     const OperatorTrial& trial(OperatorKind kind) const;
 };
-/// Scores every operator on one mesh.
+/// Scores every one of laboratory_operators() on one mesh; large meshes have no spectra.
 LaboratoryMesh laboratory_mesh(SharedMesh source, const QuestionSettings& settings);
 
 /// Errors of one operator on surfaces with known values.
@@ -49,7 +49,7 @@ struct KnownTrial {
     std::array<double, 2> H_error{};   // relative L2 on the jittered sphere and the jittered ellipsoid
     double eigenvalue_error = 0;       // largest relative one of the first eight above 0 on that sphere, l(l + 1)/R²
 };
-/// Measures each of laboratory_operators() on the known surfaces.
+/// Measures each of laboratory_operators() on irregular_plane(), a jittered sphere and a jittered ellipsoid of level 4 (quick: 3).
 std::vector<KnownTrial> known_trials(const QuestionSettings& settings);
 
 }   // namespace meshfolio::operators

@@ -33,7 +33,7 @@ struct LimitingVertex {
     bool on_boundary = false;
     double smallest_angle = 0;   // of the triangles around it [rad]
 
-    /// Weights over area, relative to the medians: how fast the vertex moves.
+    /// Returns stiffness over area, relative to the medians: the speed of the vertex over that of a typical one.
     double rate() const { return stiffness_share / area_share; }
 };
 
@@ -47,10 +47,10 @@ struct StabilityStudy : OnMesh {
     const OperatorLimit& cotangent() const { return limits[0]; }
     const OperatorLimit& uniform() const { return limits[1]; }
 };
-/// Proves both limits and runs 500 steps (quick: 200) on either side of each.
+/// Proves the limit of the cotangent and of the uniform operator, and runs 500 steps (quick: 200) at 0.99 and at 1.01 of each limit.
 StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settings);
 
-/// The growth of the mode over the whole run, measured over predicted; 1 if the run obeys the law.
+/// Returns the measured growth of the mode over the whole run divided by the predicted growth; 1 if the run obeys the law.
 inline double measured_over_predicted(const ModeGrowth& growth) { return growth.factor.back() / growth.predicted(growth.steps()); }
 
 /// A run, and the first triangle that turned: its normal differs by more than 90° from that in the input.
@@ -72,6 +72,7 @@ struct RebuiltFlow : OnMesh {
 
     std::array<const WatchedRun*, 3> runs() const { return {&fixed, &adaptive, &frozen}; }
 };
+/// Runs `fixed` and `adaptive` for 30 steps (quick: 20), `frozen` for up to 100.
 RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& settings);
 
 // ---- the planes -----------------------------------------------------------------------------------------------------------
@@ -102,11 +103,11 @@ struct GrowingModes {
     double rounding = 0;   // of coordinates: no run has less of a mode than this [length]
     double distance = 0;   // [length]
 
-    /// The height above which a mode is no rounding, so that symmetry or cancellation cannot stop its growth. [length]
+    /// Returns the height above which a mode is no rounding, so that symmetry or cancellation cannot stop its growth. [length]
     double noticeable() const { return 1e4 * rounding; }
-    /// The iteration (not rounded up) at which the fastest mode of at least this height reaches `distance`; NaN if none grows.
+    /// Returns the iteration (not rounded up) at which the first mode of at least this height reaches `distance`; NaN if none grows.
     double blow_up(double lambda, double least_height = 0) const;
-    /// The first iteration up to `last` at which all modes together can reach `distance`; 0 if they cannot.
+    /// Returns the first iteration up to `last` at which the heights of all modes add up to 0.999 `distance`; 0 if they never do.
     int earliest(double lambda, int last) const;
 };
 
@@ -136,26 +137,27 @@ struct SmoothingMaps {
     const std::string& name() const { return subject.name(); }
     const SchemeMap& explicit_map() const { return schemes[0]; }
     const SchemeMap& implicit_map() const { return schemes[1]; }
-    /// Every mode of a small mesh, else the top one.
+    /// Returns `all` if the modes are known, else `top`.
     const GrowingModes& known_modes() const { return all ? *all : top; }
-    /// The index of a cell, and its step and row.
+    /// Return the index of a cell in PlaneValues, its index in `lambdas`, and its index in `iterations`.
     std::size_t index(std::size_t step, std::size_t row) const { return row * lambdas.size() + step; }
     std::size_t step_of(std::size_t cell) const { return cell % lambdas.size(); }
     std::size_t row_of(std::size_t cell) const { return cell / lambdas.size(); }
-    /// λ/λ_crit of a step.
+    /// Returns λ/λ_crit of a step.
     double relative(std::size_t step) const { return lambdas[step] / subject.critical; }
-    /// Index of the cell with the smallest error from the clean mesh.
+    /// Returns the index of the cell with the smallest error from the clean mesh; none if no clean mesh is known.
     std::optional<std::size_t> best(const SchemeMap& map) const;
 };
 
-/// Runs the steps of the settings, else a logarithmic grid with the explicit limit between two steps. Measures at iteration counts that are
-/// spaced alike, up to the last of the settings.
+/// Runs both schemes with the λ of the settings, else a logarithmic grid with the explicit limit between two steps. Measures at
+/// spaced_iterations() up to the last of the settings, else 100 (quick: 30, laboratory: 200).
 SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings);
 
 /// Returns 1, 2, 3, 5, 8, …: `per_decade` counts for each factor of ten, up to and including `last`.
 std::vector<int> spaced_iterations(int last, int per_decade);
 
-/// Compares pairs of implicit cells with equal λt and tenfold iteration counts: the largest |many/few − 1| of their rms motions, else 0.
+/// Returns the largest |many/few − 1| of the rms motions of two implicit cells with equal λt and tenfold iteration counts; 0 if there are
+/// none.
 double largest_difference_at_equal_time(const SmoothingMaps& maps);
 
 /// Counts of runs that blew up, over some planes.
@@ -166,6 +168,7 @@ struct BlowUps {
     int early = 0;    // blew up before all modes together could
     double off = 0;   // largest distance of a measured iteration from the predicted one
 };
+/// Counts the blow-ups of all steps on all planes, measured against known_modes().
 BlowUps blow_ups_of(std::span<const SmoothingMaps> planes);
 
 /// The cell in which the results of the two schemes are farthest apart.
@@ -181,24 +184,27 @@ struct Gap {
 using Studies = std::vector<StabilityStudy>;
 using Planes = std::vector<SmoothingMaps>;
 
+/// Finds the largest SchemeMap::gap of the implicit scheme over all planes.
 Gap largest_gap(const Planes& planes);
 
-/// The bounds of every limit.
+/// Returns a table of the bounds of λ_crit and the safe step, a row for each operator on each mesh.
 report::Table certificate_table(const Studies& studies);
-/// The cotangent limit in other units, and the vertex that sets it.
+/// Returns a table of the cotangent limit in other units and the vertex that sets it, a row for each mesh.
 report::Table unit_table(const Studies& studies);
-/// The top mode over the iterations on both sides of the limit, measured and predicted.
+/// Plots the growth of the top mode over the iterations at 0.99 and 1.01 of the limit, a panel each: both operators as measured, and as
+/// predicted.
 report::Plot growth_plot(const StabilityStudy& study);
+/// Returns a table of the runs of the flow, a row each: largest λμ_max, steps in which something went wrong, time reached, the end.
 report::Table flow_table(const RebuiltFlow& flow);
-/// λμ_max over the steps of each run.
+/// Plots λμ_max over the steps, a curve for each run, with a dashed line at 2.
 report::Plot flow_plot(const RebuiltFlow& flow);
-/// The error over the plane, or the motion if no clean mesh is known; explicit beside implicit.
+/// Maps the error from the clean mesh over λ/λ_crit and t, or the motion if no clean mesh is known [% of box]; explicit beside implicit.
 report::Map error_map(const SmoothingMaps& maps);
-/// Usable cells, turned triangles and the best error of each scheme.
+/// Returns a table of usable cells, turned triangles and the smallest error, a row for each scheme on each mesh.
 report::Table region_table(const Planes& planes);
-/// Every cell of the planes, for programs.
+/// Returns a table with a row for each cell of each scheme on each mesh; for files only.
 report::Table plane_table(const Planes& planes);
-/// The predicted and measured iteration of blowing up, for up to four steps of each mesh.
+/// Returns a table of the predicted and measured iteration of blowing up, a row for each of up to four steps beyond the limit on each mesh.
 report::Table blow_up_table(const Planes& planes);
 
 /// Adds one figure: every mesh seen along the normal of its limiting vertex, and below it the triangles around, coloured by the top mode.
@@ -206,15 +212,16 @@ void add_top_mode_figure(Answer& answer, const Studies& studies);
 /// Adds a figure of the lettered places of the planes, with a row for each mesh.
 void add_place_figure(Answer& answer, const Planes& planes);
 
-/// The triangles within `rings` edges of a vertex, turned so that its normal faces the three-quarter view.
+/// The triangles with all corners within `rings` edges of a vertex, turned so that its normal faces the three-quarter view.
 struct Neighbourhood {
     TriangleMesh mesh;
     Eigen::VectorXi original;   // row i is vertex original[i] of the whole mesh
     int vertex = -1;            // the row of the vertex itself
 };
+/// Cuts the triangles around the vertex out of the mesh.
 Neighbourhood neighbourhood(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int rings);
 
-/// The facts that the words of answer and discussion choose from.
+/// Returns the facts that the words of answer and discussion choose from.
 report::Facts facts_of(const Studies& studies, const RebuiltFlow& flow, const Planes& planes);
 
 }   // namespace meshfolio::stability
