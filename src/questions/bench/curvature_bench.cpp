@@ -22,7 +22,7 @@ constexpr double rounding = 1e-9;        // smaller errors have no order
 constexpr std::size_t fitted = 3;        // meshes that give an order
 constexpr double student_95 = 12.7062;   // quantile of Student's t for their one degree of freedom
 
-/// Compares the estimate with the truth over the measured vertices.
+/// Computes the errors of the estimate over the measured vertices, relative to the truth.
 /// @param substitute  scale of the error if the truth is 0 everywhere
 EstimateError error_of(const Vector& estimate, const Vector& truth, const Vector& substitute, const BenchMesh& b) {
     const Vector& scale = truth.isZero() ? substitute : truth;
@@ -45,7 +45,7 @@ EstimateError error_of(const Vector& estimate, const Vector& truth, const Vector
     return error;
 }
 
-/// Compares the disagreement of cotangents and jet with the error of the cotangents.
+/// Compares |H_cotan − H_jet| with |H_cotan − H| over the vertices where both estimates are finite.
 ErrorIndicator indicator_on(const BenchMesh& b) {
     const Vector cotangent = estimator("H.barycentric").estimate(b), jet = estimator("H.jet").estimate(b);
     const std::vector<int> both = where_finite(cotangent, jet);
@@ -181,7 +181,8 @@ BenchLevel reference_level(const MeshLibrary& library, int points, std::uint64_t
 
 const BenchRun& run_on(const BenchRuns& runs, std::string_view surface, MeshKind kind) {
     const auto found = std::ranges::find_if(runs, [&](const BenchRun& run) { return run.surface == surface && run.kind == kind; });
-    if (found == runs.end()) throw std::logic_error("no run on the " + std::string(surface));
+    if (found == runs.end())
+        throw std::logic_error("no curvature run on the " + std::string(surface) + " in " + std::string(name_of(kind)) + " meshes");
     return *found;
 }
 

@@ -15,7 +15,7 @@ namespace meshfolio {
 
 namespace {
 
-/// Computes −½Δx · n times 4/h², Δ the uniform Laplacian.
+/// Computes −½Δx · n times 4/h² with the uniform Laplacian Δ, the given normals n and the mean squared edge h² of each ring.
 Vector uniform_H_along(const Positions& normals, const BenchMesh& b) {
     const Positions laplacian_of_x = uniform_laplacian(b.topology) * b.mesh.X;
     const Vector along_normal = -0.5 * laplacian_of_x.cwiseProduct(normals).rowwise().sum();
@@ -111,7 +111,7 @@ std::vector<const Estimator*> panel_estimators(Quantity quantity) {
 
 const Estimator& estimator(std::string_view key) {
     const auto found = std::ranges::find(estimators(), key, &Estimator::key);
-    if (found == estimators().end()) throw std::logic_error("no estimator " + std::string(key));
+    if (found == estimators().end()) throw std::logic_error("no curvature estimator has the key '" + std::string(key) + "'");
     return *found;
 }
 

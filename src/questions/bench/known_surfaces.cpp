@@ -137,7 +137,7 @@ std::vector<KnownSurface> known_surfaces() { return {sphere(), ellipsoid(), elli
 KnownSurface known_surface(const std::string& name) {
     std::vector<KnownSurface> surfaces = known_surfaces();
     const auto found = std::ranges::find(surfaces, name, &KnownSurface::name);
-    if (found == surfaces.end()) throw std::logic_error("no surface " + name);
+    if (found == surfaces.end()) throw std::logic_error("no known surface has the name '" + name + "'");
     return std::move(*found);
 }
 

@@ -63,7 +63,7 @@ report::Table geometry_table(const std::vector<Inspected>& meshes) {
         .column("Gauss–Bonnet", {.digits = 2}, [](auto& m) { return cell_of(m.facts.gauss_bonnet_residual, m.counts().manifold()); });
 }
 
-/// Returns the meshes of the settings, else the user's own, else one a role, each once; adds a failed check for an unusable one.
+/// Returns the meshes of the settings, else the user's own, else one for each role, each file once; a failed check for unusable roles.
 LibraryMeshes meshes_of_report(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
     if (!settings.meshes.empty() || library.has_own_meshes()) return meshes_for(library, settings, {}, section);
     LibraryMeshes meshes;
@@ -137,7 +137,9 @@ std::vector<Inspected> inspected_meshes(const MeshLibrary& library, const Questi
         progress("preflight of " + source->name);
         meshes.push_back({{source}, mesh_facts(*source->prepared)});
     }
-    if (meshes.empty()) throw InputError({}, "no mesh can be used", "see the warnings");
+    if (meshes.empty())
+        throw InputError({}, "the preflight found no usable mesh for any role",
+                         "`meshfolio inspect FILE` says what is wrong with a mesh of --data");
     return meshes;
 }
 

@@ -85,7 +85,8 @@ std::string Claim::said() const { return words.line(std::string(id) + ".said"); 
 
 const Source& Claim::source() const {
     const auto* source = std::ranges::find_if(sources, [&](auto& s) { return id.starts_with("claims_" + std::string(s.key) + "_"); });
-    if (source == sources.end()) throw std::logic_error("no source of " + std::string(id));
+    if (source == sources.end())
+        throw std::logic_error("the id of claim '" + std::string(id) + "' does not begin with claims_ and the key of a source");
     return *source;
 }
 

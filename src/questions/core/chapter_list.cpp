@@ -53,7 +53,7 @@ double ChapterCost::work_of(const QuestionSettings& settings, bool small) const 
 
 const Chapter& chapter_of_id(std::string_view id) {
     const auto found = std::ranges::find(chapter_list(), id, &Chapter::id);
-    if (found == chapter_list().end()) throw std::logic_error("no chapter " + std::string(id));
+    if (found == chapter_list().end()) throw std::logic_error("no chapter has the id '" + std::string(id) + "'");
     return **found;
 }
 

@@ -154,7 +154,7 @@ std::string_view FoundMesh::bytes(std::string& from_file) const {
         }
     }
     if (const auto embedded = bundled_mesh(bundled_file)) return *embedded;
-    throw InputError({std::string(bundled_file)}, "is not among the bundled meshes of this build");
+    throw InputError({std::string(bundled_file)}, "is not among the bundled meshes of this build", "`meshfolio list` names them");
 }
 
 }   // namespace meshfolio

@@ -117,7 +117,7 @@ SharedMesh MeshLibrary::read(const MeshLookup& lookup, const fs::path& base) con
 SharedMesh MeshLibrary::role(const std::string& name) const {
     if (!finder_.own().empty()) return own_meshes().front();
     if (offered_ && std::ranges::find(*offered_, name) == offered_->end())
-        throw std::logic_error("the chapter reads the role '" + name + "', which is not among its roles");
+        throw std::logic_error("the chapter reads the role '" + name + "', which is missing in Chapter::roles");
     return loaded({.by = MeshLookup::By::role, .name = name}, {});
 }
 

@@ -37,7 +37,7 @@ std::span<const MeshRole> mesh_role_list() { return roles; }
 
 const MeshRole& role_named(const std::string& name) {
     const auto it = std::ranges::find_if(roles, [&](const MeshRole& role) { return role.role == name; });
-    if (it == roles.end()) throw UsageError("no mesh has the role '" + name + "'");
+    if (it == roles.end()) throw UsageError("no mesh has the role '" + name + "'", "`meshfolio list` names the roles under meshes");
     return *it;
 }
 

@@ -83,7 +83,7 @@ std::vector<std::string> bundled_report_names() {
 std::string_view default_settings_text() {
     for (const auto& file : meshfolio_embedded::embedded_data())
         if (file.name == "report.toml") return file.bytes;
-    throw std::logic_error("the default settings are not compiled in");
+    throw std::logic_error("data/report.toml, the default settings, is not compiled in");
 }
 
 }   // namespace meshfolio

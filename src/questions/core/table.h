@@ -63,7 +63,7 @@ public:
         return *this;
     }
 
-    /// Writes the table to a file for programs alone: no page shows it, so no text may refer to it.
+    /// Marks the table as one for programs: it goes into a file and no page shows it, so no text may refer to it.
     TableBuilder& file_only() {
         table_.file_only = true;
         return *this;

@@ -29,7 +29,8 @@ std::pair<Vector, Vector> mean_over(const std::vector<RunErrors>& runs, Vector R
     return {mean, runs.size() > 1 ? Vector((squares / (count * (count - 1))).cwiseSqrt()) : Vector::Zero(mean.size())};
 }
 
-/// Runs from Y and measures. @param probe  direction z of the risk estimate; empty: none is made
+/// Smooths from Y and measures the errors; a run that collapsed is continued by its last positions.
+/// @param probe  direction z of the risk estimate; empty: no estimate is made
 SeedResult seed_result(const Work& work, FlowOperator kind, const Positions& Y, int iterations, const Positions& probe,
                        FlowSolvers& solvers) {
     SeedResult result;
@@ -88,7 +89,7 @@ RunErrors errors_of_run(const DenoisingFlow& flow, const Trajectory& run) {
 int MeasuredCurve::best() const { return first_smallest(square); }
 
 MeasuredCurve measured_curve(const std::vector<RunErrors>& runs) {
-    if (runs.empty()) throw MeshError("measured_curve: no runs");
+    if (runs.empty()) throw MeshError("measured_curve() has no runs to average", "give it one run at least");
     MeasuredCurve curve;
     std::tie(curve.square, curve.square_error) = mean_over(runs, &RunErrors::vertices);
     std::tie(curve.mass, curve.mass_error) = mean_over(runs, &RunErrors::mass);
