@@ -19,7 +19,7 @@ std::vector<double> geometric(double low, double high, int count) {
     return values;
 }
 
-/// Runs the method with one parameter, measures every state and keeps the best ones in `result`.
+/// Runs the method with the parameter value × plan.unit and enters each state with a smaller error than before into `result`.
 void run_with(const SearchInput& input, double value, const SearchPlan& plan,
               const std::function<bool(const SearchState&, const Positions&)>& after_state, ImplicitSolver& solver, SearchResult& result) {
     DenoisingOptions options;

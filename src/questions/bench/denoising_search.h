@@ -26,8 +26,8 @@ struct SearchPlan {
     int steps = 0;
 };
 /// Plans geometric sequences of values in units of plan.unit: explicit flow, λ from 0.05 to 0.9 of 2/μ_max; Taubin, pass bands from 0.01 to
-/// 0.3; other flows, λ from 0.0025 to 2.56 squared mean edges; filters of normals, σ_r from 0.1 to 1. A single value is their geometric
-/// mean.
+/// 0.3; other flows, λ from 0.0025 to 2.56 squared mean edges; filters of normals, σ_r from 0.1 to 1. A single value is the
+/// geometric mean of both ends.
 /// @param mean_edge, largest_eigenvalue  of the noisy mesh [length], [1/length²]
 SearchPlan search_plan(DenoisingMethod method, const SearchBudget& budget, double mean_edge, double largest_eigenvalue);
 
@@ -80,8 +80,8 @@ struct SearchInput {
     DenoisingInput noisy;
     double mean_edge = 0;   // of the noisy mesh [length]
 };
-/// Runs the method for every value of the plan and returns the state with the least error of each measure, the noisy mesh included. Without
-/// a run if the method is not defined on the mesh.
+/// Runs the method for every value of the plan and returns the state with the least error of each measure, the noisy mesh included. Makes
+/// no run if the method is not defined on the mesh.
 /// @param after_state  called with the state and positions after every step; returning false ends the run
 SearchResult search(const SearchInput& input, DenoisingMethod method, const SearchPlan& plan,
                     const std::function<bool(const SearchState&, const Positions&)>& after_state = {});

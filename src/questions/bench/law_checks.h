@@ -38,7 +38,8 @@ struct SurfaceClaims {
     bool manifold = true, orientable = true, closed = true;
     int euler_characteristic = 2;
 };
-/// Checks orientation if the surface is orientable, flux and volume if it is also closed, and Gauss–Bonnet if it is manifold.
+/// Checks a manifold surface: orientation if it is orientable, flux and outward volume if it is also closed, and Gauss–Bonnet. Returns no
+/// checks of a surface that is not manifold.
 std::vector<report::Check> surface_checks(const TriangleMesh& mesh, const Vector& angle_deficits, const SurfaceClaims& claims,
                                           const std::string& on);
 

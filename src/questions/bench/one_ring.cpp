@@ -38,7 +38,7 @@ std::array<double, 3> corner_dots(const FlatRing& ring, int t) {
     return {pq, squared_length(p) - pq, squared_length(q) - pq};
 }
 
-/// Returns −cos of the largest angle; 0 if none is obtuse.
+/// Returns −cos of the largest angle of all triangles of the ring; 0 if no angle is obtuse.
 double most_obtuse(const FlatRing& ring) {
     double most = 0;
     for (int t = 0; t < ring.triangles(); ++t) {

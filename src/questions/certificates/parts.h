@@ -27,9 +27,9 @@ struct Inspected : OnMesh {
     bool is_sound() const;   // without any of defect_list()
 };
 
-/// Inspects the meshes of the settings, else the user's own, else one for each role, each file once, and enters them into the section. An
-/// unusable mesh becomes a failed check.
-/// @throws InputError if none can be used
+/// Inspects the meshes of the settings, else the user's own, else one for each role, each file once, and enters them into the section. The
+/// mesh of a role that is unusable becomes a failed check.
+/// @throws InputError for an unusable mesh of the settings or the user, and if no role can be used
 std::vector<Inspected> inspected_meshes(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress,
                                         report::Section& section);
 /// Adds the part about these meshes: their properties, their defects, the questions affected, and the repairs.

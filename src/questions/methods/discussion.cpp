@@ -5,7 +5,7 @@ namespace meshfolio::methods {
 
 namespace {
 
-/// Lists every noisy mesh as `part`, with its clean one as `whole`.
+/// Lists every noisy mesh as `part`, with its clean mesh as `whole`.
 auto all_trials(const DenoisingLaboratory& laboratory) { return parts_within(laboratory.meshes, &DenoisingTrials::trials); }
 
 double best_gain(const NoiseTrial& trial, Gain gain) {

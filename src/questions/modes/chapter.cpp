@@ -8,7 +8,7 @@ namespace {
 struct PartMeshes {
     LibraryMeshes shape, noise;
 };
-/// Finds the meshes of both parts: noise is added to clean ones only. Meshes of the user's own take part in both.
+/// Finds the meshes of both parts; noise is added to clean meshes only. The user's own meshes take part in both.
 PartMeshes part_meshes(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section) {
     PartMeshes parts;
     const auto enter = [&](const std::vector<std::string_view>& roles, auto... of_parts) {

@@ -18,7 +18,7 @@ std::pair<double, std::string> largest_gap(const ModeStudies& studies, int steps
     return largest;
 }
 
-/// Returns the energies below which this implicit way is cheaper, "36 % to 74 %" over the meshes; empty if it is nowhere.
+/// Returns the range over the meshes of the energy below which implicit way `which` is cheaper, "36 % to 74 %"; empty if it never is.
 std::string cheaper_below(const ModeStudies& studies, std::size_t which) {
     double least = infinity, most = 0;
     for (const ModeStudy& study : studies) {

@@ -38,7 +38,7 @@ Positions unit_coefficients(Eigen::Index modes) {
     return W;
 }
 
-/// Smooths unit coefficients of the modes and measures what is left of each. @param relative  step over λ_crit
+/// Smooths unit coefficients of the modes and measures the factor left of each. @param relative  λ/λ_crit
 ModeDamping damping_of(const SmoothingSubject& subject, const Spectrum& modes, SmoothingScheme scheme, double relative, int steps) {
     ModeDamping damping{scheme, relative * subject.critical, steps, {}};
     const OperatorWithMass whole = operator_with_mass(subject.laplacian);

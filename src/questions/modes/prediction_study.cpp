@@ -26,8 +26,7 @@ DenoisingPrediction expected_error(const PredictionStudy& study, const LaplaceBe
     return denoising_prediction(laplacian, X, options, spectrum);
 }
 
-/// Predicts the error with the operators of other noisy meshes, mean over them: such an operator has noise, but not the one that it
-/// smooths.
+/// Predicts the error as the mean over operators of other noisy meshes: such an operator has noise, but not the noise that it smooths.
 PredictedCurve formula_of_draws(const Work& work, double sigma, std::size_t level, int iterations, OperatorFacts& facts) {
     const auto draws = static_cast<std::size_t>(work.extent.draws);
     std::vector<Vector> squares(draws);

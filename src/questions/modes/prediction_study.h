@@ -29,7 +29,8 @@ struct DenoisingFlow {
 /// Solvers kept from run to run, by FlowOperator; each thread has its own.
 using FlowSolvers = std::array<ImplicitSolver, 2>;
 
-/// Runs T = `iterations` steps from Y and returns T + 1 positions, or fewer if the operator of Y cannot be factored.
+/// Runs T = `iterations` implicit steps from Y by the operator of flow.clean or of Y, and returns T + 1 positions, Y first; fewer if the
+/// operator cannot be factored.
 Trajectory denoising_run(const DenoisingFlow& flow, FlowOperator kind, const Positions& Y, int iterations, FlowSolvers& solvers);
 
 /// Squared errors of one run against the clean mesh after t = 0, 1, … T steps.
@@ -71,8 +72,8 @@ struct Extent {
 /// (quick: 10, laboratory: 80), fewer on more than 15,000 vertices (quick: 60,000; laboratory: 7,500).
 Extent extent_of(const QuestionSettings& settings, int vertices);
 
-/// Returns the seed of one noisy mesh, draw or probe of a level. Runs count noisy meshes from 0, draws from first_draw, probes from
-/// first_probe, so that no two seeds agree.
+/// Returns settings.seed + 1000 (level + 1) + run, the seed of one noisy mesh, draw or probe of a level. Runs count noisy meshes from 0,
+/// draws from first_draw, probes from first_probe, so that no two seeds agree.
 std::uint64_t seed_of(const QuestionSettings& settings, std::size_t level, int run);
 inline constexpr int first_draw = 500, first_probe = 700;
 

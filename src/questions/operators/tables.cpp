@@ -7,7 +7,7 @@ namespace meshfolio::operators {
 
 namespace {
 
-/// Returns "stable" if −C is proved semidefinite, else how far below 0 its spectrum goes or may go.
+/// Returns "stable" if −C is proved semidefinite, else words with the lowest value of its spectrum; "–" if that is not known.
 std::string stability_word(const OperatorScores& scores) {
     if (std::isnan(scores.lowest)) return "–";
     if (scores.verdict == Definiteness::Verdict::semidefinite) return "stable";
@@ -56,7 +56,7 @@ double negative_percent(const OperatorTrial& t) {
     return 100.0 * (t.scores.negative_inside + t.scores.negative_boundary) / std::max(1, t.scores.weights);
 }
 
-/// The worst values of each operator over the meshes.
+/// Returns a table of the worst values over the meshes, a row for each operator.
 report::Table summary_table(const Labs& labs) {
     std::vector<Summary> rows;
     for (std::size_t i = 0; i < laboratory_operators().size(); ++i) rows.push_back({labs, i});

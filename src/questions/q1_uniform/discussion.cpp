@@ -10,7 +10,7 @@ namespace {
 /// Meshes with fewer vertices are too small to describe their picture.
 constexpr int fewest_to_read = 20;
 
-/// Returns the largest error on the finest meshes of a kind.
+/// Returns the largest error of an estimator on the finest meshes of a kind, in one norm.
 double worst(const BenchRuns& runs, MeshKind kind, std::string_view estimator, Norm norm = &EstimateError::l2) {
     return largest_of(of_kind(runs, kind), [&](const BenchRun& run) { return run.finest().error(estimator).*norm; });
 }
@@ -119,7 +119,7 @@ void add_error_facts(report::Facts& facts, const BenchRuns& runs, const BenchRun
                   "worse"_a = worse, "panel"_a = panel.size(), "converging"_a = std::ranges::count_if(panel, converges(uniform_H))});
 }
 
-/// Counts the vertices without K, whose area is not positive, on all finest meshes.
+/// Counts the vertices without K on all finest meshes: their area of this form is not positive.
 int without_K(const BenchRuns& runs, AreaForm form) {
     int without = 0;
     for (const BenchRun& run : runs) without += run.finest().error(K_with(form)).undefined;

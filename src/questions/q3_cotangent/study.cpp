@@ -11,7 +11,7 @@ namespace {
 /// Mean curvature × mean edge below this is rounding, by which nothing can be divided.
 constexpr double flat = 1e-6;
 
-/// Returns the sum of the squares of the first values.
+/// Returns the sum of the squares of the first `first` values.
 double sum_of_squares(const std::vector<double>& values, std::size_t first) {
     return std::accumulate(values.begin(), values.begin() + first, 0.0, [](double sum, double v) { return sum + v * v; });
 }

@@ -5,10 +5,10 @@ namespace meshfolio::q4_spectral {
 
 namespace {
 
-/// Range of the error colours, the same in all pictures [% of the box diagonal]. Errors never reach the darkest colour, which hides form.
+/// Range of the error colours of all pictures [% of the box diagonal]. Errors never reach the darkest colour, which hides form.
 constexpr double palest = 0.1, darkest = 100;
 
-/// Adds a figure of the reconstructions that are shown, with the original, or of all others.
+/// Adds a figure of the reconstructions with is_shown() equal to `shown`; if `shown`, the original is its first panel.
 void add_reconstructions(Answer& answer, const SpectralStudy& study, bool shown) {
     const report::Fact mesh = "mesh"_a = study.name();
     output::FigureRequest figure{.id = id_of(study, shown ? "reconstructions" : "further"),

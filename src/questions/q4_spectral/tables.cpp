@@ -10,7 +10,7 @@ using Style = report::Series::Style;
 
 constexpr auto count_digits = 6;
 
-/// Returns a function from an element to a cell with a length of it, in % of the box diagonal.
+/// Returns a function from an element to a cell with length_of(element) in % of the box diagonal; 0 if that is rounding.
 auto of_box(const SpectralStudy& study, auto length_of) {
     return [&study, length_of](auto& element) {
         const double length = std::invoke(length_of, element);

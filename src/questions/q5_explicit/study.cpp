@@ -36,7 +36,8 @@ void compare_with_input(Recommendation& recommendation, const SmoothingSubject& 
 /// Most iterations of a recommended run over those of the others: if λ_crit is small, many steps are little smoothing.
 constexpr int patience = 10;
 
-/// Runs a step for as long as enough of the size is left. @param kept  iterations that leave enough; negative: all of the run's
+/// Smooths with the λ of study.runs[index] for as long as 95 % of the size is left. @param kept  iterations that leave as much; negative:
+/// all of that run
 Recommendation stopped_in_time(const ExplicitStudy& study, std::size_t index, int kept) {
     const SmoothingRun& run = study.runs[index];
     Recommendation recommendation{.run = index, .stopped = {}};
@@ -50,7 +51,7 @@ Recommendation stopped_in_time(const ExplicitStudy& study, std::size_t index, in
     return recommendation;
 }
 
-/// Returns the recommended step, measured; none if no stable step leaves enough of the size.
+/// Returns the recommended run; none if no stable step leaves 95 % of the size after one iteration.
 std::optional<Recommendation> recommended(const ExplicitStudy& study) {
     for (const double limit : {0.5, 1.0}) {
         for (std::size_t i = study.runs.size(); i-- > 0;) {

@@ -59,8 +59,7 @@ ExplicitStudy explicit_study(SharedMesh source, const QuestionSettings& settings
 /// True if a step of λ changes the sign of no mode: λμ_max ≤ 1, half the limit.
 bool keeps_signs(const SmoothingSubject& subject, double lambda);
 
-/// Returns the share of the vertices that are rougher at X than in the input, where the mean angle between the faces at their edges has
-/// grown by more than 1°.
+/// Returns the share of the vertices with a mean angle between the faces at their edges that is more than 1° larger at X than in the input.
 double share_rougher(const SmoothingSubject& subject, const Positions& X);
 
 /// True if the run with the largest step blows up at one of the peaks, and the top mode is more than half of its motion.

@@ -6,7 +6,7 @@ namespace meshfolio::q5_explicit {
 
 namespace {
 
-/// Every step tried on every mesh.
+/// Returns a table with a row for each step on each mesh: λ, growth of the top mode, energy, size, motion, outcome.
 report::Table steps_table(const Studies& studies) {
     struct Trial {
         const ExplicitStudy& study;

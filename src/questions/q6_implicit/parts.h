@@ -38,7 +38,7 @@ report::Plot gap_plot(const Studies& studies);
 /// Returns a table with a row for each cell (λ, t) of each mesh: energies, motion, gap, size, faces turned, blow-up; for files only.
 report::Table grid_table(const Studies& studies);
 /// Returns a table with a row for each mesh that has a recommended result: λ, t, energy, size, face angles, and the explicit steps and
-/// price to the same energy.
+/// price to equal energy.
 report::Table cost_table(const Studies& studies);
 /// Returns a table with a row for each mesh and λ: ImplicitStudy::price() at each t, and the iterations from which λ pays (break_even())
 /// and goes too far (too_far()). Meshes without counted prices have no rows.

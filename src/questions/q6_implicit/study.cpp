@@ -28,7 +28,7 @@ SmoothingCell implicit_cell(const ImplicitStudy& study, std::size_t l, int t, co
     return cell;
 }
 
-/// Returns the cell of the l-th λ and the t-th iteration count.
+/// Returns the cell of lambdas[l] and iterations[t], both schemes.
 SmoothingCell cell_at(const ImplicitStudy& study, std::size_t l, std::size_t t) {
     SmoothingCell cell = implicit_cell(study, l, study.iterations[t], study.implicit_runs[l].snapshots[t]);
     const SmoothingRun& explicit_run = study.explicit_runs[l];
@@ -103,7 +103,7 @@ StepPrices step_prices(const ImplicitStudy& study) {
     return prices;
 }
 
-/// Smooths the input by explicit steps of λ.
+/// Smooths the input by explicit steps of λ; after_step may end the run.
 Smoothed explicit_run(const ImplicitStudy& study, double lambda, int steps,
                       const std::function<bool(int, const Positions&)>& after_step = {}) {
     SmoothingOptions options{.scheme = SmoothingScheme::explicit_euler, .lambda = lambda, .iterations = steps};
@@ -130,7 +130,7 @@ Positions follow_explicit_steps(ImplicitStudy& study) {
     return reached;
 }
 
-/// @param reached  explicit positions with the energy of the recommended result
+/// Computes the cost of the recommended result. @param reached  explicit positions with its energy; empty if they were not reached
 SmoothingCost cost_of(const ImplicitStudy& study, const SmoothingCell& good, const Positions& reached) {
     SmoothingCost cost;
     const auto run = std::ranges::find(study.lambdas, good.lambda);

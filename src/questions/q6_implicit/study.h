@@ -43,7 +43,7 @@ struct SmoothingCost {
     bool reached() const { return explicit_steps > 0; }
 };
 
-/// The least number of iterations from which on implicit steps of a λ cost no more than explicit steps to the same energy.
+/// The least number of iterations from which on implicit steps of a λ cost no more than explicit steps to equal energy.
 struct BreakEven {
     double lambda = 0;
     int iterations = 0;

@@ -14,7 +14,7 @@ bool continues(const DenoisingGrid& grid, double reached, double lambda, int ste
     return lambda * step > reached && (lambda == grid.lambdas.front() || step >= first_step);
 }
 
-/// Returns the rms norm of the rows.
+/// Returns the root mean square of the norms of the rows.
 double rms(const DenseMatrix& rows) { return std::sqrt(rows.squaredNorm() / static_cast<double>(rows.rows())); }
 
 /// Returns the ends of the bands of modes. Each spans an octave of μ and at least eight modes, as a symmetric shape has no part in most.

@@ -12,7 +12,7 @@ namespace meshfolio::q7_denoising {
 
 namespace {
 
-/// Samples of the same noise after the first.
+/// Further samples of noise of equal strength.
 constexpr int further_seeds = 2;
 
 /// Returns the options of one implicit run. @param lambda  [h̄²]
@@ -39,7 +39,7 @@ SplitRms rms_by(const Vector& distances, const std::vector<char>& flags) {
     return {std::sqrt(squares.there), std::sqrt(squares.elsewhere)};
 }
 
-/// @param normals  of the faces of the clean mesh
+/// Computes the errors of a smoothed mesh against grid.clean. @param normals  of the faces of the clean mesh
 SurfaceErrors errors_of(const DenoisingGrid& grid, const Positions& normals, const TriangleMesh& smoothed) {
     const TriangleMesh& clean = grid.clean->mesh();
     SurfaceErrors errors;
@@ -123,7 +123,7 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
     return trial;
 }
 
-/// Smooths the meshes that the figures show of pictured().
+/// Fills `over`, `clean_alike` and `clean_loss` of pictured().
 void smooth_pictured(DenoisingGrid& grid, const Positions& normals) {
     const TriangleMesh& clean = grid.clean->mesh();
     NoisyTrial& trial = *std::ranges::find(grid.trials, &grid.pictured(), [](const NoisyTrial& t) { return &t; });

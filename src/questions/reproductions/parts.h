@@ -78,7 +78,7 @@ struct ExperimentField : Variant {
     double positive = 0;             // share of the values inside that are > 0
     double largest_inside = 0;       // |value|
 };
-/// Estimates each colour; one that does not depend on the operator or the area form is estimated once.
+/// Estimates each colour on each mesh with each operator and area form; a colour that does not depend on them is estimated once.
 Done<ExperimentField> curvature_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings);
 
 /// Returns n values for the mesh at X: curvature × mean edge (K × its square), also on the boundary, or the distance from the mesh's own

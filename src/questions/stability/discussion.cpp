@@ -35,7 +35,7 @@ report::Facts limit_facts(const Studies& studies) {
         "cotangent"_a = range(2, [](const StabilityStudy& s) { return s.cotangent().critical() / (s.mean_edge * s.mean_edge); }));
 }
 
-/// The name of the fact that says why the limiting vertex is fast: by its weights, its area or both, compared on a logarithmic scale.
+/// Returns the name of the fact that says why the limiting vertex is fast: by its weights, its area or both, compared in logarithms.
 std::string_view cause_of(const StabilityStudy& study) {
     const LimitingVertex& v = study.limiting;
     if (!(study.cotangent().certificate.top.support < 0.1 * study.mesh().vertex_count())) return "whole";
@@ -45,7 +45,7 @@ std::string_view cause_of(const StabilityStudy& study) {
     return by_area > 0.75 ? "area" : by_area < 0.25 ? "weights" : "area_and_weights";
 }
 
-/// "Face 12 is the first to turn over, in step 4. …": how a run went wrong.
+/// Returns how a run went wrong: "Face 12 is the first to turn over, in step 4. …"
 report::Text diagnosis(const WatchedRun& watched) {
     const Smoothed& run = watched.run;
     return words.say("run", "turned"_a = watched.turned_iteration, "face"_a = watched.turned_face, "blew_up"_a = run.blow_up_iteration,
@@ -84,7 +84,7 @@ report::Facts run_facts(const Planes& planes) {
                    "equal_time"_a = (at_equal_time > 0) ? percent_at_most(at_equal_time) : "");
 }
 
-/// The name of the fact that says which scheme comes nearest to the clean mesh, by more than 2 %; empty if no clean mesh is known.
+/// Returns the name of the fact that says which scheme comes nearest to the clean mesh, by more than 2 %; empty if no clean mesh is known.
 std::string_view nearest(const SmoothingMaps& maps) {
     const auto by_explicit = maps.best(maps.explicit_map()), by_implicit = maps.best(maps.implicit_map());
     if (!by_explicit || !by_implicit) return "";

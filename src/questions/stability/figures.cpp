@@ -7,7 +7,7 @@ namespace meshfolio::stability {
 
 namespace {
 
-/// The positions turned about a vertex so that its normal faces the viewer of the three-quarter view.
+/// Returns the positions turned about a vertex so that its normal faces the viewer of the three-quarter view.
 Positions turned(const TriangleMesh& mesh, int vertex) {
     const Vector3 normal = vertex_normals(mesh).row(vertex), towards_viewer = Vector3(0.53, 0.37, 0.76).normalized();
     if (!(normal.squaredNorm() > 0)) return mesh.X;

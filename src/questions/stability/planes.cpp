@@ -31,7 +31,7 @@ void measure(const SmoothingMaps& maps, const Positions& first_normals, const Po
     map.inverted[i] = double((normals.cwiseProduct(first_normals).rowwise().sum().array() < 0).count()) / std::max(mesh.face_count(), 1);
 }
 
-/// Makes one run and measures it at the iterations of the plane.
+/// Runs lambdas[step] by the scheme of the map and measures it at the iterations of the plane.
 void run_step(const SmoothingMaps& maps, const Positions& first_normals, std::size_t step, SchemeMap& map, ImplicitSolver& solver) {
     SmoothingOptions options{.scheme = map.scheme, .lambda = maps.lambdas[step], .iterations = maps.iterations.back()};
     std::size_t row = 0;
@@ -72,7 +72,7 @@ SchemeMap scheme_map(const SmoothingMaps& maps, SmoothingScheme scheme) {
     return map;
 }
 
-/// The modes with their heights in the input. @param modes  M-normalised, a column each
+/// Returns the modes with their heights in the input. @param modes  M-normalised, a column each
 GrowingModes growing_modes(const SmoothingSubject& subject, const Vector& eigenvalues, const DenseMatrix& modes) {
     const Vector& M = subject.laplacian.M;
     const Positions near = subject.mesh().X.rowwise() - subject.mesh().X.row(0);

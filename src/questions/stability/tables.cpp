@@ -7,7 +7,7 @@ namespace {
 
 using Style = report::Series::Style;
 
-/// The growth of a mode at some fifteen steps of the run: points as measured, or a dashed line as predicted.
+/// Plots the growth of a mode at about fifteen steps of the run: points as measured, or a dashed line as predicted.
 /// @param first  the step to begin with, in strides: points of runs that obey one law alternate
 report::Series curve(const std::string& name, const std::string& step, const ModeGrowth& growth, bool measured, double first = 0) {
     report::Series series{.name = name, .style = measured ? Style::points : Style::dashed, .panel = step};
@@ -20,7 +20,7 @@ report::Series curve(const std::string& name, const std::string& step, const Mod
 std::string vertex_text(int vertex) { return vertex >= 0 ? readable_count(vertex) : "–"; }
 std::string step_text(int step) { return step > 0 ? readable_count(step) : "never"; }
 
-/// The iteration of blowing up that the modes predict, over the steps beyond the limit.
+/// Plots the iteration of blowing up that the modes predict over λ/λ_crit beyond 1.
 report::Series predicted_line(const SmoothingMaps& maps, const GrowingModes& modes, std::string name, Style style) {
     report::Series line{.name = std::move(name), .style = style};
     const double first = 1.005, last = maps.relative(maps.lambdas.size() - 1);
@@ -32,7 +32,7 @@ report::Series predicted_line(const SmoothingMaps& maps, const GrowingModes& mod
     return line;
 }
 
-/// One scheme over the plane, with the limit, predicted and measured blow-ups, and the letters of the places.
+/// Returns the panel of one scheme: 100 × values, the limit, predicted and measured blow-ups (explicit), and the letters of the places.
 report::Map::Panel panel_of_scheme(const SmoothingMaps& maps, const SchemeMap& scheme, const PlaneValues& values) {
     const auto edges = report::cell_edges({maps.iterations.begin(), maps.iterations.end()}, true);
     report::Map::Panel panel{scheme.name(), {}, {}};

@@ -34,7 +34,7 @@ report::Section ground_truth_section(const GroundTruth& truth);
 report::Table overview(const GroundTruth& truth);
 /// Returns a table of the L2 errors [%] on the finest meshes of a kind, a row for each estimator and a column for each surface.
 report::Table error_table(const GroundTruth& truth, MeshKind kind);
-/// Plots the L2 errors of seven estimators of H or of K on the ellipsoid over the mean edge, for meshes of one kind.
+/// Plots the L2 errors of seven estimators of H, or six of K, on the ellipsoid over the mean edge, for meshes of one kind.
 report::Plot convergence_plot(const GroundTruth& truth, MeshKind kind, Quantity quantity);
 
 /// Returns a table for files with a row for each estimator on each surface and kind: L2 error on the finest mesh, order and its margin.
