@@ -26,7 +26,7 @@ Specimen sound_specimen(const TriangleMesh& mesh);
 /// Returns the sound specimen of an ellipsoid with 642 vertices.
 Specimen ellipsoid_specimen();
 
-/// Returns every check of law_checks.h and those of the two claims.
+/// Returns the checks of law_checks.h on the specimen and the checks of its two claims.
 std::vector<report::Check> checks_of(const Specimen& specimen);
 
 struct PlantedFault {
@@ -50,7 +50,7 @@ FaultTrial trial_of(const Specimen& specimen, const std::vector<report::Check>& 
 /// Returns the trial of every one of planted_faults(), in order.
 std::vector<FaultTrial> trials_of(const Specimen& specimen);
 
-/// Returns the check that the fault is caught, with 1 for caught and 0 for missed.
+/// Returns a check that expects 1 and has measured 1 if trial.caught(), else 0.
 report::Check check_of(const FaultTrial& trial);
 
 }   // namespace meshfolio::certificates

@@ -1,7 +1,6 @@
 /// @file
-/// Claims of earlier reports and papers as data: what each is about, the rule that makes it true, its measurement, and the verdict; and the
-/// bench that measures them.
-/// The words of a claim are messages: "<id>.said" is the claim, "<id>.case…" and "<id>.remark…" describe what was measured.
+/// Claims of earlier reports and papers as data: subject, rule, measurement and verdict of each, and the bench that measures them.
+/// The words of a claim are messages: "<id>.said" is the claim, "<id>.case…" and "<id>.remark…" describe its measurement.
 ///
 /// Which meshes decide a claim follows from its scope (About), before anything is measured:
 ///   - without meshes: a claim about formulas, or about surfaces that the program makes; it is always measured

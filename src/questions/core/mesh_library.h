@@ -43,7 +43,7 @@ struct OnMesh {
 /// read and prepared once. Thread-safe.
 class MeshLibrary {
 public:
-    /// @param listed  paths that file() will be asked for: files with the same stem get distinct names, in this order
+    /// Reads no mesh yet. @param listed  paths that file() will be asked for: files with the same stem get distinct names, in this order
     /// @param values  of once(), to share them with other libraries
     MeshLibrary(std::vector<std::filesystem::path> data_folders, std::vector<std::filesystem::path> own_meshes,
                 const std::vector<std::filesystem::path>& listed = {}, std::shared_ptr<OnceMap> values = std::make_shared<OnceMap>());

@@ -122,7 +122,7 @@ auto each_of(auto&& range, const auto& f) {
     for (const auto& element : range) values.push_back(std::invoke(f, element));
     return values;
 }
-/// Returns the largest f of an element, at least 0; NaN is left out.
+/// Returns the largest f(element), or 0 if none is above 0; NaN is left out.
 double largest_of(auto&& range, const auto& f) {
     double largest = 0;
     for (const auto& element : range) largest = std::max<double>(largest, std::invoke(f, element));
@@ -140,7 +140,7 @@ std::vector<Number> each_once(std::vector<Number> values) {
 /// Returns the last of the settings' values, or the question's own if there is none.
 inline int last_or(const std::vector<int>& given, int own) { return given.empty() ? own : given.back(); }
 
-/// Returns the largest rise from one value to the next; 0 if none rises.
+/// Returns the largest values[i + 1] − values[i]; 0 if no value is above the one before it.
 template <class Values>
 double largest_rise(const Values& values) {
     double rise = 0;
@@ -176,14 +176,14 @@ inline void add_point(report::Series& series, double x, double y) {
 
 // ---- words ----------------------------------------------------------------------------------------------------------------
 
-/// Joins sentences by spaces; skips empty ones.
+/// Returns a paragraph of the sentences, joined by spaces; skips empty ones.
 report::Text paragraph_of(std::initializer_list<report::Text> sentences);
 /// Appends a sentence to a paragraph, after a space unless the paragraph is empty; an empty sentence changes nothing.
 void go_on(report::Text& paragraph, const report::Text& sentence);
 
-/// Returns "a", "a and b", "a, b and c".
+/// Returns the names as a list in words: "a", "a and b", "a, b and c"; empty without names.
 std::string listed(const Names& names);
-/// Returns "a; b; c".
+/// Returns the parts with the separator between them: "a; b; c".
 std::string joined(const Names& parts, std::string_view separator = "; ");
 
 /// Returns "0.3 to 0.9", or "0.3" if both are alike.

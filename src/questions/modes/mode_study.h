@@ -125,7 +125,7 @@ struct ModeStudy {
     std::vector<TriedWay> tried;
 
     const std::string& name() const { return subject.name(); }
-    /// True if the gap is far enough above the rounding of coordinates to be compared with its prediction.
+    /// True if the measured gap is above 1e8 times the rounding of coordinates, so that it can be compared with its prediction.
     bool is_measurable(const SchemeGap& gap) const { return gap.measured > 1e8 * rounding; }
     /// True if implicit way `which` has no crossing; true if it is cheaper than the explicit way at all energies of the curve.
     bool cheaper_nowhere(std::size_t which) const { return !crossings[which]; }

@@ -85,7 +85,7 @@ struct Work {
     const MeshTopology& topology;
     double difference;   // for derivatives [box diagonals]
 
-    /// Returns the clean mesh with the noise of this seed_of().
+    /// Returns the clean mesh with Gaussian noise of this σ [box diagonals] and seed_of(settings, level, run).
     TriangleMesh noisy(double sigma, std::size_t level, int run) const;
 };
 

@@ -82,7 +82,7 @@ struct SignsOfK {
     double white = 0;   // share of the vertices where |K| is below white_within of its colour range
 };
 inline constexpr double white_within = 0.05;
-/// Returns the shares of positive, negative and white vertices of one mesh.
+/// Returns the shares of the vertices with positive and with negative K, near to and far from the box centre, and with K near 0.
 SignsOfK signs_of_K(const MeshCurvature& c);
 
 /// The few vertices of valence other than six, and the largest relative distance of K from its median.
@@ -105,7 +105,7 @@ struct AngleSum {
     int vertices = 0, faces = 0, euler = 0;
     double measured = 0;   // Σ deficit / 2π
     bool applies = true;   // the mesh is manifold and every triangle has angles
-    /// Rounding of three angles a triangle, each rounded once and added once.
+    /// Returns 8 max(vertices, faces) ε, the rounding of three angles per triangle, each rounded once and added once.
     double tolerance() const { return 8.0 * std::max(vertices, faces) * std::numeric_limits<double>::epsilon(); }
 };
 using AngleSums = std::vector<AngleSum>;
@@ -135,7 +135,7 @@ report::Diagram sign_diagram();
 
 /// Adds figures of ½‖Δx‖ and K of each mesh side by side: six views, but one view for meshes that look alike from all sides unless all do.
 void add_figures(Answer& answer, const Meshes& meshes);
-/// Adds a figure of the tangential shares on the curved meshes.
+/// Adds a figure of the tangential shares [%] on the meshes that are not in one plane, a panel each.
 void add_tangential_figure(Answer& answer, const Meshes& meshes, const std::string& colormap);
 
 struct Drifting {

@@ -25,7 +25,7 @@ struct Disagreement {
     double concentration = 0;   // share of Σ size² at the hundredth of the vertices with the largest sizes
     int without_jet = 0;        // vertices inside whose two rings do not determine a jet
 };
-/// Compares cotangent H with H of the jets on one mesh.
+/// Compares cotangent and uniform H with H of the jets on one mesh.
 Disagreement disagreement_with_jet(const CotangentComparison& c);
 using Disagreements = std::vector<Disagreement>;   // a mesh each
 
@@ -34,7 +34,7 @@ struct IndicatorTrial {
     std::string mesh;   // "jittered torus"
     ErrorIndicator indicator;
 };
-/// Tests the indicator on the finest regular and jittered known surfaces, and last on random points of an ellipsoid.
+/// Returns the indicator on the finest mesh of each run, and last on 10 000 (quick: 2500) random points of an ellipsoid.
 std::vector<IndicatorTrial> indicator_trials(const MeshLibrary& library, const BenchRuns& runs, const QuestionSettings& settings);
 
 /// True if the vertices of the mesh do not lie in one plane.

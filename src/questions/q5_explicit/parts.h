@@ -18,7 +18,7 @@ std::shared_ptr<const Studies> explicit_studies(const LibraryMeshes& meshes, con
 /// Returns study.peaks, the vertices where the top mode is largest, if the mode is confined to a small spot there; else none.
 std::vector<int> limiting_spot(const ExplicitStudy& study);
 
-/// Draws a wave after 0, 1 and 2 steps, explicit beside implicit, for three products λμ.
+/// Draws a wave after 0, 1 and 2 explicit steps (line) and implicit steps (dashed), for λμ = 0.5, 1.5 and 2.2.
 report::Diagram wave_diagram();
 /// Adds a figure of the meshes before and after the recommended run, coloured by mean curvature; none if no step is recommended.
 void add_recommended_figure(Answer& answer, const Studies& studies);

@@ -71,7 +71,7 @@ bool is_folded(const TriangleMesh& mesh, const MeshTopology& topology, const Pos
 /// Returns the distance between the barycentres of X and of the input, over the box diagonal.
 double barycentre_drift(const SmoothingSubject& subject, const Positions& X);
 
-/// Returns λ over λ_crit of the runs that `run_of` chooses (null: none), as text; empty if they differ.
+/// Returns λ over λ_crit of the runs that `run_of` chooses (null: none), as text; empty if they differ or there are none.
 template <class RunOf>
 std::string common_limits(const std::vector<ExplicitStudy>& studies, const RunOf& run_of) {
     Names limits;

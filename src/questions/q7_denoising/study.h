@@ -117,8 +117,8 @@ inline bool tries_in_edges(const QuestionSettings& settings) { return settings.n
 /// Smooths the mesh with every level of noise and every λ of tries_of(), and level_in_edges if tries_in_edges(); levels ascend.
 DenoisingGrid denoising_grid(SharedMesh clean, const QuestionSettings& settings);
 
-/// Returns "works" (gain by surface ≥ 2), "helps" (≥ 1.1), "fails" (below), "shrinks" (a gain that costs more than 15 % of the volume) or
-/// "–" (the noise does not move the surface).
+/// Returns "–" if the noise does not move the surface, "fails" for a gain by surface below 1.1, "shrinks" if a larger gain costs more than
+/// 15 % of the volume, else "works" for a gain of 2 or more, else "helps".
 std::string verdict_on(const NoisyTrial& trial);
 inline constexpr double volume_to_keep = 0.85;
 /// True if `best` lies at the least or the largest λt of the trial's states, so that less or more smoothing may gain more.
