@@ -14,7 +14,7 @@ struct FormulaForms {
     std::string tex, mathml, plain;
 };
 
-/// Returns the formulas of templates/formulas.json by name.
+/// Returns the formulas of templates/formulas.json by name. MathML that the file does not give is made from the TeX.
 /// @throws UsageError if a replaced file has another structure
 std::map<std::string, FormulaForms> formulas_of(const Templates& templates);
 

@@ -49,13 +49,13 @@ struct Diagram {
 
 using DiagramPoint = std::array<double, 2>;
 
-/// Returns the line through these points; with `closed` the polygon.
+/// Returns the line through the points in their order; with `closed`, the polygon with these corners.
 Diagram::Path path_through(const std::vector<DiagramPoint>& points, Diagram::Style style, bool closed = false);
-/// Returns the arc at `vertex` from the direction to `a` to the direction to `b`, the short way round.
+/// Returns the arc around `vertex` from the direction of `a` to the direction of `b`, the short way round.
 Diagram::Path angle_arc(DiagramPoint vertex, DiagramPoint a, DiagramPoint b, double radius, Diagram::Style style);
-/// Returns the arc from angle `from` to angle `to` [radians], counter-clockwise if `to` is larger.
+/// Returns the arc from angle `from` to angle `to` [radians], counter-clockwise if `to` is larger, as chords of at most 5°.
 Diagram::Path arc(DiagramPoint centre, double radius, double from, double to, Diagram::Style style);
-/// Returns the place of a label for that angle: on its bisector, `radius` from the vertex.
+/// Returns the place of a label for the angle at `vertex` between `a` and `b`, below 180°: on its bisector, `radius` from the vertex.
 DiagramPoint inside_angle(DiagramPoint vertex, DiagramPoint a, DiagramPoint b, double radius);
 
 }   // namespace meshfolio::report

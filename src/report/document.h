@@ -178,16 +178,16 @@ struct Check {
     bool failed() const { return status == Status::failed; }
     bool operator==(const Check&) const = default;
 };
-/// Returns "measured 2.31, expected 2, tolerance 0.2", "measured 3, expected at most 1" or the like; "–" stands for NaN.
+/// Returns "measured 2.31, expected 2, tolerance 0.2" or "measured 3, expected at most 1": a tolerance only if above 0, "–" for NaN.
 std::string words_of(const Check& check);
-/// Return a check of each kind, passed or failed by its numbers; NaN fails.
+/// Return a check of kind near, at_most or at_least, passed or failed by its numbers as Check says; NaN fails.
 Check check_near(std::string name, double expected, double measured, double tolerance, std::string note = "");
 Check check_at_most(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
 Check check_at_least(std::string name, double limit, double measured, double tolerance = 0, std::string note = "");
-/// Returns the check as undecided, with the reason in its note.
+/// Returns the check with status undecided and the reason before its note.
 Check undecided(Check check, std::string why);
 
-/// Returns a check that failed by at most `rounding` as undecided, any other check unchanged.
+/// Returns a failed check as undecided if it misses its tolerance by at most `rounding`; any other check unchanged.
 Check within_rounding(Check check, double rounding);
 
 /// Numbers of checks that passed, failed, and decided nothing.
@@ -196,9 +196,9 @@ struct Score {
     std::size_t total() const { return passed + failed + undecided; }
     Score& operator+=(const Score& other);
 };
-/// Counts checks by their status.
+/// Returns the numbers of checks that passed, failed and were undecided.
 Score score_of(const std::vector<Check>& checks);
-/// Returns "456 of 458 checks passed, 1 failed, 1 undecided".
+/// Returns "456 of 458 checks passed, 1 failed, 1 undecided", without counts of 0.
 std::string words_of(const Score& score);
 
 struct Input {
@@ -241,7 +241,7 @@ struct Parameter {
     bool operator==(const Parameter&) const = default;
 };
 using Parameters = std::map<std::string, Parameter>;
-/// Returns the printed words of each parameter.
+/// Returns the printed words of each parameter, by its name.
 std::map<std::string, std::string> texts_of(const Parameters& parameters);
 
 enum class Status { ok, failed, skipped };
@@ -258,7 +258,8 @@ struct Section {
     std::vector<CodeReference> code;
     Text answer;   // in one sentence, for the opening table and as the first line of the section
     std::vector<Block> blocks;
-    /// Number of a question's blocks in the report; the others, its long tables and further figures, are in the appendix. −1: none are.
+    /// Number of a question's blocks in the report; the further ones, its long tables and other figures, are in the appendix. −1: all are
+    /// in the report.
     int appendix_from = -1;
     std::vector<Check> checks;
     std::vector<std::string> warnings;
@@ -267,13 +268,14 @@ struct Section {
     bool operator==(const Section&) const = default;
 };
 
-/// Returns ids of the columns, unique in the document, from the table and the name: "q5_limits-lambda-crit".
+/// Returns an id for each column of a table, unique in the document, from the id of the table and the name: "q5_limits-lambda-crit".
 std::vector<std::string> column_ids(const Table& table);
 
-/// Returns ids of the checks, unique in the document, from the section and the name: "q5-energy-falls-on-cube", "…-2" for a second one.
+/// Returns an id for each check of a section, unique in the document, from the id of the section and the name: "q5-energy-falls-on-cube",
+/// "…-2" for a second one.
 std::vector<std::string> check_ids(const Section& section);
 
-/// Returns ids of the parameters in their order: "q7-parameter-lambda".
+/// Returns an id for each parameter of a section, in their order: "q7-parameter-lambda".
 std::vector<std::string> parameter_ids(const Section& section);
 
 struct Provenance {

@@ -15,7 +15,7 @@ struct DrawnPicture {
     int left = 0, top = 0, width = 0, height = 0;   // in the sheet [pixels]
     std::string file = {};                          // in full size; empty: none
     std::string jpeg = {};                          // bytes, cut out of the sheet
-    /// Returns the direction for people: "−x".
+    /// Returns the view with a true minus sign: "−x" for "-x", others unchanged.
     std::string direction() const { return view.starts_with('-') ? "\u2212" + view.substr(1) : view; }
     bool operator==(const DrawnPicture&) const = default;
 };

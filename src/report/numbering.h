@@ -25,12 +25,13 @@ public:
     /// @throws std::logic_error with an id that is used twice
     Numbering(const Document& document, const std::vector<CitedWork>& works);
 
-    /// Returns the label of a figure, table, plot, map, formula, entry, question or cited work. For a part of a section that failed or was
-    /// not asked for it is that of the section, so that one failure does not break other sections.
+    /// Returns number, label and link of a figure, table, plot, map, diagram, formula, entry, section or cited work. A part of a section
+    /// that failed or was skipped, or of a missing question, has the reference of its section, so that one failure does not break other
+    /// sections.
     /// @throws std::logic_error with an id that nothing has
     Reference resolve(const std::string& id) const;
 
-    /// Marks an id as part of the other volume; unknown ids are ignored. @param page  its file; empty: no links
+    /// Marks an id as a part of the volume that is not written now; unknown ids are ignored. @param page  its file; empty: no links
     void place_elsewhere(const std::string& id, const std::string& page);
 
 private:
@@ -41,7 +42,7 @@ private:
 
 /// True for ids such as "q4"; all other sections support the answers.
 bool is_question(std::string_view section_id);
-/// Returns the number of each section: "1" for "q1", letters from "A" for sections that are no question.
+/// Returns the number of each section, in their order: "1" for "q1", letters from "A" for sections that are no question.
 std::vector<std::string> section_numbers(const Document& document);
 
 }   // namespace meshfolio::report

@@ -24,7 +24,7 @@ inline Run math(std::string s) { return {Run::Kind::math, std::move(s)}; }
 inline Run ref(std::string id) { return {Run::Kind::reference, std::move(id)}; }
 
 namespace detail {
-/// Appends a run, joined to the one before if both are plain.
+/// Appends a run to a text; a plain run continues a plain run at its end.
 inline void append(Text& text, Run run) {
     if (run.kind == Run::Kind::plain && !text.empty() && text.back().kind == Run::Kind::plain)
         text.back().content += run.content;

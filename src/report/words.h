@@ -61,15 +61,17 @@ public:
     /// @param file  without folder and ending: "q5"
     explicit constexpr Words(std::string_view file) : file_(file) {}
 
-    /// Returns the message of this key, one paragraph, as running text with its markup.
-    /// @throws std::logic_error if there is no such key, or the message names a fact that is not given
+    /// Returns the message of this key, of one paragraph at most, as running text with its facts filled in and its markup as runs.
+    /// @throws std::logic_error for an unknown key, a fact that is not given, or a message of several paragraphs
     Text say(std::string_view key, const Facts& facts) const;
-    /// Takes the facts one by one: words.say("limit.spot", "mesh"_a = name, "vertices"_a = 3).
+    /// Returns say(key, facts) with the facts given one by one: words.say("limit.spot", "mesh"_a = name, "vertices"_a = 3).
     Text say(std::string_view key, auto... facts) const { return say(key, Facts{std::move(facts)...}); }
-    /// Returns the message of this key as plain text, in which markup is not interpreted: for captions, titles, labels, names of checks.
+    /// Returns the message of this key as plain text with its facts filled in, markup as it is written: for captions, titles, labels, names
+    /// of checks.
+    /// @throws UsageError if it has a reference [[…]]; std::logic_error like say()
     std::string line(std::string_view key, const Facts& facts) const;
     std::string line(std::string_view key, auto... facts) const { return line(key, Facts{std::move(facts)...}); }
-    /// Returns the paragraphs, headings, formulas and lists of this key in their order.
+    /// Returns the paragraphs, headings, formulas and lists of the message of this key, in their order; empty paragraphs are left out.
     std::vector<Block> blocks(std::string_view key, const Facts& facts) const;
 
 private:
@@ -80,7 +82,7 @@ private:
 /// @throws UsageError with file and line for an unknown message, or one with a fact that the bundled message lacks
 void use_words_of(const Templates& templates);
 
-/// Returns a digest of the replaced messages; empty if none is replaced.
+/// Returns the names and SHA-256 of the files that use_words_of() found changed; empty if none is.
 std::string words_identity();
 
 /// Returns a list of all messages for people: one line each, with the names of its facts.
@@ -95,12 +97,12 @@ struct Message {
 /// Returns the messages of a file in their order.
 /// @throws UsageError with file and line if the text begins outside a message
 std::vector<Message> messages_of(std::string_view text, const std::string& file);
-/// Formats one paragraph of a message with facts.
+/// Returns one paragraph of a message as running text, with facts in place of {{…}} and markup as runs.
 /// @throws std::logic_error if a fact is missing, or a mark is not closed
 Text running_text(std::string_view paragraph, const Facts& facts);
-/// Formats one paragraph as plain text, in which markup is not interpreted.
+/// Returns one paragraph of a message as plain text, with facts in place of {{…}}; markup stays as it is written.
 std::string running_line(std::string_view paragraph, const Facts& facts);
-/// Formats a message as headings, formulas, lists and paragraphs.
+/// Returns a message as headings, formulas, lists and paragraphs in their order, with facts in place of {{…}}.
 std::vector<Block> blocks_of(const Message& message, const Facts& facts);
 /// Returns the names of facts and sections of a message, each once, sorted.
 std::vector<std::string> facts_in(const Message& message);

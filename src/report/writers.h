@@ -36,7 +36,7 @@ private:
 
 /// Returns the meaning of each tag of the templates by its path in the view model, "sections.blocks.caption".
 std::map<std::string, std::string> tag_list();
-/// Returns the same list as text for people, with the messages of templates/words.
+/// Returns the tags of the templates with their meanings, and the messages of templates/words with their facts, as text for people.
 std::string tag_documentation();
 
 /// The two volumes of a report.
@@ -58,7 +58,7 @@ struct Lab {
 };
 /// Packs the data of a laboratory. @param bytes  as templates/viewer/lab_math.js reads them
 Lab lab_of(std::string questions, std::string_view bytes);
-/// Returns the laboratories in a page of ours, without malformed ones.
+/// Returns the laboratories in an HTML page that this program wrote, in their order; malformed ones are left out.
 std::vector<Lab> labs_in(std::string_view page);
 
 struct WriteOptions {
@@ -76,41 +76,44 @@ inline constexpr const char* page_designs[] = {"report", "print"};
 
 /// Returns the page of one volume: index.html or appendix.html.
 std::string write_html(const Document& document, const DrawnFigures& figures, const Templates& templates, const WriteOptions& options = {});
-/// Returns the page of a laboratory alone.
+/// Returns an HTML page that holds one laboratory and nothing else.
 std::string write_lab_page(const std::string& title, const Lab& lab, const Templates& templates,
                            std::string_view viewer = viewer_program());
-/// Returns the Markdown of one volume; long tables are shortened to keep the size that GitHub renders.
+/// Returns the Markdown of one volume. Tables show 40, 12 or 4 rows, as many as keep it within 256 KiB, which GitHub renders.
 std::string write_markdown(const Document& document, const DrawnFigures& figures, const Templates& templates,
                            const WriteOptions& options = {});
-/// Returns the answers on one page of Markdown, for the summary of a CI job.
+/// Returns the answers as Markdown of at most 20,000 bytes, with up to 20 checks a section that did not pass, for the summary of a CI job.
 std::string write_summary(const Document& document, const Templates& templates);
-/// Returns JUnit XML: a suite for each section, a case for each check, undecided ones as skipped. @param timings  with times of the
-/// document
+/// Returns JUnit XML: a suite for each section, a case for each check, undecided ones as skipped.
+/// @param timings  with the time of each section; false: 0 s
 std::string write_junit(const Document& document, bool timings);
-/// Returns results.json, which read_json() reads.
+/// Returns the text of results.json, which read_json() reads; numbers that are not finite are null and listed beside.
 std::string write_json(const Document& document, const DrawnFigures& figures, const WriteOptions& options = {});
 
 /// Returns the JSON schema (draft 7) of results.json, from the descriptions that write and read it (json/json_fields.h).
 const std::string& results_schema();
 
-/// Return CSV: RFC 4180 with LF line ends, header `name [unit]`, exact numbers, empty undefined cells, texts on one line and no formulas.
+/// Returns a table as CSV (RFC 4180, LF line ends): header `name [unit]`, exact numbers, empty undefined cells, texts on one line and no
+/// formulas.
 std::string write_csv(const Table& table);
-/// One row for each point: panel and series, x, y, and the band if there is one.
+/// Returns a plot as CSV, a row for each point: panel if there are panels, series, x, y, and the band if there is one.
 std::string write_csv(const Plot& plot);
-/// One row for each cell, then one for each point of the lines over the panel, without a value.
+/// Returns a map as CSV: panel, series ("cells" or a line), x, y, value; a row for each cell, then for each point of a line, without a
+/// value.
 std::string write_csv(const Map& map);
 
-/// Return inline SVG, readable in grey, with colours of the page (currentColor and CSS variables).
+/// Return a drawing as inline SVG, readable in grey, with colours of the page (currentColor and CSS variables).
 std::string svg_of(const Plot& plot);
 std::string svg_of(const Map& map);
 std::string svg_of(const Diagram& diagram);
-/// Returns the plot for one column of a paper; empty for plots of several panels, which need the width of the page.
+/// Returns the plot as inline SVG for one column of a paper; empty for a plot of several panels, which needs the width of the page.
 std::string column_svg_of(const Plot& plot);
-/// Returns the legend of a figure's colours as SVG of a fixed size: quantity and unit, histogram, colours, numbers, shares beyond the ends.
+/// Returns the legend of a figure's colours as SVG: quantity and unit, histogram, colours, numbers, shares beyond the ends. Empty without
+/// colours or finite ends.
 /// @param place  unique in a page, for ids @param small  in one line: colours and their ends
 std::string svg_of(const Legend& legend, const std::string& place, bool small = false);
 
-/// Returns inline SVG as a file of its own, on a white ground.
+/// Returns inline SVG as the text of an SVG file, on a white ground.
 std::string svg_on_white(std::string svg);
 
 }   // namespace meshfolio::report

@@ -16,7 +16,7 @@
 
 namespace meshfolio::report {
 
-/// The worst check of a report: a failed one if there is any, else the one nearest to its limit.
+/// The check of a report that worst_check() chooses.
 struct WorstCheck {
     std::string id, words;   // words: its name and the measured number
     bool failed = false;
@@ -25,12 +25,13 @@ struct WorstCheck {
     bool is_usual = false;   // passed, and beyond the usual share by less than 0.01
 };
 
-/// Returns the share of its allowance that a check uses: 0.5 for an error of half the tolerance, above 1 if it fails, ∞ if nothing is
-/// allowed. A limit that is a whole number other than 0 comes from a theorem or a count: up to it the share is 0, beyond it the excess over
-/// the tolerance.
+/// Returns the share of its allowance that a check uses, above 1 or ∞ if it fails: |error| / tolerance, measured / limit for at_most, limit
+/// / measured for at_least; the limit includes the tolerance. If `expected` of a limit is a whole number other than 0, from a theorem or a
+/// count: excess / tolerance (1 + excess if nothing is tolerated), 0 without an excess.
 double used_share(const Check& check);
 
-/// Returns a failed check if there is any, else the one that exceeds its usual share most; empty without decided checks.
+/// Returns the check that exceeds its usual share most, failed checks before passed ones; if no passed one exceeds it by 0.01, the one of
+/// largest used_share(). Empty without decided checks.
 /// @param usual  usual_shares() of the batch; ids that are not in it count as 0
 /// @param mesh   name of the row
 std::optional<WorstCheck> worst_check(const std::vector<Section>& sections, const std::map<std::string, double>& usual = {},
@@ -79,7 +80,8 @@ inline constexpr BatchFact batch_facts[] = {{&BatchRow::vertices, "vertices", "v
 /// Key of a fact, "lambda_critical" or "defects" → the id of the column of the report that it comes from; of the defects, of the table.
 using BatchSources = std::map<std::string_view, std::string>;
 
-/// Returns the row of a mesh from its report. @param timings  with the time of the run
+/// Returns the row of a mesh from its report, without its link and picture; its state is bad if a section or a check failed, else good.
+/// @param timings  with the time of the run
 BatchRow batch_row(std::string name, std::string file, const Document& document, bool timings, const BatchSources& sources);
 
 struct Batch {
@@ -89,21 +91,22 @@ struct Batch {
 
 /// Returns the number of rows in this state.
 std::size_t count_of(const Batch& batch, BatchRow::State state);
-/// Returns the counts of the checks of all rows.
+/// Returns the sums, over all rows, of the checks that passed, failed and were undecided.
 Score score_of(const Batch& batch);
-/// Returns for each check, by its id without the name of the mesh, the median of used_share() over the meshes.
+/// Returns for each check, by its id without the name of the mesh, the lower median of its finite used_share() over the meshes.
 std::map<std::string, double> usual_shares(const Batch& batch);
 
-/// Returns the rows as a table for write_csv(): batch.csv.
+/// Returns the table of batch.csv, a row for each mesh: name, file, state, batch_facts, defects, λ_crit, checks, worst check, report,
+/// error, time.
 Table batch_table(const Batch& batch);
-/// Returns batch.json. @param version  of the program
+/// Returns batch.json, an object for each mesh; undefined values are null. @param version  of the program
 std::string write_batch_json(const Batch& batch, const std::string& version);
-/// Returns JUnit XML: a suite for each mesh, a case for each check.
+/// Returns JUnit XML: a suite for each mesh, a case for each check, an error for a mesh without a report.
 std::string write_batch_junit(const Batch& batch);
 /// Returns index.html of the batch. @throws UsageError for a template with an unknown tag
 std::string write_batch_page(const Batch& batch, const std::string& version, const Templates& templates);
 
-/// Returns the values of batch.html, for the list of tags.
+/// Returns the view model of batch.html: counts over the batch, and `rows`, one for each mesh.
 nlohmann::json batch_view(const Batch& batch);
 
 }   // namespace meshfolio::report

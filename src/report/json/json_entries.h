@@ -123,7 +123,7 @@ struct MeshDigest {
     std::string file, sha256;
     bool operator==(const MeshDigest&) const = default;
 };
-/// Returns every input mesh once, sorted by file and digest.
+/// Returns every input mesh of the sections once, sorted by file and digest.
 std::vector<MeshDigest> input_meshes(const std::vector<Section>& sections);
 
 struct ProvenanceEntry {

@@ -12,8 +12,8 @@ namespace meshfolio::report {
 /// Returns the line, counted from 1, of the value at `path` ("questions[0].title") in JSON without errors; 0 if there is no such value.
 long line_of_json(std::string_view text, const std::string& path);
 
-/// Returns the position of the first bracket or brace nested deeper than `levels`, if any. To be checked before JSON from outside is
-/// parsed.
+/// Returns the byte position of the first opening bracket or brace nested deeper than `levels`, if any; to be checked before JSON from
+/// outside is parsed.
 std::optional<std::size_t> deeper_than(int levels, std::string_view text);
 
 /// Returns the line of the byte at position `byte`, counted from 1.

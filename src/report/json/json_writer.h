@@ -16,11 +16,11 @@ namespace meshfolio::report {
 
 using Json = nlohmann::ordered_json;
 
-/// The ending of the key that lists the numbers of a value that are not finite, which JSON has not: [place in reading order, 1 for ∞, −1
-/// for −∞, 0 for NaN]. All become null; a NaN outside a cell is not listed.
+/// The ending of the key that lists the numbers of a value that are not finite, as JSON cannot hold them: [place in reading order, 1 for ∞,
+/// −1 for −∞, 0 for NaN]. All become null; a NaN outside a cell is not listed.
 inline constexpr const char* not_finite = "_not_finite";
 
-/// Returns a derived value as JSON; null if it is empty.
+/// Return a derived value as JSON; null for an empty optional.
 inline Json derived_json(const auto& value) { return value; }
 inline Json derived_json(const std::optional<bool>& value) { return value ? Json(*value) : Json(); }
 

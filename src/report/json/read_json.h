@@ -16,7 +16,7 @@ struct ReadReport {
     bool timings = true;    // false: written without them
 };
 
-/// Returns the report that write_json() wrote as `text`. Ignores unknown keys.
+/// Returns the report that write_json() wrote as `text`, without the bytes of pictures and models. Ignores unknown keys.
 /// @param file  its name in messages
 /// @throws InputError with line and place ("questions[0].tables[2].rows[1]") for another version, missing keys, wrong types, values out of
 ///         range, duplicate ids and dangling references

@@ -14,14 +14,14 @@ namespace meshfolio::report {
 
 /// True for α to ω: U+03B1 to U+03C9.
 inline bool is_small_greek(std::string_view c) { return c.size() == 2 && c >= "\u03b1" && c <= "\u03c9"; }
-/// True for sin, max and others, which are upright and have an argument.
+/// True for the names of 15 functions: sin, cos, tan, cot, arctan, log, ln, exp, min, max, sup, inf, rms, det, tr.
 bool is_function(std::string_view word);
 using Pairs = std::map<std::string, std::string>;
 /// Returns the map of a to b and c to d for "a b c d".
 Pairs pairs_in(const char* list);
 /// Returns "^2" for "²" and "_j" for "ⱼ"; empty for characters that are no script.
 const std::string& unicode_script(const std::string& c);
-/// Returns the bytes of the character at `at` with its accents (U+0300 to U+036F); 0 at the end.
+/// Returns the number of bytes of the character at `at` with the accents behind it (U+0300 to U+036F); 0 at the end.
 std::size_t math_character(std::string_view text, std::size_t at);
 
 struct MathPart {

@@ -17,7 +17,8 @@ namespace meshfolio::report {
 /// @throws UsageError for an unknown command or a brace that is not closed
 std::string display_mathml(const std::string& name, std::string_view tex, const std::string& alt);
 
-/// Returns the MathML of a formula in a sentence. Long ones may be broken behind relations. @param math  Unicode: "λ_crit = 2/μ_max"
+/// Returns the MathML of a formula in a sentence. If it has more than 25 characters, lines may break behind its relations.
+/// @param math  Unicode: "λ_crit = 2/μ_max"
 std::string inline_mathml(const std::string& math);
 
 }   // namespace meshfolio::report

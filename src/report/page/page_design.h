@@ -17,11 +17,11 @@ struct DesignParts {
     std::vector<Lab> labs = {};     // meshes of the laboratory, for the same program
 };
 
-/// Adds styles, scripts, viewer, laboratories and policy to a view model for the template <design>.html.
-/// @throws UsageError for a text that would end its element
+/// Adds style, scheme_script, script, viewer, labs, policy and is_screen to a view model for the template <design>.html.
+/// @throws UsageError for a style sheet or script with "</style", "</script", "<!--" or "]]>"
 void add_design(nlohmann::json& model, const Templates& templates, const std::string& design, const DesignParts& parts = {});
 
-/// Returns bytes packed for a page, by zlib and base64. Browsers unpack them by atob and DecompressionStream.
+/// Returns bytes compressed by zlib, as base64. Browsers unpack them by atob and DecompressionStream.
 std::string packed(std::string_view bytes);
 
 }   // namespace meshfolio::report

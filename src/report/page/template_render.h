@@ -26,7 +26,7 @@ inline constexpr long long most_steps = 30'000'000;                    // texts 
 inline constexpr std::size_t largest_print = std::size_t{256} << 20;   // bytes
 }   // namespace template_limits
 
-/// Returns the first syntax error of a template, if any.
+/// Returns the first syntax error of a Mustache template with its line, if any; also for deep nesting and changed delimiters.
 std::optional<SyntaxProblem> syntax_problem(const std::string& text);
 
 /// Returns the template `name`, filled in with the values of a view model.

@@ -24,7 +24,7 @@ struct KeptMeanings {
     KeptMeanings& operator=(const KeptMeanings&) = delete;
 };
 
-/// Adds values to an object of the view model.
+/// Enters each value into an object of the view model, under its tag.
 inline void enter(nlohmann::json& view, std::initializer_list<ViewValue> values) {
     for (const ViewValue& one : values) {
         view[one.tag] = std::move(one.value);

@@ -14,7 +14,8 @@
 
 namespace meshfolio::report {
 
-/// Returns the consecutive blocks of a section that belong to the volume; the span may be empty.
+/// Returns the blocks of a section in a volume: in the report the first `appendix_from` of a question, all if it is −1; in the appendix the
+/// further ones, and all blocks of other sections.
 std::span<const Block> blocks_in(const Section& section, Volume volume);
 
 /// True if the volume shows the section: the report has the questions, the appendix all others and questions with blocks for it.
@@ -23,17 +24,18 @@ bool has_section(const Section& section, Volume volume);
 /// Returns the id of a question's section in the appendix: "q4-further".
 std::string further_id(const Section& section);
 
-/// Returns the ids of the figures in the volume.
+/// Returns the ids of the figures of meshes in the volume, drawn or not.
 std::set<std::string> figures_in(const Document& document, Volume volume);
 
 /// Returns the figure for the cover: the first drawn one of the report with values and a picture from three quarters; null if there is
 /// none.
 const Figure* cover_figure(const Document& document, const DrawnFigures& figures);
 
-/// Marks in the numbering all ids of the other volume. @param page  file of that volume; empty: no link leads there
+/// Marks in `numbering` all ids that belong to the volume other than `volume`.
+/// @param page  file of the volume other than `volume`; empty: no links
 void mark_elsewhere(const Document& document, Volume volume, const std::string& page, Numbering& numbering);
 
-/// Returns the ids of the works that texts of the volume cite.
+/// Returns the ids of those works that answers, paragraphs, lists or entries of the volume cite.
 std::set<std::string> works_cited_in(const Document& document, Volume volume, const std::vector<CitedWork>& works);
 
 }   // namespace meshfolio::report

@@ -30,8 +30,8 @@ struct EngineFinding {
     std::vector<std::string> refused;   // unusable engines, each with the reason
 };
 
-/// Returns the first usable engine: the one asked for, or one of the environment, of the PATH, of Playwright, or weasyprint. Browsers need
-/// version 131 or later (page numbers); those inside a snap cannot read our files.
+/// Returns the engine `browser` if it is named; else the first usable one of the environment, the PATH, Playwright and weasyprint. A
+/// browser is refused below version 131 (page numbers), or inside a snap, which cannot read the page.
 EngineFinding find_pdf_engine(const EngineSearch& search);
 
 }   // namespace meshfolio::report

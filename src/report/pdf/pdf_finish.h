@@ -31,10 +31,10 @@ struct PdfDetails {
     std::string attachment_name, attachment;   // empty name: none
 };
 
-/// Returns the date of SOURCE_DATE_EPOCH (seconds since 1970) in the notation of PDF; a fixed date for other texts.
+/// Returns a number of seconds since 1970, such as SOURCE_DATE_EPOCH, as a date of PDF; 1 January 1980 for other texts.
 std::string pdf_date(const std::string& seconds);
 
-/// Returns the finished PDF. Equal pages and details give equal bytes.
+/// Returns the PDF with the details and its full outline. Equal pages and details give equal bytes.
 /// @throws EngineError if the PDF cannot be read, or its outline differs from that of the details
 std::string finish_pdf(std::string_view pdf, const PdfDetails& details);
 

@@ -12,7 +12,8 @@ class MapScale {
 public:
     static constexpr int bands = 16;
 
-    /// Takes the range of the map, or else of its finite values, which a diverging map extends to be symmetric about its middle.
+    /// Takes the range of the map, else that of its finite values, made symmetric about the middle for a diverging map. A single value is
+    /// widened by half of it.
     explicit MapScale(const Map& map);
 
     double low() const { return low_; }
@@ -21,7 +22,7 @@ public:
     int band(double value) const;
     /// Returns the colour of a band: "#1f9e89".
     std::string color(int band) const;
-    /// True if finite values lie beyond the low or the high end.
+    /// True if finite values lie below low(), or above high().
     bool clips_below() const { return clips_below_; }
     bool clips_above() const { return clips_above_; }
 
@@ -31,8 +32,8 @@ private:
     bool clips_below_ = false, clips_above_ = false;
 };
 
-/// Returns the n + 1 edges of n cells with these centres, half-way between neighbours (of their logarithms on a logarithmic axis). Empty if
-/// the centres do not ascend or the axis cannot show them.
+/// Returns the n + 1 edges of n cells with these centres, half-way between neighbours (of their logarithms if `logarithmic`); the outer
+/// cells are symmetric. Empty if the centres do not ascend or the axis cannot show them.
 std::vector<double> cell_edges(const std::vector<double>& centres, bool logarithmic);
 
 }   // namespace meshfolio::report

@@ -15,9 +15,10 @@ public:
     /// Labels stay inside `frame`; `data` are points of the curves, which labels avoid where they can.
     LabelPlacer(const Box& frame, std::vector<Point> data) : frame_(frame), data_(std::move(data)) {}
 
-    /// Keeps labels away from this box.
+    /// Makes covering this box costly; labels avoid it where they can.
     void block(const Box& box) { taken_.push_back(box); }
-    /// Returns the best candidate, moved into the frame if it sticks out, and blocks it. Earlier candidates win at equal cost.
+    /// Returns the candidate, moved into the frame if it sticks out, that costs least by area outside the frame, covered boxes, covered
+    /// data and place in the list; and blocks it.
     Box place(const std::vector<Box>& candidates);
 
 private:
@@ -27,12 +28,12 @@ private:
     std::vector<Box> taken_;
 };
 
-/// Returns boxes of a label's size around a point, nearest first.
+/// Returns 32 boxes of a label's size around a point: 8 at each of 4 distances, nearest first.
 std::vector<Box> around(Point point, double width, double height);
 
-/// Places boxes of these heights without overlap between `low` and `high`, their middles as near to `wanted` as possible. Boxes that do not
-/// fit are stacked from `low`.
-/// @return the middles
+/// Places boxes of these heights without overlap between `low` and `high`, their middles as near to `wanted` as possible (least squares).
+/// If they do not fit, they are stacked from `low` beyond `high`.
+/// @return the middles, in the order of `wanted`
 std::vector<double> spread_apart(const std::vector<double>& wanted, const std::vector<double>& heights, double low, double high);
 
 /// The name at the end of a curve.
@@ -45,7 +46,8 @@ struct EndName {
 };
 constexpr double end_sample_width = 20, end_gap = 7;   // of the sample, and before and behind it
 
-/// Returns the names as SVG, below each other at x, with thin lines to those that were moved.
+/// Returns the names as SVG, below each other at x between `low` and `high`; a thin line joins a name to the end of its curve if it was
+/// moved.
 std::string drawn_names(const std::vector<EndName>& names, double x, double low, double high);
 
 }   // namespace meshfolio::report

@@ -29,14 +29,15 @@ public:
     const std::vector<PlotCurve>& curves() const { return curves_; }
     void set_frame(const Box& frame) { frame_ = frame; }
 
-    /// Draws the panel. @param with_y_numbers  at its left @param with_line_labels  of the vertical lines
+    /// Returns the panel as SVG. @param with_y_numbers  at its left @param with_line_labels  of the vertical lines
     std::string svg(bool with_y_numbers, bool with_line_labels) const;
-    /// Draws the names of the curves at the right of the frame, inside for curves that end early. @param width  of a line of a name
+    /// Returns the names of the curves as SVG, at the right of the frame; inside it for curves that end in its left 70 %.
+    /// @param width  of a line of a name
     std::string end_names(double width) const;
-    /// Returns the height of the names below each other, in lines no wider than `width`.
+    /// Returns the height [pixels] of the names of curves with an end, below each other in lines no wider than `width`.
     double height_of_names(double width) const;
 
-    /// True if the curve has an end, at which its name can stand. Scattered points have none.
+    /// True if the curve has an end for its name: a line or ascending x, and a point that the axes show. Scattered points have none.
     bool has_end(const PlotCurve& curve) const;
 
 private:
@@ -65,7 +66,7 @@ private:
 
 /// Returns the names of the panels of a plot in the order of its series; one empty name for a plot without panels.
 std::vector<std::string> panel_names(const Plot& plot);
-/// Returns a piece of a curve with a point in its middle, from `left` on.
+/// Returns SVG of a horizontal piece of a curve, `width` long from `left`, with a point in its middle if the curve has points.
 std::string curve_sample(const Look& look, Point left, double width);
 
 }   // namespace meshfolio::report

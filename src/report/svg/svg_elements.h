@@ -46,9 +46,9 @@ std::vector<Stretch> stretches(std::size_t n, PointOf point_of) {
 /// Returns the path data of the line through these points: "M1 2L3 4".
 std::string line_data(const Stretch& points);
 
-/// Returns the width of a text in the regular sans of the pages.
+/// Returns the width [pixels] of a text in the regular sans of the pages.
 double text_width(const std::string& text);
-/// Returns the width of a text with smaller indices and exponents.
+/// Returns the width [pixels] of a text in which indices and exponents are smaller.
 double text_width(const Text& text);
 /// Breaks a text at spaces into lines no wider than `width`, except for longer words.
 std::vector<std::string> wrapped(const std::string& text, double width);
@@ -65,7 +65,7 @@ std::string text_element(Point at, const std::string& anchor, const Text& text, 
 inline constexpr double title_width = drawing_width - 8;
 /// Returns a bold title that begins at `at`, in lines no wider than `width`, and moves `at` below them.
 std::string title_element(Point& at, const std::string& anchor, const std::string& words, double width = title_width);
-/// Returns the number of lines of title_element().
+/// Returns the number of lines into which title_element() breaks a title.
 double title_lines(const std::string& words, double width = title_width);
 
 /// Return a <line> and a <rect> element with further attributes.
@@ -84,7 +84,8 @@ struct Look {
 /// Returns the look of a series. @param place  its number in the plot, unless it has its own colour or pattern
 Look look_of(const Series& series, std::size_t place);
 
-/// Returns a disc, square, triangle, diamond, cross, plus or inverted triangle for pattern 0 to 6.
+/// Returns SVG of a point shape at p: disc, square, triangle, diamond, cross, plus or inverted triangle for pattern 0 to 6.
+/// @param size  factor
 std::string point_shape(Point p, int pattern, const std::string& color, double size = 1);
 
 /// Names in rows above a drawing, each once, behind a sample of its curve.
@@ -103,15 +104,15 @@ private:
     double width_, x_ = 4, y_ = 14, bottom_ = 0;
 };
 
-/// Returns ticks and labels below a frame. Labels that would touch the one before are left out.
+/// Returns SVG of the ticks and labels of an axis below a frame. A label that would touch the label before it is left out.
 std::string ticks_below(const Axis& axis, const Box& frame);
-/// Returns ticks and labels beside a frame.
+/// Returns SVG of the ticks and labels of a vertical axis at the left of a frame, or at its right.
 std::string ticks_beside(const Axis& axis, const Box& frame, bool at_right = false);
 constexpr double tick_length = 5;
-/// Returns the width of the widest label of an axis.
+/// Returns the width [pixels] of the widest label of an axis; 0 without labels.
 double widest_label(const Axis& axis);
 
-/// Returns the opening of an SVG picture: its size, its subject as <title> and its alternative text as <desc>.
+/// Returns the opening <svg …> of a picture: its size, its subject as <title> and its alternative text as <desc>.
 std::string svg_head(const std::string& id, const std::string& subject, const std::string& alt, double width, double height);
 
 }   // namespace meshfolio::report
