@@ -72,7 +72,7 @@ void require_usable(const Message& message, const Message& own, const Location& 
     const auto require_among = [&](const auto& known, const auto& named, const std::string& problem) {
         for (const std::string& fact : named)
             if (std::ranges::find(known, fact) == known.end())
-                throw UsageError("the message " + message.key + problem + fact, "name one of those that its own text has", place);
+                throw UsageError("the message " + message.key + problem + fact, "name a fact that the bundled message has", place);
     };
     require_among(facts_in(own), facts_in(message), " has no fact ");
     require_among(counts_in(own), counts_in(message), " has no singular and plural of ");

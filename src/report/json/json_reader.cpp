@@ -26,7 +26,7 @@ std::string FieldReader::type_in_words(const Json& value) {
 }
 
 void FieldReader::refuse_type(const Json& json, const JsonPlace& place, const std::string& wanted) {
-    throw JsonProblem(place, "is " + type_in_words(json) + ", not " + wanted);
+    throw JsonProblem(place, "is " + type_in_words(json) + ", not " + wanted, "take an unchanged results.json");
 }
 
 void FieldReader::require_inner_path(const std::string& path, const JsonPlace& place) {
@@ -69,7 +69,9 @@ FieldReader::Odd FieldReader::odd_of(const char* key) {
     const auto it = object_.find(std::string(key) + not_finite);
     if (it == object_.end()) return odd;
     const JsonPlace place{&place_, key};
-    const auto refuse = [&] { throw JsonProblem(place, "has a broken list of what is not finite", "write [[place, 1, −1 or 0], …]"); };
+    const auto refuse = [&] {
+        throw JsonProblem(place, "has a broken list of numbers that are not finite", "write [[place, 1, −1 or 0], …]");
+    };
     if (!it->is_array()) refuse();
     for (const Json& pair : *it) {
         if (!pair.is_array() || pair.size() != 2 || !pair[0].is_number_unsigned() || !pair[1].is_number_integer()) refuse();
@@ -130,7 +132,7 @@ void FieldReader::read(const Json& json, int& value, const JsonPlace& place, Odd
     if (!json.is_number_integer()) refuse_type(json, place, "an integer");
     const bool fits = json.is_number_unsigned() ? json.get<std::uint64_t>() <= std::uint64_t{std::numeric_limits<int>::max()}
                                                 : json.get<std::int64_t>() >= std::numeric_limits<int>::min();
-    if (!fits) throw JsonProblem(place, "is an integer out of range");
+    if (!fits) throw JsonProblem(place, "is the integer " + json.dump(), "it may be -2147483648 to 2147483647");
     value = json.get<int>();
 }
 
@@ -155,7 +157,8 @@ void FieldReader::read(const Json& json, Run& value, const JsonPlace& place, Odd
 
 void FieldReader::require_sound(const ColumnEntry& entry, const JsonPlace& place) {
     const auto& heat = entry.column.heat;
-    if (heat && !(heat->low > 0 && heat->low < heat->high)) throw JsonProblem({&place, "heat"}, "has no range above 0");
+    if (heat && !(heat->low > 0 && heat->low < heat->high))
+        throw JsonProblem({&place, "heat"}, "is no range with 0 < low < high", "take an unchanged results.json");
 }
 
 void FieldReader::require_sound(const Table& table, const JsonPlace& place) {
@@ -171,11 +174,11 @@ void FieldReader::require_sound(const Series& series, const JsonPlace& place) {
     const std::size_t size = series.x.size();
     const auto is_band = [&](const std::vector<double>& values) { return values.empty() || values.size() == size; };
     if (series.y.size() != size || !is_band(series.y_low) || !is_band(series.y_high) || series.y_low.size() != series.y_high.size())
-        throw JsonProblem(place, "has lists of different lengths");
+        throw JsonProblem(place, "has lists of different lengths", "take an unchanged results.json");
 }
 
 void FieldReader::require_sound(const Diagram::Path& path, const JsonPlace& place) {
-    if (path.x.size() != path.y.size()) throw JsonProblem(place, "has lists of different lengths");
+    if (path.x.size() != path.y.size()) throw JsonProblem(place, "has lists of different lengths", "take an unchanged results.json");
 }
 
 }   // namespace meshfolio::report

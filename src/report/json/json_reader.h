@@ -74,7 +74,7 @@ public:
     template <class Derive>
     void derived(const char* key, Derive derive, const Note& = {}) {
         if (required(key) != derived_json(derive()))
-            throw JsonProblem({&place_, key}, "does not agree with what it is derived from", "leave it as it was");
+            throw JsonProblem({&place_, key}, "does not agree with the values that it follows from", "take an unchanged results.json");
     }
     void file_or_null(const char* key, std::string& path, bool& there, const Note& = {}) {
         there = !required(key).is_null();

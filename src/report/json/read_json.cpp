@@ -59,7 +59,8 @@ public:
         for (std::size_t i = 0; i < entry_.blocks.size(); ++i) blocks.push_back(block_of(entry_.blocks[i], {&all, {}, i}));
         for_each_list(entry_, [&](const char* key, const auto& list) {
             if (used_[&list] != list.size())
-                throw JsonProblem({&place_, key}, "holds what no block refers to", "take a whole results.json");
+                throw JsonProblem({&place_, key}, "has more entries than the section's `blocks` name, so the file was edited or damaged",
+                                  "take an unchanged results.json");
         });
         return blocks;
     }
@@ -146,16 +147,18 @@ ReadReport report_of(const Json& json) {
         for (std::size_t i = 0; i < entries.size(); ++i) {
             const JsonPlace place{&list, {}, i};
             add_ids(entries[i], place, ids);
-            if (is_question(entries[i].section.id) != questions) throw JsonProblem(place, "belongs to the other list", "move it there");
+            if (is_question(entries[i].section.id) != questions)
+                throw JsonProblem(place, std::string("belongs to ") + (questions ? "`supporting`" : "`questions`"), "move it there");
             if (entries[i].timings.has_value() != read.timings)
-                throw JsonProblem(place, "has timings and others have none, or the other way round");
+                throw JsonProblem(place, read.timings ? "has no timings, though the report has" : "has timings, though the report has none",
+                                  "take an unchanged results.json");
             document.sections.push_back(section_of(std::move(entries[i]), read.figures, place));
         }
     };
     add_sections(entry.questions, true, "questions");
     add_sections(entry.supporting, false, "supporting");
     if (input_meshes(document.sections) != entry.provenance.inputs)
-        throw JsonProblem({&provenance, "inputs"}, "does not list the inputs of the questions", "leave it as it was");
+        throw JsonProblem({&provenance, "inputs"}, "does not list the inputs of the sections", "take an unchanged results.json");
     return read;
 }
 

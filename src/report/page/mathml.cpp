@@ -70,8 +70,8 @@ private:
     std::vector<std::string> open_;   // fences around the place, in this group
 
     [[noreturn]] void fail(const std::string& problem) const {
-        throw UsageError("formula " + name_ + ": " + problem, "write it as the others there, or give it a \"mathml\" of its own",
-                         {"formulas.json", 0});
+        throw UsageError("formula " + name_ + ": " + problem,
+                         "write it like the other formulas of the file, or give it a \"mathml\" of its own", {"formulas.json", 0});
     }
 
     void advance() {
@@ -179,7 +179,7 @@ private:
     }
 
     Atom table() {
-        if (words() != "aligned") fail("of the environments only aligned is known");
+        if (words() != "aligned") fail("\\begin needs {aligned}, the only known environment");
         std::string rows, cells;
         for (;;) {
             cells += element("mtd", joined(row()));
@@ -188,7 +188,7 @@ private:
             if (end == "&") continue;
             rows += element("mtr", std::exchange(cells, {}));
             if (end == "\\end" && words() == "aligned") return {Kind::ordinary, element("mtable", rows, " displaystyle=\"true\""), true};
-            if (end != "\\\\") fail("aligned has no end");
+            if (end != "\\\\") fail("\\begin{aligned} has no \\end{aligned}");
         }
     }
 
@@ -239,7 +239,7 @@ private:
         if (token_ == "{") return argument();
         if ((opens(token_) || is_bar(token_)) && open_.size() < deepest) return fence();
         const std::string c = token_;
-        if (c.empty() || c == "}") fail("something is missing behind a command or a script");
+        if (c.empty() || c == "}") fail("a command or a script has no argument");
         advance();
         if (const auto width = spaces.find(c); width != spaces.end()) return {c == "~" ? Kind::blank : Kind::space, space(width->second)};
         if (c == "√" || c == "\\sqrt") return root();

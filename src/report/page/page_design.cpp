@@ -18,7 +18,9 @@ namespace {
 const std::string& raw_text(const Templates& templates, const std::string& name) {
     const std::string& text = templates[name];
     for (const char* end : {"]]>", "</style", "</script", "<!--"})
-        if (text.find(end) != std::string::npos) throw UsageError(std::string("\"") + end + "\" cannot stand in a page", "", {name, 0});
+        if (text.find(end) != std::string::npos)
+            throw UsageError(std::string("\"") + end + "\" would break the script or style that holds it", "take it out of this template",
+                             {name, 0});
     return text;
 }
 

@@ -81,14 +81,14 @@ public:
     void render_file(const std::string& name) {
         if (++depth_ > template_limits::deepest_includes) {
             throw UsageError("templates include one another more than " + std::to_string(template_limits::deepest_includes) + " deep",
-                             "one that includes itself never ends", {name, 0});
+                             "take out the {{>…}} by which one includes itself", {name, 0});
         }
         const std::string_view includer = std::exchange(file_, name);
         auto it = trees_.find(name);
         if (it == trees_.end()) {
             const std::vector<std::string> known = templates_.names();
             if (std::ranges::find(known, name) == known.end())
-                throw UsageError("{{>" + name + "}} includes what is no template", "did you mean '" + nearest_word(name, known) + "'?",
+                throw UsageError("{{>" + name + "}} includes no known template", "did you mean '" + nearest_word(name, known) + "'?",
                                  {std::string(includer), 0});
             std::string text = templates_[name], error;
             if (depth_ > 1 && text.ends_with('\n')) text.pop_back();   // it may be included within a line
@@ -127,7 +127,7 @@ private:
         if (!too_long && lines_.size() <= template_limits::largest_print) return;
         throw UsageError(too_long ? "the template takes more than " + std::to_string(template_limits::most_steps) + " steps"
                                   : "the template prints more than " + std::to_string(template_limits::largest_print) + " bytes",
-                         "does it repeat a list within itself?", {std::string(file_), 0});
+                         "take out a list that is repeated within itself", {std::string(file_), 0});
     }
 
     [[noreturn]] void refuse(const Component& tag) const {

@@ -31,7 +31,7 @@ void require_syntax(const std::string& name, const std::string& text, const std:
         try {
             const auto parsed = nlohmann::json::parse(text);
         } catch (const nlohmann::json::parse_error& error) {
-            throw UsageError("not JSON", "correct it, or take it out of the folder", {file, line_of_byte(text, error.byte)});
+            throw UsageError("is not JSON", "correct it, or take it out of the folder", {file, line_of_byte(text, error.byte)});
         }
     }
 }
@@ -44,7 +44,7 @@ Templates::Templates(const fs::path& folder) {
     if (folder.empty()) return;
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored))
-        throw UsageError("not a folder of templates", "make one with meshfolio templates FOLDER", {folder.string(), 0});
+        throw UsageError("is not a folder of templates", "make one with meshfolio templates FOLDER", {folder.string(), 0});
     for (const auto& [name, unused] : text_) {
         if (!may_be_there(folder / name)) continue;
         // A folder of templates may come from somebody else and must not show other files.
@@ -67,7 +67,7 @@ void Templates::replace(const std::string& name, const fs::path& file) {
 
 void Templates::set(const std::string& name, std::string text, const std::string& file) {
     const auto it = text_.find(name);
-    if (it == text_.end()) throw UsageError("there is no template " + name);
+    if (it == text_.end()) throw UsageError("there is no template " + name, "meshfolio templates DIR writes all");
     std::erase(text, '\r');
     require_syntax(name, text, file);
     it->second = std::move(text);
@@ -81,7 +81,7 @@ std::vector<std::string> Templates::names() const {
 
 const std::string& Templates::operator[](const std::string& name) const {
     const auto it = text_.find(name);
-    if (it == text_.end()) throw UsageError("there is no template " + name);
+    if (it == text_.end()) throw UsageError("there is no template " + name, "meshfolio templates DIR writes all");
     return it->second;
 }
 

@@ -202,7 +202,7 @@ PdfContents contents_of_pdf(std::string_view bytes) try {
     }
     return contents;
 } catch (const std::exception& error) {
-    throw EngineError("what was printed is no PDF: " + printable(error.what()));
+    throw EngineError("the engine printed no readable PDF: " + printable(error.what()));
 }
 
 std::string pdf_date(const std::string& seconds) {

@@ -225,7 +225,7 @@ TEST(ReadJson, RefusesDuplicateIdsAndDanglingReferences) {
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][1]["id"] = "q1"; }), "uses the id 'q1' a second time"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"].push_back({{"kind", "table"}, {"id", "q1_none"}}); }), "'q1_none'"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"].erase(6); }), "not the next"));
-    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"].erase(14); }), "holds what no block refers to"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["blocks"].erase(14); }), "has more entries than the section's `blocks` name"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["id"] = "../../etc/passwd"; }), "is no id"));
 }
 
@@ -240,7 +240,8 @@ TEST(ReadJson, RefusesInconsistentValues) {
         says(refusal([](Json& d) { d["questions"][0]["diagrams"][0]["panels"][0]["paths"][0]["x"].push_back(1); }), "different lengths"));
     EXPECT_TRUE(
         says(refusal([](Json& d) { d["questions"][0]["maps"][0]["panels"][0]["values_not_finite"][0][0] = 4; }), "listed as not finite"));
-    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["rows_not_finite"] = 4; }), "broken list of what is not finite"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["rows_not_finite"] = 4; }),
+                     "broken list of numbers that are not finite"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["parameter_values"][0]["name"] = "x"; }), "'x', which is no parameter"));
 }
 

@@ -66,7 +66,7 @@ TEST(TemplateRender, ATemplateThatIncludesItselfIsRefused) {
 
 TEST(TemplateRender, UnknownIncludesAreNamedWithTheNearest) {
     const std::string error = usage_error_of([] { rendered("{{>/etc/passwd}}", json::object()); });
-    EXPECT_TRUE(error.starts_with("report.md: {{>/etc/passwd}} includes what is no template; did you mean '")) << error;
+    EXPECT_TRUE(error.starts_with("report.md: {{>/etc/passwd}} includes no known template; did you mean '")) << error;
 }
 
 TEST(Templates, AnUnreadableOneIsRefused) {
