@@ -32,10 +32,10 @@ bool is_digest(const std::string& text) {
     return text.size() == digest_length && std::all_of(text.begin(), text.end(), is_digit);
 }
 
-/// "ab/cdef…" keeps folders short.
+/// Returns "ab/cdef…" for "abcdef…", which keeps folders short.
 fs::path spread(const std::string& digest) { return fs::path(digest.substr(0, 2)) / digest.substr(2); }
 
-/// The bytes of a file, which counts as used now; nothing where it is missing. One that is not whole is removed.
+/// Returns the bytes of a file, which then counts as used now; nothing if it is missing or not whole. A file that is not whole is removed.
 template <class IsWhole>
 std::optional<std::string> read_whole(const fs::path& path, const IsWhole& is_whole) try {
     std::string bytes = read_file(path);
@@ -92,7 +92,7 @@ ResultCache::ResultCache(fs::path folder, std::uintmax_t limit) : folder_(std::m
     make_folder(folder_ / entries);
     make_folder(folder_ / objects);
     if (::access((folder_ / entries).c_str(), W_OK | X_OK) != 0 || ::access((folder_ / objects).c_str(), W_OK | X_OK) != 0)
-        throw OutputError(folder_.string(), "cannot be written");
+        throw OutputError(folder_.string(), "cannot be written", "let XDG_CACHE_HOME name another folder");
     sweep_file_leftovers(folder_);
 }
 

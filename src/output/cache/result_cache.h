@@ -14,7 +14,7 @@ namespace meshfolio::output {
 /// Returns $XDG_CACHE_HOME/meshfolio, else ~/.cache/meshfolio; nothing if neither variable holds an absolute path.
 std::optional<std::filesystem::path> default_cache_folder();
 
-/// Makes a key from a list of words; different lists have different keys.
+/// Makes a key, 64 hexadecimal digits, from a list of words; different lists have different keys.
 class KeyMaker {
 public:
     KeyMaker& add(std::string_view word);
@@ -30,25 +30,27 @@ public:
         std::uintmax_t bytes = 0, files = 0;
     };
 
-    /// Creates the folder. @throws OutputError if it cannot be used
+    /// Creates the folder if it is missing.
+    /// @param limit  largest size of all files [bytes], for trim() @throws OutputError if it cannot be used
     ResultCache(std::filesystem::path folder, std::uintmax_t limit);
 
-    /// Returns the bytes under a key; nothing if they are missing or damaged.
+    /// Returns the bytes that put() stored under a key; nothing if they are missing or damaged.
     std::optional<std::string> get(const std::string& key);
-    /// Stores bytes under a key. @throws OutputError
+    /// Stores bytes under a key, in place of earlier ones. @throws OutputError
     void put(const std::string& key, std::string_view bytes);
 
     /// Returns the bytes with this SHA-256, as keep() stored them; nothing if they are missing or damaged.
     std::optional<std::string> bytes_of(const std::string& digest);
-    /// Stores bytes by their content. (A hard link would be faster; but then a change of one report in place would change the cache.)
-    /// @return the SHA-256
+    /// Stores bytes under their SHA-256, unless they are there. (A hard link would be faster; but then a change of one report in place
+    /// would change the cache.)
+    /// @return their SHA-256
     /// @throws OutputError
     std::string keep(std::string_view bytes);
-    /// Puts the file with this SHA-256 at `target`, which must not exist. @return false if it is missing or damaged
+    /// Writes the bytes with this SHA-256 to `target`. @return false, and writes nothing, if they are missing or damaged
     /// @throws OutputError
     bool place(const std::string& digest, const std::filesystem::path& target);
 
-    /// Removes the least recently used until the rest fits the limit.
+    /// Removes the least recently used files until all together are within the limit.
     void trim();
     Size size() const;
     /// Removes everything the cache has stored, and nothing else. @throws OutputError

@@ -19,17 +19,19 @@ std::vector<render::View> views_in_reading_order();
 /// empty cell of a matrix has none.
 using PanelPictures = std::vector<std::shared_ptr<const render::Image>>;
 
-/// Places the pictures, panel after panel in their order, with all labels.
+/// Returns the sheet of a figure: its pictures, panel after panel, with all labels and heads; title, subtitle and colour bar are left
+/// empty.
 /// @param em  text size [pixels]
 render::FigureSheet arranged(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em);
 
-/// Returns the number of columns of panels on the sheet.
+/// Returns the number of panels in a line of the sheet: of a matrix its columns, 1 with six views, else `in_a_line`; if that is 0, at most
+/// 4 (in a gallery 6).
 int panels_in_a_line(const FigureRequest& request);
 
 /// Returns the addition to the label of a flat panel: "seen from +z; its other views are edge-on".
 std::string flat_panel_note(const render::View& view);
 
-/// True if the figure has more than twelve small multiples, which are drawn small, six in a line.
+/// True if the figure has more than twelve panels, and neither six views nor heads; its pictures are small, six in a line.
 bool is_gallery(const FigureRequest& request);
 
 }   // namespace meshfolio::output

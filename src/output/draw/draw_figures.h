@@ -28,7 +28,7 @@ struct DrawEvents {
 };
 
 /// Draws the figures: writes images/… and, for figures that readers can turn, models/… below `folder`.
-/// @return by the id of the figure, where its pictures lie, their JPEGs and its legend
+/// @return for each figure, by its id: places and JPEGs of its pictures, its legend and its models
 /// @throws OutputError if a file cannot be written
 report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const std::filesystem::path& folder,
                                   const DrawSettings& settings, const DrawEvents& events = {});

@@ -15,13 +15,13 @@
 
 namespace meshfolio::output {
 
-/// Limits that keep a page small: triangles of one model, and bytes of all GLB files together, which lengthen the page by six tenths of
-/// that. A figure beyond a limit has only pictures.
+/// Limits that keep a page small: triangles of a model, bytes of all GLB files together (the page grows by six tenths of that). Beyond them
+/// there are only pictures.
 inline constexpr int most_model_triangles = 60'000;
 inline constexpr std::size_t most_model_bytes = 2'000'000;
 
-/// Writes models/<panel>.glb below `folder` for the turnable figures, in their order: first up to two models of every figure, then the
-/// other models of a figure if there is room for all of them.
+/// Writes models/<panel>.glb below `folder` for the turnable figures, in their order: first up to two models of each figure, then its
+/// further ones, all or none. Models that would exceed most_model_bytes in all are left out.
 /// @return the models of each figure, by its id
 /// @throws OutputError if a file cannot be written
 std::map<std::string, std::vector<report::DrawnModel>> write_models(std::span<const FigureRequest> requests,

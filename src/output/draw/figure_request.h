@@ -43,7 +43,7 @@ struct FigureRequest {
     std::vector<Panel> panels = {};
     std::optional<ColorRange> range = {};
     bool edges = false;
-    /// Index of the panel whose box frames all panels, lest a mesh that blew up shrink the others; −1: the union of all boxes.
+    /// Index of the panel whose box frames all panels, so that a mesh that blew up does not make others small; −1: the union of all boxes.
     int frame_panel = 0;
     Layout layout = Layout::six_views;
     bool turnable = false;                              // the page gets models of its meshes, which readers can turn
@@ -59,16 +59,17 @@ struct FigureRequest {
     const ColorRange* range_of(const Panel& panel) const { return panel.range ? &*panel.range : range ? &*range : nullptr; }
 };
 
-/// Returns the range between the percentiles clip and 1 − clip of the finite values of all panels, with clipped shares and sample. For the
-/// diverging map it is symmetric about 0 and reaches 1.25 times the median, lest nearly equal values all get the colour of an end. For the
-/// pale map it begins at 0 if that percentile is not negative. It is at least `floor` wide, lest rounding noise be stretched into colours.
+/// Returns the range between the percentiles clip and 1 − clip of the finite values of all panels, with clipped shares and a sample of at
+/// most 8192 values. "diverging" makes it symmetric about 0, up to 1.25 times the median at least, so that nearly equal values do not all
+/// get the colour of an end. "pale" makes it begin at 0 if its low end is not negative. It is at least `floor` wide, so that rounding noise
+/// gets one colour.
 ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, std::string quantity, std::string unit, double floor,
                         double clip = 0.02);
 
 /// Returns the finite values of all panels, panel after panel.
 std::vector<double> finite_values(const std::vector<Panel>& panels);
 
-/// Sets the shares of `values` below and above the range; 0 without values.
+/// Sets range.clipped_below and clipped_above to the shares of `values` below and above the range; 0 without values.
 void enter_clipped(ColorRange& range, const std::vector<double>& values);
 
 /// Returns the share of `values` in each of 96 equal bins over [low, high]; 48 or 24 bins if there are fewer than 32 values a bin. Values

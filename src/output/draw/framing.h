@@ -17,8 +17,8 @@ struct PictureFrame {
     render::View view = render::three_quarter_view();
 };
 
-/// Returns the three-quarter view of a panel: the best one of the first mesh in its group of states, in its row of a matrix, or in the
-/// figure, so that compared meshes are seen from one side; in a gallery the best one of its own mesh.
+/// Returns the three-quarter view of a panel, by render::hero_view() of the first mesh of its group of states; else, with own frames, of
+/// its row of a matrix, its own mesh in a gallery, or the figure; else of the first framed mesh. Compared meshes are so seen from one side.
 render::View hero_of(const FigureRequest& request, std::size_t panel);
 
 /// Returns a frame for each panel from three quarters, all of one size: centred on its own mesh (Layout::multiples) or shared by all.
@@ -29,9 +29,9 @@ std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int
 struct SixFrames {
     render::Frame frame;
     std::array<PictureFrame, 3> along;
-    /// The smallest size that holds the pictures of all six views.
+    /// Returns the frame with the smallest size that holds the pictures of all six views.
     PictureFrame covering_all() const;
-    /// The frame for a view along an axis.
+    /// Returns the frame and size for a view along an axis.
     const PictureFrame& of(const render::View& view) const { return along[view.from.x != 0 ? 0 : view.from.y != 0 ? 1 : 2]; }
 };
 
@@ -45,7 +45,8 @@ struct FittedPositions {
     Positions X;
     double scale = 1;
 };
-/// Returns other positions X of the mesh such that they fit into its three-quarter picture: unchanged, or scaled down about the middle.
+/// Returns other positions X of the mesh so that they fit into its own three-quarter picture: unchanged with scale 1, or scaled down about
+/// the middle of the picture.
 FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X);
 
 /// Returns the frame of a panel's view files, which are not cropped. @param hero  the three-quarter view; null: the views along the axes

@@ -11,7 +11,7 @@
 
 namespace meshfolio::output {
 
-/// Calls render::draw_views. @throws MeshError if too many large triangles of the mesh lie over each other
+/// Returns the pictures of render::draw_views(), one a view. @throws MeshError if too many large triangles of the mesh lie over each other
 std::vector<render::Image> drawn_views(const render::Surface& surface, std::span<const render::View> views,
                                        const render::DrawOptions& options);
 
@@ -39,7 +39,7 @@ render::ColorBar small_bar_of(const ColorRange& range);
 /// Returns "#1f9e89" for red 0x1f, green 0x9e, blue 0x89.
 std::string hex_of(render::Rgba color);
 
-/// Returns the legend of the page for a colour bar.
+/// Returns a colour bar as the legend of a page, with 48 colours from low to high.
 report::Legend legend_of(const render::ColorBar& bar);
 
 }   // namespace meshfolio::output

@@ -18,7 +18,7 @@ public:
     /// Protects an input file: add() refuses an output of that name. To be called before add().
     void keep(const std::filesystem::path& input);
 
-    /// Writes `bytes` beside `path`; thread-safe. A device or a FIFO is written to at once.
+    /// Writes `bytes` to a temporary file beside `path`, for publish(); thread-safe. A device or a FIFO is written to at once.
     /// @throws OutputError; UsageError if the file is protected or in the group already
     void add(const std::filesystem::path& path, std::string_view bytes);
 

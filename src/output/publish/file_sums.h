@@ -17,7 +17,7 @@ struct FileSum {
     long line = 0;        // in the list, counted from 1
 };
 
-/// Parses a list: path → sum. Paths are not checked: check them before writing to them.
+/// Parses the text of a SHA256SUMS: path → sum. Paths are not checked: check them before writing to them.
 /// @param file  the name of the list in messages
 /// @throws InputError naming the first line that is not in the format
 std::map<std::string, FileSum> parse_sums(const std::string& text, const std::filesystem::path& file);
@@ -25,7 +25,7 @@ std::map<std::string, FileSum> parse_sums(const std::string& text, const std::fi
 /// Path below a folder → digest.
 using Digests = std::map<std::string, std::string>;
 
-/// Returns the list as sha256sum writes it.
+/// Returns the text of a SHA256SUMS, a line "digest  path" for each file, sorted by path.
 std::string sums_text(const Digests& digests);
 
 /// Writes the SHA256SUMS of all files below `folder` in one step. @param known  digests that need not be computed
@@ -47,7 +47,8 @@ struct SumsList {
 /// Reads the SHA256SUMS of `folder` without following a link. A damaged list counts as missing.
 SumsList sums_of(const std::filesystem::path& folder);
 
-/// Returns the first listed path that is missing or has another digest; empty: none. @throws InputError if there is no list
+/// Returns the first path in the SHA256SUMS of `folder` that is missing, leads outside or has another digest; empty: none.
+/// @throws InputError if there is no list
 std::string first_changed(const std::filesystem::path& folder);
 
 }   // namespace meshfolio::output

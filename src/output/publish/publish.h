@@ -49,7 +49,7 @@ public:
     /// @throws OutputError
     Notes publish(const Digests& known = {}, const std::function<void()>& last_check = {});
 
-    /// Redirects publish() to failed_beside(target), for a report with failures while the target holds a good one.
+    /// Redirects publish() to failed_beside(target), always; to be called when the report has failures and the target holds a good one.
     /// @throws OutputError if that folder cannot be written or was not made by this program
     void step_aside();
     /// Removes failed_beside(target), which a good report makes obsolete, except for the user's files in it.

@@ -19,9 +19,9 @@ public:
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
     const std::filesystem::path& path() const { return path_; }
-    /// Removes it now. Returns true if nothing is left.
+    /// Removes the path now. Returns true if nothing of it is left.
     bool remove() const noexcept;
-    /// Leaves it for a later run.
+    /// Makes the destructor leave the path, which a later run sweeps.
     void keep() noexcept;
     bool is_kept() const { return is_kept_; }
 
@@ -32,7 +32,7 @@ private:
 
 /// Returns a recursive lock, to be held while a file is created or renamed. After abandon_publications() this function never returns.
 std::unique_lock<std::recursive_mutex> permission_to_create();
-/// Notes that something was published. To be called with the lock.
+/// Makes abandon_publications() return true. To be called with the lock of permission_to_create().
 void remember_publication();
 
 /// Writes the file at `part`. @param synced  return only when the bytes are on the disk @throws OutputError

@@ -42,7 +42,7 @@ public:
     /// Removes the listed files that were not edited and are not among `incoming`, and the folders that become empty.
     void remove_ours(const std::set<std::string>& incoming = {}) const;
 
-    /// Notes that the folder was renamed.
+    /// Takes the new path of the folder after it was renamed.
     void renamed(std::filesystem::path folder) { folder_ = std::move(folder); }
 
     /// Returns the SHA256SUMS of the folder.
