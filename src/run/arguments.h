@@ -10,7 +10,7 @@ namespace meshfolio::run {
 
 bool contains(const std::vector<std::string>& words, const std::string& word);
 
-/// @throws UsageError unless `word` is one of the choices; the message names the nearest
+/// Requires that `word` is one of the choices. @throws UsageError otherwise, with the nearest choice and all of them
 void require_choice(const std::string& option, const std::string& word, const std::vector<std::string>& choices);
 
 /// Returns a variable of the environment; empty if it is not set.
@@ -19,15 +19,16 @@ std::string environment(const std::string& name);
 /// Returns the parts between the separators, also empty parts; an empty text has none.
 std::vector<std::string> split(std::string_view text, char separator);
 
-/// Reads an integer. @throws UsageError unless it is one between the limits
+/// Parses an integer from `low` to `high`. @throws UsageError for any other text
 long long integer_between(const std::string& option, std::string_view text, long long low, long long high);
 
-/// Reads a list such as "5,15,30", each between the limits; empty if `text` is.
+/// Parses integers from `low` to `high` with commas between them, "5,15,30"; returns none for an empty text.
+/// @throws UsageError for any other text
 std::vector<int> integers_between(const std::string& option, std::string_view text, int low, int high);
 
-/// Reads a finite decimal number: not "nan", "inf" or hexadecimal.
+/// Parses a finite decimal number: not "nan", "inf" or hexadecimal. @throws UsageError for any other text
 double finite_number(const std::string& option, std::string_view text);
-/// Read a finite decimal number between the limits, ≥ 0 or > 0.
+/// Parse a finite decimal number from `low` to `high`, ≥ 0 or > 0. @throws UsageError for any other text
 double number_between(const std::string& option, std::string_view text, double low, double high);
 double number_not_negative(const std::string& option, std::string_view text);
 double number_above_zero(const std::string& option, std::string_view text);

@@ -11,7 +11,7 @@
 
 namespace meshfolio::run {
 
-/// Returns the empty section of a chapter that is not answered.
+/// Returns the section of a chapter that is not answered: skipped, without citations, with `why` as its extent.
 report::Section skipped_section(std::string_view id, const std::string& why);
 
 class ChapterRunner {

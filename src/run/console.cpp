@@ -117,7 +117,7 @@ void keep_others(const std::filesystem::path& file, const std::function<bool(con
     } catch (const InputError&) {   // no file that can be read, and so none of ours
     }
     const std::string kept = output::keep_beside(file, !std::filesystem::is_symlink(file));
-    complain(file.string() + ": was no file of ours, and is kept as " + kept);
+    complain(file.string() + ": was not made by meshfolio, and is kept as " + kept);
 }
 
 std::string shown(const std::string& file) { return file == "-" ? standard_input : file; }

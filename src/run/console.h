@@ -23,17 +23,17 @@ void print(std::string_view text);
 void print_path(const std::filesystem::path& path);
 
 /// Closes standard output at the end of the program: some file systems report a failed write only then.
-/// @return `exit_code`, or ExitCode::output if the write has failed
+/// @return `exit_code`, or ExitCode::output instead of 0 if the write has failed
 int close_standard_output(int exit_code);
 
-/// Adds a file to the group, or prints it to stdout for "-". @throws OutputError
+/// Adds `text` to the group as the file `file`, or prints it to stdout for "-". @throws OutputError
 void print_to(output::FileGroup& files, const std::string& file, std::string_view text);
 
 /// Writes a mesh to a file, or to stdout for "-". Warns of data that the format cannot hold.
 /// @throws OutputError; UsageError for an ending that cannot be written
 void write_mesh_to(const std::string& file, const TriangleMesh& mesh, const Attributes& attributes = {});
 
-/// Adds a mesh to the group of files, or prints it to stdout for "-". @throws OutputError
+/// Adds a mesh to the group of files, or prints it to stdout for "-". Warns of data that the format cannot hold. @throws OutputError
 void add_mesh(output::FileGroup& files, const std::filesystem::path& file, const TriangleMesh& mesh, const Attributes& attributes = {});
 
 /// Checks an output file before the work begins. Devices and pipes need no ending if "-" is among the endings.
@@ -47,7 +47,7 @@ void check_output(const std::string& option, const std::string& file, const std:
 /// Returns "-" and the endings of mesh files.
 std::vector<std::string> mesh_or_standard_output();
 
-/// @throws UsageError if both are "-": standard input can be read once
+/// Requires that at most one of two inputs is "-". @throws UsageError otherwise, as standard input can be read once
 void check_read_once(const std::string& a, const std::string& b);
 
 /// Prints "meshfolio: …" on stderr, its first word in colour on a terminal. Does not throw if stderr is closed.
@@ -57,14 +57,15 @@ void conclude(const std::string& message, bool is_good);
 /// Prints "meshfolio: warning: …" on stderr.
 void warn(const std::string& message);
 
-/// Prints the warning of a publication and the files of the user's that it kept.
+/// Prints the warning of a publication, and a line for the files of the user that it kept.
 void tell_of(const output::Notes& notes);
 
 /// Returns the name of an input in messages: "standard input" for "-".
 std::string shown(const std::string& file);
 
-/// Renames a file that an output would replace although the user did not choose the name, unless the file is an earlier output. Says so.
-/// @param is_ours  whether these bytes are such an output
+/// Moves a file out of the way of an output whose name the user did not choose, to output::name_beside(), and prints its new name. Leaves
+/// an earlier output.
+/// @param is_ours  true if bytes are an earlier output
 /// @throws OutputError
 void keep_others(const std::filesystem::path& file, const std::function<bool(const std::string&)>& is_ours);
 
@@ -72,7 +73,7 @@ void keep_others(const std::filesystem::path& file, const std::function<bool(con
 /// @throws InputError
 PreparedMesh load_mesh(const std::string& file, Checks checks = Checks::all, Keep keep = Keep::mesh);
 
-/// Calls work() and names the file in the errors that it throws. @throws InputError, SolverError
+/// Returns work(). Names the file in the errors that work() throws; a MeshError becomes an InputError. @throws InputError, SolverError
 template <class Work>
 auto about_mesh(const std::string& file, const Work& work) try {
     return work();

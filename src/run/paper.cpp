@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Short, because sockets that browsers make in it have paths of at most 107 bytes.
+/// Creates a folder with a short path, because sockets that browsers make in it have paths of at most 107 bytes.
 output::Temporary scratch_folder() {
     std::error_code error;
     const fs::path place = fs::temp_directory_path(error);
@@ -38,7 +38,7 @@ output::Temporary scratch_folder() {
     return output::Temporary(name);
 }
 
-/// The engine for --pdf. Warns if `auto` finds none.
+/// Returns the engine for --pdf; nothing for `off`, or with a warning if `auto` finds none.
 /// @throws EngineError when one is required and none is there
 std::optional<report::PdfEngine> wanted_engine(const ReportSettings& settings) {
     if (settings.pdf == "off") return {};
@@ -52,7 +52,7 @@ std::optional<report::PdfEngine> wanted_engine(const ReportSettings& settings) {
     return finding.engine;
 }
 
-/// The bytes of a PDF. Nothing in them depends on the time or the place.
+/// Returns the bytes of a PDF, which do not depend on the time or the place.
 /// @throws EngineError if the engine does not deliver
 std::string printed(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
                     report::Volume volume, const report::PdfEngine& engine) {
@@ -74,7 +74,7 @@ std::string printed(const report::Document& document, const report::DrawnFigures
     return report::print_pdf(job, engine, scratch.path());
 }
 
-/// The cache key, of everything that shapes the bytes: words, templates, pictures, program and browser.
+/// Returns the cache key of a PDF, of everything that shapes its bytes: words, templates, pictures, program and browser.
 std::string key_of(const report::Document& document, const report::DrawnFigures& figures, const report::Templates& templates,
                    report::Volume volume, const report::PdfEngine& engine, const fs::path& folder) {
     output::KeyMaker key;

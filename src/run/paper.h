@@ -28,11 +28,11 @@ public:
 
     bool is_wanted() const { return engine_.has_value(); }
 
-    /// Begins to print the PDF of a volume into `folder`, in a thread of its own.
+    /// Begins to print the PDF of a volume into `folder`, in a thread of its own; does nothing unless is_wanted().
     /// @param figures  those of the volume, or more; of the report all, because results.json is attached to it
     void begin(report::Volume volume, report::Document document, report::DrawnFigures figures, std::filesystem::path folder);
 
-    /// Waits for all volumes. @return warnings
+    /// Waits for all volumes. @return a text for each: why there is no PDF, or empty
     /// @throws EngineError if the engine does not deliver and is required; OutputError
     std::vector<std::string> finish();
 

@@ -42,11 +42,11 @@ private:
     std::string left_unlocked() const;
 };
 
-/// Returns the remaining time [s]: at first from the estimate, later more and more from the time taken. Without an estimate (0), from the
-/// time taken alone; 0 if nothing is done.
+/// Returns the remaining time (1 − f)((1 − f) expected + taken) [s] for the share f that is done: at first from the estimate, later from
+/// the time taken. If `expected` is 0, (1 − f) taken / f, and 0 if f is 0.
 double seconds_left(double expected, double taken, double fraction);
 
-/// Returns a time as text: "40 s", "12 min", "3.5 h".
+/// Returns a time as text: "40 s" below 100 s and "12 min" below 100 min, rounded up, else "3.5 h".
 std::string time_text(double seconds);
 
 /// A stage of a command, for as long as the object lives. After two seconds, a terminal shows the innermost stage and the time taken:

@@ -24,7 +24,8 @@ const std::string& program_identity();
 /// Returns version, commit, compiler and libraries of this program, with the given settings and seed.
 report::Provenance provenance_of(std::map<std::string, std::string> settings, std::uint64_t seed);
 
-/// Returns the first difference between two provenances, the choice of sections aside: "seed 2, and not 1". Empty: none.
+/// Returns the first difference between two provenances, in settings, libraries, program or seed but not in the choice of sections: "seed
+/// 2, and not 1". Empty: none.
 std::string difference(const report::Provenance& one, const report::Provenance& other);
 
 }   // namespace meshfolio::run

@@ -21,7 +21,7 @@
 
 namespace meshfolio::run {
 
-/// Gives a section and puts its stored files into the folder of the report; gives nothing where it does not have the section. Thread-safe.
+/// Returns a section and puts its stored files into the folder of the report; returns nothing if it does not have the section. Thread-safe.
 using Source =
     std::function<std::optional<ReportSection>(std::string_view id, const std::filesystem::path& folder, ProgressDisplay& display)>;
 
@@ -55,23 +55,23 @@ struct MadeReport {
 /// @throws OutputError, EngineError; InputError for stored files that have changed
 MadeReport make_report(const ReportRequest& request);
 
-/// Gathers the sections without writing anything. @throws InputError
+/// Returns the document of a report with all its sections; draws and writes nothing. @throws InputError
 report::Document gathered_document(const ReportRequest& request);
 
 /// Prints warnings, failures, "7 of 7 questions answered, 457 checks passed, 9.8 s", and the path of the page.
 /// @return failed if a section or a check has failed
 ExitCode print_outcome(const MadeReport& made);
 
-/// The request of `meshfolio report`: sections are computed, but for those in the cache and, with --only, those of the report that it
-/// renews. Prints the plan if --time is given, and warns if the time cannot be kept.
+/// Returns the request of `meshfolio report`: sections are computed, except for those in the cache and, with --only, sections kept from the
+/// report that it renews. Prints the plan if --time is given, and warns if the time cannot be kept.
 /// @throws UsageError, InputError, also for work that needs more memory than there is
 ReportRequest report_request(const ReportFlags& flags);
 
-/// Returns the plan of such a report, for people or, with --json, for programs.
+/// Returns the plan of `meshfolio report` with these flags, as a table for people or, with --json, as JSON.
 std::string plan_text(const ReportFlags& flags);
 
-/// The request of `meshfolio report --from results.json` and `meshfolio merge DIR…`: a finished report, or the parts of one, rendered again
-/// without computing anything. Title, author, course and templates may be others.
+/// Returns the request of `meshfolio report --from results.json` and `meshfolio merge DIR…`: a finished report, or the parts of one,
+/// rendered again without computing anything. Title, author, course and templates may be others.
 /// @throws InputError for parts that do not fit together; UsageError for options that would need computing
 ReportRequest rendering_request(const ReportFlags& flags);
 

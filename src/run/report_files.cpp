@@ -77,7 +77,7 @@ namespace {
 
 constexpr int most_lines = 4;   // of a kind: with a line a question and its notes they stay below 40
 
-/// At most `most_lines` of them, then how many more.
+/// Prints at most `most_lines` lines, then the number of further ones.
 void complain_about(const std::vector<std::string>& lines) {
     for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) complain(lines[i]);
     if (lines.size() > most_lines) complain("… and " + std::to_string(lines.size() - most_lines) + " more, see the report");

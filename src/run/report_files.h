@@ -33,8 +33,8 @@ struct Published {
     output::Notes notes;
 };
 
-/// Publishes a report that has been written. A report with a failure does not replace one without: it goes to `<out>.failed`, which the
-/// next good report removes.
+/// Writes SHA256SUMS and the JUnit file, and publishes a report that has been written. A report with a failure does not replace one
+/// without: it goes to `<out>.failed`, which the next good report removes.
 /// @param junit  file for the checks; empty: none
 /// @throws OutputError
 Published publish_report(output::Publication& publication, const report::Document& document, const output::Publication::Digests& digests,

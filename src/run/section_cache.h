@@ -16,14 +16,14 @@
 
 namespace meshfolio::run {
 
-/// Returns the limit on the size of the cache [bytes]; MESHFOLIO_CACHE_LIMIT in the environment is in megabytes.
+/// Returns the largest size of the cache [bytes]: MESHFOLIO_CACHE_LIMIT of the environment, in megabytes of 10⁶ bytes, else 2048 of them.
 /// @throws UsageError unless that is a number from 1 to 1000000
 std::uintmax_t cache_limit();
 
 /// Opens the cache in its default folder. Returns null, with a warning, if it cannot be used.
 std::unique_ptr<output::ResultCache> usable_cache();
 
-/// Opens the cache for a report. Returns null for a run with MESHFOLIO_FAIL, which neither stores nor takes answers.
+/// Opens the cache for a report. Returns null if it cannot be used, if the program has no identity, or for a run with MESHFOLIO_FAIL.
 std::unique_ptr<output::ResultCache> cache_for_report();
 
 /// Returns every mesh that the chapter may read: those of the settings, else the user's own, else those of its roles. A chapter about
@@ -39,7 +39,7 @@ public:
     /// Returns the stored section and puts its files into `folder`; nothing, and no file, where any of it is missing or damaged.
     std::optional<ReportSection> find(const Chapter& chapter, const std::filesystem::path& folder) const;
 
-    /// Stores an answered section, unless it is incomplete: the cause of a failure may be temporary.
+    /// Stores an answered section, unless it failed or lacks a mesh, whose cause may be temporary, or has file names that JSON cannot hold.
     /// @param figures  of the report, or more than its own
     /// @param folder   of the report, which has the section's files
     /// @return digests of these files, by path

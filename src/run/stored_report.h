@@ -35,7 +35,7 @@ struct ReportSection {
 /// Returns the paths of a section's files that are not written from the document: pictures, models and meshes.
 std::vector<std::string> files_of(const report::Section& section, const report::DrawnFigures& figures);
 
-/// Returns where the cache keeps the JPEG of a picture, which a report has only in its pages.
+/// Returns the path "jpeg/q1_h_3.jpg" under which the cache keeps the JPEG of a picture; a report has it only in its pages.
 std::string jpeg_file(const std::string& figure, std::size_t picture);
 
 class StoredReport {
@@ -56,10 +56,10 @@ public:
     /// @throws InputError for a file that SHA256SUMS does not match
     ReportSection section(const report::Section& section, const std::filesystem::path& folder) const;
 
-    /// Returns a file, or nothing if it is gone. @throws InputError if SHA256SUMS does not match
+    /// Returns the bytes of a file of the report; nothing if it is gone. @throws InputError if SHA256SUMS does not match
     std::optional<std::string> bytes_of(const std::string& path) const;
 
-    /// Returns the live laboratories of its page. A page that was changed is refused with a warning.
+    /// Returns the live laboratories of the page index.html; none, with a warning, if SHA256SUMS does not match the page.
     std::vector<report::Lab> labs() const;
 
 private:
@@ -70,7 +70,7 @@ private:
     bool restore(const std::string& id, report::DrawnFigure& figure) const;
 };
 
-/// Returns true if the folder holds a report without failures.
+/// Returns true if the folder holds a report without failures, or one of another version.
 bool ended_well(const std::filesystem::path& folder);
 
 }   // namespace meshfolio::run

@@ -17,7 +17,8 @@ struct BatchFlags {
     bool plan = false;   // only print the folder of each mesh
 };
 
-/// Makes the reports and, after each, the index. A finished report of the same mesh, settings and program is not made again.
+/// Makes a report for each mesh and keeps the index up to date. A mesh with a finished_row() gets no new report. With `plan`, only prints
+/// folder and file of each mesh.
 /// @return failed if a mesh has no report or one with a failure; output if a report could not be written
 /// @throws UsageError, InputError, OutputError, EngineError before any work; OutputError if the index cannot be written
 ExitCode run_batch(const BatchFlags& flags);

@@ -13,7 +13,7 @@
 
 namespace meshfolio::run {
 
-/// Returns the settings of the report on one mesh.
+/// Returns the settings of the report on one mesh: `settings` of the batch, with this mesh and the efforts planned for it.
 /// @param vertices  of the mesh, or half the number of triangles if that is larger
 ReportSettings settings_on(const BatchMesh& mesh, double vertices, ReportSettings settings);
 
@@ -23,8 +23,8 @@ ReportSettings settings_on(const BatchMesh& mesh, double vertices, ReportSetting
 /// @throws InputError if the report is missing or damaged
 report::BatchRow row_of_report(const BatchMesh& mesh, const std::filesystem::path& out, const std::string& folder);
 
-/// Returns the row of a report that need not be made again; nothing if there is none. Such a report is of the same mesh, settings and
-/// program, has no failed section, and each of its files matches SHA256SUMS.
+/// Returns the row of a report that need not be made again; nothing if there is none. The report has this mesh, these settings and this
+/// program, each section asked for without failure, and files that match its SHA256SUMS.
 /// @param settings  of the batch
 std::optional<report::BatchRow> finished_row(const BatchMesh& mesh, const std::string& sha256, const ReportSettings& settings);
 

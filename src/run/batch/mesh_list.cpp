@@ -42,7 +42,7 @@ std::vector<std::string> meshes_below(const fs::path& folder) {
     return files;
 }
 
-/// Sorted; none where nothing matches.
+/// Returns the files that match a pattern, sorted.
 std::vector<std::string> matches_of(const std::string& pattern) {
     std::vector<std::string> files;
     glob_t found{};

@@ -21,7 +21,8 @@ struct BatchMesh {
 std::vector<BatchMesh> batch_meshes(const std::vector<std::string>& named, const std::vector<std::string>& lists,
                                     const std::filesystem::path& out);
 
-/// A safe name of its own for each file: "bunny", and "bunny-2" for the second of that name, whatever the case of its letters.
+/// Returns a safe folder name for each file, by the name of the mesh: "bunny", and "bunny-2" for a second one. No two names differ by case
+/// alone.
 std::vector<std::string> folder_names(const std::vector<std::string>& files);
 
 }   // namespace meshfolio::run

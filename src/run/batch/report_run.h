@@ -18,10 +18,11 @@ std::vector<std::string> report_words(const BatchFlags& flags, const BatchMesh& 
 /// Runs this program with these arguments in the current folder. The child ends when this process ends.
 ChildEnd run_this_program(const std::vector<std::string>& words);
 
-/// Returns the number of vertices in the output of `report --plan --json`; nothing if it names no mesh.
+/// Returns the number of vertices of the first mesh in the output of `report --plan --json`; 0 if no section needs a mesh, nothing if the
+/// output holds no plan.
 std::optional<double> planned_vertices(const std::string& output);
 
-/// Returns the reason why a child failed, in one line.
+/// Returns in one line why a child failed: its last message without "meshfolio: ", else how it ended.
 std::string failure_of(const ChildEnd& end);
 
 }   // namespace meshfolio::run

@@ -53,7 +53,8 @@ struct LabMesh {
 /// Computes the readings at these settings by the program's own methods; a run that blows up has none.
 std::vector<LabReading> readings_at(const LabMesh& lab, const Spectrum& spectrum, const std::vector<LabSetting>& settings);
 
-/// Prepares a mesh for the laboratory; decimates a large one.
+/// Computes operator, modes, settings and readings of a mesh for the laboratory; decimates a mesh above limits.vertices to about
+/// limits.decimated_to.
 /// @param questions  ids of the panels that open on this mesh, with the user's settings; "lab" stands for the page of `meshfolio lab`
 /// @throws MeshError if the mesh cannot be decimated
 LabMesh lab_mesh(const TriangleMesh& source, const std::string& name, const std::map<std::string, QuestionSettings>& questions,

@@ -34,7 +34,7 @@ struct LabJob {
 
 std::string names_of(const LabJob& job) { return joined({job.answered.begin(), job.answered.end()}, " "); }
 
-/// The cache key, of everything that shapes the data; empty if the program has no identity.
+/// Returns the cache key, of everything that shapes the data; empty if the program or the mesh has no digest.
 std::string key_of(const LabJob& job, const ReportSettings& settings) {
     if (program_identity().empty() || job.mesh->input.sha256.empty()) return "";
     output::KeyMaker key;
@@ -47,7 +47,7 @@ std::string key_of(const LabJob& job, const ReportSettings& settings) {
     return key.key();
 }
 
-/// Null if the mesh is missing, which its section reports.
+/// Returns the mesh of a chapter's laboratory; null if it is missing, which the section reports.
 SharedMesh mesh_for(const Chapter& chapter, const MeshLibrary& meshes, const ReportSettings& settings) try {
     report::Section unused;
     return meshes_for(meshes, question_settings(settings, std::string(chapter.id)), {chapter.lab->role}, unused).front();

@@ -11,7 +11,8 @@
 
 namespace meshfolio::run {
 
-/// Returns a laboratory for the mesh of each answered panel, decimated if it is large; panels share the laboratory of a common mesh.
+/// Returns a laboratory for the mesh of each answered chapter that has a panel, decimated above 620 vertices; chapters share the laboratory
+/// of a common mesh.
 /// @param store  the cache, or null
 std::vector<report::Lab> report_labs(const std::vector<ReportSection>& sections, const MeshLibrary& meshes, const ReportSettings& settings,
                                      output::ResultCache* store);

@@ -22,7 +22,7 @@ struct ValueConvention {
     ConventionKeys keys;
     std::function<Vector(const Vector& right)> apply;
 };
-/// Returns the known conventions for this quantity; the first is the identity.
+/// Returns the conventions for this quantity that need its values alone; the first is the identity, without keys.
 const std::vector<ValueConvention>& value_conventions(MarkedThing what);
 
 /// A student's values.
@@ -49,11 +49,13 @@ struct Agreement {
     Eigen::Index where = -1;   // index of the worst value
     bool agrees(double tolerance) const { return worst <= tolerance; }
 };
-/// Compares values. Each difference is divided by |right| + the median of all |right|, so that neither a few peaks nor values near 0
-/// decide. Rounding may explain a part of a difference, up to 0.5 % of that median. A missing value is infinitely far away.
+/// Compares values by relative differences: divided by right.scale if relative_to_scale, else by |right| + the larger of the median of
+/// |right| and the scale, so that neither peaks nor values near 0 decide. Rounding may explain up to 0.5 % of scale or median. A missing
+/// value is infinitely far away.
 Agreement agreement_of(const GivenValues& given, const RightValues& right, double tolerance);
 
-/// Returns all smallest sets of conventions that explain `given`; none if `given` is right or nothing explains it.
+/// Returns all sets with the fewest conventions that turn the right answer into `given` within `tolerance`; none if `given` is right or
+/// nothing explains it.
 /// @param variants  called only if no convention of values alone explains it
 std::vector<ConventionKeys> recognised(const GivenValues& given, const RightValues& right, MarkedThing what, double tolerance,
                                        const std::function<const std::vector<Variant>&()>& variants);

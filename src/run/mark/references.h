@@ -23,7 +23,8 @@ struct EqualModes {
     DenseMatrix modes;    // all modes with this eigenvalue
     int taken = 0;        // number of them in the reconstruction
 };
-/// True if another choice of the equal modes explains the given positions. @param tolerance  [length]
+/// True if a reconstruction that takes other combinations of the equal modes, `taken` of them, gives these positions.
+/// @param tolerance  [length]
 bool is_another_choice(const Positions& given, const EqualModes& equal, double tolerance);
 
 /// The right answer for a student's file.
@@ -43,15 +44,17 @@ struct WrongLaplacian {
     OperatorOf of;
 };
 
-/// Returns all other operators of the program, and the right operator with wrong areas.
+/// Returns the operators that a student may have used instead of the right one: all others of the program, and the right one with wrong
+/// areas or none.
 std::vector<WrongLaplacian> wrong_laplacians(const AnswerSettings& s);
 
 /// Returns x, y, z of vertex 0, then of vertex 1, …
 inline Vector flat(const Positions& X) { return Eigen::Map<const Vector>(X.data(), X.size()); }
 
-/// Returns the options of the right smoothing run, with lambda in model units.
+/// Returns the options of the smoothing run with these settings, lambda converted to model units.
 SmoothingOptions smoothing_of(const PreparedMesh& prepared, const AnswerSettings& s);
-/// Returns the smoothed positions that result from known mistakes.
+/// Returns the positions, x, y, z of each vertex, that known mistakes in step, iterations, scheme or operator lead to; runs that blow up
+/// are left out.
 std::vector<Variant> smoothing_variants(const PreparedMesh& prepared, const AnswerSettings& s);
 
 /// Computes each answer once.
@@ -60,9 +63,9 @@ public:
     /// Opens every mesh. @throws InputError for a mesh that is missing or unusable
     explicit References(const Rubric& rubric);
 
-    /// Returns the right answer. @throws Error if these settings have none
+    /// Returns the right answer to an item at these settings, computed once. @throws Error if these settings have none
     const Reference& of(const RubricItem& item, const AnswerSettings& settings);
-    /// Returns the known wrong answers; the reference is valid until the next call.
+    /// Returns the answers to an item that known mistakes give at these settings; the reference is valid until the next call.
     const std::vector<Variant>& variants_of(const RubricItem& item, const AnswerSettings& settings);
 
 private:

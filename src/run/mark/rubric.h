@@ -61,7 +61,7 @@ Rubric parse_rubric(std::string_view text, const std::string& file);
 /// Reads a rubric from a file; empty: the bundled example. @throws SettingsErrors, InputError for a file that cannot be read
 Rubric read_rubric(const std::string& file);
 
-/// Describes the settings on which the answer depends: "area = mixed, k = 5".
+/// Returns the settings on which the answer to the item depends, as text: "area = mixed, k = 5"; empty if there are none.
 std::string described(const RubricItem& item, const AnswerSettings& settings);
 
 struct StudentAnswer {

@@ -35,13 +35,15 @@ bool have_same_triangles(const TriangleMesh& a, const TriangleMesh& b);
 /// @throws MeshError if a surface has no triangle
 Difference difference_of(const TriangleMesh& a, const TriangleMesh& b, bool as_surfaces = false, double accuracy = default_accuracy);
 
-/// Returns the JSON of `compare --json`: key → value of each line, and for surfaces a histogram of the distances of both.
+/// Returns the JSON of `compare --json`: key → value of each line, null if undefined; same_triangles; for surfaces a histogram of the
+/// distances of both.
 std::string difference_json(const Difference& difference);
 
 /// Returns the HTML page of `compare --html`: numbers, pictures and a histogram of distances.
 std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances);
 
-/// Returns distances to the other surface as a field to draw. @param diagonal  of the box of one of the meshes
+/// Returns the distance of each vertex to a surface as a field to draw, whose colours range over 1e-9 diagonals at least.
+/// @param diagonal  of the box of one of the meshes
 Field distance_field(Vector of_vertices, double diagonal);
 
 inline constexpr int distance_bins = 40;   // of the histogram, from 0 to the Hausdorff distance

@@ -22,16 +22,16 @@ struct Field {
 std::vector<std::string> operator_choices();   // names of all operators
 std::vector<std::string> area_choices();       // barycentric, voronoi, mixed
 std::vector<std::string> field_names();        // none, h-uniform, h-cotan and the other operators, gauss, area, x, y, z, id
-/// Returns the checks of a mesh that the named field needs.
+/// Returns the checks of a mesh that the named field needs: all for h-uniform, which needs the topology, else for_pictures.
 Checks checks_for(const std::string& name);
-/// Computes the named field. @throws UsageError for an unknown name
+/// Computes the named field of field_names(), NaN where undefined; without values for none and id. @throws UsageError for an unknown name
 Field field_of(const PreparedMesh& mesh, const std::string& name);
 
 /// Reads "FILE:COLUMN": a column of a CSV file with a row per vertex, in which empty cells are NaN, or of a mesh file.
 /// @throws InputError for a file that does not fit the mesh, UsageError for a missing ":COLUMN"
 Field field_from_file(const PreparedMesh& mesh, const std::string& file_and_column);
 
-/// Makes a field of n values, NaN where undefined. It is signed if the values are on both sides of 0.
+/// Returns a field of n values, NaN where undefined, without a unit. It is signed if the values are on both sides of 0.
 Field field_of_values(Vector values, const std::string& quantity);
 
 // ---- columns -------------------------------------------------------------------------------------------------------------

@@ -41,7 +41,7 @@ double scale_of(const PreparedMesh& prepared, const render::DrawOptions& draw) {
                       : render::frame_of(output::bounds_of(prepared.mesh), draw.width, draw.height, draw.fill).pixels_per_unit;
 }
 
-/// Leaves out edges that are only a few pixels long and would cover the mesh. Returns words about that for the subtitle, or "".
+/// Leaves out edges shorter than 3 pixels on average, which would cover the mesh. Returns words about that for the subtitle, or "".
 std::string leave_out_dense_edges(const PreparedMesh& prepared, render::DrawOptions& draw) {
     const TriangleMesh& mesh = prepared.mesh;
     if (!draw.edges || mesh.face_count() == 0) return "";
@@ -156,7 +156,7 @@ std::vector<render::View> views_named(const std::string& names) {
 }
 
 std::pair<double, double> value_limits(double low, double high, const std::string& name) {
-    if (!(low < high)) throw UsageError(name + " is not lo,hi with lo < hi");
+    if (!(low < high)) throw UsageError(name + " is not lo,hi with lo < hi", "write two numbers such as -1,1");
     if (std::max(std::abs(low), std::abs(high)) > largest_coordinate || high - low < narrowest_range)
         throw UsageError(name + " is beyond 1e100 or narrower than 1e-100", "scale the values");
     return {low, high};

@@ -34,10 +34,12 @@ struct MeshPictures {
 /// Parses a list with commas of +x, -x, +y, -y, +z, -z and hero; empty: the first six. @throws UsageError for another name
 std::vector<render::View> views_named(const std::string& names);
 
-/// Requires a range of colours that a colour bar can print, and returns it. @param name  of the range in messages @throws UsageError
+/// Returns {low, high} for a range of colours that a colour bar can print: low < high, within ±1e100, at least 1e-100 wide.
+/// @param name  of the range in messages @throws UsageError
 std::pair<double, double> value_limits(double low, double high, const std::string& name);
 
-/// Draws all views of a mesh with a field. @throws UsageError for an unknown colour map, or isolines that are too dense
+/// Draws the views of a mesh in the colours of a field, and makes their sheet with title, counts and colour bar.
+/// @throws UsageError for an unknown colour map, or isolines that are too dense
 MeshPictures draw_pictures(const PreparedMesh& prepared, const Field& field, const PictureRequest& request);
 
 /// A mesh of a pair with its field; either both fields have values or none.
@@ -49,9 +51,9 @@ struct PairedMesh {
 /// @throws UsageError like draw_pictures()
 MeshPictures draw_pair(const PairedMesh& left, const PairedMesh& right, const PictureRequest& request);
 
-/// Composes a sheet. @param bare  the pictures alone, three in a row, without words and colour bar
+/// Returns a sheet as one picture. @param bare  the pictures alone, three in a row, without words and colour bar
 render::Image composed(const render::ContactSheet& sheet, bool bare);
-/// Returns the number of pixels of a bare sheet.
+/// Returns the number of pixels of a bare sheet with this number of views, three in a row.
 std::int64_t bare_sheet_pixels(std::size_t views, const render::DrawOptions& draw);
 
 }   // namespace meshfolio::run

@@ -59,7 +59,7 @@ struct PageTemplate {
     std::optional<std::filesystem::path> file;   // instead, absolute or relative to the working directory
 };
 
-/// A [[question]] of a settings file; the question itself decides what is not set.
+/// A [[question]] table of a settings file. For a key that is not given, the question takes its own default.
 struct QuestionTable {
     std::vector<std::string> meshes;
     std::vector<int> k, iterations;
@@ -108,7 +108,8 @@ ReportSettings parse_settings(std::string_view text, const std::string& file, Re
 /// Parses the settings file of this name, or else the bundled one of data/reports. @throws SettingsErrors, also if there is neither
 ReportSettings read_settings(const std::string& config, ReportSettings before = {});
 
-/// Returns the settings of a run. @throws SettingsErrors, UsageError
+/// Returns the settings of a run: defaults, environment, settings file, flags, each over the ones before.
+/// @throws SettingsErrors, UsageError
 ReportSettings report_settings(const ReportFlags& flags);
 
 /// Limits the threads of the process to those of the settings during the lifetime of the result; null: no limit.
@@ -117,16 +118,16 @@ std::unique_ptr<tbb::global_control> limited_threads(const ReportSettings& setti
 /// The key of a section's effort in described() is its id with this suffix.
 inline constexpr const char* effort_suffix = " effort";
 
-/// Returns the planned effort of one section.
+/// Returns the planned effort of one section; without a plan, small settings if `quick`, else full ones.
 Effort effort_of(const ReportSettings& settings, const std::string& id);
 
 /// Returns the [[question]] table of one section; an empty one if the settings have none.
 const QuestionTable& table_of(const ReportSettings& settings, std::string_view id);
 
-/// Returns the settings of one section.
+/// Returns the settings of one section: those of its [[question]] table, and those that hold for all sections.
 QuestionSettings question_settings(const ReportSettings& settings, const std::string& id);
 
-/// Returns the meshes that [[question]] tables name, in the order of their ids.
+/// Returns the meshes that [[question]] tables name, in the order of the ids of the tables.
 std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings);
 
 /// True if the settings ask for the chapters on request, by `earlier` or by experiments of their own.
@@ -141,11 +142,12 @@ bool is_asked_for(const ReportSettings& settings, std::string_view id);
 /// Returns name → value of every setting that shapes the results, without threads and paths, for the provenance.
 std::map<std::string, std::string> described(const ReportSettings& settings);
 
-/// Returns these sections in the order of the report; nothing if they are all sections.
+/// Returns `ids` in the order of the report, unknown ones left out; nothing if they are all sections.
 /// @param with_earlier  all sections include the chapters on request
 std::vector<std::string> sections_in_order(const std::vector<std::string>& ids, bool with_earlier);
 
-/// Returns every setting that the answer to a question depends on, for the key of the cache. Meshes have a part of their own in it.
+/// Returns the words of every setting that the answer to a question depends on, for the key of the cache; the meshes are identified
+/// elsewhere in the key.
 std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question);
 
 }   // namespace meshfolio::run

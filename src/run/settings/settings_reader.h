@@ -76,14 +76,15 @@ inline constexpr std::uintmax_t largest_settings = 1 << 20;   // bytes of a file
 /// by recursion, which would overflow the stack.
 long line_of_long_key(std::string_view text);
 
-/// Parses TOML; nothing if that fails, which becomes a problem. @param file  its name in messages
+/// Parses TOML. Returns nothing for a syntax error, which becomes a problem. @param file  its name in messages
 std::optional<toml::table> parsed_toml(std::string_view text, const std::string& file, Problems& problems);
 
-/// Calls `read` with each table of a list of tables; other values become problems.
+/// Calls `read` with each table of the list [[name]]; other values become problems.
 void for_each_table(const toml::node& node, const std::string& name, Problems& problems,
                     const std::function<void(const toml::table&)>& read);
 
-/// Reads [original] and [[experiment]] of a settings file: the experiments of earlier reports, in the order of the file.
+/// Reads the experiments of earlier reports, in the order of the file; [original] describes the meshes that they name. Errors go to
+/// `problems`.
 std::vector<Experiment> read_experiments(const toml::table& root, Problems& problems);
 
 /// Reads the values of one table. Missing and wrong values are returned as nothing; wrong ones become problems.
@@ -96,28 +97,28 @@ public:
     TableReader(const toml::table& table, std::string name, const std::vector<std::string>& known, Problems& problems,
                 const std::vector<std::string>& tables = {});
 
-    /// A text of at most `longest` bytes; a longer one is returned, but reported.
+    /// Returns the text under a key; one longer than `longest` bytes is a problem, but returned.
     std::optional<std::string> text(std::string_view key, std::size_t longest = std::numeric_limits<std::size_t>::max()) const;
-    /// One of the known words.
+    /// Returns the word under a key; nothing, and a problem, for a word that is not known.
     std::optional<std::string> word(std::string_view key, const std::vector<std::string>& known) const;
     std::optional<bool> truth(std::string_view key) const;
     std::optional<long long> integer(std::string_view key, long long low, long long high) const;
-    /// One value or a list of 1 to limits::largest_list values, without the wrong ones; empty if the key is missing.
-    /// @param check  called with each text and its place
     using Check = std::function<void(const std::string& text, const toml::node& where)>;
+    /// Returns one text or a list of 1 to limits::largest_list texts under a key, without wrong values; empty if the key is missing.
+    /// @param check  called with each text and its place
     std::vector<std::string> texts(std::string_view key, const Check& check = {}) const;
-    /// One or several of the known words, each once.
+    /// Returns one or several words under a key, without unknown and repeated ones, which become problems.
     std::vector<std::string> words(std::string_view key, const std::vector<std::string>& known) const;
     std::vector<int> integers(std::string_view key, long long low, long long high) const;
-    /// @param above  refuse `low` itself
+    /// Returns one number or a list of numbers from `low` to `high`, without wrong ones. @param above  refuse `low` itself
     std::vector<double> numbers(std::string_view key, double low, double high, bool above) const;
-    /// The number of a key with one value, else `fallback`.
+    /// Returns the number under a key, read as by numbers(); `fallback` if it is missing or wrong. A list of several is a problem.
     double number(std::string_view key, double low, double high, bool above, double fallback) const;
 
     const toml::node* node(std::string_view key) const { return table_.get(key); }
-    /// The number of values that are given, good or not; 0 if the key is missing.
+    /// Returns the number of values under a key, good or not; 0 if the key is missing.
     std::size_t size(std::string_view key) const;
-    /// The key with its table, for messages: "[report] title".
+    /// Returns the key with its table, for messages: "[report] title".
     std::string called(std::string_view key) const { return name_ + (name_.empty() ? "" : " ") + std::string(key); }
 
 private:
