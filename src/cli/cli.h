@@ -4,8 +4,8 @@
 
 namespace meshfolio::cli {
 
-/// Runs the command that the arguments name: `help` if there are none, `report` if there are only options. Prints an error as one line on
-/// stderr and returns its exit code.
+/// Runs the command that the arguments name: `help` if there are none, `report` if there are only options. Returns the exit code; prints an
+/// error as one line on stderr.
 int run(int argc, const char* const* argv);
 
 /// Prepares the process. To be called first, before any thread begins:

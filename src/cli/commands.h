@@ -33,13 +33,13 @@ public:
 
     void text(const std::string& names, std::string& value, const std::string& help);
     void required(const std::string& names, std::string& value, const std::string& help);
-    /// One of the words; another is refused, with the nearest of them as a suggestion.
+    /// Adds an argument that is one of `choices`; another word is refused, with the nearest choice as a suggestion.
     void choice(const std::string& names, std::string& value, const std::vector<std::string>& choices, const std::string& help);
     void required_texts(const std::string& names, std::vector<std::string>& values, const std::string& help);
-    /// A positional argument takes all words that follow, an option one word each time.
+    /// Adds an argument with several values: a positional one takes all words that follow, an option one word each time it is given.
     void texts(const std::string& names, std::vector<std::string>& values, const std::string& help);
     void flag(const std::string& names, bool& value, const std::string& help);
-    /// The end of the help: an example.
+    /// Sets the end of the help, such as an example.
     void footer(const std::string& text);
 
     operator CLI::App*() const { return app_; }
@@ -58,7 +58,8 @@ void add_paper_options(CommandOptions& app, ReportFlags& flags);
 /// Declares the options that report and batch share: sections, time, size, threads, cache.
 void add_run_options(CommandOptions& app, ReportFlags& flags);
 
-/// Calls work() with the backend "builtin" or "slepc". With slepc, the first rank of MPI calls work() and the others serve it.
+/// Returns work(), called with the backend "builtin" or "slepc". With slepc, the first rank of MPI calls work(); each other rank serves it
+/// and returns ok.
 /// @throws EngineError for slepc if this program was built without it
 ExitCode with_backend(const std::string& backend, const std::function<ExitCode(const Backend&)>& work);
 const std::vector<std::string>& backend_choices();

@@ -73,7 +73,7 @@ std::string doctor_text(const nlohmann::ordered_json& json) {
     return text;
 }
 
-/// Returns "Ready: everything found", or a list of what is missing, with remedies.
+/// Returns "Ready: everything found", or "Works, without …" with each missing part and its remedy.
 std::string verdict_of(const nlohmann::ordered_json& missing) {
     if (missing.empty()) return inked(Ink::green, "Ready: everything found") + "\n";
     std::string text;

@@ -19,7 +19,7 @@ std::string help_text(const CLI::App& command);
 /// Returns a page for man(1), of the program or of one command.
 std::string man_page(const CLI::App& command);
 
-/// Returns a script that completes all commands in a shell.
+/// Return a script for Bash, zsh or fish that completes commands, options and known values.
 std::string bash_completion(const CLI::App& program);
 std::string zsh_completion(const CLI::App& program);
 std::string fish_completion(const CLI::App& program);

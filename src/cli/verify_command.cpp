@@ -27,21 +27,21 @@ std::uint64_t seed_of(const VerifyFlags& options) {
     return static_cast<std::uint64_t>(integer_between("--seed", options.seed, 0, std::numeric_limits<std::int64_t>::max()));
 }
 
-/// "ok      name: measured 1.99, expected 2, tolerance 0.15"; of what is undecided, the reason too.
+/// Returns "ok      name: measured 1.99, expected 2, tolerance 0.15" as a line; for an undecided check with the reason.
 std::string in_words(const report::Check& check) {
     const std::string line = check.name + ": " + words_of(check);
     if (check.status == report::Check::Status::undecided) return "undecided  " + line + " (" + check.note + ")\n";
     return (check.passed() ? "ok      " : "FAILED  ") + line + "\n";
 }
 
-/// Requires that no report of another kind is replaced: it has the same mark, and is no less work.
+/// Refuses to replace a report that is no verification, because both have one marker.
 void require_no_other_report(const std::filesystem::path& out) {
     if (output::has_mark(out, output::report_folder) && may_be_there(out / results_file) && !may_be_there(out / all_measured))
         throw OutputError(out.string(), "holds a report that is no verification, and would be replaced",
                           "choose another folder with --out");
 }
 
-/// The report of the chapters that verify the program, on bundled meshes, with everything that they measure.
+/// Returns the request for a report of the chapters that verify the program, on bundled meshes, with everything that they measure.
 ReportRequest verification(const VerifyFlags& options) {
     auto settings = std::make_shared<ReportSettings>();
     settings->out = options.out;

@@ -19,12 +19,12 @@ struct ReportFolder {
     std::vector<std::string> others;            // relative paths of the user's files, which SHA256SUMS does not list
 };
 
-/// Reads a report into memory.
+/// Reads the report in a folder into memory, all files that its SHA256SUMS lists.
 /// @throws InputError if there is no report of meshfolio, a file differs from SHA256SUMS, or a listed file is a program, a link or in a
 /// build folder
 ReportFolder read_report(const std::filesystem::path& folder);
 
-/// Returns the kind of program that begins with these bytes: "an ELF program or library", "a script"; empty: no program.
+/// Returns the kind of program that begins with these bytes, such as "an ELF program or library" or "a script"; empty: no program.
 std::string program_kind(std::string_view bytes);
 
 /// True if the bytes begin with "#!". The project's own scripts (build-report, run-tests, …) are the only executables of a submission.

@@ -17,7 +17,7 @@ struct SourceFile {
     std::string_view bytes;   // compiled in
 };
 
-/// Returns every file that git holds, sorted by path: also meshes and pictures.
+/// Returns every file of the source tree that git holds, compiled in, sorted by path: also meshes and pictures.
 std::vector<SourceFile> source_tree();
 
 /// Returns the words of `build_packages` in tests/setup.sh: the Debian packages that the build needs.
@@ -55,6 +55,7 @@ struct ReadingPlace {
     bool is_implementation = false;
     auto operator<=>(const ReadingPlace&) const = default;
 };
+/// Returns the place of a file in the listing. @param answers  it is one of answering_files()
 ReadingPlace reading_place(const std::string& path, bool answers);
 
 // ---- the text --------------------------------------------------------------------------------------------------------------
@@ -72,7 +73,7 @@ public:
     /// @param files  the source tree; only files for which is_source(path) is true are listed
     SourceListing(const std::string& title, const std::vector<SourceFile>& files, std::vector<CitingSection> index);
 
-    /// Returns the text. Lines end in LF; each begins with its number, six wide, and two blanks.
+    /// Returns the text of src.txt. Lines end in LF; each begins with its number, six wide, and two blanks.
     const std::string& text() const { return text_; }
 
     /// Returns the line of text() that defines a function or a class of the file; 0: it is not defined there.

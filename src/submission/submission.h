@@ -37,12 +37,14 @@ struct Submission {
     std::vector<std::string> warnings;
 };
 
-/// Packs the report's files, the source tree below source/, INSTRUCTIONS.md, NOTICES.md and a MANIFEST.sha256 of all of them. The same
-/// report and author give the same bytes.
+/// Packs the report's files, the source tree below source/, INSTRUCTIONS.md, NOTICES.md and a MANIFEST.sha256 of all of them. Equal reports
+/// and authors give equal bytes.
 /// @throws like require_ready()
 Submission pack(const ReportFolder& report, const SourceListing& listing, const SubmissionOptions& options);
 
-/// Replaces the report's folder in one step by itself with submission.zip in it and its sums renewed. @throws OutputError
+/// Publishes the report's folder again in one step: its files as they were read, submission.zip and new sums. Returns messages for the
+/// user.
+/// @throws OutputError
 output::Notes publish(const ReportFolder& report, const Submission& submission);
 
 }   // namespace meshfolio::submission
