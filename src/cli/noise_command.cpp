@@ -26,7 +26,7 @@ Command noise_command(CLI::App& parent) {
     app.footer(std::string(attributes_are_kept) + "Example: meshfolio noise bunny.off -o noisy.ply --sigma 0.01 --unit bbox --seed 7");
     return {app, [options] {
                 const double sigma = number_not_negative("--sigma", options->sigma);
-                if (sigma > largest_coordinate) throw UsageError("--sigma " + options->sigma + " is beyond 1e100");
+                if (sigma > largest_coordinate) throw UsageError("--sigma " + options->sigma + " is beyond 1e100", "take a smaller one");
                 const auto seed =
                     static_cast<std::uint64_t>(integer_between("--seed", options->seed, 0, std::numeric_limits<std::int64_t>::max()));
                 check_output("-o", options->output, mesh_or_standard_output());

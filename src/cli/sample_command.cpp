@@ -31,7 +31,8 @@ Command sample_command(CLI::App& parent) {
                     print(text);
                     return ExitCode::ok;
                 }
-                if (options->name.empty() || options->output.empty()) throw UsageError("sample needs NAME and -o FILE", "or --list");
+                if (options->name.empty() || options->output.empty())
+                    throw UsageError("sample needs NAME and -o FILE", "give both, or --list to see the names");
                 const int subdivide = static_cast<int>(integer_between("--subdivide", options->subdivide, 0, most_subdivisions));
                 check_output("-o", options->output, mesh_or_standard_output());
                 write_mesh_to(options->output, make_sample(options->name, subdivide));

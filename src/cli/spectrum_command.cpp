@@ -65,7 +65,7 @@ std::string in_words(Proof proof, OperatorKind kind) {
     return proof == Proof::proved ? proved : proof == Proof::refuted ? "REFUTED" : "cannot be proved here";
 }
 
-/// One line for people.
+/// Returns the certificate as one line for people.
 std::string in_words(const SpectrumCertificate& c, OperatorKind kind) {
     const auto within = [](const std::string& what, double measured, double limit) {
         return what + " " + plain_text(measured, 2) + (measured <= limit ? " (at most " : " (ABOVE ") + plain_text(limit, 2) + "), ";
@@ -87,7 +87,7 @@ std::string in_words(const SpectrumCertificate& c, OperatorKind kind) {
            std::to_string(c.components) + (c.zeros_undecided ? " (rounding hides which of the smallest are 0)" : "");
 }
 
-/// True if the bytes begin like our PLY files.
+/// True if the bytes begin like the PLY files that this program writes.
 bool is_our_ply(const std::string& bytes) { return bytes.starts_with("ply\nformat binary_little_endian 1.0\nelement vertex "); }
 
 void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options, const std::vector<int>& counts, const TriangleMesh& mesh,
@@ -107,7 +107,7 @@ ExitCode run_spectrum(const SpectrumFlags& options, const Backend& backend) {
     const OperatorKind kind = operator_named(options.laplacian);
     const int k = static_cast<int>(integer_between("-k", options.k, 1, largest_k));
     const std::vector<int> counts = integers_between("--reconstruct", options.reconstruct, 1, k);
-    if (counts.empty() != options.out.empty()) throw UsageError("--reconstruct and --out go together");
+    if (counts.empty() != options.out.empty()) throw UsageError("--reconstruct and --out go together", "give both or neither");
     if (!options.csv.empty() && options.csv == options.vectors)
         throw UsageError("--csv and --vectors are both " + in_quotes(options.csv), "give each output a name of its own");
     if (!options.out.empty()) output::require_folder(options.out);

@@ -42,7 +42,9 @@ class Collector {
 public:
     Collector(std::string file, const HandInLimits& limits) : file_(std::move(file)), limits_(limits) {}
 
-    [[noreturn]] void refuse(const std::string& problem) const { throw InputError({file_}, problem, "ask for another"); }
+    [[noreturn]] void refuse(const std::string& problem) const {
+        throw InputError({file_}, problem, "ask the student for another folder or zip");
+    }
     [[noreturn]] void refuse_entry(const std::string& path, const std::string& problem) const {
         refuse(in_quotes(path, 80) + " " + problem);
     }
@@ -53,7 +55,7 @@ public:
         if (const std::string trick = trick_in(path); !trick.empty()) refuse_entry(path, trick);
         if (is_folder) return false;
         const std::string plain = normal(path);
-        if (!paths_.insert(plain).second) refuse_entry(path, "stands twice");
+        if (!paths_.insert(plain).second) refuse_entry(path, "is there twice");
         const std::string ending = lower_case_ending(plain);
         return ending == ".csv" || ending == ".toml" || std::ranges::count(meshes_, ending) > 0;
     }

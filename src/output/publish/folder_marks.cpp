@@ -37,7 +37,7 @@ std::string foreign_contents(const fs::path& folder, const FolderKind& kind) {
         const bool is_part = name.starts_with(".meshfolio.part-");   // of a run that goes on, or was killed
         if (name == ".gitignore" || is_part || process_in_name(name, ".meshfolio.tmp-") != 0) continue;
         if (kind.marker == batch_folder.marker && has_mark(it->path(), report_folder)) continue;   // parts that were merged
-        return "files that no run of ours put there";
+        return "files that meshfolio did not put there";
     }
     if (error) throw OutputError(folder.string(), "cannot be listed (" + error.message() + ")");
     return "";

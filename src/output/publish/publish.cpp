@@ -106,7 +106,8 @@ Publication::Publication(const fs::path& target, const FolderKind& kind) : targe
         const auto permission = permission_to_create();
         std::error_code error;
         if (!fs::create_directory(path, error))
-            throw OutputError(path.string(), "cannot create the folder (" + (error ? error.message() : std::string("it exists")) + ")");
+            throw OutputError(path.string(), "cannot create the folder (" + (error ? error.message() : std::string("it exists")) + ")",
+                              error ? "" : "remove it if no other run is at work");
     }
     keep_private(path, target_);
     write_file(path / kind.marker, kind.contents);
@@ -198,7 +199,8 @@ Notes Publication::publish(const Digests& known, const std::function<void()>& la
         place_by_rename(notes, last_check);
     }
     if (!folder_->is_kept() && !folder_->remove())   // it may belong to another user
-        notes.warning += (notes.warning.empty() ? "" : "; ") + folder().string() + ": cannot be removed, though nobody needs it any more";
+        notes.warning +=
+            (notes.warning.empty() ? "" : "; ") + folder().string() + ": is left over and cannot be removed; delete it by hand";
     return notes;
 } catch (const fs::filesystem_error& error) {
     throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")");

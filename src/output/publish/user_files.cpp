@@ -27,7 +27,7 @@ namespace {
 constexpr const char* remedy = "move it away, or choose another folder with --out";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& what) {
-    throw OutputError(path.string(), what + ", and is no file of ours", remedy);
+    throw OutputError(path.string(), what + ", and meshfolio did not make it", remedy);
 }
 
 /// True for a folder, false for a link to one.
