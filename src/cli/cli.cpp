@@ -52,7 +52,8 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
     return words;
 }
 
-/// Turns an error of CLI11 into ours. A misspelt option is reported first, as it often causes the other problems.
+/// Returns an error of CLI11 as a UsageError that points to the help of the command. A misspelt option is reported first, as it often
+/// causes the other problems.
 /// @param name_called  by the user: "meshfolio" alone may mean the report
 UsageError usage_error(const CLI::App& command, const std::string& name_called, const CLI::ParseError& error) {
     const std::string help = "see " + called(command) + " --help";

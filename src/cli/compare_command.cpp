@@ -29,8 +29,8 @@ std::string in_words(const std::vector<DifferenceLine>& lines) {
     return text;
 }
 
-/// Gives B the triangles of A if the files have the same triangles: repairs may have turned them in one mesh alone, such as a smoothed
-/// surface that ends inside out.
+/// Gives B the triangles of A if the files have equal triangles: repairs may have turned them in one mesh alone, such as a smoothed surface
+/// that ends inside out.
 void take_triangles_of_file(const CompareFlags& options, const PreparedMesh& a, PreparedMesh& b) {
     const bool once = options.a == "-" || options.b == "-";   // standard input cannot be read again
     if (once || a.mesh.vertex_count() != b.mesh.vertex_count() || have_same_triangles(a.mesh, b.mesh)) return;

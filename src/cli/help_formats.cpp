@@ -57,7 +57,7 @@ std::string values_of(const CLI::App& program, const CLI::Option& option) {
     return words.find('|') == std::string::npos ? "" : replaced(words, "|", " ");
 }
 
-/// Escapes text for troff: dashes that can be copied, no line that begins with a control character.
+/// Returns text escaped for troff: dashes that can be copied, no line that begins with a control character.
 std::string troff(const std::string& text) {
     std::string safe = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
     if (safe.starts_with('.') || safe.starts_with('\'')) safe.insert(0, "\\&");
@@ -81,7 +81,7 @@ std::string man_options(const CLI::App& command) {
     return text;
 }
 
-/// Puts text in single quotes. @param quote  how the shell writes a single quote within them
+/// Returns text in single quotes. @param quote  how the shell writes a single quote within them
 std::string single_quoted(const std::string& text, const std::string& quote) { return "'" + replaced(text, "'", quote) + "'"; }
 
 }   // namespace

@@ -55,7 +55,7 @@ render::DrawOptions draw_options(const RenderFlags& options) {
     return draw;
 }
 
-/// Parses "lo,hi".
+/// Returns {low, high} for the text "low,high" of --range. @throws UsageError for another text
 std::pair<double, double> value_limits_in(const std::string& text) {
     const std::size_t comma = text.find(',');
     const auto low = parse_number(std::string_view(text).substr(0, comma));
@@ -70,8 +70,8 @@ std::string file_name(const std::string& view, bool in_words) {
     return view.substr(1) + (view[0] == '+' ? "-pos.png" : "-neg.png");
 }
 
-/// The last bytes of our pictures: an empty private chunk and IEND. Programs that change a picture drop the chunk, because it is marked as
-/// unsafe to copy (PNG specification, 5.4). A picture with the chunk is therefore as we drew it.
+/// The last bytes of the pictures that this program writes: an empty private chunk and IEND. Programs that change a picture drop the chunk,
+/// because it is marked as unsafe to copy (PNG specification, 5.4). A picture with the chunk is therefore unchanged.
 constexpr std::string_view end_of_ours("\0\0\0\0msFO\xfe\xff\x92\x49\0\0\0\0IEND\xae\x42\x60\x82", 24);
 constexpr std::size_t end_of_any = 12;   // bytes: IEND alone
 
@@ -89,7 +89,7 @@ void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::p
     });
 }
 
-/// Draws two meshes on one sheet: the same field of both, or the distance of each to the other.
+/// Draws two meshes on one sheet: one field of both, or the distance of each to the other.
 ExitCode run_pair(const RenderFlags& options, PictureRequest request) {
     if (options.plain || options.field == "id" || !options.values.empty() || !options.glb.empty())
         throw UsageError("--pair goes with none of --plain, --field id, --values and --glb", "render each mesh by itself");

@@ -135,7 +135,7 @@ struct Map {
     bool operator==(const Map&) const = default;
 };
 
-/// A figure of meshes. Its pictures are drawn from the request of the same id (src/output/draw/figure_request.h).
+/// A figure of meshes. Its pictures are drawn from the request with its id (src/output/draw/figure_request.h).
 struct Figure {
     std::string id;   // images/<id>_sheet.png and images/<panel>_<view>.png
     std::string caption;

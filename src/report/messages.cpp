@@ -79,7 +79,8 @@ private:
     bool whole_;   // a paragraph, whose blanks at the ends are removed; false: a section of one
     Text text_;
 
-    /// Formats the section that begins here, if its fact holds; an inverted one if it does not. A list repeats it for each entry.
+    /// Formats the section {{#name}}…{{/name}} that begins here if its fact holds, once for each entry of a list; an inverted one if the
+    /// fact does not hold.
     void add_section(bool inverted) {
         const std::string_view name = until("}}"), inside = until("{{/" + std::string(name) + "}}");
         const auto& value = fact_named(name, facts_, all_).value;

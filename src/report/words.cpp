@@ -33,13 +33,13 @@ Catalogue catalogue_of(const Templates& templates) {
     return catalogue;
 }
 
-/// The messages in use.
+/// Returns the messages in use: the bundled ones, until use_words_of() replaces some.
 Catalogue& catalogue() {
     static Catalogue messages = catalogue_of(Templates());
     return messages;
 }
 
-/// The digest of replaced messages.
+/// Returns the stored result of words_identity().
 std::string& identity() {
     static std::string digest;
     return digest;

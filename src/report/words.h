@@ -43,7 +43,7 @@ struct Fact {
     Fact(std::string_view fact, FactList entries) : name(fact), value(std::move(entries)) {}
 };
 
-/// Makes facts: "mesh"_a = name.
+/// Makes a fact from a name and a value: "mesh"_a = name.
 struct FactName {
     std::string_view name;
     template <class Value>
@@ -78,7 +78,7 @@ private:
     std::string_view file_;
 };
 
-/// Replaces the bundled messages by those of the files "words/…" of these templates. Not thread-safe.
+/// Replaces the bundled messages by the messages in the files "words/…" of these templates. Not thread-safe.
 /// @throws UsageError with file and line for an unknown message, or one with a fact that the bundled message lacks
 void use_words_of(const Templates& templates);
 

@@ -19,7 +19,8 @@ std::string_view viewer_program();
 /// Templates by file name ("report.html"): the bundled ones, each replaced by the file of that name in a folder, if there is one.
 class Templates {
 public:
-    /// @throws UsageError if `folder` is given and no folder, or a template in it has a syntax error or is a link that leads out of it
+    /// Takes the bundled templates, replaced by files of `folder`; empty: none.
+    /// @throws UsageError if `folder` is not a folder, or a template in it has a syntax error or is a link that leads out of it
     explicit Templates(const std::filesystem::path& folder = {});
     const std::string& operator[](const std::string& name) const;   // @throws UsageError for an unknown name
     std::vector<std::string> names() const;                         // all, sorted
@@ -45,7 +46,7 @@ enum class Volume {
     appendix   // the other sections, further blocks of questions, all checks, provenance
 };
 
-/// Return the file name of a volume in each format.
+/// Return the file name of a volume as page, Markdown and PDF: "index.html", "report.md", "report.pdf" or "appendix.…".
 inline std::string page_file(Volume volume) { return volume == Volume::report ? "index.html" : "appendix.html"; }
 inline std::string markdown_file(Volume volume) { return volume == Volume::report ? "report.md" : "appendix.md"; }
 inline std::string pdf_file(Volume volume) { return volume == Volume::report ? "report.pdf" : "appendix.pdf"; }
@@ -56,7 +57,7 @@ struct Lab {
     std::string questions;   // ids of questions that open it: "q5 q7"
     std::string data;        // zlib, then base64
 };
-/// Packs the data of a laboratory. @param bytes  as templates/viewer/lab_math.js reads them
+/// Returns a laboratory whose data are compressed by zlib, as base64. @param bytes  as templates/viewer/lab_math.js reads them
 Lab lab_of(std::string questions, std::string_view bytes);
 /// Returns the laboratories in an HTML page that this program wrote, in their order; malformed ones are left out.
 std::vector<Lab> labs_in(std::string_view page);

@@ -16,7 +16,7 @@ void require_choice(const std::string& option, const std::string& word, const st
 /// Returns a variable of the environment; empty if it is not set.
 std::string environment(const std::string& name);
 
-/// Returns the parts between the separators, also empty parts; an empty text has none.
+/// Returns the parts of a text between the separators, also empty parts; none for an empty text.
 std::vector<std::string> split(std::string_view text, char separator);
 
 /// Parses an integer from `low` to `high`. @throws UsageError for any other text

@@ -17,7 +17,7 @@ namespace {
 /// Thrown through a chapter that --fail-fast stops.
 struct Stopped {};
 
-/// Requires names that begin with the id of the chapter: names become files, and no two chapters may write the same one.
+/// Requires names that begin with the id of the chapter: names become files, and no two chapters may write one file.
 void require_own_names(const Answer& answer) {
     const std::string prefix = answer.section.id + "_";
     const auto require = [&](const std::string& name) {

@@ -16,7 +16,7 @@ report::Section skipped_section(std::string_view id, const std::string& why);
 
 class ChapterRunner {
 public:
-    /// Both parameters must outlive the object.
+    /// Answers chapters on these meshes by these settings; both must outlive the object.
     ChapterRunner(const MeshLibrary& meshes, const ReportSettings& settings) : meshes_(meshes), settings_(settings) {}
 
     /// Answers a chapter; thread-safe. One that throws has a failed section with its message; after a failure under --fail-fast, the others

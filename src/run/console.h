@@ -19,7 +19,7 @@ namespace meshfolio::run {
 /// Prints to stdout. @throws OutputError if it is closed or full
 void print(std::string_view text);
 
-/// Prints a path on a line of its own to stdout: unchanged for programs, escaped on a terminal. @throws OutputError as above
+/// Prints a path on a line of its own to stdout: unchanged for programs, escaped on a terminal. @throws OutputError if it is closed or full
 void print_path(const std::filesystem::path& path);
 
 /// Closes standard output at the end of the program: some file systems report a failed write only then.

@@ -18,7 +18,7 @@ namespace meshfolio::run {
 
 class Paper {
 public:
-    /// @param store  the cache, or null. All parameters must outlive the object.
+    /// Finds the engine that the settings want. @param store  the cache, or null. All parameters must outlive the object.
     /// @throws EngineError if the settings require an engine and none is there
     Paper(const ReportSettings& settings, const report::Templates& templates, output::ResultCache* store);
     /// Ends the browsers that still print, without waiting for them: after an error elsewhere.
@@ -29,7 +29,7 @@ public:
     bool is_wanted() const { return engine_.has_value(); }
 
     /// Begins to print the PDF of a volume into `folder`, in a thread of its own; does nothing unless is_wanted().
-    /// @param figures  those of the volume, or more; of the report all, because results.json is attached to it
+    /// @param figures  of the volume, or more; for the report all figures, because results.json is attached to it
     void begin(report::Volume volume, report::Document document, report::DrawnFigures figures, std::filesystem::path folder);
 
     /// Waits for all volumes. @return a text for each: why there is no PDF, or empty

@@ -9,7 +9,7 @@
 
 namespace meshfolio::run {
 
-/// Thread-safe; never throws.
+/// Shows the progress of a command on stderr. Thread-safe; never throws.
 class ProgressDisplay {
 public:
     /// @param terminal  draw a bar, at most ten times a second
@@ -23,7 +23,7 @@ public:
     void advance(double fraction);
     /// Sets the current step, "q4: eigenpairs of armadillo", which only a terminal shows.
     void step(std::string_view what);
-    /// Reports a finished part: on a line of its own if there is no terminal.
+    /// Reports a finished part: prints it as a line, or on a terminal shows it as the current step.
     void milestone(std::string_view what);
     /// Returns ", about 40 s left", by seconds_left(); empty if that is not known.
     std::string left() const;

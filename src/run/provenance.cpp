@@ -43,7 +43,7 @@ void add_library(output::KeyMaker& key, const std::string& name) {
         .add(std::to_string(status.st_mtim.tv_sec) + "." + std::to_string(status.st_mtim.tv_nsec));
 }
 
-/// The first line of each kind that identifies the processor.
+/// Adds the first line of each kind in /proc/cpuinfo that identifies the processor.
 void add_processor(output::KeyMaker& key) {
     std::ifstream file("/proc/cpuinfo");
     std::set<std::string> seen;

@@ -30,7 +30,8 @@ std::map<std::string, Meshes> meshes_by_role(const report::Document& document) {
     return meshes;
 }
 
-/// Names a mesh that only one of two documents has for a role. A section may read some meshes of a role only, so subsets count as equal.
+/// Returns "another bunny.obj (SHA-256 …)", naming a mesh that only `one` has for a role of both; empty: none. A section may read some
+/// meshes of a role only, so subsets count as equal.
 std::string mesh_difference(const report::Document& one, const report::Document& other) {
     const auto a = meshes_by_role(one), b = meshes_by_role(other);
     for (const auto& [role, meshes] : a) {
@@ -109,7 +110,7 @@ report::Document merged_head(const Parts& parts) {
     return head;
 }
 
-/// Merges laboratories of the same data: "q5 q7".
+/// Returns the laboratories of all parts; laboratories with equal data become one, with the questions of each: "q5 q7".
 std::vector<report::Lab> merged_labs(const Parts& parts) {
     std::map<std::string, std::set<std::string>> questions;   // by the data
     for (const auto& part : parts)

@@ -27,7 +27,7 @@ using Origin = ReportSection::Origin;
 
 double seconds_since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
 
-/// A report at work.
+/// The parts that the steps of making one report share.
 struct Work {
     const ReportRequest& request;
     const fs::path& folder;   // that the report is written into
@@ -41,7 +41,7 @@ std::string outcome_of(const ReportSection& section, double seconds) {
     return section.answer.section.status == report::Status::failed ? ": failed" : ": stopped";
 }
 
-/// Takes every section from the first source that has it.
+/// Returns all sections of the request, each from the first source that has it.
 Sections gather(const ReportRequest& request, const fs::path& folder, ProgressDisplay& display) {
     double planned = 0;   // [CPU s]
     for (const auto& [id, effort] : request.settings->efforts) planned += effort.cpu_seconds;

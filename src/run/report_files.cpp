@@ -25,7 +25,7 @@ void add_junit(const std::string& file, std::string_view text, const output::Pub
     write_file(publication.folder() / inside, text);
 }
 
-/// The data and the picture of a plot or a map.
+/// Writes the data of a plot or a map to tables/<id>.csv, and its picture to images/<id>.svg.
 template <class Drawing>
 void write_drawing(const Drawing& drawing, const fs::path& folder) {
     write_file(folder / "tables" / (drawing.id + ".csv"), report::write_csv(drawing));

@@ -25,7 +25,7 @@ void write_meshes(const Answer& answer, const std::filesystem::path& folder);
 /// Returns true if a section or a check has failed. An undecided check is no failure.
 bool has_failed(const report::Document& document);
 
-/// Prints warnings, failures, failed checks and the number of undecided ones on stderr.
+/// Prints warnings, failures and failed checks, at most four of each, and the number of undecided checks on stderr.
 void summarise(const report::Document& document);
 
 struct Published {

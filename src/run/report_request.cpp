@@ -77,8 +77,8 @@ std::vector<std::string> asked_ids(const ReportSettings& settings) {
     return ids;
 }
 
-/// Keeps the sections of the report at settings.out that are not asked for, if it was made of the same inputs, with the same settings and
-/// by the same program. @return a warning that says why none is kept
+/// Keeps the sections of the report at settings.out that are not asked for, if it has the inputs, settings and program of this run.
+/// @return a warning that says why none is kept
 std::string keep_sections(Computation& now) try {
     const fs::path results = now.settings.out / results_file;
     if (!may_be_there(results)) return "";

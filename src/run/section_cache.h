@@ -26,17 +26,18 @@ std::unique_ptr<output::ResultCache> usable_cache();
 /// Opens the cache for a report. Returns null if it cannot be used, if the program has no identity, or for a run with MESHFOLIO_FAIL.
 std::unique_ptr<output::ResultCache> cache_for_report();
 
-/// Returns every mesh that the chapter may read: those of the settings, else the user's own, else those of its roles. A chapter about
-/// earlier reports also reads their meshes, where a data folder has them.
+/// Returns every mesh that the chapter may read: the user's own meshes if there are any, else the meshes of its [[question]] table, else of
+/// its roles. Without own meshes, a chapter about earlier reports also reads the meshes of these reports.
 std::vector<MeshLookup> meshes_read_by(const Chapter& chapter, const ReportSettings& settings);
 
 class SectionCache {
 public:
-    /// All parameters must outlive the object.
+    /// Looks for sections with these settings and meshes in `store`. All parameters must outlive the object.
     SectionCache(output::ResultCache& store, const ReportSettings& settings, const MeshLibrary& meshes)
         : store_(store), settings_(settings), meshes_(meshes) {}
 
-    /// Returns the stored section and puts its files into `folder`; nothing, and no file, where any of it is missing or damaged.
+    /// Returns the stored section of a chapter and puts its files into `folder`; returns nothing, and leaves no file, if any part of it is
+    /// missing or damaged.
     std::optional<ReportSection> find(const Chapter& chapter, const std::filesystem::path& folder) const;
 
     /// Stores an answered section, unless it failed or lacks a mesh, whose cause may be temporary, or has file names that JSON cannot hold.

@@ -74,7 +74,7 @@ std::optional<std::string> StoredReport::bytes_of(const std::string& path) const
     return read_(path, sum == sums_.end() ? "" : sum->second.digest);
 }
 
-/// Reads the JPEGs where the cache has them, else cuts them out of the sheet: the same bytes.
+/// Reads the JPEGs where the cache has them, else cuts them out of the sheet, which gives equal bytes.
 /// @return false where the sheet or one of the JPEGs is gone
 bool StoredReport::restore(const std::string& id, report::DrawnFigure& figure) const {
     if (sums_.contains(jpeg_file(id, 0))) {

@@ -40,10 +40,10 @@ std::string jpeg_file(const std::string& figure, std::size_t picture);
 
 class StoredReport {
 public:
-    /// @param results  its results.json; the files it names lie beside it, each checked against SHA256SUMS when it is read
+    /// Reads a report. @param results  its results.json; the files it names lie beside it, each checked against SHA256SUMS when it is read
     /// @throws InputError
     explicit StoredReport(const std::filesystem::path& results);
-    /// @param sums  an entry of the cache: the SHA256SUMS of a report of one section
+    /// Reads an entry of the cache, a report of one section. @param sums  its SHA256SUMS
     /// @throws InputError where the entry is damaged
     StoredReport(const std::string& sums, output::ResultCache& store);
 

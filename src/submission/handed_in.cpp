@@ -49,7 +49,7 @@ public:
         refuse(in_quotes(path, 80) + " " + problem);
     }
 
-    /// To be called for every entry, read or not. Returns true if it is to be read.
+    /// Checks the path of an entry; to be called for every entry. Returns true if the entry is to be read.
     bool announce(const std::string& path, bool is_folder) {
         if (++entries_ > limits_.most_entries) refuse("has more than " + std::to_string(limits_.most_entries) + " entries");
         if (const std::string trick = trick_in(path); !trick.empty()) refuse_entry(path, trick);
@@ -59,7 +59,7 @@ public:
         const std::string ending = lower_case_ending(plain);
         return ending == ".csv" || ending == ".toml" || std::ranges::count(meshes_, ending) > 0;
     }
-    /// To be called whenever `more` bytes of a file were read, `so_far` in all.
+    /// Refuses a file or a whole beyond the limits; to be called whenever `more` bytes of a file were read, `so_far` in all.
     void require_within_limits(const std::string& path, std::uintmax_t so_far, std::uintmax_t more) {
         total_ += more;
         if (so_far > limits_.largest_file) refuse_entry(path, "is larger than " + megabytes_of(limits_.largest_file));
@@ -71,7 +71,7 @@ public:
     }
     void take(const std::string& path, std::string bytes) { files_[normal(path)] = std::move(bytes); }
 
-    /// Drops the common top folder: students often pack the folder instead of its contents.
+    /// Returns the files without a common top folder: students often pack the folder instead of its contents.
     HandedIn files() && {
         const std::string first = files_.empty() ? "" : files_.begin()->first, top = first.substr(0, first.find('/') + 1);
         const bool in_one = !top.empty() && std::ranges::all_of(files_, [&](const auto& file) { return file.first.starts_with(top); });

@@ -26,7 +26,7 @@ void require_questions(const report::Document& document, const std::string& file
     }
 }
 
-/// Requires that every citation of the report is in the listing, at the same line.
+/// Requires that every citation of the report is in the listing, at its line.
 void require_citations(const report::Document& document, const std::string& file, const SourceListing& listing) {
     for (const Section& section : document.sections) {
         for (const report::CodeReference& code : section.code) {

@@ -30,7 +30,7 @@ std::string program_kind(std::string_view bytes);
 /// True if the bytes begin with "#!". The project's own scripts (build-report, run-tests, …) are the only executables of a submission.
 bool is_script(std::string_view bytes);
 
-/// Returns why a path must not be packed ("leads outside its folder", "lies in a build folder", …); empty: it may.
+/// Returns why a path must not be packed ("leads outside its folder", "lies in a build folder", …); empty: it may be packed.
 std::string path_problem(std::string_view path);
 
 inline constexpr const char* renew = "make the report again with meshfolio report";

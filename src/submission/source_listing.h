@@ -33,9 +33,8 @@ long definition_line(std::string_view cpp, std::string_view name);
 // ---- the order -------------------------------------------------------------------------------------------------------------
 
 /// Returns the paths of the files that compute the answers: the questions' chapters, then the modules of the mathematics, the meshes and
-/// the studies that they cite or include, then what those include, and so on.
-/// A module (a header and its implementation) that would exceed `most_lines` in all is left out; each file counts `lines_a_file` lines more
-/// than it has.
+/// the studies that they cite or include, then the modules that these include, and so on. A module (a header and its implementation) that
+/// would exceed `most_lines` in all is left out; each file counts `lines_a_file` lines more than it has.
 std::set<std::string> answering_files(const std::vector<SourceFile>& files, const std::vector<std::string>& cited, int most_lines,
                                       int lines_a_file);
 
@@ -69,7 +68,7 @@ struct CitingSection {
 
 class SourceListing {
 public:
-    /// @param title  the first line
+    /// Lists the source with numbered lines, and enters the line of each citation of `index`. @param title  the first line
     /// @param files  the source tree; only files for which is_source(path) is true are listed
     SourceListing(const std::string& title, const std::vector<SourceFile>& files, std::vector<CitingSection> index);
 

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Models = std::vector<report::DrawnModel>;
 
-/// Frames a panel as in its pictures: on its own mesh, on the mesh of one panel, or on all meshes.
+/// Returns the ball that frames a panel as in its pictures: around its own mesh (multiples), the mesh of `frame_panel`, or all meshes.
 Ball frame_of(const FigureRequest& request, const Panel& framed, const std::vector<Panel>& panels) {
     const Ball own = ball_around(*framed.mesh);
     if (request.layout == Layout::multiples) return own;

@@ -17,12 +17,13 @@ struct PictureFrame {
     render::View view = render::three_quarter_view();
 };
 
-/// Returns the three-quarter view of a panel, by render::hero_view() of the first mesh of its group of states; else, with own frames, of
-/// its row of a matrix, its own mesh in a gallery, or the figure; else of the first framed mesh. Compared meshes are so seen from one side.
+/// Returns the three-quarter view of a panel: render::hero_view() of the first mesh in its group of states, in its row of a matrix of
+/// multiples, or in the figure (with one frame the first framed mesh), so that compared meshes are seen from one side; in a gallery that of
+/// its own mesh.
 render::View hero_of(const FigureRequest& request, std::size_t panel);
 
-/// Returns a frame for each panel from three quarters, all of one size: centred on its own mesh (Layout::multiples) or shared by all.
-/// Meshes that are not framed are cut off at the square of `side` pixels that the framed ones fill.
+/// Returns a frame for each panel from three quarters, all of one size: centred on its own mesh (Layout::multiples) or the first of its
+/// group of states, else shared by all. Meshes that are not framed are cut off at the square of `side` pixels that the framed ones fill.
 std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side);
 
 /// Frames of the six views along the axes: one frame for all panels or a group of states, and the sizes of the pictures along each axis.
@@ -49,7 +50,8 @@ struct FittedPositions {
 /// the middle of the picture.
 FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X);
 
-/// Returns the frame of a panel's view files, which are not cropped. @param hero  the three-quarter view; null: the views along the axes
+/// Returns the frame of a panel for its view files of width × height pixels, which are not cropped.
+/// @param hero  the three-quarter view; null: the views along the axes
 render::Frame full_frame(const FigureRequest& request, std::size_t panel, const render::View* hero, int width, int height);
 
 }   // namespace meshfolio::output

@@ -24,7 +24,8 @@ render::Bounds bounds_of(const TriangleMesh& mesh);
 /// True if all positions are finite and inside the pictures along the axes that are framed on these bounds.
 bool fits_frame(const render::Bounds& bounds, const Positions& X);
 
-/// Returns the renderer's form of a range. @throws UsageError with the known colour maps if the range's map is unknown
+/// Returns a range for the renderer, with its colour map looked up by name.
+/// @throws UsageError with the known colour maps if the range's map is unknown
 render::ValueRange value_range(const ColorRange& range);
 
 /// Returns the histogram() of the values over the range, of their logarithms if it is logarithmic.
@@ -33,7 +34,7 @@ std::vector<double> histogram_of(const std::vector<double>& values, const render
 /// Returns the colour bar of a range, with the histogram of its sample and a note on the isolines of `drawn`.
 render::ColorBar color_bar_of(const ColorRange& range, bool has_undefined, const render::DrawOptions& drawn);
 
-/// Returns the small colour bar beside the label of a panel with its own range.
+/// Returns the colour bar of a range without isolines and undefined values, for the label of a panel with its own range.
 render::ColorBar small_bar_of(const ColorRange& range);
 
 /// Returns "#1f9e89" for red 0x1f, green 0x9e, blue 0x89.

@@ -52,7 +52,7 @@ public:
         });
     }
 
-    /// Vertices outside of the grid, which no triangle uses, go to its border.
+    /// Writes the positions as steps of the grid. Vertices outside of it, which no triangle uses, go to its border.
     void write_positions(const GlbFrame& grid) {
         std::array<std::uint32_t, 3> low{grid_steps, grid_steps, grid_steps}, high{0, 0, 0};
         attribute("POSITION", {{"componentType", unsigned_short}, {"count", count_}, {"type", "VEC3"}}, [&](int v) {
@@ -148,7 +148,7 @@ Json extras_of_values(const ColorRange& range, bool has_undefined, render::Rgba 
             {"undefined_color", hex_of(undefined)}};
 }
 
-/// Matt, two-sided, with the surface's colour unless the vertices have colours.
+/// Returns a matt, two-sided material, with the colour of the surface unless the vertices have colours.
 Json material_of(bool colored, render::Rgba surface) {
     Json look{{"metallicFactor", 0.0}, {"roughnessFactor", 1.0}};
     if (!colored) look["baseColorFactor"] = {render::linear_of(surface.r), render::linear_of(surface.g), render::linear_of(surface.b), 1.0};

@@ -23,7 +23,7 @@
 
 namespace meshfolio::output {
 
-/// The frame of a model.
+/// The ball and view that frame a model: centre and radius in model units.
 struct Ball {
     Vector3 centre = Vector3::Zero();
     double radius = 1;
@@ -35,7 +35,7 @@ Ball ball_around(const TriangleMesh& mesh);
 /// True if the mesh has triangles, finite coordinates only, and corners in more than one place.
 bool can_be_a_model(const TriangleMesh& mesh);
 
-/// Returns the bytes of the file; equal input gives equal bytes.
+/// Returns the mesh as the bytes of a GLB file; equal input gives equal bytes.
 /// @param values  one a vertex, NaN if undefined; used only with `range`, beyond which colours but not values are clamped
 /// @throws MeshError unless can_be_a_model(mesh), or if `values` has the wrong size
 std::string write_glb(const TriangleMesh& mesh, const Vector& values, const std::optional<ColorRange>& range, const Ball& frame);

@@ -15,7 +15,7 @@ namespace meshfolio::output {
 
 class FileGroup {
 public:
-    /// Protects an input file: add() refuses an output of that name. To be called before add().
+    /// Protects an input file: add() refuses an output at its path. To be called before add().
     void keep(const std::filesystem::path& input);
 
     /// Writes `bytes` to a temporary file beside `path`, for publish(); thread-safe. A device or a FIFO is written to at once.

@@ -26,7 +26,7 @@ bool is_home(const fs::path& folder) {
     return false;
 }
 
-/// Describes the contents of a folder without the marker of `kind`; empty: nothing that would be lost.
+/// Returns words for contents of a folder without the marker of `kind` that would be lost; empty: none.
 std::string foreign_contents(const fs::path& folder, const FolderKind& kind) {
     for (const FolderKind& other : {report_folder, marks_folder, batch_folder})
         if (has_mark(folder, other)) return other.words;

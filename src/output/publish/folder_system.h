@@ -19,7 +19,7 @@ public:
     /// Locks the folder until this object or the process ends; does nothing on file systems without locks.
     /// @throws OutputError if another process has the lock
     void lock() const;
-    /// Locks like lock(); returns false if another process has the lock.
+    /// Locks the folder like lock(); returns false, instead of throwing, if another process has the lock.
     bool try_lock() const;
     /// True if the path still names this folder.
     bool is_in_its_place() const;

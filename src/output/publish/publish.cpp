@@ -117,7 +117,7 @@ Publication::~Publication() = default;
 
 const fs::path& Publication::folder() const { return folder_->path(); }
 
-/// Examines the target, which the caller has locked, before the exchange; returns null if it is missing.
+/// Returns the user's files in the target, which the caller has locked, before the exchange; null if the target is missing.
 std::unique_ptr<UserFiles> Publication::users_of_target(const std::function<void()>& last_check) const {
     if (!may_be_there(target_)) return nullptr;
     require_ours(target_, kind_);

@@ -43,7 +43,8 @@ public:
 
     using Digests = output::Digests;
 
-    /// Writes SHA256SUMS, carries over the user's files, exchanges the folders and removes the old one. Runs do so one after another.
+    /// Writes SHA256SUMS, carries over the user's files, exchanges the folders and removes the old one. Runs into one target wait for each
+    /// other. Returns messages for the user.
     /// @param known  digests of files in the folder
     /// @param last_check  called when no other run can change the old folder any more; may throw
     /// @throws OutputError

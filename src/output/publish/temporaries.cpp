@@ -31,7 +31,7 @@ struct Registry {
     std::atomic<char*> reserve = new char[std::size_t{1} << 20];   // freed when removal runs out of memory
 };
 
-/// Never destroyed: a signal may come while the program ends.
+/// Returns the registry of this process. It is never destroyed: a signal may come while the program ends.
 Registry& registry() {
     static auto* const instance = new Registry;
     return *instance;

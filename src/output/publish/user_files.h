@@ -33,7 +33,7 @@ public:
     /// @throws OutputError for a file that can neither be linked nor moved
     void link_into(const std::filesystem::path& successor) { carry(successor, false); }
 
-    /// Moves the user's files that `successor` does not have yet. @throws OutputError
+    /// Moves the user's files that `successor` does not have yet into it, under names as link_into() gives them. @throws OutputError
     void move_into(const std::filesystem::path& successor) { carry(successor, true); }
 
     /// Renames the user's files within the folder that are in the way of the files of `incoming`. @throws OutputError
@@ -90,10 +90,10 @@ std::string keep_beside(const std::filesystem::path& path, bool stays);
 /// @return the new names of the kept files @throws OutputError
 std::vector<std::string> replace_listed(const std::filesystem::path& folder, const std::map<std::string, std::string>& files);
 
-/// True if both paths name the same file, files with the same bytes, or links to the same path.
+/// True if both paths name one file, files with equal bytes, or links to one path.
 bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
 
-/// Returns a name for a file that must make way: for 0, 1, 2 it is NAME, NAME.edited, NAME.edited.2.
+/// Returns a name for a file that must make way: NAME for number 0, NAME.edited for 1, NAME.edited.2 for 2.
 std::string name_beside(const std::string& name, int number);
 
 }   // namespace meshfolio::output

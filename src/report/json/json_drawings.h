@@ -45,7 +45,7 @@ void describe(auto& fields, part_of<Plot::VerticalLine> auto& line) {
     fields("label", line.label);
 }
 
-/// Describes the keys that plots and maps have in common.
+/// Describes the keys that plots and maps have in common: id, caption, alt, file, x_label, y_label.
 void describe_drawing(auto& fields, auto& drawing) {
     fields("id", drawing.id);
     fields("caption", drawing.caption);

@@ -36,7 +36,7 @@ struct JsonProblem : std::runtime_error {
 
 class FieldReader {
 public:
-    /// @throws JsonProblem unless `object` is a JSON object
+    /// Reads the keys of `object`, which is at `place`. @throws JsonProblem unless it is a JSON object
     FieldReader(const Json& object, const JsonPlace& place);
 
     template <class Value>

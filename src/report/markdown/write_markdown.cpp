@@ -10,11 +10,11 @@ namespace meshfolio::report {
 
 namespace {
 
-/// GitHub stops rendering longer files.
+/// The largest file [bytes] that GitHub renders.
 constexpr std::size_t size_limit = 256 << 10;
 constexpr std::size_t summary_limit = 20'000;
 
-/// No more than one empty line in a row, none at the beginning.
+/// Returns a text without a second empty line in a row, and without empty lines at the beginning.
 std::string without_gaps(const std::string& text) {
     std::string dense;
     for (const char c : text) {

@@ -36,7 +36,7 @@ void append(std::vector<MathPart>& parts, MathPart::Kind kind, const std::string
     }
 }
 
-/// Appends a variable that ends at `end`. Its last letter may be a vector by its name; p by its neighbours.
+/// Appends the variable `word`, which ends at `end`. Its last letter is a vector if it is x or n, or p beside certain neighbours.
 void append_variable(std::vector<MathPart>& parts, const std::string& word, const std::string& math, std::size_t end) {
     const auto behind = [&](std::string_view mark) { return math.compare(end, mark.size(), mark) == 0; };
     const std::string_view before = std::string_view(math).substr(0, end - 1);

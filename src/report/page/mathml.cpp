@@ -254,7 +254,7 @@ private:
         return {Kind::ordinary, element("mi", xml_escape(c.substr(c.starts_with('\\'))), variable ? "" : " mathvariant=\"normal\"")};
     }
 
-    /// Joins atoms, spaced by their neighbours. @param broken  lines may break behind relations
+    /// Returns the MathML of atoms, spaced by their neighbours. @param broken  lines may break behind relations
     std::string joined(const Row& atoms, bool broken = false) const {
         std::string xml;
         Kind before = Kind::none;   // the last one that is no space

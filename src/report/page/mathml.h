@@ -13,7 +13,7 @@ namespace meshfolio::report {
 /// @param name  for messages
 /// @param tex  letters, scripts, fences, \frac, \tfrac, \sqrt, \sum, \hat, \bar, \tilde, \text, \operatorname, \mathrm, \mathbf, \mathcal,
 ///             \boldsymbol, aligned, spaces, and the symbols listed in mathml.cpp
-/// @param alt  the same in plain text
+/// @param alt  the formula in plain text
 /// @throws UsageError for an unknown command or a brace that is not closed
 std::string display_mathml(const std::string& name, std::string_view tex, const std::string& alt);
 

@@ -24,7 +24,7 @@ const std::string& raw_text(const Templates& templates, const std::string& name)
     return text;
 }
 
-/// Wraps a style or script, which is raw text to an HTML parser and markup to an XML parser, in a CDATA section inside comments.
+/// Returns a style or script in a CDATA section inside comments, because it is raw text to an HTML parser and markup to an XML parser.
 std::string raw_element(const std::string& text) { return "/*<![CDATA[*/\n" + text + "/*]]>*/"; }
 
 /// Returns fonts.css with the fonts inside, followed by the other sheets. Pages other than reports omit mathematics and italics.

@@ -105,7 +105,7 @@ public:
     }
 
 private:
-    /// Looks a name up as Mustache does, from the innermost context outwards; null if the model lacks it.
+    /// Returns the value of a name, looked up from the innermost context outwards as in Mustache; null if the model lacks it.
     const json* find(const std::string& name) const {
         if (name == ".") return stack_.back();
         for (auto context = stack_.rbegin(); context != stack_.rend(); ++context) {

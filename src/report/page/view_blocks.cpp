@@ -46,7 +46,8 @@ json run_view(const Run& run, const Reference& target) {
                      is_reference && !is_link && target.elsewhere}});
 }
 
-/// Moves the punctuation beside each formula into its view, as browsers break lines between <math> and its neighbours.
+/// Returns the runs with the punctuation beside each formula moved into its view, as browsers break lines between <math> and its
+/// neighbours.
 json kept_at_formulas(json runs) {
     const auto take = [](json& run, bool last, const std::string& marks) {
         std::string text = run["text"];

@@ -18,7 +18,8 @@ struct PrintOptions {
     bool page_numbers = true;   // in the contents; they may take a second pass of the engine
 };
 
-/// Returns the page as HTML, pictures inside. "@page:ID@" stands for the number of the page that the heading ID is printed on.
+/// Returns one volume of a report as an HTML page for A4 paper, pictures inside. "@page:ID@" stands for the number of the page that the
+/// heading ID is printed on.
 std::string print_page(const Document& document, const DrawnFigures& figures, const Templates& templates, const PrintOptions& options);
 
 struct PageHeading {

@@ -12,7 +12,7 @@ namespace meshfolio::report {
 
 class LabelPlacer {
 public:
-    /// Labels stay inside `frame`; `data` are points of the curves, which labels avoid where they can.
+    /// Places labels inside `frame` and, where they can, away from `data`, points of the curves.
     LabelPlacer(const Box& frame, std::vector<Point> data) : frame_(frame), data_(std::move(data)) {}
 
     /// Makes covering this box costly; labels avoid it where they can.

@@ -50,7 +50,7 @@ std::string line_data(const Stretch& points);
 double text_width(const std::string& text);
 /// Returns the width [pixels] of a text in which indices and exponents are smaller.
 double text_width(const Text& text);
-/// Breaks a text at spaces into lines no wider than `width`, except for longer words.
+/// Returns the lines of a text, broken at spaces; no line is wider than `width` [pixels] unless a single word is.
 std::vector<std::string> wrapped(const std::string& text, double width);
 
 /// Returns a coordinate, rounded to a tenth of a pixel: "12.3".

@@ -32,11 +32,11 @@ public:
     BatchIndex(std::filesystem::path folder, report::Batch batch, const report::Templates& templates)
         : folder_(std::move(folder)), batch_(std::move(batch)), templates_(templates) {}
 
-    /// Writes all four files. @throws OutputError
+    /// Writes index.html, batch.json, batch.csv and junit.xml; a file that the user changed is kept beside. @throws OutputError
     void write();
     /// Replaces a row. Writes the files if the last write was more than three seconds ago. @throws OutputError
     void set(std::size_t place, report::BatchRow row);
-    /// Returns the rows. Not thread-safe: call it after the last set().
+    /// Returns the batch with its rows. Not thread-safe: call it after the last set().
     const report::Batch& batch() const { return batch_; }
 
 private:

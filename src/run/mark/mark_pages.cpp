@@ -29,7 +29,7 @@ using nlohmann::json;
 constexpr report::Words words("mark");
 constexpr int view_side = 300;   // pixels
 
-/// Returns the sentence of a convention: most keys have their own; those of operators and areas share two.
+/// Returns the sentence of a convention: most keys have their own; operators share one, and so do areas.
 std::string sentence_of(const std::string& key) {
     const auto after = [&](std::string_view start) { return key.substr(start.size()); };
     if (key.starts_with("operator_")) {
@@ -81,7 +81,7 @@ std::string picture_of(const ItemMark& mark) {
     return render::encode_jpeg(render::compose(sheet), quality);
 }
 
-/// Explains a wrong answer: the number beside the right one, or the place where the answer is worst.
+/// Returns words about a wrong answer: the number beside the right one, or the place where the answer is worst.
 std::string wrong_text(const ItemMark& mark) {
     const MarkedThing what = mark.item->what;
     const Eigen::Index worst = mark.agreement.where;

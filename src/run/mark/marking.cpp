@@ -50,7 +50,7 @@ void sort_by_vertex(NumberColumn& column, const std::string& bytes, const std::s
 } catch (const InputError&) {   // no such column
 }
 
-/// Counts the triangles of A that are the same triangle of B turned round, starting at any corner.
+/// Returns the number of triangles of A that equal the triangle of B with their number turned round, from any corner.
 int reversed_triangles(const Faces& A, const Faces& B) {
     int reversed = 0;
     for (Eigen::Index t = 0; t < A.rows(); ++t)

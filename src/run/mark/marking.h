@@ -35,7 +35,8 @@ struct StudentMarks {
     double score() const;
 };
 
-/// Marks one student's files. Bad files never throw: the mark of their item reports the problem.
+/// Returns the marks of one student's files, one for each item of the rubric. Bad files never throw: the mark of their item reports the
+/// problem.
 /// @throws Error if the rubric's own settings have no answer
 StudentMarks marks_of(const submission::HandedIn& files, const Rubric& rubric, References& references);
 

@@ -36,7 +36,7 @@ Vector mean_curvature_by(const PreparedMesh& prepared, OperatorKind kind, const 
     return operator_mean_curvature(prepared.mesh, prepared.topology, kind, L);
 }
 
-/// Turns means over the neighbours into sums over them.
+/// Returns sums over the neighbours of each vertex, from means over them.
 Vector summed(const Vector& mean, const MeshTopology& topology) {
     Vector sum = mean;
     for (Eigen::Index v = 0; v < sum.size(); ++v) sum[v] *= topology.neighbours.size(static_cast<int>(v));

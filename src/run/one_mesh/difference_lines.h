@@ -26,11 +26,11 @@ struct Difference {
     std::vector<std::string> warnings;           // about searches that reached a limit
 };
 
-/// True if both meshes have as many vertices, and the same triangles of vertex numbers in the same order.
+/// True if both meshes have equally many vertices and equal lists of triangles.
 bool have_same_triangles(const TriangleMesh& a, const TriangleMesh& b);
 
-/// Measures b against a: vertex by vertex and face by face if they have the same triangles, otherwise as two surfaces.
-/// @param as_surfaces  compare surfaces even if the triangles are the same
+/// Returns distances, angles and ratios of b against a: vertex by vertex and face by face if have_same_triangles(), else as two surfaces.
+/// @param as_surfaces  compare surfaces even if the triangles are equal
 /// @param accuracy     of the Hausdorff distance, from least_accuracy to most_accuracy
 /// @throws MeshError if a surface has no triangle
 Difference difference_of(const TriangleMesh& a, const TriangleMesh& b, bool as_surfaces = false, double accuracy = default_accuracy);

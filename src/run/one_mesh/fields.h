@@ -40,10 +40,10 @@ Field field_of_values(Vector values, const std::string& quantity);
 /// and k_jet, and h_<operator> if `kind` is another operator.
 std::vector<VertexColumn> curvature_columns(const PreparedMesh& prepared, AreaForm form, OperatorKind kind, bool with_jets);
 
-/// Adds columns to the attributes of the mesh's file; they replace columns of the same name.
+/// Returns the attributes of the mesh's file with `columns` added; they replace columns with their names.
 Attributes attributes_with(const PreparedMesh& prepared, std::vector<VertexColumn> columns);
 
-/// Returns a CSV with a row per vertex: vertex, x, y, z, boundary and the columns.
+/// Returns a CSV with a row per vertex: vertex (from 0), x, y, z, boundary (0 or 1) and the columns; NaN cells are empty.
 std::string vertex_table(const PreparedMesh& prepared, const std::vector<VertexColumn>& columns);
 
 }   // namespace meshfolio::run

@@ -28,7 +28,8 @@ struct Inspection {
     double deficits_over_2pi() const { return facts.total_deficit / (2 * std::numbers::pi); }
 };
 
-/// Inspects a mesh. @param kind      of the operator for the largest stable step
+/// Returns counts, defects and the proved limit of a stable step of a mesh; if the limit cannot be computed, the reason.
+/// @param kind      of the operator for the largest stable step
 /// @param progress  called with the name of each step; may throw to stop
 /// @throws MeshError for a mesh without any area
 Inspection inspect_mesh(PreparedMesh prepared, OperatorKind kind, const std::function<void(std::string_view)>& progress);

@@ -16,7 +16,7 @@ namespace {
 constexpr CostModel base_cpu{0.2, 0}, reading_cpu{0, 0.25}, copies_cpu{0, 2.3}, printing_cpu{8, 0};   // [s]
 constexpr CostModel reading_memory{0, 25}, copies_memory{0, 80};                                      // [MB]
 
-/// The rungs of a question keep its own mesh longest. Those of a supporting section keep its settings longest, and end without it.
+/// The rungs of a question keep its own mesh longest. A supporting section keeps its settings longest; its last rung leaves it out.
 constexpr Effort of_question[] = {{}, {true}, {true, 100000}, {true, 30000}, {true, 10000}, {true, 3000}};
 constexpr Effort of_supporting[] = {{}, {false, 30000}, {false, 10000}, {true, 10000}, {true, 3000}, {true, 0, true}};
 
@@ -38,7 +38,7 @@ double sum_over(const CostModel& cost, const std::vector<PlannedMesh>& meshes) {
     return sum;
 }
 
-/// Returns the section on the first rung further down that costs less; the same section if there is none.
+/// Returns the section on the first rung further down that costs less; the section itself if there is none.
 PlannedSection next_rung(const PlannedSection& section) {
     PlannedSection next = section;
     while (++next.rung < ladder_of(*section.chapter).size())

@@ -24,7 +24,7 @@ struct PlannedMesh {
     std::string file;
     double vertices = 0;   // or half the number of triangles if that is larger
 
-    /// Returns the vertices of the copy that a section works on. @param most  limit of the copies; 0: none
+    /// Returns the number of vertices of the copy that a section works on. @param most  limit of the copies; 0: none
     double within(int most) const { return most > 0 ? std::min<double>(vertices, most) : vertices; }
 };
 
@@ -62,11 +62,11 @@ enum class Scope { alone, report, part };
 /// linear to 60 at a million and on to 180 at 5.5 million.
 double promised_seconds(double triangles, bool quick);
 
-/// Plans a report. Every section begins at the top of its ladder. Step by step, the section that saves most goes down one rung, until the
-/// time is kept; savings of a question count half. The order of steps does not depend on the time, so that a longer time never gives less.
-/// Questions are always answered.
+/// Plans a report. Every section begins with full settings and whole meshes; until the time is kept, the section that saves most is scaled
+/// down one step: small settings, smaller copies, at last left out. Questions are always answered, and their savings count half. The order
+/// of steps does not depend on the time, so that a longer time never gives less.
 Plan plan_of(const ReportSettings& settings, const MeshLibrary& meshes, Scope scope);
-/// Plans a report on meshes of these sizes, each given to every section.
+/// Plans a whole report on meshes of these sizes, each given to every section that reads meshes.
 Plan plan_for(const ReportSettings& settings, const std::vector<PlannedMesh>& meshes);
 
 /// Returns the plan as text: a line for each section, then the total.

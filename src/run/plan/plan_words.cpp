@@ -14,7 +14,7 @@ namespace {
 
 std::string rounded_text(double x) { return plain_text(rounded(x, 2), 6); }
 
-/// "small settings, copies of at most 30000 vertices"
+/// Returns words about how a section is done: "small settings, copies of at most 30000 vertices".
 std::string words_of(const PlannedSection& section) {
     const Effort effort = section.effort();
     if (effort.left_out) return "left out, to fit into the time";

@@ -92,7 +92,8 @@ void take(std::vector<std::string>& chosen, const Setting& setting, const std::s
     chosen = ids;
 }
 
-/// Takes every setting for which text_of(name) is not empty. @param name_of  the member of Setting with the name
+/// Sets every setting for which text_of(name) is not empty to that text; errors become problems.
+/// @param name_of  the member of Setting with the name
 template <class TextOf>
 void take_texts(ReportSettings& settings, const char* Setting::*name_of, TextOf text_of, Problems& problems) {
     for_each_setting(settings, [&](const Setting& setting, auto& value) {

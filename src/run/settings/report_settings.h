@@ -77,7 +77,7 @@ struct Effort {
     double cpu_seconds = 0;   // estimated
 };
 
-/// setting_list.h says where each setting is given and what depends on it.
+/// The settings of a report. setting_list.h says where each is given and what depends on it.
 struct ReportSettings {
     std::vector<std::filesystem::path> meshes, data;
     std::filesystem::path out = "out", templates;
@@ -112,7 +112,7 @@ ReportSettings read_settings(const std::string& config, ReportSettings before = 
 /// @throws SettingsErrors, UsageError
 ReportSettings report_settings(const ReportFlags& flags);
 
-/// Limits the threads of the process to those of the settings during the lifetime of the result; null: no limit.
+/// Limits the threads of the process to settings.threads while the result lives. Returns null for 0, no limit.
 std::unique_ptr<tbb::global_control> limited_threads(const ReportSettings& settings);
 
 /// The key of a section's effort in described() is its id with this suffix.
@@ -124,7 +124,7 @@ Effort effort_of(const ReportSettings& settings, const std::string& id);
 /// Returns the [[question]] table of one section; an empty one if the settings have none.
 const QuestionTable& table_of(const ReportSettings& settings, std::string_view id);
 
-/// Returns the settings of one section: those of its [[question]] table, and those that hold for all sections.
+/// Returns the settings of one section, from its [[question]] table and from the settings of the report.
 QuestionSettings question_settings(const ReportSettings& settings, const std::string& id);
 
 /// Returns the meshes that [[question]] tables name, in the order of the ids of the tables.

@@ -54,9 +54,9 @@ public:
 
     bool ended() const { return at_ >= text_.size(); }
     char next() { return text_[at_++]; }
-    /// To be called after a '#'.
+    /// Skips a comment, after its '#'.
     void comment() { at_ = std::min(text_.find('\n', at_), text_.size()); }
-    /// To be called after the first quote of a text.
+    /// Skips a text, after its first quote.
     void quoted(char quote) {
         const std::string three(3, quote);
         if (text_.substr(at_ - 1).starts_with(three)) return to_end_of_lines(three);

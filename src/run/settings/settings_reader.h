@@ -97,9 +97,9 @@ public:
     TableReader(const toml::table& table, std::string name, const std::vector<std::string>& known, Problems& problems,
                 const std::vector<std::string>& tables = {});
 
-    /// Returns the text under a key; one longer than `longest` bytes is a problem, but returned.
+    /// Returns the text under a key; nothing if it is missing or no text. One longer than `longest` bytes is a problem, but returned.
     std::optional<std::string> text(std::string_view key, std::size_t longest = std::numeric_limits<std::size_t>::max()) const;
-    /// Returns the word under a key; nothing, and a problem, for a word that is not known.
+    /// Returns the word under a key; nothing if it is missing, or not known, which is a problem.
     std::optional<std::string> word(std::string_view key, const std::vector<std::string>& known) const;
     std::optional<bool> truth(std::string_view key) const;
     std::optional<long long> integer(std::string_view key, long long low, long long high) const;
@@ -116,7 +116,7 @@ public:
     double number(std::string_view key, double low, double high, bool above, double fallback) const;
 
     const toml::node* node(std::string_view key) const { return table_.get(key); }
-    /// Returns the number of values under a key, good or not; 0 if the key is missing.
+    /// Returns the number of values under a key, right or wrong: 1, or the length of a list; 0 if the key is missing.
     std::size_t size(std::string_view key) const;
     /// Returns the key with its table, for messages: "[report] title".
     std::string called(std::string_view key) const { return name_ + (name_.empty() ? "" : " ") + std::string(key); }
