@@ -133,7 +133,8 @@ ExitCode run_render(const RenderFlags& options) {
     if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
     check_output("--glb", options.glb, {".glb"}, options.out);
     check_read_once(options.mesh, options.pair);
-    if (options.mesh == "-" && options.out.empty()) throw UsageError("render - needs --out DIR", "the mesh has no name for a folder");
+    if (options.mesh == "-" && options.out.empty())
+        throw UsageError("render - needs --out DIR, as standard input has no name for a folder", "give one");
     output::require_folder(options.out.empty() ? mesh_name(options.mesh) : options.out);
     if (!options.pair.empty()) return run_pair(options, {.draw = given, .views = views, .colormap = options.colormap, .range = range});
     if (options.field == "distance") throw UsageError("--field distance needs another mesh", "name it with --pair");

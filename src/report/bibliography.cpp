@@ -15,8 +15,8 @@ auto read_json(const Templates& templates, const std::string& name, Read read) {
     try {
         return read(nlohmann::json::parse(templates[name]));
     } catch (const nlohmann::json::exception& problem) {
-        throw UsageError(std::string("not the expected shape: ") + problem.what(), "compare it with the file that comes with meshfolio",
-                         {name, 0});
+        throw UsageError(std::string("does not have the expected structure: ") + problem.what(),
+                         "compare it with the file that comes with meshfolio", {name, 0});
     }
 }
 

@@ -35,7 +35,7 @@ struct Computation {
 };
 
 std::shared_ptr<Computation> planned(const ReportFlags& flags) {
-    if (flags.json && !flags.plan) throw UsageError("--json goes with --plan", "a report leaves results.json");
+    if (flags.json && !flags.plan) throw UsageError("--json goes with --plan", "add --plan, or read the results.json of the report");
     if (contains(flags.meshes, "-")) throw UsageError("a report cannot take its mesh from standard input", "save it to a file first");
     ReportSettings settings = report_settings(flags);
     check_output("--junit", flags.junit, {".xml"}, settings.out);
@@ -124,7 +124,8 @@ std::vector<Source> sources_of(const std::shared_ptr<Computation>& now, const st
         if (now->kept.contains(std::string(id))) {
             ReportSection section =
                 now->renewed->section(*std::ranges::find(now->renewed->document.sections, id, &report::Section::id), folder);
-            if (!section.missing.empty()) throw InputError({section.missing.front()}, "is missing", "make the report anew");
+            if (!section.missing.empty())
+                throw InputError({section.missing.front()}, "is missing from the earlier report", "make the report anew");
             section.answer.section.timings.clear();   // of that run
             return section;
         }

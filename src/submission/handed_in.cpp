@@ -168,7 +168,7 @@ HandedIn read_handed_in(const fs::path& path, const HandInLimits& limits) try {
     if (fs::is_directory(path)) return read_folder(path, limits);
     return unpacked(read_file(path, limits.largest_total), path.string(), limits);
 } catch (const fs::filesystem_error& error) {
-    throw InputError({path.string()}, "cannot be read (" + error.code().message() + ")");
+    throw InputError({path.string()}, "cannot be read (" + error.code().message() + ")", "check its rights");
 }
 
 }   // namespace meshfolio::submission

@@ -124,7 +124,7 @@ ReportFolder read_report(const fs::path& folder) try {
     report.files.erase(output::marker_file);
     return report;
 } catch (const fs::filesystem_error& error) {
-    throw InputError({folder.string()}, "cannot be read (" + error.code().message() + ")");
+    throw InputError({folder.string()}, "cannot be read (" + error.code().message() + ")", "check its rights");
 }
 
 }   // namespace meshfolio::submission

@@ -106,7 +106,8 @@ void ResultCache::write_new(const fs::path& path, std::string_view bytes) {
     const Temporary part(folder_ / (".meshfolio.part-" + process_number() + "-" + std::to_string(number++)));
     write_part(part, bytes, false);
     if (const int error = rename_with(part.path(), path, Taken::replaced); error != 0)
-        throw OutputError(path.string(), std::string("cannot be put in place (") + std::strerror(error) + ")");
+        throw OutputError(path.string(), std::string("cannot be put in place (") + std::strerror(error) + ")",
+                          "check the rights and the free space there");
 }
 
 std::optional<std::string> ResultCache::get(const std::string& key) {
@@ -135,7 +136,7 @@ bool ResultCache::place(const std::string& digest, const fs::path& target) {
     const std::optional<std::string> bytes = bytes_of(digest);
     if (!bytes) return false;
     std::error_code error;
-    if (fs::exists(fs::symlink_status(target, error))) throw OutputError(target.string(), "is there already");
+    if (fs::exists(fs::symlink_status(target, error))) throw OutputError(target.string(), "is there already", "remove it first");
     write_file(target, *bytes);
     return true;
 }
@@ -170,7 +171,7 @@ void ResultCache::clear() {
     for (const char* part : {entries, objects}) {
         std::error_code error;
         fs::remove_all(folder_ / part, error);
-        if (error) throw OutputError((folder_ / part).string(), "cannot be removed (" + error.message() + ")");
+        if (error) throw OutputError((folder_ / part).string(), "cannot be removed (" + error.message() + ")", "remove it by hand");
     }
 }
 

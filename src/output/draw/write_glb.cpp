@@ -175,8 +175,13 @@ bool can_be_a_model(const TriangleMesh& mesh) {
 }
 
 std::string write_glb(const TriangleMesh& mesh, const Vector& values, const std::optional<ColorRange>& range, const Ball& frame) {
-    if (!can_be_a_model(mesh)) throw MeshError("cannot write a model: the mesh needs triangles of some extent and finite coordinates");
-    if (range && values.size() != mesh.vertex_count()) throw MeshError("cannot write a model: the range needs one value for each vertex");
+    if (!can_be_a_model(mesh))
+        throw MeshError("cannot write a model: the mesh has no triangles of some extent, or coordinates that are not finite",
+                        "take --glb away, or repair the mesh");
+    if (range && values.size() != mesh.vertex_count())
+        throw MeshError(
+            "cannot write a model: " + std::to_string(values.size()) + " values for " + std::to_string(mesh.vertex_count()) + " vertices",
+            "give one value for each vertex");
     const render::DrawOptions look;
     const Box box = bounding_box(mesh);
     const GlbFrame grid{box.low, box.extent().maxCoeff() / grid_steps};

@@ -54,7 +54,7 @@ void FileGroup::place(Member& member) {
         member.state = Member::State::exchanged;
         std::error_code ignored;
         if (error == 0 && fs::is_directory(fs::symlink_status(part, ignored)))   // made meanwhile
-            throw OutputError(member.asked.string(), "is a folder");
+            throw OutputError(member.asked.string(), "is a folder", "give the output another name");
     }
     if (error == EINVAL || error == ENOSYS || error == EOPNOTSUPP || error == ENOENT) {   // ENOENT: removed meanwhile
         error = rename_with(part, member.target, Taken::replaced);
@@ -62,7 +62,8 @@ void FileGroup::place(Member& member) {
     }
     if (error == 0) return;
     member.state = Member::State::waiting;
-    throw OutputError(member.asked.string(), std::string("cannot be put in place (") + std::strerror(error) + ")");
+    throw OutputError(member.asked.string(), std::string("cannot be put in place (") + std::strerror(error) + ")",
+                      "check the rights and the free space there");
 }
 
 /// Undoes the renames, last first.

@@ -70,7 +70,8 @@ void write_sums(const fs::path& folder, const Digests& known) {
     const fs::path part = folder / (std::string(sums_file) + ".part");
     write_file(part, sums_text(listed));
     if (const int error = rename_with(part, folder / sums_file, Taken::replaced); error != 0)
-        throw OutputError((folder / sums_file).string(), std::string("cannot be put in place (") + std::strerror(error) + ")");
+        throw OutputError((folder / sums_file).string(), std::string("cannot be put in place (") + std::strerror(error) + ")",
+                          "check the rights and the free space there");
 }
 
 SumsList sums_of(const fs::path& folder) try {

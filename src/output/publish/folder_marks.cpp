@@ -39,7 +39,8 @@ std::string foreign_contents(const fs::path& folder, const FolderKind& kind) {
         if (kind.marker == batch_folder.marker && has_mark(it->path(), report_folder)) continue;   // parts that were merged
         return "files that meshfolio did not put there";
     }
-    if (error) throw OutputError(folder.string(), "cannot be listed (" + error.message() + ")");
+    if (error)
+        throw OutputError(folder.string(), "cannot be listed (" + error.message() + ")", "make it readable, or choose another with --out");
     return "";
 }
 
@@ -62,7 +63,7 @@ void require_ours(const fs::path& target, const FolderKind& kind) {
     std::error_code error;
     const fs::file_status status = fs::symlink_status(target, error);
     if (status.type() == fs::file_type::not_found) return;
-    if (error) throw OutputError(target.string(), "cannot be examined (" + error.message() + ")");
+    if (error) throw OutputError(target.string(), "cannot be examined (" + error.message() + ")", remedy);
     if (!fs::is_directory(status)) throw OutputError(target.string(), "is not a folder", "choose another with --out");
     if (is_home(target)) throw OutputError(target.string(), "is a home folder, which is never replaced", remedy);
     if (has_mark(target, kind)) return;

@@ -17,7 +17,8 @@ namespace meshfolio::output {
 namespace fs = std::filesystem;
 
 OpenFolder::OpenFolder(const fs::path& path) : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (descriptor_ < 0) throw OutputError(path.string(), std::string("cannot open the folder (") + std::strerror(errno) + ")");
+    if (descriptor_ < 0)
+        throw OutputError(path.string(), std::string("cannot open the folder (") + std::strerror(errno) + ")", "check its path and rights");
 }
 
 OpenFolder::~OpenFolder() { ::close(descriptor_); }
@@ -25,7 +26,7 @@ OpenFolder::~OpenFolder() { ::close(descriptor_); }
 void OpenFolder::sync() const {
     // Some network and overlay file systems know no fsync of folders.
     if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS)
-        throw OutputError(path_.string(), std::string("cannot flush the folder to disk (") + std::strerror(errno) + ")");
+        throw OutputError(path_.string(), std::string("cannot flush the folder to disk (") + std::strerror(errno) + ")", "check the disk");
 }
 
 void OpenFolder::lock() const {
@@ -58,7 +59,8 @@ fs::path path_inside(const fs::path& path, const fs::path& folder) {
 void require_folder(const fs::path& path) {
     std::error_code error;
     fs::path there = resolved(path, error);
-    if (error) throw OutputError(path.string(), "cannot create the folder (" + error.message() + ")");
+    if (error)
+        throw OutputError(path.string(), "cannot create the folder (" + error.message() + ")", "choose another path, or check the rights");
     while (!fs::exists(fs::symlink_status(there, error)) && there.has_relative_path()) there = there.parent_path();
     if (!fs::is_directory(there, error))
         throw OutputError(path.string(), "cannot be a folder: " + there.string() + " is none", "choose another name");
@@ -70,8 +72,9 @@ fs::path place_of_file(const fs::path& path) {
     if (is_stream(path)) return path;   // a link to a pipe has no path to follow
     std::error_code error;
     const fs::path target = resolved(path, error), folder = target.parent_path();
-    if (error) throw OutputError(path.string(), "cannot be a file (" + error.message() + ")");
-    if (fs::is_directory(target, error)) throw OutputError(path.string(), std::string("cannot be a file (") + std::strerror(EISDIR) + ")");
+    if (error) throw OutputError(path.string(), "cannot be a file (" + error.message() + ")", "choose another name");
+    if (fs::is_directory(target, error))
+        throw OutputError(path.string(), std::string("cannot be a file (") + std::strerror(EISDIR) + ")", "choose another name");
     if (!fs::is_directory(folder, error)) throw OutputError(path.string(), "its folder does not exist", "create it first");
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
         throw OutputError(path.string(), std::string("its folder takes no files (") + std::strerror(errno) + ")", "choose another one");
@@ -88,7 +91,8 @@ void make_folder(const fs::path& path) {
     const auto permission = permission_to_create();
     std::error_code error;
     fs::create_directories(path, error);
-    if (error) throw OutputError(path.string(), "cannot create the folder (" + error.message() + ")");
+    if (error)
+        throw OutputError(path.string(), "cannot create the folder (" + error.message() + ")", "choose another path, or check the rights");
 }
 
 bool is_safe_name(std::string_view name) {

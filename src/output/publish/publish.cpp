@@ -21,14 +21,15 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what, int error) {
-    throw OutputError(path.string(), what + " (" + std::strerror(error) + ")");
+    throw OutputError(path.string(), what + " (" + std::strerror(error) + ")", "check the rights and the free space there");
 }
 
 /// Returns the absolute path of a folder, with links followed and without a trailing slash.
 fs::path resolved_folder(const fs::path& target) {
     std::error_code error;
     fs::path path = resolved(target, error);
-    if (error || target.empty()) throw OutputError(target.string(), "cannot be a folder (" + error.message() + ")");
+    if (error || target.empty())
+        throw OutputError(target.string(), "cannot be a folder (" + error.message() + ")", "choose another with --out");
     if (path.filename().empty()) path = path.parent_path();
     if (path.filename().empty()) throw OutputError(target.string(), "is the root of the file system", "choose another folder with --out");
     return path;
@@ -203,7 +204,8 @@ Notes Publication::publish(const Digests& known, const std::function<void()>& la
             (notes.warning.empty() ? "" : "; ") + folder().string() + ": is left over and cannot be removed; delete it by hand";
     return notes;
 } catch (const fs::filesystem_error& error) {
-    throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")");
+    throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")",
+                      "check the rights and the free space there");
 } catch (const InputError& error) {   // a new file cannot be read back
     throw OutputError(target_.string(), error.what());
 }
@@ -221,7 +223,8 @@ void Publication::step_aside() try {
     std::swap(in_place_, aside.in_place_);
     std::swap(lock_, aside.lock_);
 } catch (const fs::filesystem_error& error) {
-    throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")");
+    throw OutputError(target_.string(), "cannot publish the report (" + error.code().message() + ")",
+                      "check the rights and the free space there");
 }
 
 std::vector<std::string> Publication::remove_failed() const {

@@ -155,7 +155,7 @@ private:
             const bool is_new = !is_folder(place);
             if (is_new && ::mkdir(place.c_str(), 0700) != 0) {
                 if (errno == EEXIST) continue;
-                throw OutputError(place.string(), std::string("cannot create the folder (") + std::strerror(errno) + ")");
+                throw OutputError(place.string(), std::string("cannot create the folder (") + std::strerror(errno) + ")", remedy);
             }
             if (is_new) made_.emplace_back(from_ / below, place);
             return folders_[below] = place;

@@ -37,7 +37,7 @@ std::vector<std::string> meshes_below(const fs::path& folder) {
             files.push_back(it->path().string());
         }
     }
-    if (error) throw InputError({folder.string()}, "cannot be listed (" + error.message() + ")");
+    if (error) throw InputError({folder.string()}, "cannot be listed (" + error.message() + ")", "check its rights");
     std::ranges::sort(files);
     return files;
 }

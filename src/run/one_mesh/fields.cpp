@@ -69,7 +69,7 @@ Vector mesh_column(const std::string& file, const std::string& name, int vertice
     if (loaded.mesh.vertex_count() != vertices) {
         throw InputError({file, 0},
                          "it has " + std::to_string(loaded.mesh.vertex_count()) + " vertices, the mesh " + std::to_string(vertices),
-                         "name values of the same mesh");
+                         "name a file with one value for each vertex of the mesh");
     }
     std::vector<std::string> names;
     for (const VertexColumn& column : loaded.attributes.columns) {
@@ -85,7 +85,8 @@ Vector mesh_column(const std::string& file, const std::string& name, int vertice
 Field field_from_file(const PreparedMesh& mesh, const std::string& file_and_column) {
     const std::size_t colon = file_and_column.rfind(':');
     if (colon == std::string::npos || colon == 0 || colon + 1 == file_and_column.size())
-        throw UsageError("--values needs FILE:COLUMN, not " + in_quotes(file_and_column), "name both");
+        throw UsageError("--values needs FILE:COLUMN, not " + in_quotes(file_and_column),
+                         "name a file and one of its columns: values.csv:error");
     const std::string file = file_and_column.substr(0, colon), column = file_and_column.substr(colon + 1);
     const int vertices = mesh.mesh.vertex_count();
     if (is_mesh_file(file)) return field_of_values(mesh_column(file, column, vertices), column);

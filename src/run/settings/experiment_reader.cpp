@@ -88,7 +88,7 @@ public:
         }
         if (experiment.lambda_unit == StepUnit::h2 && std::ranges::any_of(experiment.operators, is_dimensionless))
             problems_.add(*reader.node("unit"), "[[experiment]] unit h2 does not fit the uniform operator, whose steps have no unit",
-                          "raw or tau");
+                          "take raw or tau");
         return experiment;
     }
 
@@ -130,7 +130,7 @@ private:
             problems_.add(
                 *reader.node("minimum"),
                 "[[experiment]] minimum has " + std::to_string(given) + " values for " + std::to_string(levels) + " levels of noise",
-                "give one a level, 0 where the report says nothing");
+                "give one for each level, 0 where the report says nothing");
         }
     }
 

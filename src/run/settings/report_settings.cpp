@@ -34,7 +34,8 @@ void take(int& value, const Setting& setting, const std::string& name, const std
 
 void take(std::optional<double>& value, const Setting& setting, const std::string& name, const std::string& text) {
     value = number_above_zero(name, text);
-    if (*value > setting.largest) throw UsageError(name + " " + in_quotes(text) + " is more than " + plain_text(setting.largest));
+    if (*value > setting.largest)
+        throw UsageError(name + " " + in_quotes(text) + " is more than " + plain_text(setting.largest), "take that at most");
 }
 
 void take(std::string& value, const Setting& setting, const std::string& name, const std::string& text) {

@@ -141,7 +141,7 @@ private:
         page.file = settings_.base / *name;
         try {
             if (name->empty()) throw UsageError("it is an empty path; name a file, or leave the key out");
-            if (name->find('\0') != std::string::npos) throw UsageError("it contains a NUL");
+            if (name->find('\0') != std::string::npos) throw UsageError("it contains a NUL; name a file");
             read_file(*page.file, report::template_limits::largest_file);
         } catch (const Error& error) {
             problems_.add(*reader.node(setting.key), reader.called(setting.key) + " cannot be read: " + std::string(error.what()));
@@ -159,7 +159,8 @@ private:
         values = reader.texts(setting.key, [&](const std::string& path, const toml::node& where) {
             if (path.empty()) problems_.add(where, called + " is an empty path", "name a file");
             if (path.find('\0') != std::string::npos) problems_.add(where, called + " contains a NUL", "name a file");
-            if (++times[path] == 2) problems_.add(where, called + " " + in_quotes(path) + " is given twice", "its outputs would collide");
+            if (++times[path] == 2)
+                problems_.add(where, called + " " + in_quotes(path) + " is given twice", "name it once, as its outputs would collide");
         });
     }
 

@@ -107,7 +107,7 @@ long line_of_long_key(std::string_view text) {
 std::optional<toml::table> parsed_toml(std::string_view text, const std::string& file, Problems& problems) {
     if (const long line = line_of_long_key(text); line > 0) {
         problems.add(line, "a key has more than " + std::to_string(limits::longest_key) + " parts between dots",
-                     "none that is known has more than two");
+                     "shorten it: known keys have at most two");
         return {};
     }
     try {
