@@ -16,6 +16,7 @@
 #include "build_info.h"
 #include "output/cache/result_cache.h"
 #include "questions/core/chapter.h"
+#include "report/words.h"
 #include "run/arguments.h"
 #include "run/settings/report_settings.h"
 #include "submission/source_listing.h"
@@ -105,6 +106,7 @@ std::string difference(const report::Provenance& one, const report::Provenance& 
 }
 
 report::Provenance provenance_of(std::map<std::string, std::string> settings, std::uint64_t seed) {
+    if (const std::string words = report::words_identity(); !words.empty()) settings["words"] = sha256(words).substr(0, 12);
     return {.version = build_info::version,
             .commit = build_info::commit,
             .compiler = build_info::compiler,

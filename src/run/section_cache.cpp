@@ -66,10 +66,15 @@ std::optional<ReportSection> SectionCache::find(const Chapter& chapter, const fs
     const auto entry = store_.get(key_of(chapter));
     if (!entry) return {};
     const StoredReport report(*entry, store_);
-    ReportSection section = report.section(report.document.sections.front(), folder);
-    section.origin = ReportSection::Origin::cache;
-    if (section.missing.empty() && section.figures.size() == report.figures.size()) return section;
-    for (const auto& [path, digest] : section.files) fs::remove(folder / path);
+    const report::Section& stored = report.document.sections.front();
+    try {
+        ReportSection section = report.section(stored, folder);
+        section.origin = ReportSection::Origin::cache;
+        if (section.missing.empty() && section.figures.size() == report.figures.size()) return section;
+    } catch (const InputError&) {   // a damaged picture
+    }
+    std::error_code ignored;
+    for (const std::string& path : files_of(stored, report.figures)) fs::remove(folder / path, ignored);
     return {};
 } catch (const InputError&) {   // damaged, or written by another version
     return {};

@@ -15,6 +15,7 @@
 #include "output/publish/publish.h"
 #include "output/publish/temporaries.h"
 #include "questions/core/section_tools.h"
+#include "report/words.h"
 #include "run/arguments.h"
 #include "run/batch/batch_folder.h"
 #include "run/batch/finished_report.h"
@@ -189,6 +190,7 @@ ExitCode run_batch(const BatchFlags& flags) {
         return ExitCode::ok;
     }
     const report::Templates templates(settings.templates);
+    report::use_words_of(templates);   // the provenance of finished reports names them
     static_cast<void>(Paper(settings, templates, nullptr));   // throws unless an engine that is required is there
     const BatchFolder folder(settings.out);
     for (const BatchMesh& mesh : meshes)
