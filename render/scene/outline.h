@@ -15,7 +15,8 @@ struct BoundaryEdge {
     std::int32_t triangle;   // the only triangle of the edge
 };
 
-/// Returns the edges of exactly one drawable triangle, sorted by their ends. Takes linear time for closed surfaces.
+/// Returns the edges of exactly one drawable triangle, sorted by their ends; none if the surface is closed, counting triangles that cannot
+/// be drawn, which takes linear time.
 std::vector<BoundaryEdge> boundary_edges(const Surface& surface);
 
 /// One half of the quadrilateral that shows an edge on the screen.

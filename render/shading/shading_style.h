@@ -60,7 +60,8 @@ struct ShadingStyle {
     ShadingStyle(const Scene& scene, const DrawOptions& options, const Palette& palette, const Placement& placement);
 };
 
-/// Sets red, green and blue of every fragment. @param ribbons  of the projection; their numbers follow those of the triangles
+/// Sets red, green and blue of every fragment; `triangle` of fragments of ribbons and far triangles is not valid afterwards. @param ribbons
+/// of the projection; their numbers follow those of the triangles
 void shade(const ProjectedScene& scene, std::span<const Ribbon> ribbons, const ShadingStyle& style, Fragments& fragments);
 
 /// Interpolates normal and value of fragment i in double, for a triangle or ribbon `id` with corners that do not fit the grid.

@@ -46,7 +46,8 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
     for (const std::string& word : words) {
         if (word.empty())
             throw UsageError("an argument is empty" + (before.empty() ? "" : ", the one after '" + before + "'"), "leave it out");
-        if (word.starts_with("--") && word.find('=') == word.size() - 1) throw UsageError("'" + word + "' has no value", "leave it out");
+        if (word.starts_with("--") && word.find('=') == word.size() - 1)
+            throw UsageError("'" + word + "' has no value", "write a value after '=', or leave the option out");
         before = word;
     }
     return words;
@@ -193,7 +194,9 @@ int run(int argc, const char* const* argv) {
         complain("out of memory; use a smaller mesh, fewer modes or smaller pictures", Ink::red);
         return static_cast<int>(ExitCode::failed);
     } catch (const std::exception& error) {
-        complain(std::string(is_shortage(error) ? "out of memory: " : "internal error: ") + error.what(), Ink::red);
+        complain(is_shortage(error) ? std::string("out of memory: ") + error.what() + "; take fewer --threads"
+                                    : std::string("internal error: ") + error.what() + "; please report it",
+                 Ink::red);
         return static_cast<int>(ExitCode::failed);
     }
 }

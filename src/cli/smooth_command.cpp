@@ -80,7 +80,8 @@ double step_of(const SmoothFlags& options, const SmoothingOptions& smoothing, co
     const bool needs_limit = is_explicit || unit == StepUnit::tau || options.lambda.empty();
     const double critical = needs_limit ? largest_stable_step(largest_eigenvalue(laplace_operator(prepared.mesh, smoothing.laplacian))) : 0;
     if (options.lambda.empty()) {
-        warn("no --lambda given; 1/mu_max, half the largest stable step, is taken: " + plain_text(0.5 * critical));
+        warn("no --lambda given; taking " + plain_text(0.5 * critical) +
+             " (1/mu_max, half the largest stable step, in squared model units)");
         return 0.5 * critical;
     }
     const double step = step_in_model_units(smoothing.lambda, unit, critical, mean_edge_length(prepared.mesh));

@@ -54,7 +54,7 @@ struct VertexFan {
 /// Returns the fan of vertex v. @param vertex_faces  triangles_around(mesh)
 VertexFan fan_around(const TriangleMesh& mesh, const Incidence& vertex_faces, int v);
 
-/// Returns the edges, sorted by (a, b). Edges of a triangle that names a vertex twice are counted twice.
+/// Returns the edges, sorted by (a, b). A triangle (a, a, b) adds 2 to `faces` of the edge (a, b).
 std::vector<Edge> edges_of(const TriangleMesh& mesh);
 
 /// Returns the topology of the mesh, with all its members. @throws MeshError if a triangle names a vertex twice or one that does not exist

@@ -20,7 +20,8 @@ std::string_view viewer_program();
 class Templates {
 public:
     /// Takes the bundled templates, replaced by files of `folder`; empty: none.
-    /// @throws UsageError if `folder` is not a folder, or a template in it has a syntax error or is a link that leads out of it
+    /// @throws UsageError if `folder` is not a folder, or a template in it cannot be read, has a syntax error or is a link that leads out
+    /// of it
     explicit Templates(const std::filesystem::path& folder = {});
     const std::string& operator[](const std::string& name) const;   // @throws UsageError for an unknown name
     std::vector<std::string> names() const;                         // all, sorted

@@ -73,7 +73,7 @@ void keep_others(const std::filesystem::path& file, const std::function<bool(con
 /// @throws InputError
 PreparedMesh load_mesh(const std::string& file, Checks checks = Checks::all, Keep keep = Keep::mesh);
 
-/// Returns work(). Names the file in the errors that work() throws; a MeshError becomes an InputError. @throws InputError, SolverError
+/// Returns work(). Names the file in a MeshError, which becomes an InputError, and in a SolverError; other errors pass unchanged.
 template <class Work>
 auto about_mesh(const std::string& file, const Work& work) try {
     return work();

@@ -135,7 +135,7 @@ output::Digests store(const ReportRequest& request, const Sections& sections, co
         }
         if (is_changed) request.store->trim();
     } catch (const Error& error) {
-        warn("the cache could not be written: " + std::string(error.what()));
+        warn("the cache could not be written, so that the next run computes these answers again: " + std::string(error.what()));
     }
     return digests;
 }

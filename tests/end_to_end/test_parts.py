@@ -6,7 +6,7 @@ import unittest
 import xml.etree.ElementTree
 
 from folders import tree
-from program import run, sample, temporary_folder
+from program import SOURCE, run, sample, temporary_folder
 from quick_report import WORDS as QUICK
 from quick_report import quick_report
 
@@ -79,6 +79,9 @@ class Parts(unittest.TestCase):
         small = ["report", "--quick", "--no-timings", "--only"]
         cases = [(["--size", 72, mesh], "size 64 × 64, and not 72 × 72"), (["--size", 64], "meshes cube8.obj, and not none"),
                  (["--size", 64, "--data", folder], "meshes cube8.obj")]
+        (folder / "mine" / "words").mkdir(parents=True)
+        (folder / "mine" / "words" / "q2.md").write_text((SOURCE / "templates" / "words" / "q2.md").read_text().replace("## title\n", "## title\nMy ", 1))
+        cases.append((["--size", 64, "--templates", folder / "mine", mesh], "words none, and not"))
         for options, words in cases:
             self.ended(0, *small, "q1,q2", "--size", 64, "--out", out, mesh)
             process = self.ended(0, *small, "q2", "--out", out, *options)

@@ -100,7 +100,9 @@ private:
 
     void check(PetscErrorCode code) const {
         if (code == 0) return;
-        if (code == PETSC_ERR_MEM) throw SolverError("rank " + std::to_string(rank_) + ": out of memory", "take more ranks");
+        if (code == PETSC_ERR_MEM)
+            throw SolverError("rank " + std::to_string(rank_) + ": out of memory",
+                              "start more ranks (mpirun -n N), or use machines with more memory");
         throw SolverError("PETSc failed on rank " + std::to_string(rank_) + ": " + message_, "take more ranks, or run without mpirun");
     }
 
@@ -179,11 +181,14 @@ private:
         check(MatCholeskyFactorNumeric(factor_, A, &info));
         MatFactorError error = MAT_FACTOR_NOERROR;
         check(MatFactorGetError(factor_, &error));
-        if (error == MAT_FACTOR_OUTMEMORY) throw SolverError("the factor needs more memory than a rank has", "take more ranks");
+        if (error == MAT_FACTOR_OUTMEMORY)
+            throw SolverError("the factor needs more memory than a rank has",
+                              "start more ranks (mpirun -n N), or use machines with more memory");
         PetscInt negative = 0;
         if (definite) check(MatMumpsGetInfog(factor_, 12, &negative));   // MUMPS goes on after a negative pivot
         if (error == MAT_FACTOR_NOERROR && negative == 0) return;
-        throw SolverError(definite ? "the matrix is not positive definite" : "a pivot was lost in rounding");
+        throw SolverError(definite ? "the matrix is not positive definite"
+                                   : "the matrix is too close to singular to factor (a pivot was lost in rounding)");
     }
 
     int pivots_here() {
@@ -280,8 +285,8 @@ std::unique_ptr<Ranks> ranks_of_mpi() { return std::make_unique<RanksOfMpi>(); }
 #else
 
 std::unique_ptr<meshfolio::Ranks> meshfolio::ranks_of_mpi() {
-    throw EngineError("the backend slepc is not in this program",
-                      "configure with -DMESHFOLIO_SLEPC=ON (Debian: apt install slepc-dev petsc-dev)");
+    throw EngineError("this program was built without the backend slepc",
+                      "leave --backend out, or configure with -DMESHFOLIO_SLEPC=ON (Debian: apt install slepc-dev petsc-dev)");
 }
 
 #endif

@@ -31,7 +31,8 @@ struct DistanceSearch {
     double found = 0;   // the largest distance measured; the search raises it [length]
 };
 
-/// Encloses the largest distance of a point of `one.from` from `one.to`, or of `other.from` from `other.to`; raises `found` of both.
+/// Encloses the larger of two one-sided distances: from `one.from` to `one.to` and from `other.from` to `other.to`. Raises `found` of the
+/// side that has a distance larger than both; the other may stay below its own maximum. The accuracy is missed where the work has a limit.
 /// @param accuracy  wanted (bound − distance)/distance @param rounding  of any distance [length]
 HausdorffDistance enclose_farthest(DistanceSearch& one, DistanceSearch& other, double accuracy, double rounding);
 

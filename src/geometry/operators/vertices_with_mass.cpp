@@ -17,7 +17,8 @@ void check_masses(const LaplaceBeltrami& laplacian) {
                         "take C and M of one mesh");
     for (Eigen::Index i = 0; i < M.size(); ++i) {
         if (std::isfinite(M[i]) && M[i] >= 0) continue;
-        throw MeshError("vertex " + std::to_string(i) + " has area " + plain_text(M[i], 3), "use barycentric or mixed areas");
+        throw MeshError("vertex " + std::to_string(i) + " has area " + plain_text(M[i], 3) + ", but areas must be finite and not negative",
+                        "use barycentric or mixed areas");
     }
     if (!(M.maxCoeff() > 0))
         throw MeshError("no triangle has an area that can be told from 0", "scale the mesh up, or repair its triangles");

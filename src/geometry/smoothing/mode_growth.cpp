@@ -11,7 +11,7 @@ ModeGrowth mode_growth(const LaplaceBeltrami& laplacian, const LargestEigenvalue
     if (X.rows() != laplacian.M.size() || top.mode.size() != X.rows()) {
         throw MeshError("growth of a mode: " + std::to_string(X.rows()) + " positions and a mode of " + std::to_string(top.mode.size()) +
                             " values for an operator on " + std::to_string(laplacian.M.size()) + " vertices",
-                        "give one of each a vertex");
+                        "give one position and one value of the mode for each vertex");
     }
     const OperatorWithMass whole = operator_with_mass(laplacian);
     const ExplicitDiffusion diffusion(whole);

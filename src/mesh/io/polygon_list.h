@@ -49,7 +49,7 @@ public:
     void end_polygon(long line);
 
     void add_polygon(std::span<const int> corners, long line);
-    /// Adds the triangles of a strip, every second one turned, so that all face the same side.
+    /// Adds the triangles of a strip, every second one turned, so that all face the same side. @param line  of the file, for messages
     void add_strip(std::span<const int> corners, long line);
 
     std::size_t size() const { return first_.size() - 1; }

@@ -91,7 +91,7 @@ struct VertexColumn {
     std::string array = {};                  // name of the array of several numbers per vertex that it is part of; empty: none
 };
 
-/// Returns the name of the column for number `part` of an array: "velocity_x", or "stress_4" if there are not three.
+/// Returns the name of the column for component `part`, from 0, of an array: "velocity_x" for part 0 of 3, "stress_4" for part 4 of 6.
 inline std::string component_name(const std::string& array, std::size_t part, std::size_t parts) {
     return array + "_" + (parts == 3 ? std::string(1, "xyz"[part]) : std::to_string(part));
 }

@@ -59,7 +59,7 @@ public:
     /// the bundled mesh `stand_in`. An empty path means a lost mesh. The user's first own mesh replaces every original.
     SharedMesh original(const std::string& name, const std::filesystem::path& path, const std::string& stand_in,
                         const std::filesystem::path& base) const;
-    /// Returns a mesh by its file name from the data folders; null if none has it.
+    /// Returns a mesh from the data folders, by its whole path or its bare name; null if none has it. @throws InputError if it is unusable
     SharedMesh in_data(const std::filesystem::path& file) const;
 
     bool has_own_meshes() const { return !finder_.own().empty(); }

@@ -68,8 +68,8 @@ struct Extent {
     int seeds = 20, rule_seeds;   // noisy meshes, and those of them that the rules are tried on
     int draws = 4;
 };
-/// Returns the levels of the settings, else 0.003 and 0.01 (quick: 0.01; laboratory: 0.001, 0.003, 0.01, 0.03), and up to 40 iterations
-/// (quick: 10, laboratory: 80), fewer on more than 15,000 vertices (quick: 60,000; laboratory: 7,500).
+/// Returns the levels of the settings, else 0.003 and 0.01 (quick: 0.01; laboratory: 0.001, 0.003, 0.01, 0.03), and the iterations: the
+/// last of the settings, else 40 (quick: 10, laboratory: 80), at most 600,000/vertices but not below 8.
 Extent extent_of(const QuestionSettings& settings, int vertices);
 
 /// Returns settings.seed + 1000 (level + 1) + run, the seed of one noisy mesh, draw or probe of a level. Runs count noisy meshes from 0,

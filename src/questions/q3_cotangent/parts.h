@@ -47,7 +47,8 @@ double cotangent_range(const CotangentComparison& comparison);
 void add_comparison_figure(Answer& answer, const Comparisons& meshes, const Disagreements& with_jets);
 /// Adds a figure of uniform and cotangent |H| × mean edge on the flat meshes and on the irregular square, in one range.
 void add_plane_figure(Answer& answer, const Comparisons& meshes, const PlaneTest& plane, const std::string& colormap);
-/// Adds a figure of |H_cotan − H_jet| × mean edge on one mesh, and a paragraph with its rms, median and concentration.
+/// Adds a figure of |H_cotan − H_jet| × mean edge on one mesh, and a paragraph with its rms, its median, and the share that the worst
+/// vertices have of it.
 void add_disagreement(Answer& answer, const CotangentComparison& comparison, const Disagreement& disagreement, const std::string& colormap);
 /// Draws the opposite angles of an edge, the pull of uniform weights, and why that of cotangent weights vanishes.
 report::Diagram weight_diagram();

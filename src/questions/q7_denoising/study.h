@@ -54,7 +54,7 @@ struct NoisyTrial {
     Stopped stopped;
     std::vector<double> further_gains;   // by surface, of further seeds at the best λ and t of this one
 
-    /// True if smoothing reduces the distance to the surface.
+    /// True if some step of some run is nearer to the clean surface than the noisy mesh is.
     bool improved() const { return found.by_shape.step > 0; }
     /// Returns the volume of the best by a measure, over that of the clean mesh; NaN for an open mesh.
     double volume_by(const Measure& measure) const { return best_by(measure).volume / clean_volume; }

@@ -14,8 +14,8 @@
 
 namespace meshfolio::report {
 
-/// Returns the blocks of a section in a volume: in the report the first `appendix_from` of a question, all if it is −1; in the appendix the
-/// further ones, and all blocks of other sections.
+/// Returns the blocks of a section in a volume. A question has its first `appendix_from` blocks (−1: all) in the report, the rest in the
+/// appendix; other sections have all in the appendix.
 std::span<const Block> blocks_in(const Section& section, Volume volume);
 
 /// True if the volume shows the section: the report has the questions, the appendix all others and questions with blocks for it.

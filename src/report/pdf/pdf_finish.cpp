@@ -58,7 +58,8 @@ void rewrite_outline(QPDF& pdf, const std::vector<std::string>& titles) {
     auto items = outline_of(pdf);
     if (items.size() != titles.size())
         throw EngineError("the PDF has " + std::to_string(items.size()) + " entries in its outline, the page " +
-                          std::to_string(titles.size()) + " headings");
+                              std::to_string(titles.size()) + " headings",
+                          "print with another browser: --pdf-browser");
     for (std::size_t i = 0; i < items.size(); ++i) {
         auto& [item, level] = items[i];
         if (!has_words_of(titles[i], item.getTitle()))

@@ -127,7 +127,7 @@ const QuestionTable& table_of(const ReportSettings& settings, std::string_view i
 /// Returns the settings of one section, from its [[question]] table and from the settings of the report.
 QuestionSettings question_settings(const ReportSettings& settings, const std::string& id);
 
-/// Returns the meshes that [[question]] tables name, in the order of the ids of the tables.
+/// Returns the meshes that [[question]] tables name, sorted by the id of the table; a mesh named twice is listed twice.
 std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings);
 
 /// True if the settings ask for the chapters on request, by `earlier` or by experiments of their own.
@@ -146,8 +146,8 @@ std::map<std::string, std::string> described(const ReportSettings& settings);
 /// @param with_earlier  all sections include the chapters on request
 std::vector<std::string> sections_in_order(const std::vector<std::string>& ids, bool with_earlier);
 
-/// Returns the words of every setting that the answer to a question depends on, for the key of the cache; the meshes are identified
-/// elsewhere in the key.
+/// Returns the values, as texts, of every setting that the answer to a question depends on, each after the number of its texts, for the key
+/// of the cache. The meshes are identified elsewhere in the key.
 std::vector<std::string> identity_of(const ReportSettings& settings, const std::string& question);
 
 }   // namespace meshfolio::run
