@@ -63,8 +63,8 @@ private:
     Looks looks_;
 };
 
-/// Sets `smoothed` for pixels from (x, y) to the right: the mean of `openness` around a pixel over surfaces of similar height. Without it,
-/// the few looks leave streaks.
+/// Sets `smoothed` for pixels from (x, y) to the right: the mean of `openness` over the pixels around with a similar height, which
+/// removes the streaks that the few directions of looking leave.
 void smooth(const HeightField& heights, const HeightField& openness, int x, int y, std::span<float> smoothed);
 
 /// A byte for each pixel, with a margin of one pixel of zeros round the picture.

@@ -38,7 +38,8 @@ std::string words_of(const ChildEnd& end);
 /// Kills all running children and lets none start any more. For a failure elsewhere in the program: run_child() returns.
 void abandon_children() noexcept;
 
-/// Kills all running children within a second and lets none start any more. For an early end of the process, such as a signal.
+/// Ends all running children within a second: by SIGTERM those with `tidies_up`, by SIGKILL the rest. A later run_child() never returns, as
+/// the process is about to end, for example by a signal.
 void end_children() noexcept;
 
 }   // namespace meshfolio

@@ -14,7 +14,7 @@ class SourceListing;
 
 namespace meshfolio::run {
 
-/// Returns src.txt of this program, with the index of all sections of the report.
+/// Returns the listing src.txt of this program. Its index names, for each section of the report, the lines of the code that it cites.
 const submission::SourceListing& own_source();
 
 /// Returns a digest of everything that results depend on besides inputs and settings: the executable, the shared libraries in use (names,

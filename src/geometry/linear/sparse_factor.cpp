@@ -84,7 +84,7 @@ OrderedFactor::OrderedFactor(const SparseMatrix& S, double sigma, Kind kind) {
         if (!(std::isfinite(D_[i]) && (definite ? D_[i] : std::abs(D_[i])) > 16 * epsilon * std::abs(diagonal)))
             throw SolverError("LDLᵀ factorisation of a " + std::to_string(S.rows()) + "-row matrix" +
                               (definite ? ", which is not positive definite" : "") + ": pivot " + plain_text(D_[i], 3) + " at step " +
-                              std::to_string(i) + ", where the diagonal is " + plain_text(diagonal, 3));
+                              std::to_string(i) + " is lost in the rounding of the diagonal, " + plain_text(diagonal, 3));
         growth_ = std::max(growth_, std::abs(D_[i] / diagonal));
     }
     ldlt_ = ldlt;

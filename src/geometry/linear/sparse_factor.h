@@ -18,8 +18,8 @@ struct FactorOperations {
     double factorisation = 0;   // multiply–adds
     double solve = 0;           // of one solve with one right-hand side: L, D and Lᵀ
 };
-/// Returns the cost of LDLᵀ for the pattern of S, eliminated in the order of its rows. @param S  symmetric, both triangles and every
-/// diagonal entry stored
+/// Returns the multiply–adds of LDLᵀ for the pattern of S, eliminated in the order of its rows. @param S  symmetric, both triangles and
+/// every diagonal entry stored
 FactorOperations factor_operations(const SparseMatrix& S);
 
 /// An elimination order that keeps the factor sparse, by approximate minimum degree (Amestoy, Davis & Duff 1996).

@@ -32,9 +32,9 @@ OperatorKind operator_named(const std::string& name);
 /// True if L = M⁻¹C, and so a smoothing step, has no unit: only for the uniform operator. Other L are in 1/length², their steps are areas.
 bool is_dimensionless(OperatorKind kind);
 
-/// Returns `triangles` if C is the sum, or a multiple of the sum, of the stiffness matrices of the mesh's own triangles, so that −C is
-/// positive semidefinite but for rounding (definiteness.h); else `unknown`, as for intrinsic triangulations, where edges may join a vertex
-/// to itself.
+/// Returns `triangles` if the C of the operator is the sum, or a multiple of the sum, of the stiffness matrices of the mesh's own
+/// triangles, so that −C is positive semidefinite but for rounding (definiteness.h); else `unknown`, as for intrinsic triangulations, where
+/// edges may join a vertex to itself.
 Assembly assembly_of(OperatorKind kind);
 
 /// True if C has lengths of edges that flips or a cover have made, rounded once more. On strongly stretched meshes it then belongs to a

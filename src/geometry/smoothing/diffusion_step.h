@@ -19,7 +19,7 @@ void scatter(const FourColumns& rows, const std::vector<int>& vertex, Positions&
 using DifferenceRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// Computes y_i = x_i + λ Σ_j w_ij (x_j − x_i) for the rows [first, last).
-/// @return  true if all |y| there are finite and at most `bound`
+/// @return  true if all |y| there are at most `bound`, which is finite
 bool explicit_rows(const DifferenceRows& L, double lambda, const FourColumns& X, int first, int last, double bound, FourColumns& Y);
 
 /// The step X ↦ X + λLX, L = M⁻¹C. Each weight read serves three coordinates. Constants stay to the last bit, since only differences of

@@ -28,7 +28,7 @@ struct SpectralMeasure {
     double uncertainty(Function f) const {
         return exact ? 0 : std::abs(sum(f, fewer_nodes, fewer_weights) / integral(f) - 1);
     }
-    /// Returns √(Σ_i f(μ_i)² |⟨X, φ_i⟩_M|² / ΣM): the area-weighted rms length of f(−L)X. [length]
+    /// Returns √(Σ_i f(μ_i)² |⟨X, φ_i⟩_M|² / ΣM): the area-weighted rms length of f(−L)(X − its mean). [length]
     template <class Filter>
     double rms(Filter f) const {
         return std::sqrt(integral([&](double mu) { return f(mu) * f(mu); }) / mass);

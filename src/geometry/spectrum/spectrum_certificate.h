@@ -62,7 +62,7 @@ struct SpectrumCertificate {
 
 /// Measures and certifies any pairs, right or wrong. Costs one sparse factorisation, seldom more, and products with Φ; computes no
 /// eigenvalue.
-/// @param inertia_at  the function that counts
+/// @param inertia_at  counts the eigenvalues below a shift
 /// @throws MeshError if the sizes do not fit together, or the spectrum is empty
 SpectrumCertificate certify_spectrum(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian, const Spectrum& spectrum,
                                      const InertiaAt& inertia_at = meshfolio::inertia_at);

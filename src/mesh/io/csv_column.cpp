@@ -197,7 +197,7 @@ NumberColumn csv_column(std::string_view bytes, const std::string& file, const s
         if (number.is_infinite && column.first_infinite == 0) column.first_infinite = lines.number();
     }
     if (more == MoreRows::refused && next_row(lines, false))
-        throw InputError({file, lines.number()}, "more rows than " + asked_for, csv_remedy);
+        throw InputError({file, lines.number()}, "has more rows than " + asked_for, "remove the rows from this line on");
     return column;
 }
 

@@ -50,7 +50,8 @@ struct FittedPositions {
 /// the middle of the picture.
 FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X);
 
-/// Returns the frame of a panel for its view files of width × height pixels, which are not cropped.
+/// Returns the frame of a panel's view files of width × height pixels: that of all framed panels together, or the panel's own if it has
+/// one.
 /// @param hero  the three-quarter view; null: the views along the axes
 render::Frame full_frame(const FigureRequest& request, std::size_t panel, const render::View* hero, int width, int height);
 

@@ -77,7 +77,8 @@ std::string keep_beside(const fs::path& path, bool stays) {
         if (error != 0 && error != EEXIST) error = move_to_free_name(path, place);
         if (error == ENOENT) return "";
         if (error == 0 || (error == EEXIST && is_same_file(path, place))) return name;
-        if (error != EEXIST) throw OutputError(path.string(), std::string("cannot be kept (") + std::strerror(error) + ")", remedy);
+        if (error != EEXIST)
+            throw OutputError(path.string(), std::string("cannot be kept under another name (") + std::strerror(error) + ")", remedy);
     }
 }
 
@@ -122,7 +123,8 @@ public:
             const bool no_link = error == EPERM || error == EACCES || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK;
             const auto can_be_moved = [&] { return ::faccessat(AT_FDCWD, from.parent_path().c_str(), W_OK | X_OK, AT_EACCESS) == 0; };
             if (error == ENOENT || (!moves_ && no_link && can_be_moved())) return {};
-            throw OutputError(from.string(), std::string("cannot be carried over (") + std::strerror(error) + ")", remedy);
+            throw OutputError(from.string(), std::string("cannot be carried over to the new folder (") + std::strerror(error) + ")",
+                              remedy);
         }
     }
 

@@ -40,7 +40,7 @@ report::Plot expected_plot(const PredictionStudies& studies);
 /// Plots the measured errors with the noisy mesh's own operator and all predictions at the highest level over the iterations, a panel for
 /// each mesh.
 report::Plot own_operator_plot(const PredictionStudies& studies);
-/// Collects the facts of the words on noise.
+/// Returns the values that the messages on noise in templates/words/modes.md name.
 report::Facts noise_facts(const PredictionStudies& studies);
 
 }   // namespace meshfolio::modes

@@ -180,7 +180,7 @@ struct StandardDistance {
 /// Returns the largest distance between formula and measured mean with the clean operator, in standard errors including rounding.
 /// @param factor  multiplies σ in the formula, for a control that must fail
 StandardDistance standard_distance(const PredictionStudy& study, const NoiseLevelStudy& level, double factor = 1);
-/// Returns the deviation() of the expected from the measured area-weighted error, with the clean operator.
+/// Returns the largest |expected/measured − 1| of the area-weighted rms error over the iterations, with the clean operator.
 double largest_mass_deviation(const PredictionStudy& study, const NoiseLevelStudy& level);
 
 /// The parts of the measured error at the iteration where the formula is farthest from it: mean squared errors over that of the noise, 3σ².

@@ -183,8 +183,8 @@ struct Reasons {
 /// such a curve.
 bool approaches_clean_curve(const Reasons& reasons);
 
-/// Joins the runs of all λ to one curve: each run from its third step on (the first run from its first), beyond the amounts of the runs
-/// before.
+/// Joins the runs of all λ, ascending, to one curve of the error [mean edges] over the amount λ · steps, from 0 on: each run from its third
+/// step on (the first run from its first), beyond the amounts of the runs before.
 ErrorCurve error_curve(const DenoisingGrid& grid, const NoisyTrial& trial);
 /// Smooths a noisy mesh and the clean mesh by the operator of the clean mesh with every λ of the grid, and splits the error.
 ErrorParts error_parts(const DenoisingGrid& grid, const TriangleMesh& noisy);

@@ -182,7 +182,7 @@ void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshe
 inline void add_sentence(report::Text& text, const report::Text& sentence) { report::extend(text, sentence, " "); }
 /// Returns "row 20", "rows 7, 8 and 9".
 std::string rows_text(const std::vector<int>& rows);
-/// Returns λ in the unit of the settings: "1×10⁻⁷", "0.5 λ_crit", "0.02 h̄²".
+/// Returns λ, which is in the unit of the settings, with that unit: "1×10⁻⁷", "0.5 λ_crit", "0.02 h̄²".
 std::string given_text(const Experiment& experiment, double lambda);
 /// Returns the noise in the unit of the settings: "0.0013", "1 % of the box", "0.3 h̄".
 std::string noise_text(const Experiment& experiment, double noise);

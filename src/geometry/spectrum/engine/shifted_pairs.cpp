@@ -203,8 +203,11 @@ Shift shift_below_zero(const SpectrumProblem& problem, double sigma) {
             refuted = false;
         }
     }
-    throw SolverError((refuted ? "−C is not positive semidefinite: " : "−C cannot be shown to be positive semidefinite: ") + reason,
-                      "repair triangles of zero area, and sum the opposite cotangents of an edge instead of averaging them");
+    throw SolverError(
+        (refuted ? "the stiffness matrix −C is not positive semidefinite: "
+                 : "the stiffness matrix −C cannot be shown to be positive semidefinite: ") +
+            reason,
+        "repair triangles of zero area; in an operator of your own, sum the opposite cotangents of an edge instead of averaging them");
 }
 
 SymmetricPairs pairs_near(const SpectrumProblem& problem, const Shift& shift, const DenseMatrix& known, const PairSearch& search) {

@@ -142,7 +142,8 @@ GlbAccessor GlbDocument::accessor(std::size_t index) {
 }
 
 GlbAccessor GlbDocument::accessor(const Json& attributes, const std::string& name) {
-    return accessor(number(attributes, name.c_str(), std::size_t{1} << 40));
+    if (!attributes.contains(name)) damaged("a primitive has no attribute " + name);
+    return accessor(number(attributes, name.c_str(), 0));
 }
 
 void GlbDocument::refuse_too_many(std::size_t count) const {

@@ -35,6 +35,7 @@ class GlbDocument {
 public:
     using Json = nlohmann::json;
 
+    /// @param bytes  the whole file @param file  its name in messages
     /// @throws InputError if the bytes are no chunks of JSON and data, or require an extension that is not supported
     GlbDocument(std::string_view bytes, const std::string& file, WarningTally& warnings);
 

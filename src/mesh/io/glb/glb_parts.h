@@ -30,6 +30,7 @@ Positions stored_as_floats(const TriangleMesh& mesh, const GlbFrame& frame);
 /// @param X  stored_as_floats(mesh, frame)
 std::vector<int> parts_that_keep_apart(const TriangleMesh& mesh, const Positions& X);
 /// Returns the number of vertices that vanish when vertices with equal rows of X are welded within each part; part −1 does not count.
+/// @param parts  of each vertex, ascending but for −1, as parts_that_keep_apart() returns them
 int count_of_welded(const Positions& X, const std::vector<int>& parts);
 /// Returns part 0 for every vertex of a triangle, −1 for the others.
 std::vector<int> one_part(const TriangleMesh& mesh);
