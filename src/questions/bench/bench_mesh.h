@@ -13,7 +13,7 @@
 #include "geometry/linear/sparse_types.h"
 #include "geometry/linear/special_values.h"
 #include "mesh/mesh_topology.h"
-#include "questions/core/once_map.h"
+#include "questions/core/mesh_library.h"
 #include "report/words.h"
 
 namespace meshfolio {

@@ -1,4 +1,4 @@
-#include "questions/core/once_map.h"
+#include "questions/core/mesh_library.h"
 
 #include <gtest/gtest.h>
 
