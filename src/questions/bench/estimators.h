@@ -34,6 +34,8 @@ const Estimator& estimator(std::string_view key);
 
 /// The vertex areas that the cotangent operator and the angle deficit are estimated with.
 inline constexpr std::array area_forms{AreaForm::barycentric, AreaForm::voronoi, AreaForm::mixed};
+/// The area form of the figures and texts that show a single one; later questions use it in the mass matrix.
+inline constexpr AreaForm areas_used = AreaForm::barycentric;
 /// Returns the name of the areas in prose and tables: "Voronoi".
 std::string area_name(AreaForm form);
 /// Return the keys of the cotangent H and of the angle-deficit K with these areas: "H.mixed", "K.mixed".

@@ -2,16 +2,12 @@
 /// The parts of question 3.
 #pragma once
 
-#include "geometry/operators/vertex_areas.h"
 #include "questions/bench/cotangent_study.h"
 #include "questions/bench/curvature_bench.h"
 
 namespace meshfolio::q3_cotangent {
 
 inline constexpr report::Words words("q3");
-
-/// The area form of all figures and their text; later questions use it in the mass matrix.
-inline constexpr AreaForm areas_used = AreaForm::barycentric;
 
 using Comparisons = std::vector<CotangentComparison>;
 
