@@ -1,7 +1,7 @@
 // The section "claims": claims of earlier reports and papers, measured again and judged by their rules.
 #include <set>
 
-#include "questions/claims/parts.h"
+#include "questions/claims/claim.h"
 
 namespace meshfolio::claims {
 
@@ -81,19 +81,13 @@ report::Check ledger_check(const Ledger& ledger) {
 Answer answer(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress) {
     Answer answer{section_of("claims")};
     report::Section& section = answer.section;
-    ClaimBench bench(library, settings);
-    Ledger ledger;
-    for (const Claim& claim : claim_list()) {
-        progress("claim: " + claim.said());
-        ledger.push_back(judged(claim, bench));
-    }
-    bench.enter_inputs(section);
-
+    std::vector<report::Plot> plots;
+    const Ledger ledger = judged_claims(library, settings, progress, section, plots);
     add_words(section, words, "method", "holds"_a = label_of(Verdict::holds), "conditional"_a = label_of(Verdict::conditional),
               "refuted"_a = label_of(Verdict::refuted), "undecidable"_a = label_of(Verdict::undecidable));
     add_words(section, words, "results");
     add(section, ledger_table(ledger));
-    for (report::Plot& plot : bench.plots) add(section, std::move(plot));
+    for (report::Plot& plot : plots) add(section, std::move(plot));
     add_words(section, words, "every_claim");
     add(section, ledger_entries(ledger));
     add_words(section, words, "discussion", "summary"_a = summary_of(ledger));

@@ -79,6 +79,19 @@ JudgedClaim judged(const Claim& claim, ClaimBench& bench) {
     return result;
 }
 
+std::vector<JudgedClaim> judged_claims(const MeshLibrary& library, const QuestionSettings& settings, const Progress& progress,
+                                       report::Section& section, std::vector<report::Plot>& plots) {
+    ClaimBench bench(library, settings);
+    std::vector<JudgedClaim> ledger;
+    for (const Claim& claim : claim_list()) {
+        progress("claim: " + claim.said());
+        ledger.push_back(judged(claim, bench));
+    }
+    bench.enter_inputs(section);
+    plots = std::move(bench.plots);
+    return ledger;
+}
+
 std::string label_of(Verdict verdict) { return std::string(verdicts[int(verdict)].second) + " " + word_of(verdict); }
 
 std::string Claim::said() const { return words.line(std::string(id) + ".said"); }
