@@ -1,7 +1,7 @@
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/uniform_laplacian.h"
 #include "geometry/spectrum/spectral_reconstruction.h"
-#include "questions/reproductions/parts.h"
+#include "questions/reproductions/study.h"
 
 namespace meshfolio::reproductions {
 

@@ -1,7 +1,7 @@
 // Experiments of earlier reports on curvature, the ellipsoid and reconstruction: figures, tables and results in words.
 #include "geometry/curvature/fundamental_forms.h"
 #include "questions/bench/ellipsoid_study.h"
-#include "questions/reproductions/parts.h"
+#include "questions/reproductions/study.h"
 
 namespace meshfolio::reproductions {
 

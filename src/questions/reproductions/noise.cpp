@@ -2,7 +2,7 @@
 #include <set>
 
 #include "questions/bench/denoising_search.h"
-#include "questions/reproductions/parts.h"
+#include "questions/reproductions/study.h"
 
 namespace meshfolio::reproductions {
 
@@ -153,20 +153,6 @@ void add_minima(report::Text& text, const Experiment& e, const Done<NoisyRun>& d
     }
 }
 
-/// Checks the rms of the noise of each level on each mesh.
-void add_noise_checks(const Reproduction& r, const Done<NoisyRun>& done) {
-    std::set<std::pair<const ExperimentMesh*, double>> checked;
-    for (const NoisyRun& run : done.results) {
-        if (run.noise == 0 || !checked.insert({run.mesh, run.noise}).second) continue;
-        // The squares of 3n normal numbers with these weights: five standard deviations of their mean.
-        const Vector3 squares = run.sigma.cwiseAbs2();
-        const double spread = std::sqrt(2.0 / run.mesh->mesh().vertex_count()) * squares.norm() / squares.sum();
-        const std::string name =
-            words.line("check.noise", "noise"_a = noise_text(r.experiment, run.noise), "mesh"_a = run.mesh->name, "where"_a = r.where());
-        add(r.section(), check_near(name, 1, run.rms.front() * run.rms.front() / squares.sum(), 5 * spread));
-    }
-}
-
 }   // namespace
 
 void add_noisy_reproduction(const Reproduction& r, const Done<NoisyRun>& done) {
@@ -185,7 +171,16 @@ void add_noisy_reproduction(const Reproduction& r, const Done<NoisyRun>& done) {
             if (run.mesh == &mesh && !curve) list.items.push_back(about_run(r.experiment, run));
         if (!curve) add(r.section(), list);
     }
-    add_noise_checks(r, done);
+    std::set<std::pair<const ExperimentMesh*, double>> checked;   // the noise of each level on each mesh
+    for (const NoisyRun& run : done.results) {
+        if (run.noise == 0 || !checked.insert({run.mesh, run.noise}).second) continue;
+        // The squares of 3n normal numbers with these weights: five standard deviations of their mean.
+        const Vector3 squares = run.sigma.cwiseAbs2();
+        const double spread = std::sqrt(2.0 / run.mesh->mesh().vertex_count()) * squares.norm() / squares.sum();
+        const std::string name =
+            words.line("check.noise", "noise"_a = noise_text(r.experiment, run.noise), "mesh"_a = run.mesh->name, "where"_a = r.where());
+        add(r.section(), check_near(name, 1, run.rms.front() * run.rms.front() / squares.sum(), 5 * spread));
+    }
 }
 
 }   // namespace meshfolio::reproductions

@@ -1,5 +1,5 @@
 // Smoothing experiments of earlier reports: figures, table and results in words.
-#include "questions/reproductions/parts.h"
+#include "questions/reproductions/study.h"
 
 namespace meshfolio::reproductions {
 
@@ -81,22 +81,6 @@ std::vector<Snapshot> snapshots_of(const SmoothingExperiment& done, const Experi
         }
     }
     return rows;
-}
-
-report::Table run_table(const Reproduction& r, const SmoothingExperiment& done) {
-    const Experiment& e = r.experiment;
-    return table(r.id_of("runs"), words.line("runs"), snapshots_of(done, e))
-        .column("mesh", [](auto& row) { return row.run.mesh->name; })
-        .column("steps", [&](auto& row) { return variant_text(e, row.run); })
-        .column("λ, report", [&](auto& row) { return given_text(e, row.run.given); })
-        .column("λ, here", [](auto& row) { return row.run.run.lambda; })
-        .column("λ/λ_crit", [](auto& row) { return row.run.share(); })
-        .column("iterations", {.digits = 6}, &Snapshot::iteration)
-        .column("energy", {.unit = "of input"}, [](auto& row) { return cell_of(row.energy); })
-        .column("moved", {.unit = "% of box"}, [](auto& row) { return cell_of(row.moved); })
-        .column("volume", {.unit = "% of input", .digits = 4}, [](auto& row) { return cell_of(100 * row.volume); })
-        .column("inverted faces", {.digits = 6}, [](auto& row) { return cell_of(row.inverted); })
-        .column("outcome", &Snapshot::outcome);
 }
 
 // ---- results in words -------------------------------------------------------------------------------------------------
@@ -189,7 +173,18 @@ report::Text runs_found(const Experiment& e, const SmoothingExperiment& done, co
 void add_smoothing_reproduction(const Reproduction& r, const SmoothingExperiment& done) {
     add_opening(r, done.meshes);
     for (const ExperimentMesh& mesh : done.meshes) add_run_figure(r, done, mesh);
-    add(r.section(), run_table(r, done));
+    add(r.section(), table(r.id_of("runs"), words.line("runs"), snapshots_of(done, r.experiment))
+                         .column("mesh", [](auto& row) { return row.run.mesh->name; })
+                         .column("steps", [&](auto& row) { return variant_text(r.experiment, row.run); })
+                         .column("λ, report", [&](auto& row) { return given_text(r.experiment, row.run.given); })
+                         .column("λ, here", [](auto& row) { return row.run.run.lambda; })
+                         .column("λ/λ_crit", [](auto& row) { return row.run.share(); })
+                         .column("iterations", {.digits = 6}, &Snapshot::iteration)
+                         .column("energy", {.unit = "of input"}, [](auto& row) { return cell_of(row.energy); })
+                         .column("moved", {.unit = "% of box"}, [](auto& row) { return cell_of(row.moved); })
+                         .column("volume", {.unit = "% of input", .digits = 4}, [](auto& row) { return cell_of(100 * row.volume); })
+                         .column("inverted faces", {.digits = 6}, [](auto& row) { return cell_of(row.inverted); })
+                         .column("outcome", &Snapshot::outcome));
     for (const ExperimentMesh& mesh : done.meshes) add_paragraphs(r.section(), {runs_found(r.experiment, done, mesh)});
     for (const ExperimentRun& run : done.results) {
         const bool decays = run.is(SmoothingScheme::implicit_euler) || (run.is(SmoothingScheme::explicit_euler) && run.share() < 1);

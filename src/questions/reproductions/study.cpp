@@ -2,7 +2,7 @@
 #include <set>
 
 #include "mesh/vertex_noise.h"
-#include "questions/reproductions/parts.h"
+#include "questions/reproductions/study.h"
 
 namespace meshfolio::reproductions {
 

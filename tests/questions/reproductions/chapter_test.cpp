@@ -4,7 +4,7 @@
 
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/study_laws.h"
-#include "questions/reproductions/parts.h"
+#include "questions/reproductions/study.h"
 
 namespace meshfolio::reproductions {
 using namespace testing_tools;

@@ -1,4 +1,4 @@
-#include "questions/reproductions/parts.h"
+#include "questions/reproductions/study.h"
 
 #include <gtest/gtest.h>
 

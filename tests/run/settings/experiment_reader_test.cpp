@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/file_bytes.h"
-#include "questions/reproductions/parts.h"
+#include "questions/reproductions/study.h"
 #include "run/settings/report_settings.h"
 #include "run/settings/settings_problems.h"
 #include "source_dir.h"
