@@ -6,14 +6,6 @@ namespace {
 
 const std::string unusable = "meshes that cannot be used";
 
-void say_if_copy(const LibraryMesh& mesh, report::Section& section) {
-    if (!mesh.is_copy) return;
-    const std::string warning =
-        report::Words("figures").line("decimated", "file"_a = mesh.input.file, "vertices"_a = mesh.input.vertices,
-                                      "copy"_a = mesh.mesh().vertex_count(), "error"_a = readable_percent(mesh.decimation_error, 2));
-    if (std::ranges::find(section.warnings, warning) == section.warnings.end()) section.warnings.push_back(warning);
-}
-
 }   // namespace
 
 report::Section section_of(std::string_view id) {
@@ -27,7 +19,12 @@ report::Section section_of(std::string_view id) {
 }
 
 void enter_input(const LibraryMesh& mesh, report::Section& section) {
-    say_if_copy(mesh, section);
+    if (mesh.is_copy) {
+        const std::string warning =
+            report::Words("figures").line("decimated", "file"_a = mesh.input.file, "vertices"_a = mesh.input.vertices,
+                                          "copy"_a = mesh.mesh().vertex_count(), "error"_a = readable_percent(mesh.decimation_error, 2));
+        if (std::ranges::find(section.warnings, warning) == section.warnings.end()) section.warnings.push_back(warning);
+    }
     const auto same = [&](const report::Input& input) { return input.file == mesh.input.file && input.sha256 == mesh.input.sha256; };
     if (std::ranges::any_of(section.inputs, same)) return;
     section.inputs.push_back(mesh.input);

@@ -35,9 +35,9 @@ using Names = std::vector<std::string>;
 /// Returns an empty section of the chapter `id`, with its title, question and cited code.
 report::Section section_of(std::string_view id);
 
-/// Adds the warning that the section is computed with small settings, so that the report ends in time.
+/// Adds the warning that the section has small settings, so that the report ends in time.
 void say_small_settings(report::Section& section);
-/// Returns the sentence that a section is left out, so that the report ends in time.
+/// Returns the reason why a section is left out, so that the report ends in time.
 std::string left_out_to_fit();
 
 /// Appends a block. A plot, map or figure without an alternative text gets its caption.
@@ -48,7 +48,7 @@ void add(report::Section& section, auto&&... parts) { (add_one(section, std::for
 void append_checks(report::Section& section, const std::vector<report::Check>& checks);
 /// Puts all blocks that are added from here on into the appendix of the report.
 inline void begin_appendix(report::Section& section) { section.appendix_from = static_cast<int>(section.blocks.size()); }
-/// Appends the blocks of the message `key`, with the facts filled in: heading, paragraphs, formulas.
+/// Appends the heading, paragraphs and formulas of a message.
 void add_words(report::Section& section, const report::Words& words, std::string_view key, const report::Facts& facts);
 void add_words(report::Section& section, const report::Words& words, std::string_view key, auto... facts) {
     add_words(section, words, key, report::Facts{std::move(facts)...});
@@ -63,24 +63,24 @@ std::string id_of(const std::string& question, const std::string& mesh, const st
 
 // ---- its meshes -----------------------------------------------------------------------------------------------------------
 
-/// Adds the mesh to the inputs of the section, once, and to its warnings those of the file and the remark that it is a decimated copy.
+/// Enters the mesh and the warnings of its preflight into the section.
 void enter_input(const LibraryMesh& mesh, report::Section& section);
 
-/// Returns the meshes of the settings, else the user's own, else those of the chapter's roles, and enters them into the section.
+/// Finds the meshes of a chapter and enters them into its section: those of the settings, else the user's own, else the chapter's roles.
 /// @throws InputError if one is missing or unusable
 LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section);
-/// Returns the meshes of the settings, else the user's own, else those of `roles`, and enters them into the section.
+/// Finds the meshes in the same way, with some of the chapter's roles.
 LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, const std::vector<std::string_view>& roles,
                          report::Section& section);
 
-/// Returns a failed check with the reason as its note, for a section that has to go without one of its meshes.
+/// Returns the failed check of a section that had to go without one of its meshes.
 report::Check unusable_mesh_check(const std::string& reason);
-/// Returns true if the section has an unusable_mesh_check(). Such a section is not cached: the mesh may be usable the next time.
+/// Returns true if the section has such a check. It is not cached: the mesh may be usable the next time.
 bool misses_a_mesh(const report::Section& section);
 
-/// Returns study_of(mesh, settings) of the meshes in order, and reports each as it begins: "denoising of cube". If a study throws an Error,
-/// for example because an operator cannot be factored, the mesh becomes a failed check of `section` and has no study.
-/// @throws SolverError if no mesh can be studied
+/// Studies the meshes one after the other and reports each as it begins: "denoising of cube". If a study fails, for example because an
+/// operator cannot be factored, the mesh becomes a failed check of `section`, and the others go on.
+/// @throws SolverError if none can be studied
 template <class StudyOf>
 auto studies_of(const LibraryMeshes& meshes, const std::string& work, const QuestionSettings& settings, const Progress& progress,
                 report::Section& section, const StudyOf& study_of) {
@@ -108,7 +108,6 @@ Names names_where(const std::vector<Study>& studies, const auto& chosen) {
         if (std::invoke(chosen, study)) names.push_back(study.name());
     return names;
 }
-/// Returns the names of the studies.
 template <class Study>
 Names names_of(const std::vector<Study>& studies) {
     return names_where(studies, [](const Study&) { return true; });
@@ -116,13 +115,12 @@ Names names_of(const std::vector<Study>& studies) {
 
 // ---- numbers --------------------------------------------------------------------------------------------------------------
 
-/// Returns a vector of f of each element.
 auto each_of(auto&& range, const auto& f) {
     std::vector<std::remove_cvref_t<decltype(std::invoke(f, *std::begin(range)))>> values;
     for (const auto& element : range) values.push_back(std::invoke(f, element));
     return values;
 }
-/// Returns the largest f(element), or 0 if none is above 0; NaN is left out.
+/// Returns the largest f of an element, at least 0; NaN is left out.
 double largest_of(auto&& range, const auto& f) {
     double largest = 0;
     for (const auto& element : range) largest = std::max<double>(largest, std::invoke(f, element));
@@ -140,7 +138,7 @@ std::vector<Number> each_once(std::vector<Number> values) {
 /// Returns the last of the settings' values, or the question's own if there is none.
 inline int last_or(const std::vector<int>& given, int own) { return given.empty() ? own : given.back(); }
 
-/// Returns the largest values[i + 1] − values[i]; 0 if no value is above the one before it.
+/// Returns the largest rise from one value to the next; 0 if none rises.
 template <class Values>
 double largest_rise(const Values& values) {
     double rise = 0;
@@ -149,24 +147,21 @@ double largest_rise(const Values& values) {
     return rise;
 }
 
-/// Returns the finite values in ascending order.
 std::vector<double> sorted_finite(const Vector& values);
-/// Returns the indices where both values are finite, ascending.
 std::vector<int> where_finite(const Vector& a, const Vector& b);
 
 /// Spread of the finite values.
 struct ValueSummary {
     double minimum = 0, maximum = 0, mean = 0, median = 0, standard_deviation = 0;
     int count = 0;       // finite values
-    int undefined = 0;   // NaN or infinite
+    int undefined = 0;   // NaN
 };
-/// Summarises the values; all but the counts are NaN if no value is finite. The standard deviation divides by `count`.
 ValueSummary summary_of(const Vector& values);
 
-/// Computes √(Σ A (f − g)² / Σ A g²), the relative L2 error of `f` against the truth `g`, over the vertices where both are finite.
+/// √(Σ A (f − g)² / Σ A g²): the relative L2 error of `f` against the truth `g`, over the vertices where both are finite.
 double relative_error(const Vector& f, const Vector& g, const Vector& areas);
 
-/// Returns a cell with the number; an empty cell if it is not finite or `defined` is false.
+/// Returns a number in a table, or an empty cell if it is NaN or `defined` is false.
 report::Cell cell_of(double x, bool defined = true);
 
 inline void add_point(report::Series& series, double x, double y) {
@@ -176,23 +171,25 @@ inline void add_point(report::Series& series, double x, double y) {
 
 // ---- words ----------------------------------------------------------------------------------------------------------------
 
-/// Returns a paragraph of the sentences, joined by spaces; skips empty ones.
+report::Facts list_of(auto... facts) { return {std::move(facts)...}; }
+
+/// Joins sentences by spaces; skips empty ones.
 report::Text paragraph_of(std::initializer_list<report::Text> sentences);
-/// Appends a sentence to a paragraph, after a space unless the paragraph is empty; an empty sentence changes nothing.
+/// Appends a sentence to a paragraph, unless it is empty.
 void go_on(report::Text& paragraph, const report::Text& sentence);
 
-/// Returns the names as a list in words: "a", "a and b", "a, b and c"; empty without names.
+/// Returns "a", "a and b", "a, b and c".
 std::string listed(const Names& names);
-/// Returns the parts with the separator between them: "a; b; c".
+/// Returns "a; b; c".
 std::string joined(const Names& parts, std::string_view separator = "; ");
 
 /// Returns "0.3 to 0.9", or "0.3" if both are alike.
 std::string span_of(const std::string& low, const std::string& high);
 
-/// Returns the message `key` with the listed names for {{meshes}}; empty if there are no names.
+/// Returns the message about these {{meshes}}; empty if there are none.
 report::Text said_of(const Names& meshes, const report::Words& words, std::string_view key);
 
-/// Returns the number with its noun: "1 mesh", "4 meshes", "40 962 vertices". @param plural  empty: `singular` with an s
+/// Returns "1 mesh", "4 meshes", "40 962 vertices".
 std::string counted(int n, std::string_view singular, std::string_view plural = "");
 
 }   // namespace meshfolio
