@@ -1,7 +1,8 @@
 #include <Eigen/Geometry>
 #include <set>
+#include <span>
 
-#include "questions/stability/parts.h"
+#include "questions/stability/study.h"
 
 namespace meshfolio::stability {
 

@@ -1,210 +1,44 @@
 /// @file
-/// The section "stability": the limit of explicit smoothing, proved and tried on both sides, and both schemes over planes of steps and
-/// iterations.
+/// The parts of the section "stability".
 #pragma once
 
-#include <span>
-
-#include "geometry/smoothing/laplacian_smoothing.h"
-#include "geometry/smoothing/mode_growth.h"
-#include "geometry/smoothing/stability_certificate.h"
-#include "questions/bench/smoothing_study.h"
+#include "questions/core/section_tools.h"
 
 namespace meshfolio::stability {
 
 inline constexpr report::Words words("stability");
 
-// ---- the limit ------------------------------------------------------------------------------------------------------------
-
-/// The largest stable step of one operator, proved, and a run on either side of it.
-struct OperatorLimit {
-    std::string name;   // "cotangent", "uniform"
-    StabilityCertificate certificate;
-    ModeGrowth below, beyond;   // at 0.99 and 1.01 of the limit, the top mode seeded a thousandth of the mean edge high
-
-    double critical() const { return largest_stable_step(certificate.top); }
-};
-
-/// The vertex at which the top mode is largest, compared with the other vertices.
-struct LimitingVertex {
-    int vertex = -1;
-    double area_share = 0;        // its area over the median
-    double stiffness_share = 0;   // its −C_ii over the median
-    bool on_boundary = false;
-    double smallest_angle = 0;   // of the triangles around it [rad]
-
-    /// Returns stiffness over area, relative to the medians: the speed of the vertex over that of a typical one.
-    double rate() const { return stiffness_share / area_share; }
-};
-
-/// The limits of both operators on one mesh.
-struct StabilityStudy : OnMesh {
-    std::array<OperatorLimit, 2> limits;   // cotangent, uniform
-    LimitingVertex limiting;               // of the cotangent operator
-    double mean_edge = 0;                  // [length]
-    double diagonal = 0;                   // of the bounding box [length]
-
-    const OperatorLimit& cotangent() const { return limits[0]; }
-    const OperatorLimit& uniform() const { return limits[1]; }
-};
-/// Proves the limit of the cotangent and of the uniform operator, and runs 500 steps (quick: 200) at 0.99 and at 1.01 of each limit.
-StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settings);
-
-/// Returns the measured growth of the mode over the whole run divided by the predicted growth; 1 if the run obeys the law.
-inline double measured_over_predicted(const ModeGrowth& growth) { return growth.factor.back() / growth.predicted(growth.steps()); }
-
-/// A run, and the first triangle that turned: its normal differs by more than 90° from that in the input.
-struct WatchedRun {
-    std::string name;     // "rebuilt, fixed λ"
-    double lambda = 0;    // asked for [length²]
-    int iterations = 0;   // asked for
-    Smoothed run = {};
-    int turned_iteration = 0;   // the step in which the first triangle turned; 0: none turned
-    int turned_face = -1;       // that triangle
-    int inverted = 0;           // triangles turned at the end
-};
-
-/// Runs with the operator rebuilt at every step, from half the limit of the input, and one run beyond the limit with a fixed operator.
-struct RebuiltFlow : OnMesh {
-    static constexpr double share = 0.95;   // of the proved limit, kept by the adaptive run
-    static constexpr double beyond = 2;     // λ of the frozen run over the limit: the top mode triples in each step
-    WatchedRun fixed, adaptive, frozen;
-
-    std::array<const WatchedRun*, 3> runs() const { return {&fixed, &adaptive, &frozen}; }
-};
-/// Runs `fixed` and `adaptive` for 30 steps (quick: 20), `frozen` for up to 100.
-RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& settings);
-
-// ---- the planes -----------------------------------------------------------------------------------------------------------
-
-/// One quantity over the plane, row by row of iteration counts; NaN if the run had blown up or nothing is left to measure.
-using PlaneValues = std::vector<double>;
-
-/// The measurements of one scheme over the plane.
-struct SchemeMap {
-    SmoothingScheme scheme = SmoothingScheme::explicit_euler;
-    PlaneValues moved;          // rms distance from the input over the box diagonal
-    PlaneValues error;          // rms distance from the clean mesh over the box diagonal; empty if there is no clean mesh
-    PlaneValues size;           // volume over that of the input; for an open mesh, area over area
-    PlaneValues angle;          // smallest [rad]
-    PlaneValues inverted;       // share of the triangles that face away from their first normals
-    PlaneValues gap;            // of the implicit scheme, below half the limit: rms distance from the explicit result over `moved`
-    std::vector<int> blow_up;   // iteration at which the run of each λ blew up; 0: it did not
-    int factorisations = 0;
-
-    std::string name() const { return scheme == SmoothingScheme::explicit_euler ? "explicit" : "implicit"; }
-};
-
-/// Predicts when a run beyond the limit blows up. t steps multiply mode i by |1 − λμ_i|ᵗ; its height in the input is
-/// |⟨X, φ_i⟩_M| max|φ_i|. The run ends when a vertex is as far away as `distance`.
-struct GrowingModes {
-    Vector eigenvalues;    // [1/length²]
-    Vector heights;        // of the input [length]
-    double rounding = 0;   // of coordinates: no run has less of a mode than this [length]
-    double distance = 0;   // [length]
-
-    /// Returns the height above which a mode is no rounding, so that symmetry or cancellation cannot stop its growth. [length]
-    double noticeable() const { return 1e4 * rounding; }
-    /// Returns the iteration (not rounded up) at which the first mode of at least this height reaches `distance`; NaN if none grows.
-    double blow_up(double lambda, double least_height = 0) const;
-    /// Returns the first iteration up to `last` at which the heights of all modes add up to 0.999 `distance`; 0 if they never do.
-    int earliest(double lambda, int last) const;
-};
-
-/// A cell of the plane that a picture shows. a: explicit, the last stable step, all iterations; b: the first unstable step, while it stays
-/// in view; c: implicit, the same cell as b; d: implicit, the largest step, while a twentieth of the size is left (or after one measured
-/// count); e and f: explicit and implicit, nearest to the clean mesh.
-struct MapPlace {
-    std::string letter;
-    SmoothingScheme scheme = SmoothingScheme::explicit_euler;
-    std::size_t step = 0, row = 0;   // in lambdas and iterations
-    Positions X;
-};
-
-/// Both schemes on one mesh over the plane of steps λ and iterations t.
-struct SmoothingMaps {
-    SmoothingSubject subject;
-    std::optional<TriangleMesh> clean;   // the mesh before its noise was added; only for meshes that the program made
-    double input_error = 0;              // rms distance of the input from the clean mesh over the box diagonal
-    bool closed = false;
-    std::vector<double> lambdas;   // [length²]
-    std::vector<int> iterations;
-    std::array<SchemeMap, 2> schemes;   // explicit, implicit
-    GrowingModes top;                   // the top mode alone
-    std::optional<GrowingModes> all;    // every mode, of a small mesh
-    std::vector<MapPlace> places;
-
-    const std::string& name() const { return subject.name(); }
-    const SchemeMap& explicit_map() const { return schemes[0]; }
-    const SchemeMap& implicit_map() const { return schemes[1]; }
-    /// Returns `all` if the modes are known, else `top`.
-    const GrowingModes& known_modes() const { return all ? *all : top; }
-    /// Return the index of a cell in PlaneValues, its index in `lambdas`, and its index in `iterations`.
-    std::size_t index(std::size_t step, std::size_t row) const { return row * lambdas.size() + step; }
-    std::size_t step_of(std::size_t cell) const { return cell % lambdas.size(); }
-    std::size_t row_of(std::size_t cell) const { return cell / lambdas.size(); }
-    /// Returns λ/λ_crit of a step.
-    double relative(std::size_t step) const { return lambdas[step] / subject.critical; }
-    /// Returns the index of the cell with the smallest error from the clean mesh; none if no clean mesh is known.
-    std::optional<std::size_t> best(const SchemeMap& map) const;
-};
-
-/// Runs both schemes with the λ of the settings, else a logarithmic grid with the explicit limit between two steps. Measures at
-/// spaced_iterations() up to the last of the settings, else 100 (quick: 30, laboratory: 200).
-SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings);
-
-/// Returns 10^(i / per_decade) for i = 0, 1, … up to and including `last`, rounded, each once: 1, 2, 3, 4, 6, 10 for five up to 10.
-std::vector<int> spaced_iterations(int last, int per_decade);
-
-/// Returns the largest |many/few − 1| of the rms motions of two implicit cells with equal λt and tenfold iteration counts; 0 if there are
-/// none.
-double largest_difference_at_equal_time(const SmoothingMaps& maps);
-
-/// Counts of runs that blew up, over some planes.
-struct BlowUps {
-    int beyond = 0;                                            // explicit runs beyond the limit
-    int within_lost = 0, beyond_lost = 0, implicit_lost = 0;   // blew up: explicit within the limit, beyond it, implicit
-    int late = 0;     // lasted longer than a growing mode allows, by more than a tenth and one iteration
-    int early = 0;    // blew up before all modes together could
-    double off = 0;   // largest distance of a measured iteration from the predicted one
-};
-/// Counts the blow-ups of all steps on all planes, measured against known_modes().
-BlowUps blow_ups_of(std::span<const SmoothingMaps> planes);
-
-/// The cell in which the results of the two schemes are farthest apart.
-struct Gap {
-    const SmoothingMaps* maps = nullptr;   // null: no cell is compared
-    std::size_t cell = 0;
-    double largest = 0;   // in this cell
-    double last = 0;      // the largest after all iterations, on any mesh
-};
-
-// ---- the section ----------------------------------------------------------------------------------------------------------
-
+struct StabilityStudy;   // study.h
+struct RebuiltFlow;
+struct SmoothingMaps;
 using Studies = std::vector<StabilityStudy>;
 using Planes = std::vector<SmoothingMaps>;
 
-/// Finds the largest SchemeMap::gap of the implicit scheme over all planes.
-Gap largest_gap(const Planes& planes);
+/// Studies the limits of the meshes; a mesh that cannot be smoothed becomes a failed check.
+std::shared_ptr<const Studies> limit_studies(const LibraryMeshes& meshes, const QuestionSettings& settings, const Progress& progress,
+                                             report::Section& section);
+/// Runs the flow with a rebuilt operator on the last mesh.
+std::shared_ptr<const RebuiltFlow> rebuilt_flow(const Studies& studies, const QuestionSettings& settings, const Progress& progress);
+/// Runs both schemes over the planes of the first two meshes (quick: the first; laboratory: all).
+std::shared_ptr<const Planes> plane_studies(const Studies& studies, const QuestionSettings& settings, const Progress& progress,
+                                            report::Section& section);
 
-/// Returns a table of the bounds of λ_crit and the safe step, a row for each operator on each mesh.
+/// The bounds of every limit.
 report::Table certificate_table(const Studies& studies);
-/// Returns a table of the cotangent limit in other units and the vertex that sets it, a row for each mesh.
+/// The cotangent limit in other units, and the vertex that sets it.
 report::Table unit_table(const Studies& studies);
-/// Plots the growth of the top mode over the iterations at 0.99 and 1.01 of the limit, a panel each: both operators as measured, and as
-/// predicted.
-report::Plot growth_plot(const StabilityStudy& study);
-/// Returns a table of the runs of the flow, a row each: largest λμ_max, steps in which something went wrong, time reached, the end.
+/// The top mode of the last mesh over the iterations on both sides of the limit, measured and predicted.
+report::Plot growth_plot(const Studies& studies);
 report::Table flow_table(const RebuiltFlow& flow);
-/// Plots λμ_max over the steps, a curve for each run, with a dashed line at 2.
+/// λμ_max over the steps of each run.
 report::Plot flow_plot(const RebuiltFlow& flow);
-/// Maps the error from the clean mesh over λ/λ_crit and t, or the motion if no clean mesh is known [% of box]; explicit beside implicit.
-report::Map error_map(const SmoothingMaps& maps);
-/// Returns a table of usable cells, turned triangles and the smallest error, a row for each scheme on each mesh.
+/// Adds a map of each plane: the error, or the motion if no clean mesh is known; explicit beside implicit.
+void add_error_maps(report::Section& section, const Planes& planes);
+/// Usable cells, turned triangles and the best error of each scheme.
 report::Table region_table(const Planes& planes);
-/// Returns a table with a row for each cell of each scheme on each mesh; for files only.
+/// Every cell of the planes, for programs.
 report::Table plane_table(const Planes& planes);
-/// Returns a table of the predicted and measured iteration of blowing up, a row for each of up to four steps beyond the limit on each mesh.
+/// The predicted and measured iteration of blowing up, for up to four steps of each mesh.
 report::Table blow_up_table(const Planes& planes);
 
 /// Adds one figure: every mesh seen along the normal of its limiting vertex, and below it the triangles around, coloured by the top mode.
@@ -212,16 +46,11 @@ void add_top_mode_figure(Answer& answer, const Studies& studies);
 /// Adds a figure of the lettered places of the planes, with a row for each mesh.
 void add_place_figure(Answer& answer, const Planes& planes);
 
-/// The triangles with all corners within `rings` edges of a vertex, turned so that its normal faces the three-quarter view.
-struct Neighbourhood {
-    TriangleMesh mesh;
-    Eigen::VectorXi original;   // row i is vertex original[i] of the whole mesh
-    int vertex = -1;            // the row of the vertex itself
-};
-/// Cuts the triangles around the vertex out of the mesh.
-Neighbourhood neighbourhood(const TriangleMesh& mesh, const MeshTopology& topology, int vertex, int rings);
+void add_checks(report::Section& section, const Studies& studies, const RebuiltFlow& flow, const Planes& planes);
+/// Adds the parameters and the extent of the section.
+void add_record(report::Section& section, const Studies& studies, const Planes& planes);
 
-/// Returns the facts that the words of answer and discussion choose from.
+/// The facts that the words of answer and discussion choose from.
 report::Facts facts_of(const Studies& studies, const RebuiltFlow& flow, const Planes& planes);
 
 }   // namespace meshfolio::stability

@@ -1,7 +1,7 @@
 #include "base/parallel_tasks.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "questions/core/mesh_roles.h"
-#include "questions/stability/parts.h"
+#include "questions/stability/study.h"
 
 namespace meshfolio::stability {
 
@@ -17,7 +17,8 @@ std::optional<TriangleMesh> clean_mesh(const LibraryMesh& source) {
 
 /// Measures the positions X of a run and writes the values into cell i of the map. @param first_normals  of the faces of the input
 void measure(const SmoothingMaps& maps, const Positions& first_normals, const Positions& X, std::size_t i, SchemeMap& map) {
-    const auto size_of = [&](const TriangleMesh& mesh) { return maps.closed ? signed_volume(mesh) : surface_area(mesh); };
+    const bool closed = maps.subject.preflight().encloses_volume();
+    const auto size_of = [&](const TriangleMesh& mesh) { return closed ? signed_volume(mesh) : surface_area(mesh); };
     const TriangleMesh& input = maps.subject.mesh();
     const TriangleMesh mesh = moved_to(input, X);
     map.moved[i] = vertex_rms(input.X, X) / maps.subject.diagonal;
@@ -178,7 +179,6 @@ SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings
 
     SmoothingMaps maps;
     maps.subject = smoothing_subject(std::move(source));
-    maps.closed = maps.subject.preflight().encloses_volume();
     maps.clean = clean_mesh(*maps.subject.source);
     if (maps.clean) maps.input_error = vertex_rms(maps.clean->X, maps.subject.mesh().X) / maps.subject.diagonal;
     maps.lambdas = steps_of(settings, maps.subject.critical, relative_steps);
@@ -194,6 +194,13 @@ SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings
     }
     maps.places = places_of(maps);
     return maps;
+}
+
+std::shared_ptr<const Planes> plane_studies(const Studies& studies, const QuestionSettings& settings, const Progress& progress,
+                                            report::Section& section) {
+    LibraryMeshes meshes = each_of(studies, [](const StabilityStudy& study) { return study.source; });
+    if (!settings.laboratory) meshes.resize(std::min<std::size_t>(meshes.size(), settings.quick ? 1 : 2));
+    return std::make_shared<Planes>(studies_of(meshes, "planes of smoothing", settings, progress, section, smoothing_maps));
 }
 
 }   // namespace meshfolio::stability

@@ -1,6 +1,6 @@
+#include "questions/stability/study.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/operators/uniform_laplacian.h"
-#include "questions/stability/parts.h"
 
 namespace meshfolio::stability {
 
@@ -34,18 +34,6 @@ WatchedRun watched_run(std::string name, const TriangleMesh& mesh, SmoothingOpti
     return watched;
 }
 
-LimitingVertex limiting_vertex(const LaplaceBeltrami& laplacian, const LibraryMesh& source, int vertex) {
-    const TriangleMesh& mesh = source.mesh();
-    const OperatorWithMass whole = operator_with_mass(laplacian);
-    LimitingVertex limiting{vertex, laplacian.M[vertex] / summary_of(whole.M).median,
-                            -laplacian.C.coeff(vertex, vertex) / summary_of(whole.A.diagonal()).median,
-                            source.topology().on_boundary[vertex] != 0, pi};
-    const CornerValues angles = corner_angles(mesh);
-    for (int t = 0; t < mesh.face_count(); ++t)
-        if ((mesh.F.row(t).array() == vertex).any()) limiting.smallest_angle = std::min(limiting.smallest_angle, angles.row(t).minCoeff());
-    return limiting;
-}
-
 }   // namespace
 
 StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settings) {
@@ -53,17 +41,27 @@ StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settin
     study.source = std::move(source);
     const TriangleMesh& mesh = study.mesh();
     study.mean_edge = mean_edge_length(mesh);
-    study.diagonal = bounding_box(mesh).diagonal();
     const int steps = settings.quick ? 200 : 500;
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     study.limits = {
         operator_limit("cotangent", OperatorKind::cotan, laplacian, mesh, study.mean_edge, steps),
         operator_limit("uniform", OperatorKind::uniform, uniform_operator(mesh, study.topology()), mesh, study.mean_edge, steps)};
-    study.limiting = limiting_vertex(laplacian, *study.source, study.cotangent().certificate.top.vertex);
+
+    const int vertex = study.cotangent().certificate.top.vertex;
+    const OperatorWithMass whole = operator_with_mass(laplacian);
+    study.limiting = {vertex, laplacian.M[vertex] / summary_of(whole.M).median,
+                      -laplacian.C.coeff(vertex, vertex) / summary_of(whole.A.diagonal()).median, study.topology().on_boundary[vertex] != 0,
+                      pi};
+    double& smallest = study.limiting.smallest_angle;
+    const CornerValues angles = corner_angles(mesh);
+    for (int t = 0; t < mesh.face_count(); ++t)
+        if ((mesh.F.row(t).array() == vertex).any()) smallest = std::min(smallest, angles.row(t).minCoeff());
     return study;
 }
 
-RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& settings) {
+std::shared_ptr<const RebuiltFlow> rebuilt_flow(const Studies& studies, const QuestionSettings& settings, const Progress& progress) {
+    const StabilityStudy& study = studies.back();
+    progress("rebuilt flow of " + study.name());
     const double critical = study.cotangent().critical();
     RebuiltFlow flow;
     flow.source = study.source;
@@ -72,7 +70,12 @@ RebuiltFlow rebuilt_flow(const StabilityStudy& study, const QuestionSettings& se
     options.adaptive = flow.share;
     flow.adaptive = watched_run("rebuilt, adaptive λ", study.mesh(), options);
     flow.frozen = watched_run("frozen, fixed λ", study.mesh(), {.lambda = flow.beyond * critical, .iterations = 100, .monitor = true});
-    return flow;
+    return std::make_shared<RebuiltFlow>(std::move(flow));
+}
+
+std::shared_ptr<const Studies> limit_studies(const LibraryMeshes& meshes, const QuestionSettings& settings, const Progress& progress,
+                                             report::Section& section) {
+    return std::make_shared<Studies>(studies_of(meshes, "limit of explicit smoothing", settings, progress, section, stability_study));
 }
 
 }   // namespace meshfolio::stability

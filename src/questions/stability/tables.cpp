@@ -1,4 +1,4 @@
-#include "questions/stability/parts.h"
+#include "questions/stability/study.h"
 #include "report/svg/map_scale.h"
 
 namespace meshfolio::stability {
@@ -51,7 +51,51 @@ report::Map::Panel panel_of_scheme(const SmoothingMaps& maps, const SchemeMap& s
     return panel;
 }
 
+/// The error over the plane, or the motion if no clean mesh is known; explicit beside implicit.
+report::Map error_map(const SmoothingMaps& maps) {
+    const bool known = maps.clean.has_value();
+    const std::string key = known ? "error.clean" : "error.input";
+    report::Map map{.id = id_of("stability", maps.name(), "error"),
+                    .caption = words.line(key + ".caption", "mesh"_a = maps.name(), "input"_a = readable(100 * maps.input_error),
+                                          "critical"_a = readable(maps.subject.critical, 4)),
+                    .x_label = "step λ/λ_crit",
+                    .y_label = "iterations t",
+                    .value_label = words.line(key),
+                    .y = {maps.iterations.begin(), maps.iterations.end()},
+                    .log_x = true,
+                    .log_y = true,
+                    .log_values = true,
+                    .undefined = words.line("map.undefined")};
+    for (std::size_t step = 0; step < maps.lambdas.size(); ++step) map.x.push_back(maps.relative(step));
+    Names ranges;
+    for (const SchemeMap& scheme : maps.schemes) {
+        map.panels.push_back(panel_of_scheme(maps, scheme, known ? scheme.error : scheme.moved));
+        const std::vector<double>& values = map.panels.back().values;
+        const ValueSummary s = summary_of(Eigen::Map<const Vector>(values.data(), Eigen::Index(values.size())));
+        const std::string_view range = s.count == 0 ? "map.range.nowhere" : s.undefined == 0 ? "map.range" : "map.range.in_part";
+        ranges.push_back(words.line(range, "scheme"_a = scheme.name(), "low"_a = readable(s.minimum), "high"_a = readable(s.maximum),
+                                    "undefined"_a = s.undefined));
+    }
+    map.alt = words.line("map.alt", "quantity"_a = map.value_label, "mesh"_a = maps.name(), "ranges"_a = listed(ranges));
+
+    if (known) {   // blue where smoothing gains, red where it spoils
+        map.colours = report::Map::Colours::diverging;
+        map.middle = 100 * maps.input_error;
+        map.range = report::Map::Range{0.5 * map.middle, 2 * map.middle};
+        return map;
+    }
+    report::Map::Range range{infinity, 0};   // of implicit runs alone: explicit ones that blow up would stretch the scale
+    for (const double x : map.panels.back().values)
+        if (x > 0 && std::isfinite(x)) range = {std::min(range.low, x), std::max(range.high, x)};
+    if (range.high > 0) map.range = range;
+    return map;
+}
+
 }   // namespace
+
+void add_error_maps(report::Section& section, const Planes& planes) {
+    for (const SmoothingMaps& maps : planes) add(section, error_map(maps));
+}
 
 // The safe step has twelve digits before it is rounded down, which hide the rounding that its bound counts in.
 
@@ -82,7 +126,7 @@ report::Table unit_table(const Studies& studies) {
                 [=](auto& s) { return rounded(tau(s, s.cotangent().certificate.lambda_safe()), 12); })
         .column("0.01 h̄²", {.unit = "τ"}, [=](auto& s) { return tau(s, 0.01 * s.mean_edge * s.mean_edge); })
         .column("ten steps of τ = ½", {.unit = "% of box"},
-                [](auto& s) { return 100 * smoothing_strength(5 * s.cotangent().critical(), s.diagonal); })
+                [](auto& s) { return 100 * smoothing_strength(5 * s.cotangent().critical(), bounding_box(s.mesh()).diagonal()); })
         .column("vertex", {.digits = 8}, [](auto& s) { return s.limiting.vertex; })
         .column("sharing", {.unit = "vertices"}, [](auto& s) { return s.cotangent().certificate.top.support; })
         .column("area", {.unit = "of median", .digits = 2}, [](auto& s) { return s.limiting.area_share; })
@@ -90,7 +134,8 @@ report::Table unit_table(const Studies& studies) {
         .column("smallest angle", {.unit = "°", .digits = 2}, [](auto& s) { return s.limiting.smallest_angle * 180 / pi; });
 }
 
-report::Plot growth_plot(const StabilityStudy& study) {
+report::Plot growth_plot(const Studies& studies) {
+    const StabilityStudy& study = studies.back();   // all meshes obey one law
     const OperatorLimit &cotangent = study.cotangent(), &uniform = study.uniform();
     const auto end = [](const ModeGrowth& growth, int digits) { return readable(growth.factor.back(), digits); };
     report::Plot plot{.id = id_of("stability", study.name(), "growth"),
@@ -150,45 +195,6 @@ report::Plot flow_plot(const RebuiltFlow& flow) {
     }
     plot.series.push_back({.name = "limit 2", .x = {1, double(flow.fixed.iterations)}, .y = {2, 2}, .style = Style::dashed});
     return plot;
-}
-
-report::Map error_map(const SmoothingMaps& maps) {
-    const bool known = maps.clean.has_value();
-    const std::string key = known ? "error.clean" : "error.input";
-    report::Map map{.id = id_of("stability", maps.name(), "error"),
-                    .caption = words.line(key + ".caption", "mesh"_a = maps.name(), "input"_a = readable(100 * maps.input_error),
-                                          "critical"_a = readable(maps.subject.critical, 4)),
-                    .x_label = "step λ/λ_crit",
-                    .y_label = "iterations t",
-                    .value_label = words.line(key),
-                    .y = {maps.iterations.begin(), maps.iterations.end()},
-                    .log_x = true,
-                    .log_y = true,
-                    .log_values = true,
-                    .undefined = words.line("map.undefined")};
-    for (std::size_t step = 0; step < maps.lambdas.size(); ++step) map.x.push_back(maps.relative(step));
-    Names ranges;
-    for (const SchemeMap& scheme : maps.schemes) {
-        map.panels.push_back(panel_of_scheme(maps, scheme, known ? scheme.error : scheme.moved));
-        const std::vector<double>& values = map.panels.back().values;
-        const ValueSummary s = summary_of(Eigen::Map<const Vector>(values.data(), Eigen::Index(values.size())));
-        const std::string_view range = s.count == 0 ? "map.range.nowhere" : s.undefined == 0 ? "map.range" : "map.range.in_part";
-        ranges.push_back(words.line(range, "scheme"_a = scheme.name(), "low"_a = readable(s.minimum), "high"_a = readable(s.maximum),
-                                    "undefined"_a = s.undefined));
-    }
-    map.alt = words.line("map.alt", "quantity"_a = map.value_label, "mesh"_a = maps.name(), "ranges"_a = listed(ranges));
-
-    if (known) {   // blue where smoothing gains, red where it spoils
-        map.colours = report::Map::Colours::diverging;
-        map.middle = 100 * maps.input_error;
-        map.range = report::Map::Range{0.5 * map.middle, 2 * map.middle};
-        return map;
-    }
-    report::Map::Range range{infinity, 0};   // of implicit runs alone: explicit ones that blow up would stretch the scale
-    for (const double x : map.panels.back().values)
-        if (x > 0 && std::isfinite(x)) range = {std::min(range.low, x), std::max(range.high, x)};
-    if (range.high > 0) map.range = range;
-    return map;
 }
 
 report::Table blow_up_table(const Planes& planes) {

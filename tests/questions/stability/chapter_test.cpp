@@ -1,4 +1,4 @@
-#include "questions/stability/parts.h"
+#include "questions/stability/study.h"
 
 #include <gtest/gtest.h>
 
@@ -86,7 +86,7 @@ TEST(StabilityStudy, FindsTheVertexThatSetsTheLimit) {
 TEST(StabilityStudy, AnAdaptiveFlowNeverCrosses) {
     for (const char* role : {"armadillo", "plane_ns"}) {
         const StabilityStudy study = stability_study(MeshLibrary({}, {}).role(role), quick_settings());
-        const RebuiltFlow flow = rebuilt_flow(study, quick_settings());
+        const RebuiltFlow flow = *rebuilt_flow({study}, quick_settings(), no_progress);
         EXPECT_GT(flow.fixed.run.crossing_iteration, 1) << role << ": later on, half the limit of the input exceeds the limit";
         EXPECT_EQ(flow.adaptive.run.crossing_iteration, 0) << role;
         EXPECT_LE(largest_product(flow.adaptive.run), 2 * flow.share) << role;
@@ -98,7 +98,7 @@ TEST(StabilityStudy, AnAdaptiveFlowNeverCrosses) {
 TEST(StabilityStudy, AFrozenRunBeyondTheLimitBlowsUpAtTheVertexThatSetsIt) {
     const auto source = MeshLibrary({}, {}).role("armadillo");
     const StabilityStudy study = stability_study(source, quick_settings());
-    const RebuiltFlow flow = rebuilt_flow(study, quick_settings());
+    const RebuiltFlow flow = *rebuilt_flow({study}, quick_settings(), no_progress);
     ASSERT_TRUE(flow.frozen.run.blew_up);
     EXPECT_NEAR(largest_product(flow.frozen.run), 4, 1e-6);
     EXPECT_EQ(flow.frozen.run.blow_up_vertex, study.limiting.vertex);

@@ -6,7 +6,7 @@
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
-#include "questions/stability/parts.h"
+#include "questions/stability/study.h"
 
 namespace meshfolio::stability {
 using namespace testing_tools;
@@ -143,7 +143,7 @@ TEST(StabilityPlanes, OnlyTheBundledNoisyMeshesHaveACleanOne) {
     ASSERT_TRUE(best.has_value());
     EXPECT_LT(plane.implicit_map().error[*best], 0.85 * plane.input_error) << "smoothing denoises";
     for (const double error : plane.implicit_map().error) EXPECT_GE(error, plane.implicit_map().error[*best]);
-    EXPECT_FALSE(plane.closed);
+    EXPECT_FALSE(plane.subject.preflight().encloses_volume());
 }
 
 TEST(StabilityPlanes, EqualTimeIsComparedAtEqualTime) {
