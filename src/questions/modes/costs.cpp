@@ -1,4 +1,4 @@
-#include "questions/modes/parts.h"
+#include "questions/modes/mode_study.h"
 
 namespace meshfolio::modes {
 

@@ -1,4 +1,5 @@
-#include "questions/modes/parts.h"
+#include "questions/modes/mode_study.h"
+#include "questions/modes/prediction_study.h"
 
 namespace meshfolio::modes {
 
@@ -78,24 +79,15 @@ report::Facts shape_facts(const ModeStudies& studies) {
     for (std::size_t i = 0; i < borders.size(); ++i)
         borders[i].push_back("sep"_a = i + 1 == borders.size() ? "" : i + 2 == borders.size() ? " and " : ", ");
     const double truer = explicit_is_truer_below(*std::ranges::min_element(studies, {}, explicit_is_truer_below));
-    return {"laws"_a = (worst < law_tolerance),
-            "worst"_a = readable(worst, 2),
-            "first"_a = studies.front().name(),
-            "steps"_a = close.steps,
-            "left"_a = percent(std::abs(close.law(studies.front().subject.top.value))),
-            "gap"_a = (gap > 0 ? percent(gap) : ""),
-            "gap_steps"_a = counts.empty() ? 0 : counts.front(),
-            "gap_mesh"_a = gap_mesh,
-            "last_gap"_a = last_gap > 0 && last_gap < gap ? percent(last_gap) : "",
-            "last_steps"_a = counts.empty() ? 0 : counts.back(),
-            "some"_a = !borders.empty(),
-            "below"_a = borders,
-            "everywhere"_a = listed(names_where(studies, [](const ModeStudy& s) { return s.cheaper_everywhere(0); })),
-            "nowhere"_a = listed(names_where(studies, [](const ModeStudy& s) { return s.cheaper_nowhere(0); })),
-            "truer"_a = truer > 0 ? percent(truer) : "",
-            "accuracy"_a = readable_percent(implicit_accuracy, 1),
-            "accurate"_a = cheaper_below(studies, accurate_way),
-            "matched"_a = cheaper_below(studies, matched_way)};
+    return list_of("laws"_a = (worst < law_tolerance), "worst"_a = readable(worst, 2), "first"_a = studies.front().name(),
+                   "steps"_a = close.steps, "left"_a = percent(std::abs(close.law(studies.front().subject.top.value))),
+                   "gap"_a = (gap > 0 ? percent(gap) : ""), "gap_steps"_a = counts.empty() ? 0 : counts.front(), "gap_mesh"_a = gap_mesh,
+                   "last_gap"_a = last_gap > 0 && last_gap < gap ? percent(last_gap) : "",
+                   "last_steps"_a = counts.empty() ? 0 : counts.back(), "some"_a = !borders.empty(), "below"_a = borders,
+                   "everywhere"_a = listed(names_where(studies, [](const ModeStudy& s) { return s.cheaper_everywhere(0); })),
+                   "nowhere"_a = listed(names_where(studies, [](const ModeStudy& s) { return s.cheaper_nowhere(0); })),
+                   "truer"_a = truer > 0 ? percent(truer) : "", "accuracy"_a = readable_percent(implicit_accuracy, 1),
+                   "accurate"_a = cheaper_below(studies, accurate_way), "matched"_a = cheaper_below(studies, matched_way));
 }
 
 report::Facts noise_facts(const PredictionStudies& studies) {
@@ -122,31 +114,42 @@ report::Facts noise_facts(const PredictionStudies& studies) {
         const RuleOutcome* rule = operated.rule(by_discrepancy);
         return !rule || rule->mean_chosen > operated.measured.best();
     });
-    return {"seeds"_a = studies.front().seeds,
-            "foreseen"_a = off < 0.1,
-            "off"_a = percent(off),
-            "regret"_a = regret < 5e-5 ? "" : percent(regret),
-            "own"_a = percent(own),
-            "late"_a = late,
-            "early"_a = early,
-            "fails"_a = fails,
-            "mesh"_a = study.name(),
-            "sigma"_a = percent(level.sigma),
-            "numbers"_a = fails && account.numbers > 0 && account.knowledge > 0
-                              ? percent(account.numbers / (account.numbers + account.knowledge))
-                              : "",
-            "along"_a = fails && account.along_own > account.along_clean,
-            "along_own"_a = percent(account.along_own),
-            "along_clean"_a = percent(account.along_clean),
-            "stein"_a = percent(stein),
-            "no_sigma"_a = std::ranges::all_of(levels, [](auto& each) { return std::isnan(each.part.sigma_ratio); }),
-            "sigma_off"_a = sigma_off < 0.5 ? percent(sigma_off) : "",
-            "sigma_times"_a = sigma_off >= 0.5 ? span_of(readable(least_sigma, 2), readable(most_sigma, 2)) : "",
-            "rule"_a = by_estimate < 1 ? percent(by_estimate) : "",
-            "rule_times"_a = by_estimate >= 1 ? readable(1 + by_estimate, 2) : "",
-            "held"_a = held > by_estimate ? percent(held) : "",
-            "discrepancy"_a = percent(largest_regret(studies, by_discrepancy)),
-            "stops_late"_a = stops_late};
+    return list_of(
+        "seeds"_a = studies.front().seeds, "foreseen"_a = off < 0.1, "off"_a = percent(off),
+        "regret"_a = regret < 5e-5 ? "" : percent(regret), "own"_a = percent(own), "late"_a = late, "early"_a = early, "fails"_a = fails,
+        "mesh"_a = study.name(), "sigma"_a = percent(level.sigma),
+        "numbers"_a =
+            fails && account.numbers > 0 && account.knowledge > 0 ? percent(account.numbers / (account.numbers + account.knowledge)) : "",
+        "along"_a = fails && account.along_own > account.along_clean, "along_own"_a = percent(account.along_own),
+        "along_clean"_a = percent(account.along_clean), "stein"_a = percent(stein),
+        "no_sigma"_a = std::ranges::all_of(levels, [](auto& each) { return std::isnan(each.part.sigma_ratio); }),
+        "sigma_off"_a = sigma_off < 0.5 ? percent(sigma_off) : "",
+        "sigma_times"_a = sigma_off >= 0.5 ? span_of(readable(least_sigma, 2), readable(most_sigma, 2)) : "",
+        "rule"_a = by_estimate < 1 ? percent(by_estimate) : "", "rule_times"_a = by_estimate >= 1 ? readable(1 + by_estimate, 2) : "",
+        "held"_a = held > by_estimate ? percent(held) : "", "discrepancy"_a = percent(largest_regret(studies, by_discrepancy)),
+        "stops_late"_a = stops_late);
+}
+
+void add_record(report::Section& section, const ModeStudies& shapes, const PredictionStudies& noisy, const QuestionSettings& settings) {
+    const PredictionStudy& first = noisy.front();
+    Names levels;
+    std::vector<double> noise;
+    for (const NoiseLevelStudy& level : first.levels) {
+        noise.push_back(level.sigma);
+        levels.push_back(readable_percent(level.sigma, 2));
+    }
+    section.parameters = {{"operator", words.line("parameter.operator")},
+                          {words.line("parameter.step"), {"0.95 λ_crit", 0.95, "λ_crit"}},
+                          {words.line("parameter.lanczos"), lanczos_steps(settings)},
+                          {"noise", {words.line("parameter.noise", "levels"_a = listed(levels)), noise, "box diagonal"}},
+                          {"seeds", first.seeds},
+                          {"seed", settings.seed}};
+    for (const PredictionStudy& study : noisy) {
+        const double lambda = study.lambda * study.diagonal * study.diagonal;
+        section.parameters["λ on " + study.name()] = {plain_text(lambda, 6), lambda, "length²"};
+    }
+    section.extent =
+        words.line("extent", "meshes"_a = listed(names_of(shapes)), "noisy"_a = listed(names_of(noisy)), "seeds"_a = first.seeds);
 }
 
 }   // namespace meshfolio::modes

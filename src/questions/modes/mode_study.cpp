@@ -13,21 +13,13 @@ namespace {
 
 constexpr int run_at_most = 2000;   // explicit steps of a way that is tried
 
-/// Computes the lowest modes and the top one.
-Spectrum some_modes(const SmoothingSubject& subject, bool quick) {
-    Spectrum modes = smallest_eigenpairs(subject.laplacian, quick ? 20 : 60, {.polish = true, .dense_below = 0});
-    modes.eigenvalues.conservativeResize(modes.eigenvalues.size() + 1);
-    modes.eigenvalues.tail(1)[0] = subject.top.value;
-    modes.eigenvectors.conservativeResize(Eigen::NoChange, modes.eigenvectors.cols() + 1);
-    modes.eigenvectors.rightCols(1) = subject.top.mode;
-    return modes;
-}
-
-/// Returns unit coefficients: ±1/√3 in each coordinate, with signs that repeat nowhere.
-Positions unit_coefficients(Eigen::Index modes) {
-    Positions W(modes, 3);
+/// Smooths unit coefficients of the modes and measures the factor left of each. @param relative  step over λ_crit
+ModeDamping damping_of(const SmoothingSubject& subject, const Spectrum& modes, SmoothingScheme scheme, double relative, int steps) {
+    ModeDamping damping{scheme, relative * subject.critical, steps, {}};
+    const OperatorWithMass whole = operator_with_mass(subject.laplacian);
+    Positions W(modes.eigenvalues.size(), 3);   // ±1/√3 in each coordinate, with signs that repeat nowhere
     std::uint32_t state = 2463534242u;
-    for (Eigen::Index i = 0; i < modes; ++i) {
+    for (Eigen::Index i = 0; i < W.rows(); ++i) {
         for (int c = 0; c < 3; ++c) {
             state ^= state << 13;
             state ^= state >> 17;
@@ -35,14 +27,6 @@ Positions unit_coefficients(Eigen::Index modes) {
             W(i, c) = (state & 1 ? 1 : -1) / std::sqrt(3.0);
         }
     }
-    return W;
-}
-
-/// Smooths unit coefficients of the modes and measures the factor left of each. @param relative  λ/λ_crit
-ModeDamping damping_of(const SmoothingSubject& subject, const Spectrum& modes, SmoothingScheme scheme, double relative, int steps) {
-    ModeDamping damping{scheme, relative * subject.critical, steps, {}};
-    const OperatorWithMass whole = operator_with_mass(subject.laplacian);
-    const Positions W = unit_coefficients(modes.eigenvalues.size());
     Positions X = modes.eigenvectors * W;
     if (scheme == SmoothingScheme::explicit_euler) {
         const ExplicitDiffusion diffusion(whole);
@@ -146,7 +130,15 @@ ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings) {
     ModeStudy study;
     study.subject = smoothing_subject(std::move(source));
     study.all = study.subject.preflight().vertices_in_use <= all_modes_at_most;
-    const Spectrum modes = study.all ? all_modes(study.subject) : some_modes(study.subject, settings.quick);
+    const int lowest = settings.quick ? 20 : 60;
+    Spectrum modes =
+        study.all ? all_modes(study.subject) : smallest_eigenpairs(study.subject.laplacian, lowest, {.polish = true, .dense_below = 0});
+    if (!study.all) {
+        modes.eigenvalues.conservativeResize(modes.eigenvalues.size() + 1);
+        modes.eigenvalues.tail(1)[0] = study.subject.top.value;
+        modes.eigenvectors.conservativeResize(Eigen::NoChange, modes.eigenvectors.cols() + 1);
+        modes.eigenvectors.rightCols(1) = study.subject.top.mode;
+    }
     study.eigenvalues = modes.eigenvalues;
     study.rounding = epsilon * study.subject.mesh().X.cwiseAbs().maxCoeff() / study.subject.diagonal;
     constexpr int steps = 10;
@@ -164,6 +156,11 @@ ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings) {
     }
     study_costs(study, settings.quick);
     return study;
+}
+
+std::shared_ptr<const ModeStudies> mode_studies(const LibraryMeshes& meshes, const QuestionSettings& settings, const Progress& progress,
+                                                report::Section& section) {
+    return std::make_shared<ModeStudies>(studies_of(meshes, "modes", settings, progress, section, mode_study));
 }
 
 }   // namespace meshfolio::modes

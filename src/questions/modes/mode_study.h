@@ -8,6 +8,7 @@
 #include "geometry/linear/sparse_factor.h"
 #include "geometry/spectrum/spectral_measure.h"
 #include "questions/bench/smoothing_study.h"
+#include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
 
@@ -131,7 +132,6 @@ struct ModeStudy {
     bool cheaper_nowhere(std::size_t which) const { return !crossings[which]; }
     bool cheaper_everywhere(std::size_t which) const { return crossings[which] && crossings[which]->energy >= curve.front().energy; }
 };
-using ModeStudies = std::vector<ModeStudy>;
 inline constexpr int damped_steps = 3;          // step sizes of the dampings of one scheme
 inline constexpr double law_tolerance = 1e-9;   // largest deviation() that passes
 

@@ -1,6 +1,6 @@
 #include <span>
 
-#include "questions/modes/parts.h"
+#include "questions/modes/mode_study.h"
 
 namespace meshfolio::modes {
 
@@ -41,7 +41,8 @@ report::Plot target_plot(const ModeStudies& studies, const std::string& key, std
 
 }   // namespace
 
-report::Plot damping_plot(const ModeStudy& study) {
+report::Plot damping_plot(const ModeStudies& studies) {
+    const ModeStudy& study = studies.front();
     const double top = study.subject.top.value;
     const Eigen::Index n = study.eigenvalues.size(), shown = std::min(n, most_shown);
     report::Plot plot{.id = id_of("modes", study.name(), "damping"),
@@ -77,7 +78,8 @@ report::Plot damping_plot(const ModeStudy& study) {
     return plot;
 }
 
-report::Table gap_table(const ModeStudies& studies) {
+void add_gap_table(report::Section& section, const ModeStudies& studies) {
+    if (studies.front().gaps.empty()) return;
     struct Row {
         const ModeStudy& study;
         std::span<const SchemeGap> gaps;   // of one step, at each count of iterations
@@ -98,7 +100,7 @@ report::Table gap_table(const ModeStudies& studies) {
     for (std::size_t i = 0; i < counts.size(); ++i)
         gaps.column(words.line("gap.share", "steps"_a = counts[i]), {.unit = "% of motion", .digits = 2},
                     [i](auto& r) { return cell_of(100 * r.gaps[i].share()); });
-    return gaps;
+    add(section, gaps);
 }
 
 report::Plot cost_plot(const ModeStudies& studies) {
@@ -129,6 +131,33 @@ report::Table crossing_table(const ModeStudies& studies) {
             return s.cheaper_nowhere(which) ? report::Cell() : report::Cell(100 * s.crossings[which]->energy);
         });
     return crossings;
+}
+
+void add_shape_checks(report::Section& section, const ModeStudies& studies) {
+    for (const ModeStudy& study : studies) {
+        double damping = 0, gap = 0, energy = 0;
+        int gaps = 0, runs = 0;
+        for (const ModeDamping& d : study.dampings) damping = std::max(damping, d.deviation(study.eigenvalues));
+        for (const SchemeGap& g : study.gaps) {
+            if (!(g.lambda <= study.subject.critical && study.is_measurable(g))) continue;
+            gap = std::max(gap, std::abs(g.predicted / g.measured - 1));
+            ++gaps;
+        }
+        for (const TriedWay& run : study.tried) {
+            const bool is_explicit = run.way.scheme == SmoothingScheme::explicit_euler;
+            const std::string target = readable_percent(study.targets[run.target].energy, 2);
+            section.timings.push_back({words.line("timing", "explicitly"_a = is_explicit, "steps"_a = run.way.steps,
+                                                  "mesh"_a = study.name(), "energy"_a = target),
+                                       run.seconds});
+            if (!(run.rounding < 1e-7)) continue;
+            energy = std::max(energy, std::abs(run.energy / run.way.energy - 1));
+            ++runs;
+        }
+        add(section, check_at_most(words.line("check.damping", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name()),
+                                   law_tolerance, damping));
+        if (gaps > 0) add(section, check_at_most(words.line("check.gap", "mesh"_a = study.name()), 1e-6, gap));
+        if (runs > 0) add(section, check_at_most(words.line("check.energy", "runs"_a = runs, "mesh"_a = study.name()), 1e-6, energy));
+    }
 }
 
 }   // namespace meshfolio::modes

@@ -89,7 +89,6 @@ void try_rules(OperatorStudy& study, const LevelResults& results, double sigma) 
 NoiseLevelStudy level_study(const PredictionStudy& study, const Work& work, const LevelResults& results, std::size_t l, int iterations) {
     NoiseLevelStudy level;
     level.sigma = work.extent.levels[l];
-    level.sigma_edges = level.sigma / study.mean_edge;
     double ratios = 0;
     int fitted = 0;
     for (const NoiseLevel& estimate : results.estimates)
@@ -169,7 +168,7 @@ StandardDistance standard_distance(const PredictionStudy& study, const NoiseLeve
             const double noise = level.sigma * level.sigma / expected.weight_sum;
             // The spread of few runs may be small by chance, so it is at least that of a mean of 3n squared normal numbers, the least
             // variance of any quadratic form of them.
-            const double least = noise * expected.noise[t] * std::sqrt(2.0 / (3.0 * study.vertices() * measured.seeds));
+            const double least = noise * expected.noise[t] * std::sqrt(2.0 / (3.0 * study.mesh().vertex_count() * measured.seeds));
             const double own = noise * expected.noise_error[t];
             const double predicted = expected.bias[t] / expected.weight_sum + factor * factor * noise * expected.noise[t];
             const double spread = std::hypot(std::max(error[t], least), own, rounding * predicted);
@@ -202,6 +201,11 @@ ErrorAccount error_account(const NoiseLevelStudy& level) {
             .along_clean = clean.tangential[t] / (2 * variance),
             .across_own = (measured[t] - own.measured.tangential[t]) / variance,
             .across_clean = (clean.square[t] - clean.tangential[t]) / variance};
+}
+
+std::shared_ptr<const PredictionStudies> prediction_studies(const LibraryMeshes& meshes, const QuestionSettings& settings,
+                                                            const Progress& progress, report::Section& section) {
+    return std::make_shared<PredictionStudies>(studies_of(meshes, "predicted denoising", settings, progress, section, prediction_study));
 }
 
 }   // namespace meshfolio::modes

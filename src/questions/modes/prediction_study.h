@@ -8,6 +8,7 @@
 #include "geometry/denoising/risk_estimate.h"
 #include "geometry/smoothing/implicit_solver.h"
 #include "questions/bench/smoothing_study.h"
+#include "questions/modes/parts.h"
 
 namespace meshfolio::modes {
 
@@ -42,6 +43,9 @@ struct RunErrors {
 /// Computes the squared errors of a run against flow.clean, an entry for each of its positions.
 RunErrors errors_of_run(const DenoisingFlow& flow, const Trajectory& run);
 
+/// Returns the index of the first smallest value.
+inline int first_smallest(const Vector& values) { return static_cast<int>(std::ranges::min_element(values) - values.begin()); }
+
 /// The errors over all seeds after t = 0, 1, … T steps.
 struct MeasuredCurve {
     Vector square, square_error;   // mean squared error and its standard error [length²]
@@ -52,13 +56,10 @@ struct MeasuredCurve {
 
     int iterations() const { return static_cast<int>(square.size()) - 1; }
     Vector rms() const { return square.cwiseSqrt(); }
-    int best() const;   // first iteration with the smallest mean squared error
+    int best() const { return first_smallest(square); }   // iteration with the smallest mean squared error
 };
 /// Averages the runs, which have equal length. @throws MeshError without a run
 MeasuredCurve measured_curve(const std::vector<RunErrors>& runs);
-
-/// Returns the index of the first smallest value.
-int first_smallest(const Vector& values);
 
 /// The amount of work, by the settings and the size of the mesh.
 struct Extent {
@@ -149,8 +150,7 @@ struct OperatorFacts {
 };
 
 struct NoiseLevelStudy {
-    double sigma = 0;         // [box diagonals]
-    double sigma_edges = 0;   // [mean edges]
+    double sigma = 0;   // [box diagonals]
     std::array<OperatorStudy, 2> operators;
     OperatorFacts facts;
     double sigma_ratio = undefined;   // mean σ̂/σ over the seeds that the rules were tried on; NaN if no patch could be fitted
@@ -166,8 +166,6 @@ struct PredictionStudy : OnMesh {
     double condition = 1;       // bound for the clean mesh's M − λC relative to M, which multiplies rounding
     DenoisingPrediction prediction;
     std::vector<NoiseLevelStudy> levels;   // ascending σ
-
-    int vertices() const { return source->mesh().vertex_count(); }
 };
 /// Predicts and measures the errors for every level of extent_of(), by λ = 0.1 squared mean edges or the first λ of the settings.
 PredictionStudy prediction_study(SharedMesh source, const QuestionSettings& settings);
@@ -200,8 +198,6 @@ ErrorAccount error_account(const NoiseLevelStudy& level);
 inline constexpr std::string_view by_formula = "formula, clean operator", by_draws = "formula, operators of other draws",
                                   by_stein = "Stein, σ known", by_stein_estimated = "Stein, σ̂", by_fixed_operator = "Stein, σ̂, held fixed",
                                   by_discrepancy = "discrepancy, σ̂";
-
-using PredictionStudies = std::vector<PredictionStudy>;
 
 /// Lists every level of every mesh as `part`, with its study as `whole`.
 inline auto levels_of(const PredictionStudies& studies) { return parts_within(studies, &PredictionStudy::levels); }

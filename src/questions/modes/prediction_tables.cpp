@@ -1,4 +1,4 @@
-#include "questions/modes/parts.h"
+#include "questions/modes/prediction_study.h"
 
 namespace meshfolio::modes {
 
@@ -11,8 +11,6 @@ struct Row {
     const PredictionStudy& study;
     const NoiseLevelStudy& level;
     const OperatorStudy& own;
-
-    int steps() const { return own.measured.iterations(); }
 };
 
 /// Makes a table with a row for each level of each mesh and the columns mesh and noise.
@@ -22,16 +20,16 @@ auto begun_table(std::string id, std::string caption, const PredictionStudies& s
     auto begun = table(std::move(id), std::move(caption), std::move(rows));
     begun.column("mesh", [](auto& r) { return r.study.name(); })
         .column("σ", {.unit = "% of box"}, [](auto& r) { return 100 * r.level.sigma; })
-        .column("σ", {.unit = "mean edges"}, [](auto& r) { return r.level.sigma_edges; });
+        .column("σ", {.unit = "mean edges"}, [](auto& r) { return r.level.sigma / r.study.mean_edge; });
     return begun;
 }
 
 /// Returns "23", or "40, still falling" at the end of the run.
-std::string best_words(int best, int iterations) {
-    return std::to_string(best) + (best < iterations || best == 0 ? "" : ", still falling");
+std::string best_words(int best, const OperatorStudy& own) {
+    return std::to_string(best) + (best < own.measured.iterations() || best == 0 ? "" : ", still falling");
 }
-std::string measured_best(const Row& r) { return best_words(r.own.measured.best(), r.steps()); }
-std::string formula_best(const Row& r) { return best_words(r.own.formula().best(), r.steps()); }
+std::string measured_best(const Row& r) { return best_words(r.own.measured.best(), r.own); }
+std::string formula_best(const Row& r) { return best_words(r.own.formula().best(), r.own); }
 
 /// Shows the largest deviation of a prediction.
 auto deviation_of(std::string_view name) {
@@ -186,6 +184,25 @@ report::Plot own_operator_plot(const PredictionStudies& studies) {
         plot.markers.push_back(marker_at(study.name(), own.formula().square, own.formula().best(), "formula t = "));
     }
     return plot;
+}
+
+void add_noise_checks(report::Section& section, const PredictionStudies& studies) {
+    constexpr double far = 5, wrong = 1.5;
+    for (const auto& [study, level] : levels_of(studies)) {
+        const auto name = [&mesh = study.name(), sigma = plain_text(100 * level.sigma, 3)](const char* key) {
+            return words.line(key, "sigma"_a = sigma, "mesh"_a = mesh);
+        };
+        const StandardDistance right = standard_distance(study, level), control = standard_distance(study, level, wrong);
+        append_checks(section, {check_at_most(name("check.vertices"), far, right.vertices, 0,
+                                              words.line("check.vertices.note", "seeds"_a = study.seeds)),
+                                check_at_most(name("check.area"), far, right.mass)});
+        // Rounding may hide the difference between a right and a wrong formula.
+        if (study.condition < 1e12) add(section, check_at_least(name("check.control"), far, control.vertices));
+        // p(t) is the expected, m(t) the measured curve, off by δ at most: m(t_p) ≤ (1 + δ)p(t_p) ≤ (1 + δ)p(t_m) ≤ m(t_m)(1 + δ)/(1 − δ).
+        const OperatorStudy& clean = level.of(FlowOperator::clean);
+        const double off = deviation(clean.formula(), clean.measured);
+        if (off < 0.5) add(section, check_at_most(name("check.regret"), (1 + off) / (1 - off) - 1, clean.regret_of_formula, 1e-12));
+    }
 }
 
 }   // namespace meshfolio::modes

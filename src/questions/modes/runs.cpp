@@ -86,8 +86,6 @@ RunErrors errors_of_run(const DenoisingFlow& flow, const Trajectory& run) {
     return errors;
 }
 
-int MeasuredCurve::best() const { return first_smallest(square); }
-
 MeasuredCurve measured_curve(const std::vector<RunErrors>& runs) {
     if (runs.empty()) throw MeshError("measured_curve() has no runs to average", "give it one run at least");
     MeasuredCurve curve;
@@ -102,12 +100,6 @@ MeasuredCurve measured_curve(const std::vector<RunErrors>& runs) {
         curve.high[t] = percentile(rms, 0.9);
     }
     return curve;
-}
-
-int first_smallest(const Vector& values) {
-    Eigen::Index first = 0;
-    values.minCoeff(&first);
-    return static_cast<int>(first);
 }
 
 Extent extent_of(const QuestionSettings& settings, int vertices) {

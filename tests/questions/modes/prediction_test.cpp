@@ -10,7 +10,7 @@
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "questions/core/study_laws.h"
-#include "questions/modes/parts.h"
+#include "questions/modes/prediction_study.h"
 
 namespace meshfolio::modes {
 using namespace testing_tools;

@@ -6,7 +6,7 @@
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
-#include "questions/modes/parts.h"
+#include "questions/modes/mode_study.h"
 
 namespace meshfolio::modes {
 using namespace testing_tools;
