@@ -1,8 +1,9 @@
+#include "questions/methods/study.h"
 #include "base/parallel_tasks.h"
 #include "geometry/denoising/component_size.h"
 #include "geometry/spectrum/stability.h"
 #include "mesh/decimation.h"
-#include "questions/methods/parts.h"
+#include "mesh/samples/sample_shapes.h"
 
 namespace meshfolio::methods {
 
@@ -122,12 +123,6 @@ std::vector<const NoiseTrial*> DenoisingTrials::of_kind(NoiseKind kind) const {
     return chosen;
 }
 
-int largest_subject(const QuestionSettings& settings, std::size_t meshes) {
-    const int whole = settings.quick ? 250 : 700;
-    const std::size_t usual = settings.laboratory ? 6 : 3;
-    return meshes <= usual ? whole : std::max(100, static_cast<int>(static_cast<std::size_t>(whole) * usual / meshes));
-}
-
 SearchBudget search_budget(const QuestionSettings& settings) {
     return settings.quick ? SearchBudget{3, 4} : settings.laboratory ? SearchBudget{6, 6} : SearchBudget{4, 5};
 }
@@ -159,26 +154,43 @@ DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSetting
     return mesh;
 }
 
+std::shared_ptr<const DenoisingLaboratory> denoising_laboratory(const MeshLibrary& library, const QuestionSettings& settings,
+                                                                const Progress& progress, report::Section& section) {
+    std::initializer_list<std::string_view> quick{"cube"}, usual{"cube", "armadillo"},
+        all{"cube", "plane", "fandisk_ns", "lilium", "armadillo"};
+    const LibraryMeshes meshes = meshes_for(library, settings, settings.quick ? quick : settings.laboratory ? all : usual, section);
+    const bool own_choice = settings.meshes.empty() && !library.has_own_meshes();
+    // The most vertices of a mesh that is not cut: fewer if there are more meshes than usual.
+    const std::size_t count = meshes.size() + (own_choice ? 1 : 0), whole = settings.quick ? 250 : 700,
+                      most_meshes = settings.laboratory ? 6 : 3;
+    const int most = static_cast<int>(count <= most_meshes ? whole : std::max<std::size_t>(100, whole * most_meshes / count));
+    const auto trials_on = [most](const SharedMesh& mesh, const QuestionSettings& all_settings) {
+        return denoising_trials(denoising_subject(mesh->name, mesh->mesh(), most), all_settings);
+    };
+    DenoisingLaboratory laboratory{search_budget(settings),
+                                   studies_of(meshes, "denoising by every method", settings, progress, section, trials_on)};
+    if (own_choice && !settings.quick)
+        laboratory.meshes.push_back(denoising_trials(denoising_subject("egg", ellipsoid_mesh(3, {1, 0.8, 0.65}), most), settings));
+    return std::make_shared<DenoisingLaboratory>(std::move(laboratory));
+}
+
 std::vector<ClassResult> class_results(const DenoisingLaboratory& laboratory) {
     std::vector<ClassResult> classes;
-    std::vector<std::vector<const NoiseTrial*>> trials;
-    for (const DenoisingTrials& mesh : laboratory.meshes) {
-        const std::string title = mesh.subject.class_title();
-        const auto found = std::ranges::find(classes, title, &ClassResult::title);
-        const auto c = static_cast<std::size_t>(found - classes.begin());
-        if (found == classes.end()) {
-            classes.push_back({title, {}, 0, {}, {}});
-            trials.emplace_back();
+    for (const DenoisingTrials& first : laboratory.meshes) {
+        ClassResult result{first.subject.class_title()};
+        if (std::ranges::find(classes, result.title, &ClassResult::title) != classes.end()) continue;
+        std::vector<const NoiseTrial*> trials;
+        for (const DenoisingTrials& mesh : laboratory.meshes) {
+            if (mesh.subject.class_title() != result.title) continue;
+            result.meshes.push_back(mesh.name());
+            for (const NoiseTrial& trial : mesh.trials) trials.push_back(&trial);
         }
-        classes[c].meshes.push_back(mesh.name());
-        for (const NoiseTrial& trial : mesh.trials) trials[c].push_back(&trial);
-    }
-    for (std::size_t c = 0; c < classes.size(); ++c) {
-        classes[c].trials = static_cast<int>(trials[c].size());
-        classes[c].gain = mean_gains(trials[c], &SearchResult::gain);
-        classes[c].angle_gain = mean_gains(trials[c], &SearchResult::angle_gain);
-        classes[c].best = index_of_largest(classes[c].gain);
-        classes[c].best_by_angle = index_of_largest(classes[c].angle_gain);
+        result.trials = static_cast<int>(trials.size());
+        result.gain = mean_gains(trials, &SearchResult::gain);
+        result.angle_gain = mean_gains(trials, &SearchResult::angle_gain);
+        result.best = index_of_largest(result.gain);
+        result.best_by_angle = index_of_largest(result.angle_gain);
+        classes.push_back(std::move(result));
     }
     return classes;
 }

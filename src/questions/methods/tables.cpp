@@ -1,5 +1,7 @@
+#include <ranges>
+
 #include "questions/bench/curvature_subject.h"
-#include "questions/methods/parts.h"
+#include "questions/methods/study.h"
 
 namespace meshfolio::methods {
 
@@ -17,6 +19,23 @@ double largest_gain(const NoiseTrial& trial, Gain gain) {
 }
 
 }   // namespace
+
+void add_method(report::Section& section, const DenoisingLaboratory& laboratory) {
+    const SearchBudget& budget = laboratory.budget;
+    add_words(section, words, "method");
+    report::BulletList noise, methods;
+    for (const NoiseEntry& entry : noise_list())
+        noise.items.push_back(report::text(report::strong(std::string(entry.title)), ": ", std::string(entry.description)));
+    add(section, std::move(noise));
+    add_words(section, words, "method.flows");
+    for (const DenoisingEntry& entry : denoising_list())
+        methods.items.push_back(report::text(report::strong(std::string(entry.title)), " ", report::ref(std::string(entry.reference)), ": ",
+                                             std::string(entry.description)));
+    add(section, std::move(methods));
+    const int bounded = std::max(1, budget.values / 2);
+    add_words(section, words, "method.budget", "total"_a = budget.total(), "values"_a = budget.values, "steps"_a = budget.steps,
+              "bounded_values"_a = bounded, "bounded_steps"_a = budget.total() / bounded);
+}
 
 report::Table subject_table(const DenoisingLaboratory& laboratory) {
     return table("methods_meshes", words.line("meshes"), laboratory.meshes)
@@ -43,10 +62,10 @@ report::Table gain_table(const DenoisingLaboratory& laboratory) {
         .column("in normals", gain, [](auto& row) { return cell_of(largest_gain(row.part, &SearchResult::angle_gain)); });
 }
 
-report::Table winner_table(const std::vector<ClassResult>& classes) {
+report::Table winner_table(const DenoisingLaboratory& laboratory) {
     const auto title = [](int method) { return method >= 0 ? report::Cell{method_title(method)} : report::Cell{}; };
     const auto value = [](const std::vector<double>& gains, int method) { return method >= 0 ? cell_of(gains[method]) : report::Cell{}; };
-    return table("methods_winners", words.line("winners"), classes)
+    return table("methods_winners", words.line("winners"), class_results(laboratory))
         .column("class", &ClassResult::title)
         .column("meshes", [](auto& c) { return listed(c.meshes); })
         .column("noisy meshes", {.digits = 4}, &ClassResult::trials)
@@ -56,7 +75,8 @@ report::Table winner_table(const std::vector<ClassResult>& classes) {
         .column("gain in normals", {.unit = "×"}, [&](auto& c) { return value(c.angle_gain, c.best_by_angle); });
 }
 
-report::Plot gain_plot(const DenoisingLaboratory& laboratory) {
+void add_gain_plot(report::Section& section, const DenoisingLaboratory& laboratory) {
+    if (laboratory.meshes.front().of_kind(NoiseKind::gaussian).size() < 2) return;
     report::Plot plot{.id = "methods_gain_versus_noise",
                       .caption = words.line("gain_plot"),
                       .x_label = words.line("gain_plot.x"),
@@ -80,10 +100,15 @@ report::Plot gain_plot(const DenoisingLaboratory& laboratory) {
         }
     }
     plot.alt = words.line("gain_plot.alt", "caption"_a = plot.caption, "gains"_a = joined(ends));
-    return plot;
+    add(section, plot);
 }
 
-void add_method_figure(Answer& answer, const std::vector<Shown>& shown) {
+void add_method_figure(Answer& answer, const DenoisingLaboratory& laboratory, bool box_levels) {
+    const DenoisingTrials& first = laboratory.meshes.front();
+    std::vector<Within<DenoisingTrials, NoiseTrial>> shown;
+    for (const DenoisingTrials& mesh : laboratory.meshes | std::views::take(4)) shown.push_back({mesh, mesh.pictured_trial()});
+    for (const NoiseTrial& trial : first.trials)
+        if (trial.s1_level && box_levels) shown.push_back({first, trial});
     output::FigureRequest request{.id = "methods_results", .title = words.line("figure.title"), .layout = output::Layout::multiples};
     request.columns = {words.line("figure.clean"), words.line("figure.noisy")};
     for (const DenoisingEntry& entry : denoising_list())

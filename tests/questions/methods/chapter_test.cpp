@@ -5,7 +5,7 @@
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/study_laws.h"
-#include "questions/methods/parts.h"
+#include "questions/methods/study.h"
 
 namespace meshfolio::methods {
 using namespace testing_tools;
