@@ -35,9 +35,9 @@ using Names = std::vector<std::string>;
 /// Returns an empty section of the chapter `id`, with its title, question and cited code.
 report::Section section_of(std::string_view id);
 
-/// Adds the warning that the section has small settings, so that the report ends in time.
+/// Adds the warning that the section is computed with small settings, so that the report ends in time.
 void say_small_settings(report::Section& section);
-/// Returns the reason why a section is left out, so that the report ends in time.
+/// Returns the sentence that a section is left out, so that the report ends in time.
 std::string left_out_to_fit();
 
 /// Appends a block. A plot, map or figure without an alternative text gets its caption.
@@ -48,7 +48,7 @@ void add(report::Section& section, auto&&... parts) { (add_one(section, std::for
 void append_checks(report::Section& section, const std::vector<report::Check>& checks);
 /// Puts all blocks that are added from here on into the appendix of the report.
 inline void begin_appendix(report::Section& section) { section.appendix_from = static_cast<int>(section.blocks.size()); }
-/// Appends the heading, paragraphs and formulas of a message.
+/// Appends the blocks of the message `key`, with the facts filled in: heading, paragraphs, formulas.
 void add_words(report::Section& section, const report::Words& words, std::string_view key, const report::Facts& facts);
 void add_words(report::Section& section, const report::Words& words, std::string_view key, auto... facts) {
     add_words(section, words, key, report::Facts{std::move(facts)...});
@@ -63,24 +63,24 @@ std::string id_of(const std::string& question, const std::string& mesh, const st
 
 // ---- its meshes -----------------------------------------------------------------------------------------------------------
 
-/// Enters the mesh and the warnings of its preflight into the section.
+/// Adds the mesh to the inputs of the section, once, and to its warnings those of the file and the remark that it is a decimated copy.
 void enter_input(const LibraryMesh& mesh, report::Section& section);
 
-/// Finds the meshes of a chapter and enters them into its section: those of the settings, else the user's own, else the chapter's roles.
+/// Returns the meshes of the settings, else the user's own, else those of the chapter's roles, and enters them into the section.
 /// @throws InputError if one is missing or unusable
 LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, report::Section& section);
-/// Finds the meshes in the same way, with some of the chapter's roles.
+/// Returns the meshes of the settings, else the user's own, else those of `roles`, and enters them into the section.
 LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& settings, const std::vector<std::string_view>& roles,
                          report::Section& section);
 
-/// Returns the failed check of a section that had to go without one of its meshes.
+/// Returns a failed check with the reason as its note, for a section that has to go without one of its meshes.
 report::Check unusable_mesh_check(const std::string& reason);
-/// Returns true if the section has such a check. It is not cached: the mesh may be usable the next time.
+/// Returns true if the section has an unusable_mesh_check(). Such a section is not cached: the mesh may be usable the next time.
 bool misses_a_mesh(const report::Section& section);
 
-/// Studies the meshes one after the other and reports each as it begins: "denoising of cube". If a study fails, for example because an
-/// operator cannot be factored, the mesh becomes a failed check of `section`, and the others go on.
-/// @throws SolverError if none can be studied
+/// Returns study_of(mesh, settings) of the meshes in order, and reports each as it begins: "denoising of cube". If a study throws an Error,
+/// for example because an operator cannot be factored, the mesh becomes a failed check of `section` and has no study.
+/// @throws SolverError if no mesh can be studied
 template <class StudyOf>
 auto studies_of(const LibraryMeshes& meshes, const std::string& work, const QuestionSettings& settings, const Progress& progress,
                 report::Section& section, const StudyOf& study_of) {
@@ -120,7 +120,7 @@ auto each_of(auto&& range, const auto& f) {
     for (const auto& element : range) values.push_back(std::invoke(f, element));
     return values;
 }
-/// Returns the largest f of an element, at least 0; NaN is left out.
+/// Returns the largest f(element), or 0 if none is above 0; NaN is left out.
 double largest_of(auto&& range, const auto& f) {
     double largest = 0;
     for (const auto& element : range) largest = std::max<double>(largest, std::invoke(f, element));
@@ -138,7 +138,7 @@ std::vector<Number> each_once(std::vector<Number> values) {
 /// Returns the last of the settings' values, or the question's own if there is none.
 inline int last_or(const std::vector<int>& given, int own) { return given.empty() ? own : given.back(); }
 
-/// Returns the largest rise from one value to the next; 0 if none rises.
+/// Returns the largest values[i + 1] − values[i]; 0 if no value is above the one before it.
 template <class Values>
 double largest_rise(const Values& values) {
     double rise = 0;
@@ -154,14 +154,14 @@ std::vector<int> where_finite(const Vector& a, const Vector& b);
 struct ValueSummary {
     double minimum = 0, maximum = 0, mean = 0, median = 0, standard_deviation = 0;
     int count = 0;       // finite values
-    int undefined = 0;   // NaN
+    int undefined = 0;   // NaN or infinite
 };
 ValueSummary summary_of(const Vector& values);
 
-/// √(Σ A (f − g)² / Σ A g²): the relative L2 error of `f` against the truth `g`, over the vertices where both are finite.
+/// Computes √(Σ A (f − g)² / Σ A g²), the relative L2 error of `f` against the truth `g`, over the vertices where both are finite.
 double relative_error(const Vector& f, const Vector& g, const Vector& areas);
 
-/// Returns a number in a table, or an empty cell if it is NaN or `defined` is false.
+/// Returns a cell with the number; an empty cell if it is not finite or `defined` is false.
 report::Cell cell_of(double x, bool defined = true);
 
 inline void add_point(report::Series& series, double x, double y) {
@@ -173,12 +173,12 @@ inline void add_point(report::Series& series, double x, double y) {
 
 report::Facts list_of(auto... facts) { return {std::move(facts)...}; }
 
-/// Joins sentences by spaces; skips empty ones.
+/// Returns a paragraph of the sentences, joined by spaces; skips empty ones.
 report::Text paragraph_of(std::initializer_list<report::Text> sentences);
-/// Appends a sentence to a paragraph, unless it is empty.
+/// Appends a sentence to a paragraph, after a space unless the paragraph is empty; an empty sentence changes nothing.
 void go_on(report::Text& paragraph, const report::Text& sentence);
 
-/// Returns "a", "a and b", "a, b and c".
+/// Returns the names as a list in words: "a", "a and b", "a, b and c"; empty without names.
 std::string listed(const Names& names);
 /// Returns "a; b; c".
 std::string joined(const Names& parts, std::string_view separator = "; ");
@@ -186,10 +186,10 @@ std::string joined(const Names& parts, std::string_view separator = "; ");
 /// Returns "0.3 to 0.9", or "0.3" if both are alike.
 std::string span_of(const std::string& low, const std::string& high);
 
-/// Returns the message about these {{meshes}}; empty if there are none.
+/// Returns the message `key` with the listed names for {{meshes}}; empty if there are no names.
 report::Text said_of(const Names& meshes, const report::Words& words, std::string_view key);
 
-/// Returns "1 mesh", "4 meshes", "40 962 vertices".
+/// Returns the number with its noun: "1 mesh", "4 meshes", "40 962 vertices". @param plural  empty: `singular` with an s
 std::string counted(int n, std::string_view singular, std::string_view plural = "");
 
 }   // namespace meshfolio

@@ -15,7 +15,7 @@ double strength_deviation(const DenoisingTrials& mesh, const NoiseTrial& trial) 
     return std::sqrt(2 / n);   // box: as if one axis had it all
 }
 
-/// Lists every noisy mesh as `part`, with its clean one as `whole`.
+/// Lists every noisy mesh as `part`, with its clean mesh as `whole`.
 auto all_trials(const DenoisingLaboratory& laboratory) { return parts_within(laboratory.meshes, &DenoisingTrials::trials); }
 
 double best_gain(const NoiseTrial& trial, Gain gain) {

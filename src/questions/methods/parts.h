@@ -15,15 +15,15 @@ std::shared_ptr<const DenoisingLaboratory> denoising_laboratory(const MeshLibrar
 
 /// Adds the words on kinds of noise, methods and budget.
 void add_method(report::Section& section, const DenoisingLaboratory& laboratory);
-/// Lists the meshes and their classes.
+/// Returns a table of the meshes, a row each: vertices, mean edge, sharp edges, class.
 report::Table subject_table(const DenoisingLaboratory& laboratory);
-/// Shows the gain of every method in shape and the largest gains in places and normals, one row per noisy mesh.
+/// Returns a table with a row for each noisy mesh: the gain of every method in shape, and the largest gains in places and in normals.
 report::Table gain_table(const DenoisingLaboratory& laboratory);
-/// Shows the best methods of each class.
+/// Returns a table with a row for each class: the methods with the largest mean gain in shape and in normals, and these gains.
 report::Table winner_table(const DenoisingLaboratory& laboratory);
 /// Plots the gain over the level of Gaussian noise for methods that differ, one panel per mesh; not for a single level.
 void add_gain_plot(report::Section& section, const DenoisingLaboratory& laboratory);
-/// Adds small pictures of the clean mesh, the noisy one and the best results of the methods in the plot, one row per noisy mesh.
+/// Adds a figure with a row for each noisy mesh: the clean mesh, the noisy mesh, and the best result of each method in gain_plot().
 /// @param box_levels  also of the noise by the box on the first mesh
 void add_method_figure(Answer& answer, const DenoisingLaboratory& laboratory, bool box_levels);
 
@@ -33,7 +33,7 @@ void add_record(report::Section& section, const DenoisingLaboratory& laboratory,
 
 /// Returns the answer of the section: the best methods and their classes.
 report::Text answer_of(const DenoisingLaboratory& laboratory);
-/// Collects the facts of the discussion.
+/// Returns the facts of the discussion.
 report::Facts facts_of(const DenoisingLaboratory& laboratory);
 
 }   // namespace meshfolio::methods

@@ -61,7 +61,7 @@ struct DenoisingLaboratory {
     std::vector<DenoisingTrials> meshes;
 };
 
-/// Returns the budget of every method on every noisy mesh.
+/// Returns the budget of every method on every noisy mesh: 4 values × 5 steps (quick: 3 × 4, laboratory: 6 × 6).
 SearchBudget search_budget(const QuestionSettings& settings);
 /// Adds noise of every kind and level to the mesh and searches the best result of every method. @throws MeshError, SolverError
 DenoisingTrials denoising_trials(DenoisingSubject subject, const QuestionSettings& settings);
@@ -74,7 +74,7 @@ struct ClassResult {
     std::vector<double> gain = {}, angle_gain = {};   // one per method; NaN if it is not defined on all meshes
     int best = -1, best_by_angle = -1;   // methods with the largest gains; −1 if no noise changed the shape, or turned a face
 };
-/// Computes the results of each class, in the order of their first mesh.
+/// Computes the results of each class, classes in the order of their first mesh.
 std::vector<ClassResult> class_results(const DenoisingLaboratory& laboratory);
 
 inline constexpr double degrees = 180 / pi;

@@ -12,18 +12,18 @@ inline constexpr report::Words words("modes");
 
 struct ModeStudy;   // mode_study.h
 using ModeStudies = std::vector<ModeStudy>;
-/// Studies the meshes; a mesh that cannot be smoothed becomes a failed check.
+/// Studies the meshes in order; a mesh that cannot be smoothed becomes a failed check of `section`.
 std::shared_ptr<const ModeStudies> mode_studies(const LibraryMeshes& meshes, const QuestionSettings& settings, const Progress& progress,
                                                 report::Section& section);
 /// Plots the factors of the modes of the first mesh, by law and measured, at three steps.
 report::Plot damping_plot(const ModeStudies& studies);
 /// Adds a table that compares the results of the two schemes, one row per step of each mesh; none without steps.
 void add_gap_table(report::Section& section, const ModeStudies& studies);
-/// Plots the operations over the energy left, one panel per mesh.
+/// Plots the operations of the explicit way and four implicit ways over the energy left, a panel for each mesh; markers show crossings.
 report::Plot cost_plot(const ModeStudies& studies);
-/// Plots the distance from the exact flow over the energy left, one panel per mesh.
+/// Plots SmoothingWay::error [%] of the explicit way and three implicit ways over the energy left, a panel for each mesh.
 report::Plot truth_plot(const ModeStudies& studies);
-/// Shows the energies from which the implicit ways are cheaper.
+/// Shows the energy from which each implicit way is cheaper than the explicit one, a row for each mesh; empty if it never is.
 report::Table crossing_table(const ModeStudies& studies);
 /// Adds the checks of dampings, gaps and energies, and the times of the runs.
 void add_shape_checks(report::Section& section, const ModeStudies& studies);
@@ -34,26 +34,25 @@ report::Facts shape_facts(const ModeStudies& studies);
 
 struct PredictionStudy;   // prediction_study.h
 using PredictionStudies = std::vector<PredictionStudy>;
-/// Studies the meshes; a mesh that cannot be smoothed becomes a failed check.
+/// Studies the meshes in order; a mesh that cannot be smoothed becomes a failed check of `section`.
 std::shared_ptr<const PredictionStudies> prediction_studies(const LibraryMeshes& meshes, const QuestionSettings& settings,
                                                             const Progress& progress, report::Section& section);
 
-// Tables have one row per level of each mesh, plots one panel per mesh.
-
-/// Compares expected and measured errors with the clean mesh's operator.
+/// Compares expected and measured errors with the clean mesh's operator, a row for each level of each mesh.
 report::Table expected_table(const PredictionStudies& studies);
-/// Compares predicted and measured errors with the noisy mesh's own operator.
+/// Compares predicted and measured errors with the noisy mesh's own operator, a row for each level of each mesh.
 report::Table own_operator_table(const PredictionStudies& studies);
-/// Shows the parts of the measured error where the formula is farthest from it.
+/// Shows error_account(), the parts of the measured error where the formula is farthest from it, a row for each level of each mesh.
 report::Table why_table(const PredictionStudies& studies);
-/// Compares the rules that choose the iteration.
+/// Compares the rules that choose the iteration, a row for each level of each mesh: chosen iteration and regret of the rules in columns.
 report::Table rule_table(const PredictionStudies& studies);
-/// Plots expected and measured errors with the clean mesh's operator, at all levels.
+/// Plots expected and measured errors with the clean mesh's operator at all levels over the iterations, a panel for each mesh.
 report::Plot expected_plot(const PredictionStudies& studies);
-/// Plots the measured errors with the noisy mesh's own operator and all predictions, at the highest level.
+/// Plots the measured errors with the noisy mesh's own operator and all predictions at the highest level over the iterations, a panel for
+/// each mesh.
 report::Plot own_operator_plot(const PredictionStudies& studies);
 void add_noise_checks(report::Section& section, const PredictionStudies& studies);
-/// Collects the facts of the words on noise.
+/// Returns the values that the messages on noise in templates/words/modes.md name.
 report::Facts noise_facts(const PredictionStudies& studies);
 
 /// Adds the parameters and the extent of the section.

@@ -30,7 +30,7 @@ bool add_failure(const Reproduction& r, const Error& error) {
     return false;
 }
 
-/// Does the experiment again. @return whether its mesh allows it
+/// Does the experiment again and adds its blocks. @return false if its mesh does not allow it
 bool reproduce(const Reproduction& r, const MeshLibrary& library) try {
     const auto do_again = [&](auto experiment_of, auto add) {
         const auto done = experiment_of(library, r.experiment, r.settings);

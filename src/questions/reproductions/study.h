@@ -23,25 +23,26 @@ struct ExperimentMesh {
     Vector3 extent{0, 0, 0};     // of the bounding box [length]
 
     const TriangleMesh& mesh() const { return used->mesh(); }
-    /// Turns a length into % of the box diagonal.
+    /// Returns the factor from a length to % of the box diagonal.
     double percent() const { return 100 / diagonal; }
 };
 
-/// The meshes of an experiment: the originals, else their stand-ins; the user's own take their places.
+/// Returns the originals of an experiment, else their stand-ins, one for originals with the same stand-in; or the user's own meshes
+/// instead.
 std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings);
 
 /// The rule by which parameters of an experiment carry over to a mesh.
 enum class Carried { as_given, by_limit, by_edge };
-/// On a stand-in a raw λ becomes the same multiple of λ_crit, or for noisy experiments of the squared mean edge. The uniform operator,
-/// other units and originals of unknown measure keep λ as given.
+/// Returns by_limit for a raw λ on a stand-in, which keeps its multiple of λ_crit; by_edge in noisy experiments, where it keeps its
+/// multiple of the squared mean edge; as_given for the uniform operator, other units, and originals of unknown measure.
 Carried lambda_rule(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind);
-/// λ on this mesh. [length²; none for the uniform operator]
+/// Returns λ on this mesh by lambda_rule(). [length²; none for the uniform operator]
 /// @param critical  λ_crit of the operator on this mesh, for unit tau
 double lambda_on(const Experiment& experiment, const ExperimentMesh& mesh, OperatorKind kind, double lambda, double critical);
 
-/// On a stand-in a raw σ becomes the same share of the mean edge.
+/// Returns by_edge for a raw σ on a stand-in, which keeps its share of the mean edge if the original's is known; else as_given.
 Carried noise_rule(const Experiment& experiment, const ExperimentMesh& mesh);
-/// σ along each axis on this mesh. [length]
+/// Returns σ along each axis on this mesh by noise_rule() and the experiment's unit. [length]
 Vector3 noise_on(const Experiment& experiment, const ExperimentMesh& mesh, double noise);
 
 /// One combination of the parameters of an experiment.
@@ -76,11 +77,11 @@ struct ExperimentField : Variant {
     double positive = 0;             // share of the values inside that are > 0
     double largest_inside = 0;       // |value|
 };
-/// Estimates each colour; one that does not depend on the operator or the area form is estimated once.
+/// Estimates each colour on each mesh with each operator and area form; a colour that does not depend on them is estimated once.
 Done<ExperimentField> curvature_experiment(const MeshLibrary& library, const Experiment& experiment, const QuestionSettings& settings);
 
-/// Colours of the mesh at X: curvature as `drawn` above, in mean edges of the mesh, or the distance to the mesh [% of the box diagonal];
-/// empty without a colour.
+/// Returns n values for the mesh at X: curvature × mean edge (K × its square), also on the boundary, or the distance from the mesh's own
+/// vertices [% of the box diagonal]; empty for ExperimentColour::none.
 Vector colours_of(const ExperimentMesh& mesh, ExperimentColour colour, const Positions& X);
 
 /// A mesh rebuilt from the smoothest k eigenvectors of one operator.
@@ -103,8 +104,8 @@ struct ExperimentRun : Variant {
     double share() const { return run.lambda / critical; }
     bool is(SmoothingScheme scheme) const { return method.scheme == scheme; }
 };
-/// The largest λ with which `iterations` explicit steps leave every vertex within three box diagonals of the centre, to a thousandth.
-/// [length²]
+/// Returns the largest λ with which `iterations` explicit steps leave every vertex within three box diagonals of the centre, to a
+/// thousandth; at least λ_crit. [length²]
 double largest_usable_step(const SmoothingSubject& subject, int iterations);
 
 struct SmoothingExperiment : Done<ExperimentRun> {
@@ -136,7 +137,7 @@ struct NoisyRun : Variant {
 
     double gain() const { return rms.front() / rms[best]; }
     int last() const { return static_cast<int>(rms.size()) - 1; }
-    /// The error after t iterations. [% of the box diagonal]
+    /// Returns the rms error after t iterations. [% of the box diagonal]
     double percent(int t) const { return mesh->percent() * rms[t]; }
 };
 /// True for the kinds denoising and error_curve.
@@ -168,7 +169,7 @@ void add_noisy_reproduction(const Reproduction& r, const Done<NoisyRun>& done);
 /// the section of a whole report that answers it.
 report::Table coverage_table(const std::vector<Experiment>& bundled, const std::vector<Experiment>& done,
                              const std::vector<Experiment>& failed);
-/// The requirements that neither an experiment nor another section answers.
+/// Returns the requirements, 7 to 34, that neither one of these experiments nor another section answers; ascending.
 std::vector<int> uncovered_rows(const std::vector<Experiment>& experiments);
 
 // ---- shared by the kinds ---------------------------------------------------------------------------------------------
@@ -178,30 +179,30 @@ void add_opening(const Reproduction& r, const std::vector<ExperimentMesh>& meshe
 
 /// Appends a sentence and a space.
 inline void add_sentence(report::Text& text, const report::Text& sentence) { report::extend(text, sentence, " "); }
-/// "row 20", "rows 7, 8 and 9".
+/// Returns "row 20", "rows 7, 8 and 9".
 std::string rows_text(const std::vector<int>& rows);
-/// "1×10⁻⁷", "0.5 λ_crit", "0.02 h̄²": as the settings have it.
+/// Returns λ, which is in the unit of the settings, with that unit: "1×10⁻⁷", "0.5 λ_crit", "0.02 h̄²".
 std::string given_text(const Experiment& experiment, double lambda);
-/// "0.0013", "1 % of the box", …
+/// Returns the noise in the unit of the settings: "0.0013", "1 % of the box", "0.3 h̄".
 std::string noise_text(const Experiment& experiment, double noise);
-/// "implicit", "explicit, uniform": the method, and operator and area form if they are not the usual ones or there are several.
+/// Returns the method, and operator and area form if they are not cotangent and barycentric or there are several: "explicit, uniform".
 std::string variant_text(const Experiment& experiment, const Variant& variant);
-/// "explicit, uniform, λ = 0.5".
+/// Returns variant_text() with λ: "explicit, uniform, λ = 0.5".
 std::string run_text(const Experiment& experiment, const Variant& variant);
-/// A number with at most three digits, as people choose them: 0.05, 1 × 10⁻⁷.
+/// Returns a number with at most three digits: "0.05", "1 × 10⁻⁷".
 std::string chosen_text(double x);
-/// "0.3", "0.3 to 0.9": least and largest. @param values  at least one
+/// Returns the least and the largest value: "0.3 to 0.9", "0.3" if they look alike. @param values  at least one
 std::string range_text(const std::vector<double>& values);
-/// Makes the first letter upper case if it is a Latin one.
+/// Returns the words with the first letter in upper case if it is one of a to z.
 std::string sentence_case(std::string words);
 
-/// The key of a colour in ids and messages: "h_cotan".
+/// Returns the key of a colour in ids and messages: "h_cotan".
 std::string key_of(ExperimentColour colour);
-/// A figure on this mesh, with the mesh itself as its first panel.
+/// Returns a figure of one mesh; its first panel is the mesh itself, labelled `first_panel`, in the first colour of the experiment.
 output::FigureRequest figure_on(const Reproduction& r, const ExperimentMesh& mesh, const std::string& first_panel);
-/// Adds a panel of the mesh at X, in the first colour of the experiment.
+/// Adds a panel of the mesh at X with this label, in the first colour of the experiment.
 void add_panel(output::FigureRequest& figure, const Reproduction& r, const ExperimentMesh& mesh, const Positions& X, std::string label);
-/// The range of a figure, from these panels alone; nothing without a colour.
+/// Returns the output::robust_range() of these panels in the map of the colour; nothing for ExperimentColour::none.
 std::optional<output::ColorRange> range_of(const Reproduction& r, ExperimentColour colour, const std::vector<output::Panel>& panels);
 
 }   // namespace meshfolio::reproductions

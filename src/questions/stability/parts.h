@@ -23,22 +23,22 @@ std::shared_ptr<const RebuiltFlow> rebuilt_flow(const Studies& studies, const Qu
 std::shared_ptr<const Planes> plane_studies(const Studies& studies, const QuestionSettings& settings, const Progress& progress,
                                             report::Section& section);
 
-/// The bounds of every limit.
+/// Returns a table of the bounds of λ_crit and the safe step, a row for each operator on each mesh.
 report::Table certificate_table(const Studies& studies);
-/// The cotangent limit in other units, and the vertex that sets it.
+/// Returns a table of the cotangent limit in other units and the vertex that sets it, a row for each mesh.
 report::Table unit_table(const Studies& studies);
 /// The top mode of the last mesh over the iterations on both sides of the limit, measured and predicted.
 report::Plot growth_plot(const Studies& studies);
 report::Table flow_table(const RebuiltFlow& flow);
-/// λμ_max over the steps of each run.
+/// Plots λμ_max over the steps, a curve for each run, with a dashed line at 2.
 report::Plot flow_plot(const RebuiltFlow& flow);
 /// Adds a map of each plane: the error, or the motion if no clean mesh is known; explicit beside implicit.
 void add_error_maps(report::Section& section, const Planes& planes);
-/// Usable cells, turned triangles and the best error of each scheme.
+/// Returns a table of usable cells, turned triangles and the smallest error, a row for each scheme on each mesh.
 report::Table region_table(const Planes& planes);
-/// Every cell of the planes, for programs.
+/// Returns a table with a row for each cell of each scheme on each mesh; for files only.
 report::Table plane_table(const Planes& planes);
-/// The predicted and measured iteration of blowing up, for up to four steps of each mesh.
+/// Returns a table of the predicted and measured iteration of blowing up, a row for each of up to four steps beyond the limit on each mesh.
 report::Table blow_up_table(const Planes& planes);
 
 /// Adds one figure: every mesh seen along the normal of its limiting vertex, and below it the triangles around, coloured by the top mode.
@@ -50,7 +50,7 @@ void add_checks(report::Section& section, const Studies& studies, const RebuiltF
 /// Adds the parameters and the extent of the section.
 void add_record(report::Section& section, const Studies& studies, const Planes& planes);
 
-/// The facts that the words of answer and discussion choose from.
+/// Returns the facts that the words of answer and discussion choose from.
 report::Facts facts_of(const Studies& studies, const RebuiltFlow& flow, const Planes& planes);
 
 }   // namespace meshfolio::stability

@@ -38,7 +38,7 @@ struct StabilityStudy : OnMesh {
     const OperatorLimit& cotangent() const { return limits[0]; }
     const OperatorLimit& uniform() const { return limits[1]; }
 };
-/// Proves both limits and runs 500 steps (quick: 200) on either side of each.
+/// Proves the limit of the cotangent and of the uniform operator, and runs 500 steps (quick: 200) at 0.99 and at 1.01 of each limit.
 StabilityStudy stability_study(SharedMesh source, const QuestionSettings& settings);
 
 /// A run, and the first triangle that turned: its normal differs by more than 90° from that in the input.
@@ -89,11 +89,11 @@ struct GrowingModes {
     double rounding = 0;   // of coordinates: no run has less of a mode than this [length]
     double distance = 0;   // [length]
 
-    /// The height above which a mode is no rounding, so that symmetry or cancellation cannot stop its growth. [length]
+    /// Returns the height above which a mode is no rounding, so that symmetry or cancellation cannot stop its growth. [length]
     double noticeable() const { return 1e4 * rounding; }
-    /// The iteration (not rounded up) at which the fastest mode of at least this height reaches `distance`; NaN if none grows.
+    /// Returns the iteration (not rounded up) at which the first mode of at least this height reaches `distance`; NaN if none grows.
     double blow_up(double lambda, double least_height = 0) const;
-    /// The first iteration up to `last` at which all modes together can reach `distance`; 0 if they cannot.
+    /// Returns the first iteration up to `last` at which the heights of all modes add up to 0.999 `distance`; 0 if they never do.
     int earliest(double lambda, int last) const;
 };
 
@@ -122,24 +122,25 @@ struct SmoothingMaps {
     const std::string& name() const { return subject.name(); }
     const SchemeMap& explicit_map() const { return schemes[0]; }
     const SchemeMap& implicit_map() const { return schemes[1]; }
-    /// The index of a cell, and its step and row.
+    /// Return the index of a cell in PlaneValues, its index in `lambdas`, and its index in `iterations`.
     std::size_t index(std::size_t step, std::size_t row) const { return row * lambdas.size() + step; }
     std::size_t step_of(std::size_t cell) const { return cell % lambdas.size(); }
     std::size_t row_of(std::size_t cell) const { return cell / lambdas.size(); }
     /// λ/λ_crit of a step.
     double relative(std::size_t step) const { return lambdas[step] / subject.critical; }
-    /// Index of the cell with the smallest error from the clean mesh.
+    /// Returns the index of the cell with the smallest error from the clean mesh; none if no clean mesh is known.
     std::optional<std::size_t> best(const SchemeMap& map) const;
 };
 
-/// Runs the steps of the settings, else a logarithmic grid with the explicit limit between two steps. Measures at iteration counts that are
-/// spaced alike, up to the last of the settings.
+/// Runs both schemes with the λ of the settings, else a logarithmic grid with the explicit limit between two steps. Measures at
+/// spaced_iterations() up to the last of the settings, else 100 (quick: 30, laboratory: 200).
 SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings);
 
-/// Returns 1, 2, 3, 5, 8, …: `per_decade` counts for each factor of ten, up to and including `last`.
+/// Returns 10^(i / per_decade) for i = 0, 1, … up to and including `last`, rounded, each once: 1, 2, 3, 4, 6, 10 for five up to 10.
 std::vector<int> spaced_iterations(int last, int per_decade);
 
-/// Compares pairs of implicit cells with equal λt and tenfold iteration counts: the largest |many/few − 1| of their rms motions, else 0.
+/// Returns the largest |many/few − 1| of the rms motions of two implicit cells with equal λt and tenfold iteration counts; 0 if there are
+/// none.
 double largest_difference_at_equal_time(const SmoothingMaps& maps);
 
 /// The cell in which the results of the two schemes are farthest apart.
@@ -151,7 +152,7 @@ struct Gap {
 };
 Gap largest_gap(const Planes& planes);
 
-/// The triangles within `rings` edges of a vertex, turned so that its normal faces the three-quarter view.
+/// The triangles with all corners within `rings` edges of a vertex, turned so that its normal faces the three-quarter view.
 struct Neighbourhood {
     TriangleMesh mesh;
     Eigen::VectorXi original;   // row i is vertex original[i] of the whole mesh

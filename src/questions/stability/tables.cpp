@@ -51,7 +51,7 @@ report::Map::Panel panel_of_scheme(const SmoothingMaps& maps, const SchemeMap& s
     return panel;
 }
 
-/// The error over the plane, or the motion if no clean mesh is known; explicit beside implicit.
+/// Maps the error from the clean mesh over λ/λ_crit and t, or the motion if no clean mesh is known [% of box]; explicit beside implicit.
 report::Map error_map(const SmoothingMaps& maps) {
     const bool known = maps.clean.has_value();
     const std::string key = known ? "error.clean" : "error.input";
