@@ -11,8 +11,7 @@ namespace meshfolio::testing_tools {
 
 /// Calls `read` with the bytes cut off at each `step`-th position, and with each `step`-th byte changed in several ways, left out, or there
 /// twice.
-template <class Read>
-void for_each_damage(const std::string& bytes, Read read, std::size_t step = 1) {
+template <class Read> void for_each_damage(const std::string& bytes, Read read, std::size_t step = 1) {
     for (std::size_t at = 0; at <= bytes.size(); at += step) {
         SCOPED_TRACE("cut off at byte " + std::to_string(at));
         read(bytes.substr(0, at));

@@ -12,8 +12,7 @@ namespace render {
 /// stands for the samples of one pixel that see the same triangle. It is shaded at their middle, which lies in the triangle, by convexity.
 struct alignas(64) Fragments {
     static constexpr std::size_t largest_count = std::size_t{tile_side} * block_samples;
-    template <class T>
-    using Column = std::array<T, largest_count + block_samples>;   // vectors may write beyond the last fragment
+    template <class T> using Column = std::array<T, largest_count + block_samples>;   // vectors may write beyond the last fragment
 
     Column<std::int32_t> triangle;
     Column<std::int32_t> pixel;   // within the row of blocks: row · tile_side + column

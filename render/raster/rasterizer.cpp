@@ -219,10 +219,8 @@ void RasterizeAll(const ProjectedScene& scene, std::span<const std::int32_t> tri
         prefetch(scene, triangles, begin);
         for (std::size_t lane = 0; lane < count; lane += hn::Lanes(Ints())) set_up(fetch, ids.data() + lane, tile, lane, ready);
         for (std::size_t i = 0; i < count; ++i)
-            if (ready.kind[i] == SmallTriangles::small)
-                draw(ready, i, ids[i], tile);
-            else if (ready.kind[i] == SmallTriangles::wide)
-                rasterize_wide(scene.exact_triangle(ids[i]), ids[i], tile);
+            if (ready.kind[i] == SmallTriangles::small) draw(ready, i, ids[i], tile);
+            else if (ready.kind[i] == SmallTriangles::wide) rasterize_wide(scene.exact_triangle(ids[i]), ids[i], tile);
     }
 }
 

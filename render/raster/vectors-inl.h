@@ -31,8 +31,7 @@ struct GridVectors {
 };
 
 /// Loads the vertices ids[0], ids[4] …, each into four lanes.
-template <class D>
-HWY_INLINE hn::Vec<D> every_fourth(D d, const GridVertex* vertices, const std::int32_t* ids) {
+template <class D> HWY_INLINE hn::Vec<D> every_fourth(D d, const GridVertex* vertices, const std::int32_t* ids) {
     if constexpr (hn::MaxLanes(d) == 4) {
         return hn::LoadU(d, vertices[*ids].at.data());
     } else {

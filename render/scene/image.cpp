@@ -108,10 +108,8 @@ void paste(Image& target, const Image& source, int x, int y) {
             Rgba* to = &target.at(x + x0, y + v);
             std::uint8_t opacity = 255;
             for (int i = 0; i < x1 - x0; ++i) opacity &= from[i].a;
-            if (opacity == 255)
-                std::copy_n(from, x1 - x0, to);
-            else
-                std::transform(from, from + (x1 - x0), to, to, over);
+            if (opacity == 255) std::copy_n(from, x1 - x0, to);
+            else std::transform(from, from + (x1 - x0), to, to, over);
         }
     });
 }

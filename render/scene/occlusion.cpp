@@ -32,14 +32,12 @@ namespace render::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Returns the sine of the angle with this tangent.
-template <class D>
-HWY_INLINE hn::Vec<D> sine(D d, hn::Vec<D> tangent) {
+template <class D> HWY_INLINE hn::Vec<D> sine(D d, hn::Vec<D> tangent) {
     return hn::Div(tangent, hn::Sqrt(hn::Add(hn::Set(d, 1), hn::Mul(tangent, tangent))));
 }
 
 /// Returns the rise from one height to another. Beyond `reach` it falls again: such a part stands in front and is no wall of a hollow.
-template <class D>
-HWY_INLINE hn::Vec<D> rise(D d, hn::Vec<D> from, const float* to, hn::Vec<D> twice_reach) {
+template <class D> HWY_INLINE hn::Vec<D> rise(D d, hn::Vec<D> from, const float* to, hn::Vec<D> twice_reach) {
     const auto difference = hn::Sub(hn::LoadU(d, to), from);
     return hn::Min(difference, hn::Sub(twice_reach, difference));
 }
@@ -90,8 +88,7 @@ void Smooth(const float* heights, const float* openness, std::ptrdiff_t pitch, s
 
 /// Returns sin² of the angle by which the surface bends at a pixel, from the cross product of the directions to either side; 1 beyond a
 /// right angle, 0 beside pixels that show nothing.
-template <class D>
-HWY_INLINE hn::Vec<D> bend(D d, const float* at, std::ptrdiff_t step) {
+template <class D> HWY_INLINE hn::Vec<D> bend(D d, const float* at, std::ptrdiff_t step) {
     const auto one = hn::Set(d, 1), before = hn::LoadU(d, at - step), here = hn::LoadU(d, at), after = hn::LoadU(d, at + step);
     const auto a = hn::Sub(here, before), b = hn::Sub(after, here), across = hn::Sub(b, a), along = hn::Add(one, hn::Mul(a, b));
     const auto lengths = hn::Mul(hn::Add(one, hn::Mul(a, a)), hn::Add(one, hn::Mul(b, b)));

@@ -41,10 +41,8 @@ void ViewPicture::add(const SampleTile& tile, int block_row, const Fragments& fr
             return in_row;
         };
         const std::span row_colors = in_picture(colors);
-        if (with_occlusion_)
-            shown(tile.x(), row(top + y)) = 1, pack(row_colors, layers(left, row(top + y), columns));
-        else
-            resolve(row_colors, background_, {&image_.at(left, row(top + y)), row_colors.size()});
+        if (with_occlusion_) shown(tile.x(), row(top + y)) = 1, pack(row_colors, layers(left, row(top + y), columns));
+        else resolve(row_colors, background_, {&image_.at(left, row(top + y)), row_colors.size()});
         if (buffers_ != nullptr) buffers_->heights.set(left, row(top + y), in_picture(heights));
     }
 }
@@ -84,8 +82,7 @@ void ViewPicture::finish(FinishingRoom& room) {
     });
 }
 
-template <class Visit>
-void ViewPicture::for_each_stretch(const Visit& visit) {
+template <class Visit> void ViewPicture::for_each_stretch(const Visit& visit) {
     tbb::parallel_for(0, image_.height, [&](int y) {
         for (int x = 0; x < image_.width; x += tile_side) {
             const int count = std::min(tile_side, image_.width - x), left = column(x, count);

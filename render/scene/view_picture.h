@@ -57,8 +57,7 @@ private:
     /// Returns the flag of row y of the picture in the tile at column x of the projection: 1 if it shows something.
     char& shown(int x, int y) { return buffers_->shown[index(y * ((image_.width - 1) / tile_side + 1) + x / tile_side)]; }
     /// Calls visit(x, y, layers) in parallel for the stretches of rows that show something.
-    template <class Visit>
-    void for_each_stretch(const Visit& visit);
+    template <class Visit> void for_each_stretch(const Visit& visit);
 
     bool with_occlusion_;
     float occlusion_strength_;

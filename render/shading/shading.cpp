@@ -283,10 +283,8 @@ void shade(const ProjectedScene& projected, std::span<const Ribbon> ribbons, con
     const bool some_exact = projected.has_far_off || !ribbons.empty();
     std::int32_t ordinary = some_exact ? no_triangle : fragments.triangle[0];
     for (std::size_t i = 0; some_exact && i < fragments.count; ++i)
-        if (is_off_grid(fragments.triangle[i]))
-            exact.emplace_back(i, fragments.triangle[i]);
-        else
-            ordinary = fragments.triangle[i];
+        if (is_off_grid(fragments.triangle[i])) exact.emplace_back(i, fragments.triangle[i]);
+        else ordinary = fragments.triangle[i];
     // An ordinary triangle stands in for ribbons, which have no corners to fetch, and fills the last vector.
     for (const auto& [i, id] : exact) fragments.triangle[i] = ordinary;
     for (std::size_t i = fragments.count; i % block_samples != 0; ++i)

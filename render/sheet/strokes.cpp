@@ -9,8 +9,7 @@ namespace render {
 namespace {
 
 /// Inks the pixels of a box by distance(pixel) to a stroke: fully within half its width, fading over one pixel.
-template <class Distance>
-void draw_stroke(Image& image, glm::dvec2 low, glm::dvec2 high, double width, Rgba color, Distance distance) {
+template <class Distance> void draw_stroke(Image& image, glm::dvec2 low, glm::dvec2 high, double width, Rgba color, Distance distance) {
     const double reach = width / 2 + 1;
     const int x0 = std::max(0, static_cast<int>(low.x - reach)), x1 = std::min(image.width - 1, static_cast<int>(high.x + reach));
     const int y0 = std::max(0, static_cast<int>(low.y - reach)), y1 = std::min(image.height - 1, static_cast<int>(high.y + reach));

@@ -55,8 +55,7 @@ AvailableMemory available_memory(const fs::path& root) {
         const std::size_t first = line.find(':'), second = line.find(':', first + 1);
         if (second == std::string::npos) continue;
         const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",", group = line.substr(second + 1);
-        if (controllers == ",,")
-            limit_by_groups(groups, group, "memory.max", "memory.current", "inactive_file ");
+        if (controllers == ",,") limit_by_groups(groups, group, "memory.max", "memory.current", "inactive_file ");
         else if (controllers.find(",memory,") != std::string::npos)
             limit_by_groups(groups / "memory", group, "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file ");
     }

@@ -42,8 +42,7 @@ void ask_for_signal_of_parent(int signal);
 void prefer_large_pages(void* begin, std::size_t bytes);
 
 /// Returns `size` zeros in large pages.
-template <class T>
-std::vector<T> large_vector(std::size_t size) {
+template <class T> std::vector<T> large_vector(std::size_t size) {
     std::vector<T> values;
     values.reserve(size);
     prefer_large_pages(values.data(), size * sizeof(T));

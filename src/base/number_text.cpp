@@ -9,8 +9,7 @@ namespace meshfolio {
 
 namespace {
 
-template <class... Format>
-std::string chars_of(double x, Format... format) {
+template <class... Format> std::string chars_of(double x, Format... format) {
     std::array<char, 512> buffer;
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, format...);
     return {buffer.data(), end.ptr};

@@ -22,8 +22,7 @@ public:
         if (happened_) throw OtherFailed();
     }
     /// Calls work() and keeps what it throws, unless other work has failed before. May be called from several threads at once.
-    template <class Work>
-    void guard(const Work& work) {
+    template <class Work> void guard(const Work& work) {
         if (happened_) return;
         try {
             work();
@@ -82,8 +81,7 @@ private:
 /// Calls task(0) … task(count − 1) on all processors. If a task throws, tasks in progress go on, tasks not yet begun are skipped, and the
 /// first exception is thrown again at the end. The Stop of the calling thread is checked before each task. (An exception that left oneTBB's
 /// loop would cancel the loops inside the other tasks, which would then return early as if they were done.)
-template <class Task>
-void for_each_task(std::size_t count, const Task& task) {
+template <class Task> void for_each_task(std::size_t count, const Task& task) {
     FirstFailure failure;
     const auto guarded = [&, stop = Stop::of_thread()](std::size_t i) {
         failure.guard([&] {
@@ -96,8 +94,7 @@ void for_each_task(std::size_t count, const Task& task) {
 }
 
 /// Calls each task() in parallel, with exceptions treated as by for_each_task().
-template <class... Tasks>
-void run_tasks(const Tasks&... tasks) {
+template <class... Tasks> void run_tasks(const Tasks&... tasks) {
     FirstFailure failure;
     tbb::parallel_invoke([&] { failure.guard(tasks); }...);
     failure.rethrow();

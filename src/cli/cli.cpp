@@ -71,8 +71,7 @@ UsageError usage_error(const CLI::App& command, const std::string& name_called, 
 }
 
 /// Adds an option such as "--out DIR": its names, and the type of its value, NUMBER by default. Positional arguments have no type.
-template <class Value>
-CLI::Option* added(CLI::App& app, const std::string& names, Value& value, const std::string& help) {
+template <class Value> CLI::Option* added(CLI::App& app, const std::string& names, Value& value, const std::string& help) {
     const std::size_t blank = std::min(names.find(' '), names.size());
     const std::string type = blank < names.size() ? names.substr(blank + 1) : names.starts_with('-') ? "NUMBER" : "";
     CLI::Option* option = app.add_option(names.substr(0, blank), value, help)->type_name(type);

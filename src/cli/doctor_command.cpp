@@ -59,10 +59,8 @@ std::string doctor_text(const nlohmann::ordered_json& json) {
     for (const auto& [key, value] : json.items()) {
         if (value.is_object()) {
             for (const auto& [name, detail] : value.items()) {
-                if (detail.is_string())
-                    line(group.at(key) + name, detail.get<std::string>());
-                else
-                    line(group.at(key) + name.substr(0, name.size() - unit.size()), plain_text(detail.get<double>() / 1e6, 4) + " MB");
+                if (detail.is_string()) line(group.at(key) + name, detail.get<std::string>());
+                else line(group.at(key) + name.substr(0, name.size() - unit.size()), plain_text(detail.get<double>() / 1e6, 4) + " MB");
             }
         } else if (value.is_array()) {
             for (const auto& entry : value) line(key == "missing" ? key : "PDF engine refused", entry.get<std::string>());

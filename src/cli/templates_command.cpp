@@ -48,10 +48,8 @@ Command templates_command(CLI::App& parent) {
     return {app, [flags] {
                 if (flags->tags == !flags->folder.empty())
                     throw UsageError("name either a folder or --tags", "see meshfolio templates --help");
-                if (flags->tags)
-                    print(report::tag_documentation());
-                else
-                    export_templates(flags->folder, flags->force);
+                if (flags->tags) print(report::tag_documentation());
+                else export_templates(flags->folder, flags->force);
                 return ExitCode::ok;
             }};
 }

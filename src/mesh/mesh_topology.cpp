@@ -29,10 +29,8 @@ std::vector<Edge> collected_edges(const TriangleMesh& mesh, const Incidence& ver
         }
         std::sort(ends.begin(), ends.end());
         for (const int b : ends)
-            if (!edges.empty() && edges.back().a == a && edges.back().b == b)
-                ++edges.back().faces;
-            else
-                edges.push_back({a, b, 1});
+            if (!edges.empty() && edges.back().a == a && edges.back().b == b) ++edges.back().faces;
+            else edges.push_back({a, b, 1});
     }
     return edges;
 }

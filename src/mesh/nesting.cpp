@@ -29,8 +29,7 @@ public:
 
     /// Calls found(i) for each box i that passes wanted(box), until found returns false. Returns false in this case, else true. A box
     /// around others must pass wanted if one of them does.
-    template <class Wanted, class Found>
-    bool visit(const Wanted& wanted, const Found& found) const {
+    template <class Wanted, class Found> bool visit(const Wanted& wanted, const Found& found) const {
         return boxes_.empty() || visit(0, 0, order_.size(), wanted, found);
     }
 

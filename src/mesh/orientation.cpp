@@ -81,8 +81,7 @@ struct Piece {
 };
 
 /// Sorts the sides by edge and calls take(begin, end, sum of directions) for each edge.
-template <class Take>
-void for_each_edge(std::vector<LooseSide>& sides, Take take) {
+template <class Take> void for_each_edge(std::vector<LooseSide>& sides, Take take) {
     std::ranges::sort(sides, {}, [](const LooseSide& s) { return std::pair(s.edge(), s.piece); });
     for (auto begin = sides.begin(); begin != sides.end();) {
         const auto end = std::find_if(begin, sides.end(), [&](const LooseSide& s) { return s.edge() != begin->edge(); });

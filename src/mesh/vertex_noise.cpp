@@ -77,10 +77,8 @@ const NoiseEntry& noise_entry(NoiseKind kind) {
 
 Positions with_noise(const TriangleMesh& mesh, NoiseKind kind, double sigma, std::uint64_t seed) {
     switch (kind) {
-        case NoiseKind::gaussian:
-            return with_gaussian_noise(mesh.X, Vector3::Constant(sigma), seed);
-        case NoiseKind::normal:
-            return with_normal_noise(mesh, std::sqrt(3) * sigma, seed);
+        case NoiseKind::gaussian: return with_gaussian_noise(mesh.X, Vector3::Constant(sigma), seed);
+        case NoiseKind::normal: return with_normal_noise(mesh, std::sqrt(3) * sigma, seed);
         case NoiseKind::box: {
             const Vector3 extent = bounding_box(mesh).extent();
             const double diagonal = extent.norm();

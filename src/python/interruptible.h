@@ -40,8 +40,7 @@ inline void leave_works_at_exit() {
 
 /// Returns work(stop), run in a thread of its own while this thread listens to signals. After Ctrl-C the work is asked to stop and
 /// abandoned, so it must own all its data and no Python object. @throws what the work throws, or KeyboardInterrupt
-template <class Work>
-auto interruptible(Work work) {
+template <class Work> auto interruptible(Work work) {
     using Result = decltype(work(std::declval<const Stop&>()));
     const auto stop = std::make_shared<Stop>();
     std::packaged_task<Result()> task([work = std::move(work), stop]() mutable {

@@ -50,14 +50,10 @@ inline ScalarType type_in_files(const py::dtype& type, const DenseMatrix& values
     if (type.kind() == 'f') return type.itemsize() <= 4 ? ScalarType::float32 : ScalarType::float64;
     const bool is_signed = type.kind() == 'i';
     switch (type.itemsize()) {
-        case 1:
-            return is_signed ? ScalarType::int8 : ScalarType::uint8;
-        case 2:
-            return is_signed ? ScalarType::int16 : ScalarType::uint16;
-        case 4:
-            return is_signed ? ScalarType::int32 : ScalarType::uint32;
-        default:
-            return values.size() == 0 || values.cwiseAbs().maxCoeff() < 0x1p31 ? ScalarType::int32 : ScalarType::float64;
+        case 1: return is_signed ? ScalarType::int8 : ScalarType::uint8;
+        case 2: return is_signed ? ScalarType::int16 : ScalarType::uint16;
+        case 4: return is_signed ? ScalarType::int32 : ScalarType::uint32;
+        default: return values.size() == 0 || values.cwiseAbs().maxCoeff() < 0x1p31 ? ScalarType::int32 : ScalarType::float64;
     }
 }
 
@@ -168,14 +164,12 @@ inline std::pair<int, int> picture_size(const py::object& size) {
 // ---- arrays out ------------------------------------------------------------------------------------------------------------
 
 /// Returns an array over `numbers`, memory of `owner`, without a copy; the array keeps the owner alive.
-template <class Number, class Owner>
-py::array_t<Number> array_over(const Number* numbers, std::vector<py::ssize_t> shape, Owner owner) {
+template <class Number, class Owner> py::array_t<Number> array_over(const Number* numbers, std::vector<py::ssize_t> shape, Owner owner) {
     const py::capsule base(new Owner(std::move(owner)), [](void* kept) { delete static_cast<Owner*>(kept); });
     return py::array_t<Number>(std::move(shape), numbers, base);
 }
 
-template <class Matrix>
-py::array rows_of(const Matrix& matrix, const Mesh& mesh) {
+template <class Matrix> py::array rows_of(const Matrix& matrix, const Mesh& mesh) {
     py::array rows = array_over(matrix.data(), {matrix.rows(), matrix.cols()}, mesh.prepared);
     rows.attr("setflags")("write"_a = false);
     return rows;

@@ -10,8 +10,7 @@ namespace meshfolio::report {
 namespace {
 
 /// Returns read(json) for a JSON template. Another structure is a usage error, as only a replaced file can have it.
-template <class Read>
-auto read_json(const Templates& templates, const std::string& name, Read read) {
+template <class Read> auto read_json(const Templates& templates, const std::string& name, Read read) {
     try {
         return read(nlohmann::json::parse(templates[name]));
     } catch (const nlohmann::json::exception& problem) {

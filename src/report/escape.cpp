@@ -37,10 +37,8 @@ std::string xml_escape(const std::string& text) {
     escaped.reserve(text.size() + text.size() / 8);
     for (const char c : text) {
         const std::size_t i = special.find(c);
-        if (i == special.npos)
-            escaped += c;
-        else
-            escaped += names[i];
+        if (i == special.npos) escaped += c;
+        else escaped += names[i];
     }
     return escaped;
 }

@@ -162,10 +162,8 @@ std::vector<Message> messages_of(std::string_view text, const std::string& file)
         } else {
             std::vector<std::string>& paragraphs = messages.back().paragraphs;
             const bool alone = words.starts_with("### ") || words.starts_with("$$"), item = words.starts_with("- ");
-            if (open && !alone && !item)
-                paragraphs.back() += " " + words;
-            else
-                paragraphs.push_back(words);
+            if (open && !alone && !item) paragraphs.back() += " " + words;
+            else paragraphs.push_back(words);
             open = !alone;
         }
     }

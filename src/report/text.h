@@ -26,10 +26,8 @@ inline Run ref(std::string id) { return {Run::Kind::reference, std::move(id)}; }
 namespace detail {
 /// Appends a run to a text; a plain run continues a plain run at its end.
 inline void append(Text& text, Run run) {
-    if (run.kind == Run::Kind::plain && !text.empty() && text.back().kind == Run::Kind::plain)
-        text.back().content += run.content;
-    else
-        text.push_back(std::move(run));
+    if (run.kind == Run::Kind::plain && !text.empty() && text.back().kind == Run::Kind::plain) text.back().content += run.content;
+    else text.push_back(std::move(run));
 }
 inline void append(Text& text, std::string s) { append(text, Run{Run::Kind::plain, std::move(s)}); }
 inline void append(Text& text, const char* s) { append(text, std::string(s)); }
@@ -39,14 +37,10 @@ inline void append(Text& text, const Text& more) {
 }   // namespace detail
 
 /// Appends words, runs and texts to a text.
-template <class... Parts>
-void extend(Text& text, Parts&&... parts) {
-    (detail::append(text, std::forward<Parts>(parts)), ...);
-}
+template <class... Parts> void extend(Text& text, Parts&&... parts) { (detail::append(text, std::forward<Parts>(parts)), ...); }
 
 /// Joins words, runs and texts: text("The error is ", readable(e), " (", ref("q1_errors"), ").").
-template <class... Parts>
-Text text(Parts&&... parts) {
+template <class... Parts> Text text(Parts&&... parts) {
     Text joined;
     extend(joined, std::forward<Parts>(parts)...);
     return joined;

@@ -46,10 +46,7 @@ struct Fact {
 /// Makes a fact from a name and a value: "mesh"_a = name.
 struct FactName {
     std::string_view name;
-    template <class Value>
-    Fact operator=(Value&& value) const {
-        return {name, std::forward<Value>(value)};
-    }
+    template <class Value> Fact operator=(Value&& value) const { return {name, std::forward<Value>(value)}; }
 };
 inline namespace literals {
 constexpr FactName operator""_a(const char* name, std::size_t length) { return {{name, length}}; }

@@ -74,10 +74,7 @@ void keep_others(const std::filesystem::path& file, const std::function<bool(con
 PreparedMesh load_mesh(const std::string& file, Checks checks = Checks::all, Keep keep = Keep::mesh);
 
 /// Returns work(). Names the file in a MeshError, which becomes an InputError, and in a SolverError; other errors pass unchanged.
-template <class Work>
-auto about_mesh(const std::string& file, const Work& work) try {
-    return work();
-} catch (const MeshError& error) {
+template <class Work> auto about_mesh(const std::string& file, const Work& work) try { return work(); } catch (const MeshError& error) {
     throw InputError({shown(file), 0}, error.what());
 } catch (const SolverError& error) {
     throw SolverError(shown(file) + ": " + error.what());

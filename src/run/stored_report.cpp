@@ -112,10 +112,8 @@ ReportSection StoredReport::section(const report::Section& section, const fs::pa
         digests[i] = sums_.at(files[i]).digest;
     });
     for (std::size_t i = 0; i < files.size(); ++i) {
-        if (digests[i].empty())
-            stored.missing.push_back(files[i]);
-        else
-            stored.files[files[i]] = digests[i];
+        if (digests[i].empty()) stored.missing.push_back(files[i]);
+        else stored.files[files[i]] = digests[i];
     }
     std::vector<std::string> ids;
     for (const auto& [id, figure] : stored.figures) ids.push_back(id);

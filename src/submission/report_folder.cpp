@@ -114,10 +114,8 @@ ReportFolder read_report(const fs::path& folder) try {
         if (fs::is_directory(entry.symlink_status())) continue;
         const std::string path = entry.path().lexically_relative(folder).generic_string();
         if (is_unlisted(path)) continue;
-        if (sums.contains(path))
-            report.files.emplace(path, harmless_bytes(entry.path(), path));
-        else
-            report.others.push_back(path);
+        if (sums.contains(path)) report.files.emplace(path, harmless_bytes(entry.path(), path));
+        else report.others.push_back(path);
     }
     std::ranges::sort(report.others);
     require_sums(folder, sums, report.files);

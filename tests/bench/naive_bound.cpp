@@ -31,8 +31,7 @@ FloatMesh float_mesh(const bench::BenchMesh& mesh) {
     return result;
 }
 
-template <class Body>
-void in_blocks(std::size_t count, const Body& body) {
+template <class Body> void in_blocks(std::size_t count, const Body& body) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096), body, tbb::static_partitioner());
 }
 

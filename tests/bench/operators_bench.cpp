@@ -27,8 +27,7 @@ const Subject& subject_at(int level) {
 }
 
 /// Times stage(subject). Arguments: level, threads.
-template <class Stage>
-void time_stage(benchmark::State& state, Stage stage) {
+template <class Stage> void time_stage(benchmark::State& state, Stage stage) {
     const Subject& subject = subject_at(static_cast<int>(state.range(0)));
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(state.range(1)));
     for (auto _ : state) benchmark::DoNotOptimize(stage(subject));
@@ -38,8 +37,7 @@ void time_stage(benchmark::State& state, Stage stage) {
     state.counters["per_triangle"] = Counter(triangles, Counter::kIsIterationInvariantRate | Counter::kInvert);
 }
 
-template <class Stage>
-void add(const char* name, Stage stage) {
+template <class Stage> void add(const char* name, Stage stage) {
     benchmark::RegisterBenchmark(name, [stage](benchmark::State& state) { time_stage(state, stage); })
         ->ArgsProduct({benchmark::CreateDenseRange(0, bench::levels - 1, 1), {1, 2}})
         ->ArgNames({"level", "threads"})

@@ -18,8 +18,7 @@ inline double memory_status(const std::string& name) {
 }
 
 /// Most resident memory while `work` ran, above that before it [bytes].
-template <class Work>
-double peak_memory_of(const Work& work) {
+template <class Work> double peak_memory_of(const Work& work) {
     malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << 5;   // the high-water mark starts again from here
     const double before = memory_status("VmRSS");

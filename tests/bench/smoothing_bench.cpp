@@ -37,8 +37,7 @@ const Subject& subject_at(int level) {
 int iterations(const benchmark::State& state) { return static_cast<int>(state.range(1)); }
 
 /// In an arena of as many threads as asked for: the arena made first would keep its size for all that follows.
-template <class Body>
-void on_threads(const benchmark::State& state, Body body) {
+template <class Body> void on_threads(const benchmark::State& state, Body body) {
     tbb::task_arena arena(static_cast<int>(state.range(2)));
     arena.execute(body);
 }
@@ -131,8 +130,7 @@ void implicit_ours(benchmark::State& state, double memory_limit) {
     state.counters["cg_iterations"] = static_cast<double>(iterations_of_cg);
 }
 
-template <class Run>
-void add(const char* name, int steps, const std::vector<std::int64_t>& threads, Run run) {
+template <class Run> void add(const char* name, int steps, const std::vector<std::int64_t>& threads, Run run) {
     constexpr int largest_level = 2;
     benchmark::RegisterBenchmark(name, run)
         ->ArgsProduct({benchmark::CreateDenseRange(0, largest_level, 1), {steps}, threads})

@@ -37,8 +37,7 @@ double largest_residual(const LaplaceBeltrami& laplacian, const Spectrum& spectr
     return largest;
 }
 
-template <class T>
-void write_all(const std::string& file, const T* numbers, Eigen::Index count) {
+template <class T> void write_all(const std::string& file, const T* numbers, Eigen::Index count) {
     std::ofstream out(file, std::ios::binary);
     out.write(reinterpret_cast<const char*>(numbers), static_cast<std::streamsize>(sizeof(T)) * count);
     if (!out.flush()) throw std::runtime_error("cannot write " + file);

@@ -25,8 +25,7 @@ class Bytes {
 public:
     Bytes(const std::uint8_t* bytes, std::size_t size) : at_(bytes), left_(size) {}
 
-    template <class Number>
-    Number take() {
+    template <class Number> Number take() {
         Number number{};
         const std::size_t length = left_ < sizeof number ? left_ : sizeof number;
         if (length > 0) std::memcpy(&number, at_, length);

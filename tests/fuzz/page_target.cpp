@@ -16,25 +16,15 @@ report::Document document_with(const std::string& words, unsigned place) {
     report::Section section;
     section.id = "q1";
     switch (place % 8) {
-        case 0:
-            document.title = document.author = document.course = words;
-            break;
-        case 1:
-            section.title = section.asked = section.extent = words;
-            break;
+        case 0: document.title = document.author = document.course = words; break;
+        case 1: section.title = section.asked = section.extent = words; break;
         case 2:
             section.inputs = {
                 {.role = words, .asked = words, .file = words, .stand_in = false, .sha256 = "", .vertices = 3, .triangles = 1}};
             break;
-        case 3:
-            section.parameters = {{words, words}};
-            break;
-        case 4:
-            section.warnings = {words};
-            break;
-        case 5:
-            section.blocks.push_back(report::Heading{words});
-            break;
+        case 3: section.parameters = {{words, words}}; break;
+        case 4: section.warnings = {words}; break;
+        case 5: section.blocks.push_back(report::Heading{words}); break;
         case 6:
             section.blocks.push_back(
                 report::Paragraph{report::text(words, report::strong(words), report::code(words), report::math(words))});
@@ -151,9 +141,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     const unsigned place = bytes[size - 1] % 8;
     const report::Document document = document_with(words, place);
     switch (bytes[size - 1] / 8 % 3) {
-        case 0:
-            require_balanced(markup_of(report::write_html(document, {}, templates)));
-            break;
+        case 0: require_balanced(markup_of(report::write_html(document, {}, templates))); break;
         case 1: {
             const std::string page = report::write_markdown(document, {}, templates);
             require_balanced(page);
@@ -161,8 +149,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
             fuzzing::require(words.empty() || structure_of(page) == plain[place], "a word makes no cell of a table and no line");
             break;
         }
-        default:
-            fuzzing::require(nlohmann::json::accept(report::write_json(document, {})), "results.json is JSON");
+        default: fuzzing::require(nlohmann::json::accept(report::write_json(document, {})), "results.json is JSON");
     }
     return 0;
 }

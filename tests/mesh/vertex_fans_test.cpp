@@ -42,8 +42,7 @@ struct SlowFan {
         return reached.size();
     }
 
-    template <class Condition>
-    bool any_edge(Condition condition) const {
+    template <class Condition> bool any_edge(Condition condition) const {
         return std::any_of(edges.begin(), edges.end(), [&](const auto& e) { return condition(e.second[0], e.second[1]); });
     }
 

@@ -14,8 +14,7 @@ namespace {
 Numbering sample_numbering() { return Numbering(sample_document(), bibliography_of(Templates())); }
 
 /// The message of the logic_error; empty if none is thrown.
-template <class Action>
-std::string complaint(Action action) {
+template <class Action> std::string complaint(Action action) {
     try {
         action();
     } catch (const std::logic_error& error) {

@@ -65,10 +65,8 @@ TEST(WriteCsv, AnyTextIsReadBackFromOneLine) {
 std::vector<std::string> cells_of(const std::string& text) {
     std::vector<std::string> cells(1);
     for (const char c : text) {
-        if (std::string(",;|\t\r\n").find(c) != std::string::npos)
-            cells.emplace_back();
-        else if (!cells.back().empty() || (c != ' ' && c != '"'))
-            cells.back() += c;
+        if (std::string(",;|\t\r\n").find(c) != std::string::npos) cells.emplace_back();
+        else if (!cells.back().empty() || (c != ' ' && c != '"')) cells.back() += c;
     }
     return cells;
 }

@@ -27,8 +27,7 @@ bool is_interior(const MeshTopology& topology, int v) {
 }
 
 /// Returns H from Δx = −2Hn, Δx = laplacian_at(v): ½|Δx|, positive where Δx points against the normal; NaN but at interior vertices.
-template <class LaplacianAt>
-Vector mean_curvature_from(const TriangleMesh& mesh, const MeshTopology& topology, LaplacianAt laplacian_at) {
+template <class LaplacianAt> Vector mean_curvature_from(const TriangleMesh& mesh, const MeshTopology& topology, LaplacianAt laplacian_at) {
     Vector H = Vector::Constant(mesh.X.rows(), undefined);
     const Incidence& triangles = topology.vertex_faces;
     for_each_index(mesh.vertex_count(), [&](int v) {

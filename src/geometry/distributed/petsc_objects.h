@@ -19,8 +19,7 @@ inline PetscErrorCode keep_message(MPI_Comm, int, const char*, const char*, Pets
 }
 
 /// Owner of a PETSc object.
-template <class Object, PetscErrorCode (*destroy)(Object*)>
-class Owned {
+template <class Object, PetscErrorCode (*destroy)(Object*)> class Owned {
 public:
     Owned() = default;
     ~Owned() { static_cast<void>(destroy(&object_)); }

@@ -14,8 +14,7 @@ namespace meshfolio {
 namespace {
 
 /// Calls visit(i, j, l_ij) for the entries of L below its diagonal, column by column.
-template <class Visit>
-void for_each_entry(const SparseMatrix& L, const Visit& visit) {
+template <class Visit> void for_each_entry(const SparseMatrix& L, const Visit& visit) {
     for (int j = 0; j < L.cols(); ++j)
         for (SparseMatrix::InnerIterator entry(L, j); entry; ++entry) visit(entry.row(), Eigen::Index{j}, entry.value());
 }

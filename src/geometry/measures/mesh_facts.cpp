@@ -31,8 +31,7 @@ Decimal decimal_of(double x) {
 }
 
 /// Returns the distance from x to the next larger number of this type.
-template <class Number>
-double spacing_at(double x) {
+template <class Number> double spacing_at(double x) {
     const auto number = static_cast<Number>(x);
     return static_cast<double>(std::nextafter(number, std::numeric_limits<Number>::infinity()) - number);
 }

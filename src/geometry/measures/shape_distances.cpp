@@ -35,8 +35,7 @@ HWY_INLINE Numbers Minor(Numbers a, Numbers d, Numbers b, Numbers c) { return hn
 HWY_INLINE Three Cross(const Three& a, const Three& b) {
     return {Minor(a.y, b.z, a.z, b.y), Minor(a.z, b.x, a.x, b.z), Minor(a.x, b.y, a.y, b.x)};
 }
-template <class Mask>
-HWY_INLINE Three Chosen(Mask mask, const Three& a, const Three& b) {
+template <class Mask> HWY_INLINE Three Chosen(Mask mask, const Three& a, const Three& b) {
     return {hn::IfThenElse(mask, a.x, b.x), hn::IfThenElse(mask, a.y, b.y), hn::IfThenElse(mask, a.z, b.z)};
 }
 

@@ -34,8 +34,7 @@ struct Pieces {
 };
 
 /// Calls visit(corners) for each of the k² pieces of a triangle.
-template <class Visit>
-void for_each_piece(const Eigen::Matrix3d& corners, int k, const Visit& visit) {
+template <class Visit> void for_each_piece(const Eigen::Matrix3d& corners, int k, const Visit& visit) {
     const auto point = [&](int i, int j) -> Vector3 {
         return corners.col(0) + (1.0 * i / k) * (corners.col(1) - corners.col(0)) + (1.0 * j / k) * (corners.col(2) - corners.col(0));
     };

@@ -15,8 +15,7 @@ namespace {
 using Corners = std::array<Vector3, 3>;
 
 /// Calls join(k, l) for the corners at the ends of each edge without length.
-template <class Join>
-void for_each_edge_without_length(const Corners& x, double longest_squared, Join join) {
+template <class Join> void for_each_edge_without_length(const Corners& x, double longest_squared, Join join) {
     const double a = (x[2] - x[1]).squaredNorm(), b = (x[0] - x[2]).squaredNorm(), c = (x[1] - x[0]).squaredNorm();
     const double longest = std::max({a, b, c});
     // Most triangles are clear from squares alone, far from the ends of the range of a double.

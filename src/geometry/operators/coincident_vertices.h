@@ -36,8 +36,7 @@ std::vector<VertexCopy> coincident_vertices(const TriangleMesh& mesh, double lon
 TriangleMesh with_joined_vertices(const TriangleMesh& mesh, const std::vector<VertexCopy>& copies);
 
 /// Overwrites the row of each copy by the row of its first vertex.
-template <class Rows>
-void spread(const std::vector<VertexCopy>& copies, Rows& all) {
+template <class Rows> void spread(const std::vector<VertexCopy>& copies, Rows& all) {
     for (const VertexCopy& copy : copies) all.row(copy.vertex) = all.row(copy.of);
 }
 

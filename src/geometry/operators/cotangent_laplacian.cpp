@@ -30,8 +30,7 @@ CornerValues cotangents_of(const TriangleMesh& mesh, Cotangent cotangent) {
 
 /// Returns the matrix with Σ value(t, k) over the corners opposite the edge from i to j, in the order of the triangles, at (i, j) and
 /// (j, i); diagonal entries are stored.
-template <class Value>
-SparseMatrix sum_at_opposite_edges(const Faces& F, int vertex_count, Value value) {
+template <class Value> SparseMatrix sum_at_opposite_edges(const Faces& F, int vertex_count, Value value) {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(static_cast<std::size_t>(vertex_count + 6 * F.rows()));
     for (int v = 0; v < vertex_count; ++v) entries.emplace_back(v, v, 0);

@@ -40,8 +40,7 @@ struct LaplaceBeltrami {
     std::vector<VertexCopy> copies = {};   // coincident_vertices() of the mesh
 };
 /// Returns assemble(mesh) for the mesh with its coincident vertices joined. @param longest  the largest relative length that counts as none
-template <class Assemble>
-LaplaceBeltrami assembled_joined(const TriangleMesh& mesh, Assemble assemble, double longest = no_length) {
+template <class Assemble> LaplaceBeltrami assembled_joined(const TriangleMesh& mesh, Assemble assemble, double longest = no_length) {
     std::vector<VertexCopy> copies = coincident_vertices(mesh, longest);
     if (copies.empty()) return assemble(mesh);
     LaplaceBeltrami laplacian = assemble(with_joined_vertices(mesh, copies));

@@ -76,22 +76,17 @@ Assembly assembly_of(OperatorKind kind) {
 
 LaplaceBeltrami laplace_operator(const TriangleMesh& mesh, OperatorKind kind, AreaForm area) {
     switch (kind) {
-        case OperatorKind::cotan:
-            return laplace_beltrami(mesh, area);
-        case OperatorKind::uniform:
-            return uniform_operator(mesh, topology_of(mesh));
+        case OperatorKind::cotan: return laplace_beltrami(mesh, area);
+        case OperatorKind::uniform: return uniform_operator(mesh, topology_of(mesh));
         case OperatorKind::cotan_no_half: {
             LaplaceBeltrami laplacian = laplace_beltrami(mesh, area);
             laplacian.C *= 2;
             return laplacian;
         }
-        case OperatorKind::clamped:
-            return laplace_beltrami(mesh, area, {.clamp_negative = true});
-        case OperatorKind::opposite_mean:
-            return laplace_beltrami(mesh, area, {.opposite = CotangentOptions::OppositeVertices::mean});
+        case OperatorKind::clamped: return laplace_beltrami(mesh, area, {.clamp_negative = true});
+        case OperatorKind::opposite_mean: return laplace_beltrami(mesh, area, {.opposite = CotangentOptions::OppositeVertices::mean});
         case OperatorKind::edge_normalised:
-        case OperatorKind::tufted:
-            return assembled_joined(mesh, [&](const TriangleMesh& joined) { return assembled(joined, kind, area); });
+        case OperatorKind::tufted: return assembled_joined(mesh, [&](const TriangleMesh& joined) { return assembled(joined, kind, area); });
         case OperatorKind::idt:
         case OperatorKind::idt_original_mass:
             return assembled_joined(

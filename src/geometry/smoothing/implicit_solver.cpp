@@ -128,12 +128,9 @@ void ImplicitSolver::prepare(const OperatorWithMass& whole, double lambda, doubl
     s.vertex = whole.vertex;
     s.M = whole.M;
     try {
-        if (remotely)
-            s.remote = remotely(system);
-        else if (direct)
-            s.factor_directly(system);
-        else
-            s.gradients.emplace(system, whole.M);
+        if (remotely) s.remote = remotely(system);
+        else if (direct) s.factor_directly(system);
+        else s.gradients.emplace(system, whole.M);
     } catch (const SolverError& error) {
         throw SolverError("M − λC cannot be factored at this lambda: " + std::string(error.what()),
                           "take a smaller lambda, or repair triangles of zero area");

@@ -149,8 +149,7 @@ private:
             case SmoothingScheme::taubin:
                 explicit_->step(options_.lambda, X_, between_);
                 return explicit_->step(taubin_mu_, between_, next_, bound);
-            case SmoothingScheme::explicit_euler:
-                break;
+            case SmoothingScheme::explicit_euler: break;
         }
         return explicit_->step(limit_.lambda(), X_, next_, bound);
     }

@@ -19,29 +19,22 @@ struct SpectralMeasure {
     Vector fewer_nodes, fewer_weights;   // after four fifths of the steps
 
     /// Returns Σ w f(μ).
-    template <class Function>
-    double integral(Function f) const {
-        return sum(f, nodes, weights);
-    }
+    template <class Function> double integral(Function f) const { return sum(f, nodes, weights); }
     /// Returns the relative change of integral(f) in the last fifth of the steps, for smooth f more than its error; 0 if `exact`.
-    template <class Function>
-    double uncertainty(Function f) const {
+    template <class Function> double uncertainty(Function f) const {
         return exact ? 0 : std::abs(sum(f, fewer_nodes, fewer_weights) / integral(f) - 1);
     }
     /// Returns √(Σ_i f(μ_i)² |⟨X, φ_i⟩_M|² / ΣM): the area-weighted rms length of f(−L)(X − its mean). [length]
-    template <class Filter>
-    double rms(Filter f) const {
+    template <class Filter> double rms(Filter f) const {
         return std::sqrt(integral([&](double mu) { return f(mu) * f(mu); }) / mass);
     }
     /// Returns the Dirichlet energy −½ xᵀCx of f(−L)X over the three coordinates. [length²]
-    template <class Filter>
-    double energy(Filter f) const {
+    template <class Filter> double energy(Filter f) const {
         return 0.5 * integral([&](double mu) { return mu * f(mu) * f(mu); });
     }
 
 private:
-    template <class Function>
-    static double sum(Function f, const Vector& at, const Vector& with) {
+    template <class Function> static double sum(Function f, const Vector& at, const Vector& with) {
         double sum = 0;
         for (Eigen::Index i = 0; i < at.size(); ++i) sum += with[i] * f(at[i]);
         return sum;

@@ -64,12 +64,9 @@ StepUnit step_unit_named(const std::string& name) {
 
 double step_in_model_units(double lambda, StepUnit unit, double critical, double mean_edge) {
     switch (unit) {
-        case StepUnit::tau:
-            return lambda * critical;
-        case StepUnit::h2:
-            return lambda * mean_edge * mean_edge;
-        case StepUnit::raw:
-            break;
+        case StepUnit::tau: return lambda * critical;
+        case StepUnit::h2: return lambda * mean_edge * mean_edge;
+        case StepUnit::raw: break;
     }
     return lambda;
 }

@@ -90,8 +90,7 @@ struct VtpWriter {
     std::string xml, data;
 
     /// Adds an array; value(i) is component i % components of entry i / components.
-    template <class Value>
-    void array(ScalarType type, const std::string& name, int components, int entries, const Value& value) {
+    template <class Value> void array(ScalarType type, const std::string& name, int components, int entries, const Value& value) {
         xml.append("<DataArray type=\"").append(vtk_type_names[static_cast<std::size_t>(type)]).append("\" Name=\"");
         for (const char c : name) xml += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
         xml += "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"appended\" offset=\"" + std::to_string(data.size()) +

@@ -27,18 +27,13 @@ public:
             done = statements_.end();
             std::string_view rest = statements_.text();
             const std::string_view keyword = take_word(rest);
-            if (keyword == "v")
-                vertex(rest);
-            else if (keyword == "vn")
-                ++normals_seen_;
-            else if (keyword == "f" || keyword == "fo")
-                face(rest);
+            if (keyword == "v") vertex(rest);
+            else if (keyword == "vn") ++normals_seen_;
+            else if (keyword == "f" || keyword == "fo") face(rest);
             else if (keyword == "csh" || keyword == "call")   // would run a program or read another file
                 continue;
-            else if (statements_.ends_before_keyword())
-                out_->append(statements_.text()) += '\n';
-            else
-                out_->append(source_.obj, statements_.begin(), done - statements_.begin());
+            else if (statements_.ends_before_keyword()) out_->append(statements_.text()) += '\n';
+            else out_->append(source_.obj, statements_.begin(), done - statements_.begin());
         }
         out_->append(source_.obj, done);
         for (const Vector3& sum : normals_) {

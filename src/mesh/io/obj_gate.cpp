@@ -59,16 +59,11 @@ public:
                                       "lines that end in \\ before a statement, where it is ignored");
             std::string_view rest = statements_.text();
             const std::string_view keyword = take_word(rest);
-            if (keyword == "v")
-                vertex(rest);
-            else if (keyword == "f" || keyword == "fo")
-                face(rest);
-            else if (keyword == "vt")
-                ++texture_.count;
-            else if (keyword == "vn")
-                ++normal_.count;
-            else
-                other(keyword);
+            if (keyword == "v") vertex(rest);
+            else if (keyword == "f" || keyword == "fo") face(rest);
+            else if (keyword == "vt") ++texture_.count;
+            else if (keyword == "vn") ++normal_.count;
+            else other(keyword);
         }
         warn_of_missing(texture_);
         warn_of_missing(normal_);
@@ -141,8 +136,7 @@ private:
     void attribute_index(UnusedAttribute& attribute, std::string_view word, std::string_view whole) {
         const std::optional<long long> index = parse_integer(word);
         if (!index) throw InputError(here(), "bad face corner " + in_quotes(whole), "corners are v, v/vt, v//vn or v/vt/vn");
-        if (*index == 0 || *index < -attribute.count)
-            checked_.warnings.add(line_, attribute.one, attribute.many, std::to_string(*index));
+        if (*index == 0 || *index < -attribute.count) checked_.warnings.add(line_, attribute.one, attribute.many, std::to_string(*index));
         else if (*index > attribute.count && (attribute.ahead.empty() || *index > attribute.ahead.back().first))
             attribute.ahead.emplace_back(*index, line_);
     }

@@ -70,10 +70,8 @@ private:
         vertices_ = count(first, "vertex");
         faces_ = count(words_.next(), "face");
         const std::string_view edges = words_.next_on_line();
-        if (edges.empty())
-            warnings_.add(counts_line_, "edge count missing", "edge counts missing");
-        else if (!parse_integer(edges))
-            fail(counts_line_, "bad edge count " + in_quotes(edges), "it must be a whole number");
+        if (edges.empty()) warnings_.add(counts_line_, "edge count missing", "edge counts missing");
+        else if (!parse_integer(edges)) fail(counts_line_, "bad edge count " + in_quotes(edges), "it must be a whole number");
         words_.skip_line();
         // The shortest vertex is "0 0 0" and a line end, the shortest face "0" and one; the last line end may be missing.
         const auto room = static_cast<long long>(size_ - words_.offset()) + 1;

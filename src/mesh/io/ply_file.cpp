@@ -18,8 +18,7 @@ namespace meshfolio {
 namespace {
 
 /// Reads the elements in the order of the header.
-template <class Body>
-class PlyReader {
+template <class Body> class PlyReader {
 public:
     PlyReader(const PlyHeader& header, const PlyMeshParts& parts, Body body, const std::string& file)
         : header_(header), parts_(parts), body_(std::move(body)), file_(file), X_(parts.vertices->count, 3) {
@@ -36,10 +35,8 @@ public:
             columns_.push_back({properties[p].name, Vector(parts_.vertices->count), properties[p].type});
         }
         for (const PlyElement& element : header_.elements)
-            if (&element == parts_.vertices)
-                read_vertices(element);
-            else
-                read_others(element);
+            if (&element == parts_.vertices) read_vertices(element);
+            else read_others(element);
         body_.end(warnings);
         if (const std::string names = first_of_many(not_kept()); keep == Keep::attributes && !names.empty())
             warnings.add(0, "properties that are not kept", "properties that are not kept", names);
@@ -68,8 +65,7 @@ private:
 
     /// Reads all rows of an element of a binary file at once, as if each list had three items. good(body, i, values) stores row i, of which
     /// property p is at values(p), and returns whether it is right. Returns false if a row is not: they must be read one by one then.
-    template <class Good>
-    bool read_even_rows(const PlyElement& element, const Good& good) {
+    template <class Good> bool read_even_rows(const PlyElement& element, const Good& good) {
         if constexpr (std::is_same_v<Body, BinaryBody>) {
             std::vector<std::size_t> offset;
             std::size_t size = 0;
@@ -123,8 +119,7 @@ private:
     }
 
     /// Calls read(i, p) for each property p of each row i.
-    template <class Read>
-    void for_each_value(const PlyElement& element, const Read& read) {
+    template <class Read> void for_each_value(const PlyElement& element, const Read& read) {
         for (long long i = 0; i < element.count; ++i) {
             body_.begin_row(element);
             for (std::size_t p = 0; p < element.properties.size(); ++p) read(i, p);
@@ -157,12 +152,9 @@ private:
         if (are_faces) polygons_.reserve(static_cast<std::size_t>(element.count));
         for_each_value(element, [&](long long i, std::size_t p) {
             const PlyProperty& property = element.properties[p];
-            if (!parts_.is_corners(element, p))
-                skip_value(property);
-            else if (are_faces)
-                read_corners(i, property);
-            else
-                read_strip_list(i, property);
+            if (!parts_.is_corners(element, p)) skip_value(property);
+            else if (are_faces) read_corners(i, property);
+            else read_strip_list(i, property);
         });
     }
 

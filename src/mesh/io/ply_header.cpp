@@ -33,14 +33,10 @@ public:
             if (!lines_.next()) fail(0, "ends early: no end_header", "the file may be cut off");
             std::string_view rest = lines_.line();
             const std::string_view keyword = take_word(rest);
-            if (keyword == "end_header")
-                in_header = false;
-            else if (keyword == "format")
-                read_format(rest);
-            else if (keyword == "element")
-                read_element(rest);
-            else if (keyword == "property")
-                read_property(rest);
+            if (keyword == "end_header") in_header = false;
+            else if (keyword == "format") read_format(rest);
+            else if (keyword == "element") read_element(rest);
+            else if (keyword == "property") read_property(rest);
             else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty())
                 fail(lines_.number(), "unknown header line " + in_quotes(lines_.line()), "is end_header missing?");
         }
@@ -63,14 +59,10 @@ private:
         const std::string_view name = take_word(rest);
         const std::string_view version = take_word(rest);
         if (version != "1.0") fail(lines_.number(), "PLY version " + in_quotes(version) + " is not supported", "the version is 1.0");
-        if (name == "ascii")
-            header_.format = PlyHeader::Format::ascii;
-        else if (name == "binary_little_endian")
-            header_.format = PlyHeader::Format::little_endian;
-        else if (name == "binary_big_endian")
-            header_.format = PlyHeader::Format::big_endian;
-        else
-            fail(lines_.number(), "unknown format " + in_quotes(name), "formats are ascii, binary_little_endian, binary_big_endian");
+        if (name == "ascii") header_.format = PlyHeader::Format::ascii;
+        else if (name == "binary_little_endian") header_.format = PlyHeader::Format::little_endian;
+        else if (name == "binary_big_endian") header_.format = PlyHeader::Format::big_endian;
+        else fail(lines_.number(), "unknown format " + in_quotes(name), "formats are ascii, binary_little_endian, binary_big_endian");
         has_format_ = true;
     }
 
@@ -147,8 +139,7 @@ private:
 }
 
 /// Returns the element or property named `name`, or null.
-template <class Named>
-const Named* named(const std::vector<Named>& list, std::string_view name) {
+template <class Named> const Named* named(const std::vector<Named>& list, std::string_view name) {
     const auto found = std::ranges::find_if(list, [&](const Named& entry) { return entry.name == name; });
     return found == list.end() ? nullptr : &*found;
 }

@@ -25,12 +25,9 @@ public:
     }
 
     void add(std::span<const int> corners, long line) {
-        if (corners.size() < 3)
-            warnings_.add(line, "face with fewer than 3 vertices ignored", "faces with fewer than 3 vertices ignored");
-        else if (corners.size() == 3)
-            push(corners[0], corners[1], corners[2], line);
-        else
-            add_polygon(corners, line);
+        if (corners.size() < 3) warnings_.add(line, "face with fewer than 3 vertices ignored", "faces with fewer than 3 vertices ignored");
+        else if (corners.size() == 3) push(corners[0], corners[1], corners[2], line);
+        else add_polygon(corners, line);
     }
 
     void finish() {
@@ -82,10 +79,8 @@ private:
 
 void WarningTally::add(long line, std::string_view one, std::string_view many, const std::string& example) {
     const auto kind = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& k) { return k.many == many; });
-    if (kind != kinds_.end())
-        ++kind->count;
-    else
-        kinds_.push_back({one, many, example, line, 1});
+    if (kind != kinds_.end()) ++kind->count;
+    else kinds_.push_back({one, many, example, line, 1});
 }
 
 std::vector<MeshWarning> WarningTally::warnings() const {

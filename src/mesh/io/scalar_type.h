@@ -24,29 +24,18 @@ inline constexpr std::array<std::string_view, 10> vtk_type_names{"Int8",   "UInt
                                                                  "UInt32", "Int64", "UInt64", "Float32", "Float64"};
 
 /// Returns use(zero), where zero has the C++ type for `type`.
-template <class Use>
-auto with_zero_of(ScalarType type, const Use& use) {
+template <class Use> auto with_zero_of(ScalarType type, const Use& use) {
     switch (type) {
-        case ScalarType::int8:
-            return use(std::int8_t{});
-        case ScalarType::uint8:
-            return use(std::uint8_t{});
-        case ScalarType::int16:
-            return use(std::int16_t{});
-        case ScalarType::uint16:
-            return use(std::uint16_t{});
-        case ScalarType::int32:
-            return use(std::int32_t{});
-        case ScalarType::uint32:
-            return use(std::uint32_t{});
-        case ScalarType::int64:
-            return use(std::int64_t{});
-        case ScalarType::uint64:
-            return use(std::uint64_t{});
-        case ScalarType::float32:
-            return use(float{});
-        case ScalarType::float64:
-            break;
+        case ScalarType::int8: return use(std::int8_t{});
+        case ScalarType::uint8: return use(std::uint8_t{});
+        case ScalarType::int16: return use(std::int16_t{});
+        case ScalarType::uint16: return use(std::uint16_t{});
+        case ScalarType::int32: return use(std::int32_t{});
+        case ScalarType::uint32: return use(std::uint32_t{});
+        case ScalarType::int64: return use(std::int64_t{});
+        case ScalarType::uint64: return use(std::uint64_t{});
+        case ScalarType::float32: return use(float{});
+        case ScalarType::float64: break;
     }
     return use(double{});
 }
@@ -61,8 +50,7 @@ inline bool is_integer(ScalarType type) {
 }
 
 /// Returns the number at `raw`. @param swapped  its bytes are in the opposite of the machine's order
-template <class T>
-T value_at(const char* raw, bool swapped) {
+template <class T> T value_at(const char* raw, bool swapped) {
     std::array<char, sizeof(T)> bytes;
     std::memcpy(bytes.data(), raw, sizeof(T));
     if (swapped) std::reverse(bytes.begin(), bytes.end());
@@ -70,14 +58,10 @@ T value_at(const char* raw, bool swapped) {
 }
 
 /// Returns the little-endian number at `raw`.
-template <class T>
-T little_endian(const char* raw) {
-    return value_at<T>(raw, std::endian::native == std::endian::big);
-}
+template <class T> T little_endian(const char* raw) { return value_at<T>(raw, std::endian::native == std::endian::big); }
 
 /// Appends the bytes of a number, little endian.
-template <class T>
-void append_little_endian(std::string& bytes, T value) {
+template <class T> void append_little_endian(std::string& bytes, T value) {
     auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
     if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
     bytes.append(raw.data(), raw.size());

@@ -136,8 +136,7 @@ public:
     }
 
     /// Returns the first point in the cells that meet the box for which `found` holds, or −1.
-    template <class Found>
-    int find(const Point& low, const Point& high, Found found) const {
+    template <class Found> int find(const Point& low, const Point& high, Found found) const {
         for (int row = place(low, 1); row <= place(high, 1); ++row) {
             const int *const first = cells_.begin(row * side_ + place(low, 0)), *const last = cells_.end(row * side_ + place(high, 0));
             for (const int* i = first; i != last; ++i)

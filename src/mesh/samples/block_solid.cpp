@@ -113,10 +113,8 @@ TriangleMesh triangulated(const BlockSurface& surface, const std::function<bool(
     mesh.F.resize(2 * static_cast<Eigen::Index>(surface.quads.size()), 3);
     for (int q = 0; q < static_cast<int>(surface.quads.size()); ++q) {
         const auto [a, b, c, d] = surface.quads[at(q)];
-        if (first_diagonal(surface, q))
-            mesh.F.middleRows<2>(2 * Eigen::Index{q}) << a, b, c, a, c, d;
-        else
-            mesh.F.middleRows<2>(2 * Eigen::Index{q}) << a, b, d, b, c, d;
+        if (first_diagonal(surface, q)) mesh.F.middleRows<2>(2 * Eigen::Index{q}) << a, b, c, a, c, d;
+        else mesh.F.middleRows<2>(2 * Eigen::Index{q}) << a, b, d, b, c, d;
     }
     return mesh;
 }

@@ -36,8 +36,7 @@ public:
     }
 
 private:
-    template <class Action>
-    void for_each_node(Action action) const {
+    template <class Action> void for_each_node(Action action) const {
         for (int k = 0; k < nodes_[2]; ++k)
             for (int j = 0; j < nodes_[1]; ++j)
                 for (int i = 0; i < nodes_[0]; ++i) action(Eigen::Vector3i(i, j, k));

@@ -73,8 +73,7 @@ std::vector<RoundCone> tapered_tube(const std::array<Vector3, 4>& p, double radi
     return tube;
 }
 
-template <class Shape>
-double nearest(const std::vector<Shape>& shapes, const Vector3& p) {
+template <class Shape> double nearest(const std::vector<Shape>& shapes, const Vector3& p) {
     double d = signed_distance(shapes.front(), p);
     for (std::size_t i = 1; i < shapes.size(); ++i) d = std::min(d, signed_distance(shapes[i], p));
     return d;

@@ -14,8 +14,7 @@ namespace meshfolio {
 namespace {
 
 /// Returns the piecewise linear function through values[0], values[1], … at 0, 1, …
-template <std::size_t n>
-double piecewise(const std::array<double, n>& values, double x) {
+template <std::size_t n> double piecewise(const std::array<double, n>& values, double x) {
     const std::size_t i = std::min(static_cast<std::size_t>(x), n - 2);
     return values[i] + (x - static_cast<double>(i)) * (values[i + 1] - values[i]);
 }

@@ -36,8 +36,7 @@ bool is_digest(const std::string& text) {
 fs::path spread(const std::string& digest) { return fs::path(digest.substr(0, 2)) / digest.substr(2); }
 
 /// Returns the bytes of a file, which then counts as used now; nothing if it is missing or not whole. A file that is not whole is removed.
-template <class IsWhole>
-std::optional<std::string> read_whole(const fs::path& path, const IsWhole& is_whole) try {
+template <class IsWhole> std::optional<std::string> read_whole(const fs::path& path, const IsWhole& is_whole) try {
     std::string bytes = read_file(path);
     if (!is_whole(bytes)) {
         std::error_code ignored;

@@ -27,10 +27,8 @@ public:
           gap_(line_ / 3) {
         sheet_.em = em;
         sheet_.least_width = static_cast<int>(std::lround(16 * em));   // for the numbers of a colour bar
-        if (request_.layout == Layout::six_views)
-            place_blocks();
-        else
-            place_grid();
+        if (request_.layout == Layout::six_views) place_blocks();
+        else place_grid();
     }
 
     render::FigureSheet sheet() { return std::move(sheet_); }

@@ -31,8 +31,7 @@ render::Bounds united(const std::optional<render::Bounds>& a, const render::Boun
 }
 
 /// Returns the box of the meshes of the panels for which is_wanted(panel) holds.
-template <class Wanted>
-render::Bounds joined_box(const FigureRequest& request, const Wanted& is_wanted) {
+template <class Wanted> render::Bounds joined_box(const FigureRequest& request, const Wanted& is_wanted) {
     std::optional<render::Bounds> box;
     for (std::size_t p = 0; p < request.panels.size(); ++p)
         if (request.panels[p].mesh && is_wanted(p)) box = united(box, bounds_of(*request.panels[p].mesh));
@@ -86,10 +85,8 @@ const TriangleMesh& first_state(const FigureRequest& request, std::size_t panel)
 render::View hero_of(const FigureRequest& request, std::size_t panel) {
     const bool own = has_own_frames(request), is_matrix = !request.columns.empty() || !request.rows.empty();
     std::size_t group = request.panels.size();
-    if (own && request.states > 1)
-        group = static_cast<std::size_t>(request.states);
-    else if (own && (is_matrix || is_gallery(request)))
-        group = is_matrix ? static_cast<std::size_t>(panels_in_a_line(request)) : 1;
+    if (own && request.states > 1) group = static_cast<std::size_t>(request.states);
+    else if (own && (is_matrix || is_gallery(request))) group = is_matrix ? static_cast<std::size_t>(panels_in_a_line(request)) : 1;
     const std::size_t first = panel - panel % group;
     for (std::size_t p = first; p < std::min(first + group, request.panels.size()); ++p)
         if (request.panels[p].mesh && (own || is_framed(request, p))) return render::hero_view(surface_of(*request.panels[p].mesh));

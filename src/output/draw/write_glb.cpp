@@ -105,8 +105,7 @@ public:
 
 private:
     /// Makes an accessor, with a view of its own, for what `write` appends. Returns its number.
-    template <class Write>
-    std::size_t accessor(Target target, const Json& description, const Write& write) {
+    template <class Write> std::size_t accessor(Target target, const Json& description, const Write& write) {
         pad(bytes_);
         const std::size_t begin = bytes_.size();
         write();
@@ -120,8 +119,7 @@ private:
     }
 
     /// Makes an attribute: put_vertex(v) appends the bytes of vertex v, which are then padded.
-    template <class PutVertex>
-    void attribute(const char* name, const Json& description, const PutVertex& put_vertex) {
+    template <class PutVertex> void attribute(const char* name, const Json& description, const PutVertex& put_vertex) {
         attributes_[name] = accessor(vertex_data, description, [&] {
             for (int v = 0; v < count_; ++v) put_vertex(v), pad(bytes_);
         });
@@ -155,10 +153,7 @@ Json material_of(bool colored, render::Rgba surface) {
     return {{"pbrMetallicRoughness", std::move(look)}, {"doubleSided", true}};
 }
 
-template <class V>
-Json json_of(const V& v) {
-    return Json::array({v[0], v[1], v[2]});
-}
+template <class V> Json json_of(const V& v) { return Json::array({v[0], v[1], v[2]}); }
 
 }   // namespace
 

@@ -20,8 +20,7 @@ constexpr std::uintmax_t largest_sums = std::uintmax_t{256} << 20;   // bytes
 namespace {
 
 /// Calls visit(path, sum) for each line of a list. @throws InputError like parse_sums()
-template <class Visit>
-void for_each_sum(const std::string& text, const fs::path& file, const Visit& visit) {
+template <class Visit> void for_each_sum(const std::string& text, const fs::path& file, const Visit& visit) {
     constexpr std::size_t digits = 64, gap = 2;
     const auto is_digest = [](std::string_view word) { return word.find_first_not_of("0123456789abcdef") == std::string_view::npos; };
     long number = 0;

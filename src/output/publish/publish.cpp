@@ -241,8 +241,7 @@ std::vector<std::string> Publication::remove_failed() const {
     }
     if (!in_place_ && rename_with(failed, folder(), Taken::kept) == 0)   // a name that is swept if the process ends here
         folder_->remove();
-    else
-        fs::remove_all(failed, error);
+    else fs::remove_all(failed, error);
     return {};
 }
 

@@ -129,8 +129,7 @@ bool is_our_folder(const fs::directory_entry& entry) {
 
 /// Calls use(entry) for each entry of `folder` that a dead process left under the name `<stem><pid>…`.
 /// @param own  also entries with the number of this process, which an earlier process may have had
-template <class Use>
-void for_each_leftover(const fs::path& folder, const std::string& stem, bool own, const Use& use) noexcept try {
+template <class Use> void for_each_leftover(const fs::path& folder, const std::string& stem, bool own, const Use& use) noexcept try {
     std::vector<fs::directory_entry> entries;
     std::error_code error;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) entries.push_back(*it);

@@ -203,10 +203,8 @@ void UserFiles::take(const fs::path& path, const struct stat& status) {
         return;
     }
     if (is_mount_point(folder_ / path)) refuse(folder_ / path, "is a mount point");
-    if (is_directory)
-        list(path);
-    else
-        found_.push_back({path, is_listed, false});
+    if (is_directory) list(path);
+    else found_.push_back({path, is_listed, false});
 }
 
 void UserFiles::examine() {
@@ -225,10 +223,8 @@ void UserFiles::examine() {
     });
     ours_.clear();
     for (std::size_t i = 0; i < unsure_.size(); ++i) {
-        if (is_ours[i])
-            ours_.insert(unsure_[i]);
-        else
-            found_.push_back({unsure_[i].first, true, false});
+        if (is_ours[i]) ours_.insert(unsure_[i]);
+        else found_.push_back({unsure_[i].first, true, false});
     }
 }
 

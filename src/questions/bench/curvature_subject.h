@@ -30,8 +30,7 @@ double coordinate_step(const TriangleMesh& mesh);
 std::optional<Vector3> common_plane_normal(const TriangleMesh& mesh);
 
 /// Returns the largest |value| over the finite values with `chosen(vertex)`, or over all finite values; 0 if there are none.
-template <class Predicate>
-double largest_magnitude(const Vector& values, Predicate chosen) {
+template <class Predicate> double largest_magnitude(const Vector& values, Predicate chosen) {
     double most = 0;
     for (int i = 0; i < values.size(); ++i)
         if (chosen(i) && std::isfinite(values[i])) most = std::max(most, std::abs(values[i]));

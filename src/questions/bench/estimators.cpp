@@ -27,8 +27,7 @@ const Vector& areas_of(const BenchMesh& b, AreaForm form) {
     return b.shared(std::string(name_of(form)), [&] { return vertex_areas(b.mesh, form); });
 }
 
-template <AreaForm form>
-Vector cotangent_H(const BenchMesh& b) {
+template <AreaForm form> Vector cotangent_H(const BenchMesh& b) {
     return cotangent_mean_curvature(b.mesh, b.topology, {b.C(), areas_of(b, form)});
 }
 
@@ -37,8 +36,7 @@ Vector clamped_H(const BenchMesh& b) {
 }
 
 /// Computes −½Δx · n, n the normal of the surface and Δ the cotangent operator; NaN where a vertex has no area.
-template <AreaForm form>
-Vector cotangent_H_along_normal(const BenchMesh& b) {
+template <AreaForm form> Vector cotangent_H_along_normal(const BenchMesh& b) {
     const Vector& pull = b.shared("−½Cx · n", [&]() -> Vector {
         const Positions Cx = b.C() * b.mesh.X;
         return -0.5 * Cx.cwiseProduct(b.normals).rowwise().sum();
@@ -47,8 +45,7 @@ Vector cotangent_H_along_normal(const BenchMesh& b) {
     return (A.array() > 0).select(pull.cwiseQuotient(A), std::nan(""));
 }
 
-template <AreaForm form>
-Vector deficit_K(const BenchMesh& b) {
+template <AreaForm form> Vector deficit_K(const BenchMesh& b) {
     return gaussian_curvature(b.topology, b.angle_deficits(), areas_of(b, form));
 }
 

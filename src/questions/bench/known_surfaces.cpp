@@ -25,8 +25,7 @@ Vector3 around_axis(double turns, double radius, double z) {
 Vector3 radial(const Vector3& p) { return Vector3(p.x(), p.y(), 0).normalized(); }
 
 /// Returns a function that makes grids closed around the z axis. `point` takes the turn and the share of the length, from 0 to 1.
-template <class Point>
-auto tube(const Point& point) {
+template <class Point> auto tube(const Point& point) {
     return [point](int around, int along) { return parameter_mesh(around, along + 1, true, point); };
 }
 

@@ -73,8 +73,7 @@ LabSetting coarse_projection(const QuestionSettings& settings, const LabScale& s
 std::vector<double> lab_steps(const QuestionSettings& settings, const std::vector<double>& own_steps, const LabScale& scale);
 
 /// Returns the value nearest to `wish`, the first of equals. @pre there are values
-template <class Number>
-Number nearest(const std::vector<Number>& values, Number wish) {
+template <class Number> Number nearest(const std::vector<Number>& values, Number wish) {
     return *std::ranges::min_element(values, {}, [&](Number value) { return value > wish ? value - wish : wish - value; });
 }
 

@@ -31,10 +31,8 @@ std::vector<report::Check> spectrum_checks(const SpectrumCertificate& c, const s
     const double missed = c.counted_below < 0 ? undefined : c.counted_below - c.found_below;
     const std::string found = spectral_words.line("found_below", "found"_a = c.found_below, "shift"_a = plain_text(c.shift, 4));
     report::Check complete = check_near(law("complete", on), 0, missed, 0, note.empty() ? found : found + "; " + note);
-    if (c.says_nothing())
-        complete = undecided(complete, spectral_words.line("says_nothing"));
-    else if (c.complete == Proof::undecided)
-        complete = undecided(complete, cannot_be_proved(c.delta, c.gap));
+    if (c.says_nothing()) complete = undecided(complete, spectral_words.line("says_nothing"));
+    else if (c.complete == Proof::undecided) complete = undecided(complete, cannot_be_proved(c.delta, c.gap));
 
     report::Check zeros = check_near(law("zeros", on), c.expected_zeros, c.zero_eigenvalues, 0,
                                      c.components > c.pairs ? spectral_words.line("fewer_modes", "components"_a = c.components) : "");

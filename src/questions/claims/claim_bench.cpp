@@ -19,8 +19,7 @@ SmoothingOptions options_of(const RunKey& key) {
 }
 
 /// The value of the map for the key; calls `make` if there is none yet.
-template <class Map, class Make>
-const auto& cached(Map& map, const typename Map::key_type& key, const Make& make) {
+template <class Map, class Make> const auto& cached(Map& map, const typename Map::key_type& key, const Make& make) {
     const auto found = map.find(key);
     return found != map.end() ? found->second : map.emplace(key, make()).first->second;
 }

@@ -35,8 +35,7 @@ std::string k_text(int k) { return "k = " + std::to_string(k); }
 /// Error of k modes, or of all modes of the mesh if it has fewer. [% of the box diagonal]
 double error_at(const SpectralStudy& study, int k) { return 100 * study.rms[std::min(k, study.modes())] / study.diagonal; }
 
-template <int k>
-Case error_of_modes(ClaimBench& bench, std::string_view name) {
+template <int k> Case error_of_modes(ClaimBench& bench, std::string_view name) {
     const SpectralStudy& study = bench.spectrum(name);
     return {study.name() + ", " + k_text(std::min(k, study.modes())), error_at(study, k)};
 }

@@ -127,16 +127,11 @@ FoundMesh MeshFinder::found_own(const fs::path& path) const {
 
 std::optional<FoundMesh> MeshFinder::found(const MeshLookup& lookup, const fs::path& base) const {
     switch (lookup.by) {
-        case MeshLookup::By::role:
-            return found_role(role_named(lookup.name));
-        case MeshLookup::By::file:
-            return found_file(lookup.path, base);
-        case MeshLookup::By::original:
-            return found_original(lookup, base);
-        case MeshLookup::By::in_data:
-            return found_in_data(lookup.path);
-        default:
-            return found_own(lookup.path);
+        case MeshLookup::By::role: return found_role(role_named(lookup.name));
+        case MeshLookup::By::file: return found_file(lookup.path, base);
+        case MeshLookup::By::original: return found_original(lookup, base);
+        case MeshLookup::By::in_data: return found_in_data(lookup.path);
+        default: return found_own(lookup.path);
     }
 }
 

@@ -41,8 +41,7 @@ LibraryMeshes meshes_for(const MeshLibrary& library, const QuestionSettings& set
     LibraryMeshes meshes;
     if (!settings.meshes.empty())
         for (const std::string& path : settings.meshes) meshes.push_back(library.file(path, settings.base));
-    else if (library.has_own_meshes())
-        meshes = library.own_meshes();
+    else if (library.has_own_meshes()) meshes = library.own_meshes();
     else
         for (const std::string_view role : roles) meshes.push_back(library.role(std::string(role)));
     for (const auto& mesh : meshes) enter_input(*mesh, section);

@@ -101,15 +101,13 @@ auto studies_of(const LibraryMeshes& meshes, const std::string& work, const Ques
 }
 
 /// Returns the names of the studies for which `chosen` is true.
-template <class Study>
-Names names_where(const std::vector<Study>& studies, const auto& chosen) {
+template <class Study> Names names_where(const std::vector<Study>& studies, const auto& chosen) {
     Names names;
     for (const Study& study : studies)
         if (std::invoke(chosen, study)) names.push_back(study.name());
     return names;
 }
-template <class Study>
-Names names_of(const std::vector<Study>& studies) {
+template <class Study> Names names_of(const std::vector<Study>& studies) {
     return names_where(studies, [](const Study&) { return true; });
 }
 
@@ -128,8 +126,7 @@ double largest_of(auto&& range, const auto& f) {
 }
 
 /// Returns the values in ascending order, each once: a step that the settings name twice is one run.
-template <class Number>
-std::vector<Number> each_once(std::vector<Number> values) {
+template <class Number> std::vector<Number> each_once(std::vector<Number> values) {
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
@@ -139,8 +136,7 @@ std::vector<Number> each_once(std::vector<Number> values) {
 inline int last_or(const std::vector<int>& given, int own) { return given.empty() ? own : given.back(); }
 
 /// Returns the largest values[i + 1] − values[i]; 0 if no value is above the one before it.
-template <class Values>
-double largest_rise(const Values& values) {
+template <class Values> double largest_rise(const Values& values) {
     double rise = 0;
     for (auto value = values.begin(), end = values.end(); value != end && value + 1 != end; ++value)
         rise = std::max(rise, value[1] - value[0]);

@@ -12,8 +12,7 @@ namespace meshfolio {
 
 namespace {
 
-template <class Value>
-using Named = std::pair<std::string_view, Value>;
+template <class Value> using Named = std::pair<std::string_view, Value>;
 
 constexpr Named<ExperimentKind> kinds[]{{"curvature", ExperimentKind::curvature},           {"forms", ExperimentKind::forms},
                                         {"reconstruction", ExperimentKind::reconstruction}, {"smoothing", ExperimentKind::smoothing},
@@ -31,20 +30,17 @@ constexpr Named<ExperimentColour> colours[]{{"none", ExperimentColour::none},
                                             {"gauss", ExperimentColour::gauss},
                                             {"distance", ExperimentColour::distance}};
 
-template <class List>
-std::vector<std::string> names_in(const List& list) {
+template <class List> std::vector<std::string> names_in(const List& list) {
     std::vector<std::string> names;
     for (const auto& entry : list) names.emplace_back(entry.first);
     return names;
 }
 
-template <class List, class Value>
-std::string name_in(const List& list, const Value& value) {
+template <class List, class Value> std::string name_in(const List& list, const Value& value) {
     return std::string(std::ranges::find(list, value, [](const auto& entry) { return entry.second; })->first);
 }
 
-template <class List>
-auto value_in(const List& list, const std::string& what, const std::string& name) {
+template <class List> auto value_in(const List& list, const std::string& what, const std::string& name) {
     const auto it = std::ranges::find(list, name, [](const auto& entry) { return entry.first; });
     if (it != std::end(list)) return it->second;
     throw UsageError("unknown " + what + " '" + printable(name) + "'", "did you mean '" + nearest_word(name, names_in(list)) + "'?");

@@ -33,8 +33,7 @@ requires std::is_arithmetic_v<Number> report::Cell cell(Number x) { return stati
 }   // namespace detail
 
 /// A table under construction: a row for each element of a range.
-template <class Rows>
-class TableBuilder {
+template <class Rows> class TableBuilder {
 public:
     TableBuilder(std::string id, std::string caption, Rows rows) : rows_(std::forward<Rows>(rows)) {
         table_.id = std::move(id);
@@ -44,16 +43,14 @@ public:
 
     /// Adds a column with a cell for each element. @param look  unit, digits, …; its name becomes `name`
     /// @param cell_of  from an element to a number, a text or a report::Cell
-    template <class CellOf>
-    TableBuilder& column(std::string name, report::Column look, const CellOf& cell_of) {
+    template <class CellOf> TableBuilder& column(std::string name, report::Column look, const CellOf& cell_of) {
         look.name = std::move(name);
         table_.columns.push_back(std::move(look));
         auto row = table_.rows.begin();
         for (const auto& element : rows_) (row++)->push_back(detail::cell(std::invoke(cell_of, element)));
         return *this;
     }
-    template <class CellOf>
-    TableBuilder& column(std::string name, const CellOf& cell_of) {
+    template <class CellOf> TableBuilder& column(std::string name, const CellOf& cell_of) {
         return column(std::move(name), report::Column{}, cell_of);
     }
 
@@ -77,21 +74,18 @@ private:
 };
 
 /// Begins a table with a row for each element of `rows`, and no columns yet.
-template <class Rows>
-TableBuilder<Rows> table(std::string id, std::string caption, Rows&& rows) {
+template <class Rows> TableBuilder<Rows> table(std::string id, std::string caption, Rows&& rows) {
     return {std::move(id), std::move(caption), std::forward<Rows>(rows)};
 }
 
 /// An element of a list within a list: rows of a table that has one for each level of each refinement, say.
-template <class Whole, class Part>
-struct Within {
+template <class Whole, class Part> struct Within {
     const Whole& whole;
     const Part& part;
 };
 
 /// Returns every part of every whole, in order, each with its whole. @param parts_of  from a whole to a range that it holds
-template <class Wholes, class PartsOf>
-auto parts_within(const Wholes& wholes, const PartsOf& parts_of) {
+template <class Wholes, class PartsOf> auto parts_within(const Wholes& wholes, const PartsOf& parts_of) {
     using Whole = std::remove_cvref_t<decltype(*std::begin(wholes))>;
     using Part = std::remove_cvref_t<decltype(*std::begin(std::invoke(parts_of, std::declval<const Whole&>())))>;
     std::vector<Within<Whole, Part>> parts;

@@ -5,8 +5,7 @@ namespace meshfolio::modes {
 namespace {
 
 /// Solves f(x) = value for x > 0 and decreasing f > 0: brackets from `guess`, then false position (Illinois) in the logarithms.
-template <class Function>
-double argument_of(Function f, double value, double guess) {
+template <class Function> double argument_of(Function f, double value, double guess) {
     const auto above = [&](double u) { return std::log(f(std::exp(u)) / value); };
     double u = std::log(guess), v = u, fu = above(u), fv = fu;
     for (int i = 0; i < 100 && fu < 0; ++i) fu = above(u -= 2);

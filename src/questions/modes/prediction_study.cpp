@@ -111,8 +111,7 @@ NoiseLevelStudy level_study(const PredictionStudy& study, const Work& work, cons
 }
 
 /// Returns the entry of this name; null if there is none.
-template <class Entry>
-const Entry* named(const std::vector<Entry>& entries, std::string_view name) {
+template <class Entry> const Entry* named(const std::vector<Entry>& entries, std::string_view name) {
     const auto it = std::ranges::find(entries, name, &Entry::name);
     return it == entries.end() ? nullptr : &*it;
 }

@@ -7,8 +7,8 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     Answer answer{section_of("operators")};
     report::Section& section = answer.section;
     // For a quick look two meshes: one closed, one with a boundary.
-    const LibraryMeshes meshes = settings.quick ? meshes_for(library, settings, {"armadillo", "lilium"}, section)
-                                                : meshes_for(library, settings, section);
+    const LibraryMeshes meshes =
+        settings.quick ? meshes_for(library, settings, {"armadillo", "lilium"}, section) : meshes_for(library, settings, section);
     add_method(section);
 
     add_words(section, words, "results");

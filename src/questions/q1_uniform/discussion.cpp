@@ -59,10 +59,8 @@ void add_flat_mesh_facts(report::Facts& facts, const std::vector<FlatMesh>& flat
     for (const FlatMesh& f : flat) {
         const CurvatureSubject& s = f.curvature->subject;
         if (s.interior == 0) continue;
-        if (f.drift >= visible)
-            asymmetric.push_back({"mesh"_a = s.name(), "reach"_a = readable(f.drift, 2)});
-        else
-            symmetric.push_back(s.name()), rounded = rounded || s.is_rounding(f.drift * s.mean_edge);
+        if (f.drift >= visible) asymmetric.push_back({"mesh"_a = s.name(), "reach"_a = readable(f.drift, 2)});
+        else symmetric.push_back(s.name()), rounded = rounded || s.is_rounding(f.drift * s.mean_edge);
     }
     facts.insert(facts.end(), {"symmetric"_a = listed(symmetric), "symmetric_meshes"_a = symmetric.size(), "rounded"_a = rounded,
                                "asymmetric"_a = asymmetric});

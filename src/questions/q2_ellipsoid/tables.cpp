@@ -5,8 +5,7 @@ namespace meshfolio::q2_ellipsoid {
 namespace {
 
 /// Adds the columns a, b and c to a table; its rows have a field `ellipsoid`.
-template <class Builder>
-void add_axes(Builder& table) {
+template <class Builder> void add_axes(Builder& table) {
     table.column("a", {.unit = "length"}, [](auto& row) { return row.ellipsoid.a; })
         .column("b", {.unit = "length"}, [](auto& row) { return row.ellipsoid.b; })
         .column("c", {.unit = "length"}, [](auto& row) { return row.ellipsoid.c; });

@@ -46,12 +46,10 @@ int turned_by(const ExplicitStudy& study) { return study.recommended ? study.rec
 // ---- all meshes
 
 /// Returns the fact `name`: the meshes where `holds` is true.
-template <class Holds>
-report::Fact meshes(std::string_view name, const Studies& studies, const Holds& holds) {
+template <class Holds> report::Fact meshes(std::string_view name, const Studies& studies, const Holds& holds) {
     return {name, listed(names_where(studies, holds))};
 }
-template <class Holds>
-report::Fact recommended_meshes(std::string_view name, const Studies& studies, const Holds& holds) {
+template <class Holds> report::Fact recommended_meshes(std::string_view name, const Studies& studies, const Holds& holds) {
     return meshes(name, studies, [&](const ExplicitStudy& study) { return study.recommended && holds(*study.recommended); });
 }
 

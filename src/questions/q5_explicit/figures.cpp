@@ -131,10 +131,8 @@ std::string recommended_figure(const Studies& studies) {
 
 void add_recommended_figure(Answer& answer, const Studies& studies) {
     if (std::ranges::none_of(studies, [](const ExplicitStudy& study) { return study.recommended.has_value(); })) return;
-    if (studies.size() == 1)
-        add_pair(answer, studies, recommended_figure(studies));
-    else
-        add_all(answer, studies, recommended_figure(studies));
+    if (studies.size() == 1) add_pair(answer, studies, recommended_figure(studies));
+    else add_all(answer, studies, recommended_figure(studies));
 }
 
 report::Diagram wave_diagram() {

@@ -72,8 +72,7 @@ bool is_folded(const TriangleMesh& mesh, const MeshTopology& topology, const Pos
 double barycentre_drift(const SmoothingSubject& subject, const Positions& X);
 
 /// Returns λ over λ_crit of the runs that `run_of` chooses (null: none), as text; empty if they differ or there are none.
-template <class RunOf>
-std::string common_limits(const std::vector<ExplicitStudy>& studies, const RunOf& run_of) {
+template <class RunOf> std::string common_limits(const std::vector<ExplicitStudy>& studies, const RunOf& run_of) {
     Names limits;
     for (const ExplicitStudy& study : studies)
         if (const SmoothingRun* run = run_of(study)) limits.push_back(in_limits(study.subject, run->lambda));

@@ -24,8 +24,7 @@ void add_pictures(Answer& answer, output::FigureRequest request, const std::stri
 }
 
 /// Returns the grid with the largest amount of pictured() above `floor`; null if there is none.
-template <class Amount>
-const DenoisingGrid* most_of(const Grids& grids, double floor, const Amount& amount) {
+template <class Amount> const DenoisingGrid* most_of(const Grids& grids, double floor, const Amount& amount) {
     const DenoisingGrid* most = nullptr;
     for (const DenoisingGrid& grid : grids) {
         const NoisyTrial& trial = grid.pictured();

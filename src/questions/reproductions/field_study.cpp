@@ -46,10 +46,8 @@ void estimate(ExperimentField& e, const Positions& X) {
         e.drawn = h * half_norms(laplacian, surface.X);
     }
     for (Eigen::Index v = 0; v < e.inside.size(); ++v)
-        if (std::isfinite(e.inside[v]))
-            e.drawn[v] = e.inside[v];   // with its sign
-        else if (std::isfinite(e.drawn[v]))
-            e.largest_boundary = std::fmax(e.largest_boundary, std::abs(e.drawn[v]));
+        if (std::isfinite(e.inside[v])) e.drawn[v] = e.inside[v];   // with its sign
+        else if (std::isfinite(e.drawn[v])) e.largest_boundary = std::fmax(e.largest_boundary, std::abs(e.drawn[v]));
 }
 
 }   // namespace

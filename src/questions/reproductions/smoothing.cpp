@@ -29,10 +29,8 @@ void add_run_figure(const Reproduction& r, const SmoothingExperiment& done, cons
             std::string label = label_at(in_view ? e.iterations[i] : s.in_view_iteration);
             const bool collapsed = s.result.collapse_iteration == s.in_view_iteration + 1;
             if (!in_view) label = words.line(collapsed ? "run.before_collapse" : "run.last_in_view", "run"_a = label);
-            if (has_shrunk_away(mesh, X))
-                shrunk.push_back(label);
-            else
-                add_panel(figure, r, mesh, X, label);
+            if (has_shrunk_away(mesh, X)) shrunk.push_back(label);
+            else add_panel(figure, r, mesh, X, label);
             if (!in_view) break;
         }
         if (s.out_of_view.size() == 0) continue;
@@ -95,10 +93,8 @@ void add_outcome(report::Text& text, const Runs& runs, std::string_view what) {
     Runs whole;
     std::vector<int> blow_ups;
     for (const ExperimentRun* run : runs)
-        if (run->run.result.blew_up)
-            blow_ups.push_back(run->run.result.blow_up_iteration);
-        else
-            whole.push_back(run);
+        if (run->run.result.blew_up) blow_ups.push_back(run->run.result.blow_up_iteration);
+        else whole.push_back(run);
     std::string ends;
     if (!blow_ups.empty()) {
         const auto [first, last] = std::ranges::minmax(blow_ups);

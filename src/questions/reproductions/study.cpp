@@ -23,8 +23,7 @@ ExperimentMesh experiment_mesh(const OriginalMesh& original, SharedMesh used, co
 }
 
 /// Calls `visit` with every variant, its λ on the mesh, its subject, and a solver for all λ of an operator.
-template <class Visit>
-void for_each_variant(const Experiment& experiment, const std::vector<ExperimentMesh>& meshes, Visit visit) {
+template <class Visit> void for_each_variant(const Experiment& experiment, const std::vector<ExperimentMesh>& meshes, Visit visit) {
     for (const ExperimentMesh& mesh : meshes)
         for (const OperatorKind kind : experiment.operators)
             for (const AreaForm area : experiment.areas) {
@@ -81,10 +80,8 @@ std::vector<ExperimentMesh> experiment_meshes(const MeshLibrary& library, const 
         const auto same = std::ranges::find_if(meshes, [&](const ExperimentMesh& mesh) {
             return mesh.stand_in && used->input.stand_in && mesh.used->input.file == used->input.file;
         });
-        if (same != meshes.end())
-            same->originals.push_back(original);
-        else
-            meshes.push_back(experiment_mesh(original, used, experiment));
+        if (same != meshes.end()) same->originals.push_back(original);
+        else meshes.push_back(experiment_mesh(original, used, experiment));
     }
     std::set<std::string> taken;   // files of one name from several places, or a mesh and another's stand-in, get numbers
     for (ExperimentMesh& mesh : meshes)

@@ -57,8 +57,7 @@ struct Variant {
 };
 
 /// A finished experiment. The results refer to the meshes, so it moves but is not copied.
-template <class Result>
-struct Done {
+template <class Result> struct Done {
     std::vector<ExperimentMesh> meshes;
     std::vector<Result> results;   // mesh by mesh, then by operator, area form, method, λ, …
 

@@ -58,8 +58,7 @@ void take_counts(BatchRow& row, const Document& document, const BatchSources& so
     }
 }
 
-template <class Visit>
-void for_each_check(const std::vector<Section>& sections, const Visit& visit) {
+template <class Visit> void for_each_check(const std::vector<Section>& sections, const Visit& visit) {
     for (const Section& section : sections) {
         const std::vector<std::string> ids = check_ids(section);
         for (std::size_t i = 0; i < ids.size(); ++i) visit(ids[i], section.checks[i]);

@@ -73,20 +73,12 @@ void describe(auto& fields, part_of<NumberedEntry> auto& numbered) {
 void describe(auto& fields, part_of<BlockEntry> auto& block) {
     fields("kind", block.kind);
     switch (block.kind) {
-        case BlockEntry::Kind::heading:
-            return fields("title", block.title);
-        case BlockEntry::Kind::paragraph:
-            return fields("text", block.text);
-        case BlockEntry::Kind::list:
-            return fields("items", block.items);
-        case BlockEntry::Kind::formula:
-            fields("name", block.name, "in formulas.json");
-            return fields.optional("id", block.id, {});
-        case BlockEntry::Kind::entries:
-            fields("title", block.title);
-            return fields("ids", block.ids);
-        default:
-            return fields("id", block.id);
+        case BlockEntry::Kind::heading: return fields("title", block.title);
+        case BlockEntry::Kind::paragraph: return fields("text", block.text);
+        case BlockEntry::Kind::list: return fields("items", block.items);
+        case BlockEntry::Kind::formula: fields("name", block.name, "in formulas.json"); return fields.optional("id", block.id, {});
+        case BlockEntry::Kind::entries: fields("title", block.title); return fields("ids", block.ids);
+        default: return fields("id", block.id);
     }
 }
 

@@ -120,12 +120,9 @@ void FieldReader::read(const Json& json, Cell& value, const JsonPlace& place, Od
 }
 
 void FieldReader::read(const Json& json, decltype(Parameter::value)& value, const JsonPlace& place, Odd& odd) {
-    if (json.is_string())
-        value = json.get<std::string>();
-    else if (json.is_array())
-        read(json, value.emplace<std::vector<double>>(), place, odd);
-    else
-        read(json, value.emplace<double>(), place, odd);
+    if (json.is_string()) value = json.get<std::string>();
+    else if (json.is_array()) read(json, value.emplace<std::vector<double>>(), place, odd);
+    else read(json, value.emplace<double>(), place, odd);
 }
 
 void FieldReader::read(const Json& json, int& value, const JsonPlace& place, Odd&) {

@@ -39,8 +39,7 @@ public:
     /// Reads the keys of `object`, which is at `place`. @throws JsonProblem unless it is a JSON object
     FieldReader(const Json& object, const JsonPlace& place);
 
-    template <class Value>
-    void operator()(const char* key, Value& value, const Note& note = {}) {
+    template <class Value> void operator()(const char* key, Value& value, const Note& note = {}) {
         const Json& json = required(key);
         const JsonPlace place{&place_, key};
         Odd odd = odd_of(key);
@@ -58,21 +57,16 @@ public:
     }
     template <class Value>
     void optional(const char* key, Value& value, const std::type_identity_t<Value>& fallback, const Note& note = {}) {
-        if (object_.contains(key))
-            (*this)(key, value, note);
-        else
-            value = fallback;
+        if (object_.contains(key)) (*this)(key, value, note);
+        else value = fallback;
     }
-    template <class Value>
-    void optional(const char* key, std::optional<Value>& value, const Note& = {}) {
+    template <class Value> void optional(const char* key, std::optional<Value>& value, const Note& = {}) {
         if (object_.contains(key)) (*this)(key, value.emplace());
     }
-    template <class Value>
-    void only_if(bool condition, const char* key, Value& value, const Note& = {}) {
+    template <class Value> void only_if(bool condition, const char* key, Value& value, const Note& = {}) {
         if (condition) (*this)(key, value);
     }
-    template <class Derive>
-    void derived(const char* key, Derive derive, const Note& = {}) {
+    template <class Derive> void derived(const char* key, Derive derive, const Note& = {}) {
         if (required(key) != derived_json(derive()))
             throw JsonProblem({&place_, key}, "does not agree with the values that it follows from", "take an unchanged results.json");
     }
@@ -107,8 +101,7 @@ private:
     static void require_good_id(const std::string& id, const JsonPlace& place);   // fit for the name of a file
 
     /// Takes a value that the JSON library converts, if it is of the right type.
-    template <class Value>
-    static void take(const Json& json, Value& value, const JsonPlace& place, bool is_right, const char* wanted) {
+    template <class Value> static void take(const Json& json, Value& value, const JsonPlace& place, bool is_right, const char* wanted) {
         if (!is_right) refuse_type(json, place, wanted);
         value = json.get<Value>();
     }
@@ -128,15 +121,13 @@ private:
     static void read(const Json& json, std::map<std::string, std::string>& value, const JsonPlace& place, Odd& odd);
     static void read(const Json& json, Run& value, const JsonPlace& place, Odd& odd);
 
-    template <class Item>
-    static void read(const Json& json, std::vector<Item>& items, const JsonPlace& place, Odd& odd) {
+    template <class Item> static void read(const Json& json, std::vector<Item>& items, const JsonPlace& place, Odd& odd) {
         const Json& list = list_in(json, place);
         items.clear();
         items.resize(list.size());
         for (std::size_t i = 0; i < list.size(); ++i) read(list[i], items[i], {&place, {}, i}, odd);
     }
-    template <class Value>
-    static void read(const Json& json, Value& value, const JsonPlace& place, Odd&) {
+    template <class Value> static void read(const Json& json, Value& value, const JsonPlace& place, Odd&) {
         if constexpr (std::is_enum_v<Value>) {
             value = static_cast<Value>(choice(json, place, names_of(value)));
         } else {
@@ -162,8 +153,7 @@ private:
     static void require_sound(const Table& table, const JsonPlace& place);
     static void require_sound(const Series& series, const JsonPlace& place);
     static void require_sound(const Diagram::Path& path, const JsonPlace& place);
-    template <class Value>
-    static void require_sound(const Value&, const JsonPlace&) {}
+    template <class Value> static void require_sound(const Value&, const JsonPlace&) {}
 };
 
 }   // namespace meshfolio::report

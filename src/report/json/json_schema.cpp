@@ -26,10 +26,7 @@ Json rules_of(const Series&) { return Json::parse(R"({"dependencies": {"y_low": 
 Json rules_of(const SectionEntry&) {
     return Json::parse(R"({"if": {"properties": {"status": {"const": "failed"}}}, "then": {"required": ["failure"]}})");
 }
-template <class Part>
-Json rules_of(const Part&) {
-    return Json::object();
-}
+template <class Part> Json rules_of(const Part&) { return Json::object(); }
 
 class FieldSchema {
 public:
@@ -37,13 +34,11 @@ public:
         schema_ = {{"type", "object"}, {"required", Json::array()}, {"properties", Json::object()}};
     }
 
-    template <class Value>
-    void operator()(const char* key, const Value& value, const Note& note = {}) {
+    template <class Value> void operator()(const char* key, const Value& value, const Note& note = {}) {
         optional(key, value, value, note);
         require(key);
     }
-    template <class Value>
-    void optional(const char* key, const Value& value, const std::type_identity_t<Value>&, const Note& note = {}) {
+    template <class Value> void optional(const char* key, const Value& value, const std::type_identity_t<Value>&, const Note& note = {}) {
         Json schema = schema_of(value, place(key));
         if (std::string_view(key) == "id") schema = identifier;
         if (note.is_file) schema = std::is_same_v<Value, std::string> ? inner_file : list_of(inner_file);
@@ -51,29 +46,23 @@ public:
         if (note.most < std::numeric_limits<int>::max()) schema["maximum"] = note.most;
         add(key, std::move(schema), note, holds_numbers<Value>);
     }
-    template <class Value>
-    void optional(const char* key, const std::optional<Value>&, const Note& note = {}) {
+    template <class Value> void optional(const char* key, const std::optional<Value>&, const Note& note = {}) {
         add(key, schema_of(Value(), place(key)), note, false);
     }
-    template <class Value>
-    void only_if(bool, const char* key, const Value& value, const Note& note = {}) {
+    template <class Value> void only_if(bool, const char* key, const Value& value, const Note& note = {}) {
         optional(key, value, value, note);
     }
-    template <class Derive>
-    void derived(const char* key, Derive derive, const Note& note = {}) {
+    template <class Derive> void derived(const char* key, Derive derive, const Note& note = {}) {
         const auto value = derive();
-        if constexpr (std::is_same_v<decltype(value), const char* const>)
-            add(key, {{"const", value}}, note, false);
-        else
-            add(key, schema_of(value, place(key)), note, false);
+        if constexpr (std::is_same_v<decltype(value), const char* const>) add(key, {{"const", value}}, note, false);
+        else add(key, schema_of(value, place(key)), note, false);
         require(key);
     }
     void file_or_null(const char* key, const std::string&, bool, const Note& note = {}) {
         add(key, {{"type", {"string", "null"}}}, note, false);
         require(key);
     }
-    template <class Part>
-    static Json schema_of_part(const Part& part, const std::string& pointer, KnownTypes& known) {
+    template <class Part> static Json schema_of_part(const Part& part, const std::string& pointer, KnownTypes& known) {
         Json schema;
         FieldSchema fields(schema, pointer, known);
         describe(fields, part);
@@ -116,12 +105,10 @@ private:
     static Json schema_of(const std::map<std::string, std::string>&, const std::string&) {
         return {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}};
     }
-    template <class Item>
-    Json schema_of(const std::vector<Item>&, const std::string& pointer) {
+    template <class Item> Json schema_of(const std::vector<Item>&, const std::string& pointer) {
         return list_of(schema_of(Item(), pointer + "/items"));
     }
-    template <class Value>
-    Json schema_of(const Value& value, const std::string& pointer) {
+    template <class Value> Json schema_of(const Value& value, const std::string& pointer) {
         if constexpr (std::is_enum_v<Value>) {
             return {{"enum", names_of(value)}};
         } else {
@@ -131,10 +118,7 @@ private:
         }
     }
 
-    template <class Part>
-    Json schema_of_new(const Part& part, const std::string& pointer) {
-        return schema_of_part(part, pointer, known_);
-    }
+    template <class Part> Json schema_of_new(const Part& part, const std::string& pointer) { return schema_of_part(part, pointer, known_); }
     Json schema_of_new(const NotFinite&, const std::string&) {
         return Json::parse(R"({"description": "the numbers of the value of that name that are not finite: [place in reading order, )"
                            R"(1: infinite, -1: minus infinite, 0: a cell that is NaN]; other NaN are null alone", "type": "array",)"

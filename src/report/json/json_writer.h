@@ -31,8 +31,7 @@ class FieldWriter {
 public:
     explicit FieldWriter(Json& object) : object_(object) { object_ = Json::object(); }
 
-    template <class Value>
-    void operator()(const char* key, const Value& value, const Note& = {}) {
+    template <class Value> void operator()(const char* key, const Value& value, const Note& = {}) {
         Odd odd;
         object_[key] = json_of(value, odd);
         odd.enter(object_, key);
@@ -41,18 +40,13 @@ public:
     void optional(const char* key, const Value& value, const std::type_identity_t<Value>& fallback, const Note& = {}) {
         if (!is_same(value, fallback)) (*this)(key, value);
     }
-    template <class Value>
-    void optional(const char* key, const std::optional<Value>& value, const Note& = {}) {
+    template <class Value> void optional(const char* key, const std::optional<Value>& value, const Note& = {}) {
         if (value) (*this)(key, *value);
     }
-    template <class Value>
-    void only_if(bool condition, const char* key, const Value& value, const Note& = {}) {
+    template <class Value> void only_if(bool condition, const char* key, const Value& value, const Note& = {}) {
         if (condition) (*this)(key, value);
     }
-    template <class Derive>
-    void derived(const char* key, Derive derive, const Note& = {}) {
-        object_[key] = derived_json(derive());
-    }
+    template <class Derive> void derived(const char* key, Derive derive, const Note& = {}) { object_[key] = derived_json(derive()); }
     void file_or_null(const char* key, const std::string& path, bool there, const Note& = {}) {
         object_[key] = there ? Json(path) : Json();
     }
@@ -70,8 +64,7 @@ private:
     };
 
     static bool is_same(const auto& value, const auto& fallback) { return value == fallback; }
-    template <class Item>
-    static bool is_same(const std::vector<Item>& items, const std::vector<Item>& fallback) {
+    template <class Item> static bool is_same(const std::vector<Item>& items, const std::vector<Item>& fallback) {
         return items.empty() && fallback.empty();
     }
 
@@ -101,14 +94,12 @@ private:
         if (run.kind == Run::Kind::plain) return run.content;
         return {{names_of(run.kind)[static_cast<std::size_t>(run.kind)], run.content}};
     }
-    template <class Item>
-    static Json json_of(const std::vector<Item>& items, Odd& odd) {
+    template <class Item> static Json json_of(const std::vector<Item>& items, Odd& odd) {
         Json list = Json::array();
         for (const Item& item : items) list.push_back(json_of(item, odd));
         return list;
     }
-    template <class Value>
-    static Json json_of(const Value& value, Odd&) {
+    template <class Value> static Json json_of(const Value& value, Odd&) {
         if constexpr (std::is_enum_v<Value>) {
             return names_of(value)[static_cast<std::size_t>(value)];
         } else {

@@ -20,8 +20,7 @@ const std::string& id_of(const NumberedEntry& part) { return part.entry.id; }
 const std::string& id_of(const auto& part) { return part.id; }
 
 /// Calls visit(key, list) for each list of parts that blocks refer to.
-template <class Visit>
-void for_each_list(auto& section, const Visit& visit) {
+template <class Visit> void for_each_list(auto& section, const Visit& visit) {
     visit("tables", section.tables);
     visit("plots", section.plots);
     visit("maps", section.maps);
@@ -99,8 +98,7 @@ private:
         if (!is_next) throw JsonProblem(place, "refers to '" + id + "', which is not the next of its list", "take a whole results.json");
     }
 
-    template <class Part>
-    Part next(std::vector<Part>& parts, const std::string& id, const JsonPlace& place) {
+    template <class Part> Part next(std::vector<Part>& parts, const std::string& id, const JsonPlace& place) {
         std::size_t& used = used_[&parts];
         require_next(used < parts.size() && id_of(parts[used]) == id, id, place);
         return std::move(parts[used++]);

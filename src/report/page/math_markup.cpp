@@ -111,10 +111,8 @@ std::vector<MathPart> math_parts(const std::string& math) {
         while (end < math.size() && is_letter(math[end]) && math_character(math, end) == 1) ++end;
         if (end > at) {
             const std::string word = math.substr(at, end - at);
-            if (word.size() <= 3 && !is_function(word) && word != "or")
-                append_variable(parts, word, math, end);
-            else
-                append(parts, Kind::upright, word);
+            if (word.size() <= 3 && !is_function(word) && word != "or") append_variable(parts, word, math, end);
+            else append(parts, Kind::upright, word);
         } else {
             end += math_character(math, at);
             const std::string c = math.substr(at, end - at);

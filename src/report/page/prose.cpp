@@ -8,8 +8,7 @@ namespace meshfolio::report {
 
 namespace {
 
-template <std::size_t n>
-bool is_in(std::string_view word, const std::array<std::string_view, n>& words) {
+template <std::size_t n> bool is_in(std::string_view word, const std::array<std::string_view, n>& words) {
     return std::ranges::find(words, word) != words.end();
 }
 

@@ -88,8 +88,7 @@ json formula_view(const Formula& formula, const ViewContext& context) {
 }
 
 /// Returns a plot, a map or a diagram. A diagram has no file of data.
-template <class Drawing>
-json drawing_view(const Drawing& drawing, const ViewContext& context) {
+template <class Drawing> json drawing_view(const Drawing& drawing, const ViewContext& context) {
     json view = captioned_view(drawing.id, drawing.caption, context), markers = json::array();
     std::string column;
     if constexpr (std::is_same_v<Drawing, Plot>) {

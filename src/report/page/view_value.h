@@ -46,8 +46,7 @@ inline void enter_list(nlohmann::json& view, const char* tag, const char* meanin
 }
 
 /// Returns the list of view(item) for each item.
-template <class Items, class View>
-nlohmann::json list_of(const Items& items, View view) {
+template <class Items, class View> nlohmann::json list_of(const Items& items, View view) {
     nlohmann::json list = nlohmann::json::array();
     for (const auto& item : items) list.push_back(view(item));
     return list;

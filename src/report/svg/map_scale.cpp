@@ -19,8 +19,7 @@ constexpr std::array<unsigned, 13> diverging{0x004c9e, 0x0b6ac3, 0x4a87d6, 0x79a
 Rgb rgb_of(unsigned hex) { return {double(hex >> 16 & 255), double(hex >> 8 & 255), double(hex & 255)}; }
 
 /// Returns the colour at t in [0, 1], interpolated between the colours of a list.
-template <std::size_t n>
-Rgb between(const std::array<unsigned, n>& colours, double t) {
+template <std::size_t n> Rgb between(const std::array<unsigned, n>& colours, double t) {
     const double place = t * double(n - 1);
     const std::size_t i = std::min(static_cast<std::size_t>(place), n - 2);
     const Rgb a = rgb_of(colours[i]), b = rgb_of(colours[i + 1]);

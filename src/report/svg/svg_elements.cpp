@@ -33,10 +33,8 @@ std::string spans(const Text& words) {
         marked += attributes.empty() ? text : "<tspan" + attributes + ">" + text + "</tspan>";
     };
     for (const Run& run : words) {
-        if (run.kind == Run::Kind::math)
-            std::ranges::for_each(math_parts(run.content), add);
-        else
-            add({Kind::upright, run.content});
+        if (run.kind == Run::Kind::math) std::ranges::for_each(math_parts(run.content), add);
+        else add({Kind::upright, run.content});
     }
     return marked;
 }

@@ -31,8 +31,7 @@ struct Box {
 using Stretch = std::vector<Point>;
 
 /// Returns the points point_of(0) to point_of(n − 1), optional each, in stretches between empty ones.
-template <class PointOf>
-std::vector<Stretch> stretches(std::size_t n, PointOf point_of) {
+template <class PointOf> std::vector<Stretch> stretches(std::size_t n, PointOf point_of) {
     std::vector<Stretch> all(1);
     for (std::size_t i = 0; i < n; ++i) {
         const std::optional<Point> point = point_of(i);

@@ -153,8 +153,7 @@ private:
     }
     BatchRow row_made(const BatchMesh& mesh) {
         const ChildEnd end = run_this_program(report_words(flags_, mesh, {"--threads=" + std::to_string(threads_)}));
-        has_output_error_ =
-            has_output_error_ || (end.kind == ChildEnd::Kind::exited && end.code == static_cast<int>(ExitCode::output));
+        has_output_error_ = has_output_error_ || (end.kind == ChildEnd::Kind::exited && end.code == static_cast<int>(ExitCode::output));
         // The last that a report prints is its page.
         const std::string beside = output::failed_beside(mesh.name).string();
         for (const std::string& line : split(end.output, '\n'))
@@ -190,7 +189,7 @@ ExitCode run_batch(const BatchFlags& flags) {
         return ExitCode::ok;
     }
     const report::Templates templates(settings.templates);
-    report::use_words_of(templates);   // the provenance of finished reports names them
+    report::use_words_of(templates);                          // the provenance of finished reports names them
     static_cast<void>(Paper(settings, templates, nullptr));   // throws unless an engine that is required is there
     const BatchFolder folder(settings.out);
     for (const BatchMesh& mesh : meshes)

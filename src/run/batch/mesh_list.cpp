@@ -124,10 +124,8 @@ std::vector<std::string> folder_names(const std::vector<std::string>& files) {
 std::vector<BatchMesh> batch_meshes(const std::vector<std::string>& named, const std::vector<std::string>& lists, const fs::path& out) {
     MeshList list;
     for (const std::string& one : named) {
-        if (one.starts_with('@') && !may_be_there(one))
-            list.add_list(one.substr(1));
-        else
-            list.add(one, {one});
+        if (one.starts_with('@') && !may_be_there(one)) list.add_list(one.substr(1));
+        else list.add(one, {one});
     }
     for (const std::string& one : lists) list.add_list(one);
     if (list.files.empty()) throw UsageError("no mesh is named", "name files, folders or a list: meshfolio batch meshes --out reports");

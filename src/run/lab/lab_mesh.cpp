@@ -85,8 +85,7 @@ std::vector<std::int16_t> differences(const LabMesh& lab) {
     return numbers;
 }
 
-template <class Number, class Values>
-void append(std::string& bytes, const Values& values) {
+template <class Number, class Values> void append(std::string& bytes, const Values& values) {
     static_assert(std::endian::native == std::endian::little, "the page reads little endian");
     const Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = values;
     bytes.append(reinterpret_cast<const char*>(rows.data()), static_cast<std::size_t>(rows.size()) * sizeof(Number));

@@ -167,21 +167,16 @@ std::string explanation_of(const ItemMark& mark) {
     const std::string worst = readable(mark.agreement.worst, 2), tolerance = plain_text(mark.item->tolerance, 3);
     std::string text;
     switch (mark.verdict) {
-        case Verdict::unusable:
-            return words.line("said.unusable", "problem"_a = mark.problem);
+        case Verdict::unusable: return words.line("said.unusable", "problem"_a = mark.problem);
         case Verdict::right:
             return mark.agreement.worst > 0 ? words.line("said.right", "worst"_a = worst, "tolerance"_a = tolerance)
                                             : words.line("said.exact");
-        case Verdict::accepted:
-            text = words.line("said.accepted", "conventions"_a = in_words(mark.conventions));
-            break;
+        case Verdict::accepted: text = words.line("said.accepted", "conventions"_a = in_words(mark.conventions)); break;
         case Verdict::recognised:
             text = words.line("said.recognised", "conventions"_a = in_words(mark.conventions),
                               "share"_a = readable_percent(mark.item->recognised, 2));
             break;
-        case Verdict::wrong:
-            text = wrong_text(mark);
-            break;
+        case Verdict::wrong: text = wrong_text(mark); break;
         case Verdict::missing:
             text = mark.item->what == MarkedThing::number ? words.line("said.no_number", "file"_a = answers_file, "id"_a = mark.item->id)
                                                           : words.line("said.missing", "pattern"_a = mark.item->file);

@@ -20,8 +20,7 @@ constexpr std::size_t most_variants = 64;    // sets of wrong answers in memory,
 Vector ones_where_positive(const Vector& M) { return (M.array() > 0).select(Vector::Ones(M.size()), 0); }
 
 /// Calls use(wrong, operator) for each wrong operator; skips operators without an answer on this mesh.
-template <class Use>
-void for_each_wrong_laplacian(const TriangleMesh& mesh, const AnswerSettings& s, const Use& use) {
+template <class Use> void for_each_wrong_laplacian(const TriangleMesh& mesh, const AnswerSettings& s, const Use& use) {
     for (const WrongLaplacian& wrong : wrong_laplacians(s)) {
         try {
             use(wrong, wrong.of(mesh));
@@ -214,10 +213,8 @@ const Reference& References::of(const RubricItem& item, const AnswerSettings& se
         reference.right.values = Vector::Constant(1, item.value);
     } else {
         const auto& mesh = meshes_.at(item.id);
-        if (item.what == MarkedThing::reconstruction)
-            reference = reconstruction_of(*mesh->prepared, settings);
-        else
-            reference.right = right_values(item, settings, *mesh->prepared);
+        if (item.what == MarkedThing::reconstruction) reference = reconstruction_of(*mesh->prepared, settings);
+        else reference.right = right_values(item, settings, *mesh->prepared);
         reference.mesh = mesh;
     }
     return references_[key] = std::move(reference);

@@ -136,10 +136,8 @@ Rubric parse_rubric(std::string_view text, const std::string& file) {
         rubric.title = reader.text("title").value_or("Coursework");
         std::set<std::string> ids;
         const auto read = [&](const toml::table& table) { rubric.items.push_back(item_of(table, ids, problems)); };
-        if (const toml::node* node = root->get("item"))
-            for_each_table(*node, "item", problems, read);
-        else
-            problems.add(*root, "the rubric has no item", "write [[item]] above each");
+        if (const toml::node* node = root->get("item")) for_each_table(*node, "item", problems, read);
+        else problems.add(*root, "the rubric has no item", "write [[item]] above each");
     }
     problems.raise();
     return rubric;

@@ -75,8 +75,7 @@ std::vector<PlannedMesh> meshes_of(const Chapter& chapter, const QuestionSetting
 }
 
 /// Returns every section at the top of its ladder, as far as the settings allow.
-template <class MeshesOf>
-Plan started(const ReportSettings& settings, bool alone, const MeshesOf& meshes_of_section) {
+template <class MeshesOf> Plan started(const ReportSettings& settings, bool alone, const MeshesOf& meshes_of_section) {
     Plan plan;
     plan.printed = settings.pdf != "off";
     for (const Chapter* chapter : chapters_of(settings)) {

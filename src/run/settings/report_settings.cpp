@@ -95,8 +95,7 @@ void take(std::vector<std::string>& chosen, const Setting& setting, const std::s
 
 /// Sets every setting for which text_of(name) is not empty to that text; errors become problems.
 /// @param name_of  the member of Setting with the name
-template <class TextOf>
-void take_texts(ReportSettings& settings, const char* Setting::*name_of, TextOf text_of, Problems& problems) {
+template <class TextOf> void take_texts(ReportSettings& settings, const char* Setting::*name_of, TextOf text_of, Problems& problems) {
     for_each_setting(settings, [&](const Setting& setting, auto& value) {
         const std::string name = setting.*name_of, text = name.empty() ? "" : text_of(name);
         if constexpr (requires { take(value, setting, name, text); }) {
@@ -198,8 +197,7 @@ ReportSettings report_settings(const ReportFlags& flags) {
     for (const std::string& mesh : flags.meshes) {
         if (std::ranges::find(settings.meshes, std::filesystem::path(mesh)) != settings.meshes.end())
             problems.add(0, in_quotes(mesh) + " is given twice; its outputs would collide", "name it once");
-        else
-            settings.meshes.emplace_back(mesh);
+        else settings.meshes.emplace_back(mesh);
     }
     problems.collect([&] { report::Templates(settings.templates); });   // checks the folder
     require_inputs_outside(settings, flags.config, problems);

@@ -25,8 +25,7 @@ const std::vector<std::string> used_names{"images",    "tables",       "models",
                                           "report.md", "appendix.md",  "summary.md", "report.pdf",    "appendix.pdf",
                                           "src.txt",   "results.json", "SHA256SUMS", "submission.zip"};
 
-template <class Settings>
-std::vector<std::string> keys_of(std::string_view table) {
+template <class Settings> std::vector<std::string> keys_of(std::string_view table) {
     std::vector<std::string> keys;
     Settings settings;
     for_each_setting(settings, [&](const Setting& setting, const auto&) {
@@ -76,8 +75,7 @@ private:
             problems_.add(*reader.node("id"), "question '" + *id + "' is given twice", "merge the two tables");
     }
 
-    template <class Value>
-    void take_if_given(const TableReader& reader, const Setting& setting, Value& value) {
+    template <class Value> void take_if_given(const TableReader& reader, const Setting& setting, Value& value) {
         if constexpr (requires { take(reader, setting, value); }) {
             if (*setting.key != '\0' && reader.node(setting.key) != nullptr) take(reader, setting, value);
         }
@@ -94,8 +92,7 @@ private:
         if (const auto number = reader.integer(setting.key, setting.least, setting.most)) value = static_cast<Value>(*number);
     }
 
-    template <std::integral Value>
-    void take(const TableReader& reader, const Setting& setting, std::optional<Value>& value) {
+    template <std::integral Value> void take(const TableReader& reader, const Setting& setting, std::optional<Value>& value) {
         take(reader, setting, value.emplace());
     }
 

@@ -218,8 +218,7 @@ std::optional<long long> TableReader::integer(std::string_view key, long long lo
     return found != nullptr ? integer_of(*found, called(key), low, high) : std::nullopt;
 }
 
-template <class Value, class ReadOne>
-std::vector<Value> TableReader::one_or_several(std::string_view key, ReadOne read_one) const {
+template <class Value, class ReadOne> std::vector<Value> TableReader::one_or_several(std::string_view key, ReadOne read_one) const {
     std::vector<Value> values;
     const toml::node* found = node(key);
     if (found == nullptr) return values;

@@ -46,8 +46,7 @@ public:
     void raise() const;
 
     /// Calls `part`; its UsageErrors become problems.
-    template <class Part>
-    void collect(Part part) {
+    template <class Part> void collect(Part part) {
         try {
             part();
         } catch (const SettingsErrors& errors) {
@@ -126,8 +125,7 @@ private:
     std::string name_;
     Problems& problems_;
 
-    template <class Value, class ReadOne>
-    std::vector<Value> one_or_several(std::string_view key, ReadOne read_one) const;
+    template <class Value, class ReadOne> std::vector<Value> one_or_several(std::string_view key, ReadOne read_one) const;
     std::optional<std::string> text_of(const toml::node& node, const std::string& name) const;
     std::optional<long long> integer_of(const toml::node& node, const std::string& name, long long low, long long high) const;
     std::optional<double> number_of(const toml::node& node, const std::string& name, double low, double high, bool above) const;

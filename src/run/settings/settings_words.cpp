@@ -24,17 +24,11 @@ Words words_of(const Effort& effort) {
 }
 template <class Number>
 requires std::is_arithmetic_v<Number> Words words_of(Number value) {
-    if constexpr (std::is_integral_v<Number>)
-        return {std::to_string(value)};
-    else
-        return {exact_text(value)};
+    if constexpr (std::is_integral_v<Number>) return {std::to_string(value)};
+    else return {exact_text(value)};
 }
-template <class Value>
-Words words_of(const std::optional<Value>& value) {
-    return value ? words_of(*value) : Words();
-}
-template <class Value>
-Words words_of(const std::vector<Value>& values) {
+template <class Value> Words words_of(const std::optional<Value>& value) { return value ? words_of(*value) : Words(); }
+template <class Value> Words words_of(const std::vector<Value>& values) {
     Words words;
     for (const Value& value : values) words.push_back(words_of(value).front());
     return words;

@@ -16,8 +16,7 @@ using namespace testing;
 constexpr Ellipsoid egg{1.7, 1.1, 0.6};
 
 /// Calls visit(u, v) at random points, at least 0.05 from the poles.
-template <class Visit>
-void at_random_points(int count, Visit visit) {
+template <class Visit> void at_random_points(int count, Visit visit) {
     NormalNumbers random(2024);
     for (int i = 0; i < count; ++i) {
         const double u = 2 * pi * random.uniform();

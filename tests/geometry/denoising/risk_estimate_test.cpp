@@ -39,8 +39,7 @@ Trajectory fixed_run(const LaplaceBeltrami& laplacian, const Positions& Y, doubl
 }
 
 /// Differences estimate − error over the seeds, in standard errors, the largest over the iterations.
-template <class Run>
-double distance_from_error(const TriangleMesh& mesh, double sigma, Run run, double sigma_told) {
+template <class Run> double distance_from_error(const TriangleMesh& mesh, double sigma, Run run, double sigma_told) {
     constexpr int seeds = 30;
     DenseMatrix off(seeds, step_count + 1);
     for (int s = 0; s < seeds; ++s) {

@@ -41,8 +41,7 @@ struct WatchedRun {
 };
 
 /// The energy of a run; `spoil` may change the positions after a step.
-template <class Spoil>
-WatchedRun watched(const TriangleMesh& mesh, SmoothingScheme scheme, double share_of_limit, int steps, Spoil spoil) {
+template <class Spoil> WatchedRun watched(const TriangleMesh& mesh, SmoothingScheme scheme, double share_of_limit, int steps, Spoil spoil) {
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     const double lambda = share_of_limit * critical_step(mesh);
     EnergyWatch watch(laplacian, scheme, lambda, mesh.X);

@@ -20,8 +20,7 @@ using namespace meshfolio::testing;
 namespace {
 
 /// Σ_i |⟨X, φ_i⟩_M|² f(μ_i) over all modes but the constant ones, by the modes themselves.
-template <class Function>
-double by_modes(const LaplaceBeltrami& laplacian, const Positions& X, Function f) {
+template <class Function> double by_modes(const LaplaceBeltrami& laplacian, const Positions& X, Function f) {
     SpectrumOptions options;
     options.dense_below = 2000;
     const Spectrum all = smallest_eigenpairs(laplacian, int(X.rows()), options);

@@ -26,8 +26,7 @@ const std::string ascii_body = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 
 class Bytes {
 public:
     explicit Bytes(bool big_endian) : reverse_(big_endian != (std::endian::native == std::endian::big)) {}
-    template <class T>
-    Bytes& add(T value) {
+    template <class T> Bytes& add(T value) {
         std::string raw(sizeof(T), '\0');
         std::memcpy(raw.data(), &value, sizeof(T));
         if (reverse_) std::reverse(raw.begin(), raw.end());

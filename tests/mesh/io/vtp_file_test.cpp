@@ -45,8 +45,7 @@ class Writer {
 public:
     explicit Writer(const Form& form) : form_(form) {}
 
-    template <class T>
-    std::string array(const std::string& type, const std::string& name, int components, const std::vector<T>& values) {
+    template <class T> std::string array(const std::string& type, const std::string& name, int components, const std::vector<T>& values) {
         std::string raw;
         for (const T value : values) append(raw, value, form_.big_endian);
         const std::string data = encoded(raw);

@@ -51,8 +51,7 @@ struct Glb {
     }
 
     /// The numbers of an attribute as they are stored, one row a vertex.
-    template <class Stored>
-    Eigen::MatrixXd rows(const std::string& attribute) const {
+    template <class Stored> Eigen::MatrixXd rows(const std::string& attribute) const {
         const auto& described = accessor(attribute);
         const auto& view = json["bufferViews"][described["bufferView"].get<std::size_t>()];
         const int columns = described["type"] == "VEC3" ? 3 : 1;

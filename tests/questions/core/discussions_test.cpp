@@ -19,8 +19,7 @@ using q5_explicit::ExplicitStudy;
 
 namespace {
 
-template <class Study>
-std::string told(void (*add)(report::Section&, const std::vector<Study>&), const std::vector<Study>& studies) {
+template <class Study> std::string told(void (*add)(report::Section&, const std::vector<Study>&), const std::vector<Study>& studies) {
     report::Section section;
     add(section, studies);
     return prose_of(section);

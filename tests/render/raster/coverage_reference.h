@@ -46,8 +46,7 @@ struct Sample {
 };
 
 /// Visits sample number `phase` of every `stride` samples, in order.
-template <class Visit>
-void for_each_sample(const SampleTile& tile, const Visit& visit, int stride = 1, int phase = 0) {
+template <class Visit> void for_each_sample(const SampleTile& tile, const Visit& visit, int stride = 1, int phase = 0) {
     const render::SamplePattern& pattern = tile.pattern();
     const int blocks = tile.blocks_on_side();
     for (int number = phase; number < 16 * blocks * blocks; number += stride) {

@@ -65,8 +65,7 @@ glm::dvec2 origin_of(const Image& image, const View& view) {
 }
 
 /// The share of the points with an image under `map` that is more than 2.5 pixels from all points.
-template <class Map>
-double asymmetry(const std::vector<glm::dvec2>& points, const Map& map) {
+template <class Map> double asymmetry(const std::vector<glm::dvec2>& points, const Map& map) {
     const auto has = [&](const glm::dvec2& p) {
         return std::any_of(points.begin(), points.end(), [&](const glm::dvec2& q) { return glm::length(p - q) < 2.5; });
     };

@@ -28,8 +28,7 @@ const fs::path root = MESHFOLIO_SOURCE_DIR;
 
 using Characters = std::set<char32_t>;
 
-template <class... Faces>
-Characters held_by(const Faces&... faces) {
+template <class... Faces> Characters held_by(const Faces&... faces) {
     Characters held;
     const auto add = [&](const auto& face) {
         for (const auto& entry : face) held.insert(entry.character);

@@ -10,21 +10,11 @@ std::string sketch(const std::string& math) {
     std::string text;
     for (const MathPart& part : math_parts(math)) {
         switch (part.kind) {
-            case MathPart::Kind::upright:
-                text += part.text;
-                break;
-            case MathPart::Kind::variable:
-                text += "<" + part.text + ">";
-                break;
-            case MathPart::Kind::vector:
-                text += "*" + part.text + "*";
-                break;
-            case MathPart::Kind::subscript:
-                text += "_(" + part.text + ")";
-                break;
-            case MathPart::Kind::superscript:
-                text += "^(" + part.text + ")";
-                break;
+            case MathPart::Kind::upright: text += part.text; break;
+            case MathPart::Kind::variable: text += "<" + part.text + ">"; break;
+            case MathPart::Kind::vector: text += "*" + part.text + "*"; break;
+            case MathPart::Kind::subscript: text += "_(" + part.text + ")"; break;
+            case MathPart::Kind::superscript: text += "^(" + part.text + ")"; break;
         }
     }
     return text;

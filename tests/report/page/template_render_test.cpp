@@ -18,8 +18,7 @@ namespace {
 using nlohmann::json;
 
 /// Returns the message of the UsageError that an action throws; empty if it throws none.
-template <class Action>
-std::string usage_error_of(Action action) {
+template <class Action> std::string usage_error_of(Action action) {
     try {
         action();
     } catch (const UsageError& error) {

@@ -10,9 +10,9 @@
 #include "geometry/measures/mesh_error.h"
 #include "mesh/small_meshes.h"
 #include "run/one_mesh/difference_lines.h"
+#include "run/one_mesh/fields.h"
 #include "run/one_mesh/inspection.h"
 #include "run/one_mesh/mesh_pictures.h"
-#include "run/one_mesh/fields.h"
 
 using namespace meshfolio;
 using namespace meshfolio::run;

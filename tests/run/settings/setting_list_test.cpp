@@ -16,8 +16,7 @@ namespace {
 
 std::string source(const char* file) { return read_file(std::filesystem::path(MESHFOLIO_SOURCE_DIR) / file); }
 
-template <class Settings>
-void expect_documented() {
+template <class Settings> void expect_documented() {
     const std::string toml = source("data/report.toml"),
                       command = source("src/cli/report_command.cpp") + source("src/cli/report_options.cpp");
     Settings settings;
@@ -32,8 +31,7 @@ void expect_documented() {
     });
 }
 
-template <class Settings>
-std::multiset<std::string> names_of() {
+template <class Settings> std::multiset<std::string> names_of() {
     std::multiset<std::string> names;
     Settings settings;
     for_each_setting(settings, [&](const Setting& setting, const auto&) {

@@ -45,8 +45,7 @@ inline void give_thread_back() { busy.fetch_sub(1, std::memory_order_relaxed); }
 /// The first exception of several threads; thrown again by the one that waits for them.
 class Failure {
 public:
-    template <class Work>
-    void guard(const Work& work) {
+    template <class Work> void guard(const Work& work) {
         try {
             work();
         } catch (...) {
@@ -68,8 +67,7 @@ private:
 
 /// piece(i) for all i in [0, count), by as many threads as are free. Each thread has its own pieces from the start, neighbours
 /// different threads: dealt out as they finish, one thread might be through before the next has begun, and no race be seen.
-template <class Piece>
-void run_pieces(std::size_t count, const Piece& piece) {
+template <class Piece> void run_pieces(std::size_t count, const Piece& piece) {
     const int limit = threads_here();
     std::size_t threads = 1;
     while (threads < static_cast<std::size_t>(limit) && threads < count && take_thread()) ++threads;
@@ -101,8 +99,7 @@ struct static_partitioner {};
 struct simple_partitioner {};
 struct auto_partitioner {};
 
-template <class Value>
-class blocked_range {
+template <class Value> class blocked_range {
 public:
     blocked_range(Value begin, Value end, std::size_t grain = 1) : begin_(begin), end_(end), grain_(grain) {}
     Value begin() const { return begin_; }
@@ -149,8 +146,7 @@ Result parallel_reduce(const blocked_range<Value>& range, const Result& identity
     return sum;
 }
 
-template <class... Work>
-void parallel_invoke(const Work&... work) {
+template <class... Work> void parallel_invoke(const Work&... work) {
     const std::vector<std::function<void()>> all{std::cref(work)...};
     scheduler::run_pieces(all.size(), [&](std::size_t i) { all[i](); });
 }
@@ -162,8 +158,7 @@ public:
     task_group& operator=(const task_group&) = delete;
     ~task_group() { join(); }
 
-    template <class Work>
-    void run(Work work) {
+    template <class Work> void run(Work work) {
         if (scheduler::threads_here() == 1 || !scheduler::take_thread()) return failure_.guard(work);
         helpers_.emplace_back([this, work = std::move(work)] { failure_.guard(work); });
     }
@@ -190,8 +185,7 @@ public:
     explicit task_arena(int threads = automatic) : threads_(threads == automatic ? scheduler::threads_here() : threads) {}
     int max_concurrency() const { return threads_; }
 
-    template <class Work>
-    auto execute(Work&& work) {
+    template <class Work> auto execute(Work&& work) {
         const Entered entered(threads_);
         return std::forward<Work>(work)();
     }
@@ -209,10 +203,7 @@ private:
 
 namespace this_task_arena {
 inline int max_concurrency() { return scheduler::threads_here(); }
-template <class Work>
-auto isolate(Work&& work) {
-    return std::forward<Work>(work)();
-}
+template <class Work> auto isolate(Work&& work) { return std::forward<Work>(work)(); }
 }   // namespace this_task_arena
 
 class global_control {
@@ -228,11 +219,9 @@ private:
 };
 
 /// One value for each thread that asks. A thread takes the lock only the first time: locking always would put the pieces in an order.
-template <class Value>
-class enumerable_thread_specific {
+template <class Value> class enumerable_thread_specific {
 public:
-    template <class Make>
-    explicit enumerable_thread_specific(Make make) : make_(std::move(make)) {}
+    template <class Make> explicit enumerable_thread_specific(Make make) : make_(std::move(make)) {}
 
     Value& local() {
         static thread_local std::unordered_map<std::uint64_t, Value*> known;

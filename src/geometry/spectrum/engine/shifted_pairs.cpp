@@ -56,23 +56,15 @@ private:
 
 /// Spectra's products with the basis V of Lanczos. Spectra removes Vᵀf from f until no more than ε‖f‖ is left, several times a step: a
 /// third of the time at 97,000 vertices, k = 150. Here shares below 10⁻¹² count as 0; the vectors are still orthonormal to 10⁻¹¹.
-template <>
-class Spectra::ArnoldiOp<double, meshfolio::DeflatedInverse, Spectra::IdentityBOp> {
+template <> class Spectra::ArnoldiOp<double, meshfolio::DeflatedInverse, Spectra::IdentityBOp> {
 public:
     ArnoldiOp(const meshfolio::DeflatedInverse& inverse, const IdentityBOp&) : inverse_(inverse) {}
 
     Eigen::Index rows() const { return inverse_.rows(); }
     void perform_op(const double* in, double* out) const { inverse_.perform_op(in, out); }
-    template <class X>
-    double norm(const X& x) const {
-        return x.norm();
-    }
-    template <class X, class Y>
-    double inner_product(const X& x, const Y& y) const {
-        return x.dot(y);
-    }
-    template <class V, class F>
-    void trans_product(const V& basis, const F& f, Eigen::Ref<Eigen::VectorXd> shares) const {
+    template <class X> double norm(const X& x) const { return x.norm(); }
+    template <class X, class Y> double inner_product(const X& x, const Y& y) const { return x.dot(y); }
+    template <class V, class F> void trans_product(const V& basis, const F& f, Eigen::Ref<Eigen::VectorXd> shares) const {
         shares.noalias() = basis.transpose() * f;
         if (shares.cwiseAbs().maxCoeff() <= 1e-12 * f.norm()) shares.setZero();
     }

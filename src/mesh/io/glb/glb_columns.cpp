@@ -19,8 +19,7 @@ void GlbColumns::add(const GlbDocument::Json& primitive, const std::vector<std::
     const GlbDocument::Json& attributes = primitive.at("attributes");
     document_.spend(8 * attributes.size());
     for (const auto& [name, index] : attributes.items()) {
-        if (name == "COLOR_0" || name.starts_with('_'))
-            add_attribute(name, document_.accessor(attributes, name), vertices, before);
+        if (name == "COLOR_0" || name.starts_with('_')) add_attribute(name, document_.accessor(attributes, name), vertices, before);
         else if (name != "POSITION" && name != "NORMAL" && !name.starts_with("JOINTS_") && !name.starts_with("WEIGHTS_"))
             not_kept_.insert(name);
     }

@@ -22,10 +22,8 @@ double GlbAccessor::operator()(std::size_t i, int k) const {
     std::size_t low = 0;
     for (std::size_t high = replaced; low < high;) {
         const std::size_t middle = (low + high) / 2;
-        if (replaced_index(middle) < i)
-            low = middle + 1;
-        else
-            high = middle;
+        if (replaced_index(middle) < i) low = middle + 1;
+        else high = middle;
     }
     if (low < replaced && replaced_index(low) == i) element = replacements + low * element_size();
     if (element == nullptr) return 0;

@@ -50,8 +50,7 @@ std::set<std::size_t> roots_of(const GlbDocument& document) {
 }
 
 /// Calls visit(node, parent) for the roots, with parent −1, and all nodes below: parents before children, which keep their order.
-template <class Roots, class Visit>
-void visit_all(const GlbDocument& document, const Roots& roots, const Visit& visit) {
+template <class Roots, class Visit> void visit_all(const GlbDocument& document, const Roots& roots, const Visit& visit) {
     std::vector<std::pair<std::size_t, long>> left;   // the next one is the last
     const auto put = [&](const auto& next, long parent) {
         for (auto node = next.rbegin(); node != next.rend(); ++node) left.emplace_back(*node, parent);

@@ -63,10 +63,8 @@ public:
             for (std::size_t k = 0; k < channels.size(); ++k) {
                 const double value = std::isnan(channels[k].values[v]) ? 1 : channels[k].values[v] / largest;
                 const double linear = k == 3 ? value : linear_of_srgb(value);
-                if (is_float)
-                    append_little_endian(data_, static_cast<float>(linear));
-                else
-                    append_little_endian(data_, static_cast<std::uint16_t>(std::lrint(65535 * linear)));
+                if (is_float) append_little_endian(data_, static_cast<float>(linear));
+                else append_little_endian(data_, static_cast<std::uint16_t>(std::lrint(65535 * linear)));
             }
             data_.resize(end);
         });
@@ -105,8 +103,7 @@ private:
     float stored(double x, int axis) const { return finite(frame_.stored(x, axis)); }
 
     /// Adds an accessor of the data that `write` appends. Returns its index.
-    template <class Write>
-    std::size_t accessor(OrderedJson description, OrderedJson view, const Write& write) {
+    template <class Write> std::size_t accessor(OrderedJson description, OrderedJson view, const Write& write) {
         view.update({{"buffer", 0}, {"byteOffset", data_.size()}});
         write();
         view["byteLength"] = data_.size() - view["byteOffset"].get<std::size_t>();
@@ -117,8 +114,7 @@ private:
     }
 
     /// Adds an attribute: write(v) appends `row` bytes for vertex v.
-    template <class Write>
-    void attribute(const std::string& name, OrderedJson description, std::size_t row, const Write& write) {
+    template <class Write> void attribute(const std::string& name, OrderedJson description, std::size_t row, const Write& write) {
         description["count"] = mesh_.X.rows();
         attributes_[name] = accessor(std::move(description), {{"byteStride", row}, {"target", vertex_data}}, [&] {
             for (Eigen::Index v = 0; v < mesh_.X.rows(); ++v) write(v);
@@ -148,10 +144,8 @@ std::string glb_bytes(const TriangleMesh& mesh, const std::vector<VertexColumn>&
     glb.add_positions();
     for (const ColumnGroup group : groups_of(columns)) {
         if (group.front().name == "nx") continue;   // viewers compute them
-        if (is_gltf_color(group))
-            glb.add_color(group);
-        else if (group.size() <= 4 && !group.front().array.empty())
-            glb.add_values(group.front().array, group);
+        if (is_gltf_color(group)) glb.add_color(group);
+        else if (group.size() <= 4 && !group.front().array.empty()) glb.add_values(group.front().array, group);
         else
             for (std::size_t i = 0; i < group.size(); ++i) glb.add_values(group[i].name, group.subspan(i, 1));
     }

@@ -49,16 +49,14 @@ struct GlbParts {
     nlohmann::json json{{"asset", {{"version", "2.0"}}}, {"accessors", nlohmann::json::array()}, {"bufferViews", nlohmann::json::array()}};
     std::string data;
 
-    template <class T>
-    std::size_t view(const std::vector<T>& numbers) {
+    template <class T> std::size_t view(const std::vector<T>& numbers) {
         data.resize((data.size() + 3) / 4 * 4);
         json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", data.size()}, {"byteLength", numbers.size() * sizeof(T)}});
         for (const T x : numbers) append(data, x);
         return json["bufferViews"].size() - 1;
     }
 
-    template <class T>
-    std::size_t accessor(const std::vector<T>& numbers, const std::string& type, bool normalized = false) {
+    template <class T> std::size_t accessor(const std::vector<T>& numbers, const std::string& type, bool normalized = false) {
         const int code = std::is_same_v<T, float> ? 5126
                                                   : 5120 +
                                                         (sizeof(T) == 1   ? 0

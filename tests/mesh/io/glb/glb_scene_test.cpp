@@ -29,8 +29,7 @@ json& primitive_of(GlbParts& glb) { return glb.json["meshes"][0]["primitives"][0
 TriangleMesh shape_in(GlbParts& glb) { return parse_mesh(glb.bytes(), "m.glb").mesh; }
 
 /// The tetrahedron, all of it held by both joints: node 1, twice as large, and node 2, moved by (8, 0, 0).
-template <class T>
-GlbParts skinned(const std::vector<std::uint8_t>& joints, const std::vector<T>& weights) {
+template <class T> GlbParts skinned(const std::vector<std::uint8_t>& joints, const std::vector<T>& weights) {
     GlbParts glb = plain_glb();
     std::vector<std::uint8_t> all_joints;
     std::vector<T> all_weights;
