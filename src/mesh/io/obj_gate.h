@@ -23,8 +23,8 @@ struct CheckedObj {
     std::string unknown;      // the first unknown statement and its line, for messages; empty: none
 };
 
-/// Checks every number, index and keyword of an OBJ file and returns the facts that the reader needs. Too large indices pass, because faces may name
-/// vertices that come later.
+/// Checks every number, index and keyword of an OBJ file and returns the facts that the reader needs. Too large indices pass, because faces
+/// may name vertices that come later.
 /// @throws InputError with the physical line
 CheckedObj check_obj(std::string_view text, const std::string& file);
 
