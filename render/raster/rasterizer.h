@@ -32,7 +32,7 @@ struct SampleRegion {
 /// Limits the time and memory that wide triangles take in all tiles of a call. The total does not depend on the number of threads.
 class WideBudget {
 public:
-    /// @param blocks  number of blocks of one picture
+    /// Allows 800 million steps, and 500 more for each block. @param blocks  number of blocks of one picture
     explicit WideBudget(std::int64_t blocks) : steps_(800'000'000 + 500 * blocks) {}
     /// Takes steps of about 20 ns (a block drawn 4, a region tested 1, a tile met 10). @throws TooMuchOverdraw if too few are left
     void spend(std::int64_t steps);

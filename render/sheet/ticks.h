@@ -26,7 +26,7 @@ TickLabels tick_labels(const std::vector<double>& ticks);
 /// Returns a number with at most three digits, for people: "0.05", "2.5 × 10⁻⁷"; "" unless it is finite.
 std::string number_text(double x);
 
-/// Returns a share in percent, for people: "1.9 %" for 0.019, "12 %" for 0.12, "< 0.1 %" below 0.001.
+/// Returns a share in percent, for people: "1.9 %" for 0.019, "12 %" for 0.12, "< 0.1 %" below 0.001, also for 0.
 std::string share_text(double share);
 
 }   // namespace render

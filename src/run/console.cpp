@@ -99,7 +99,7 @@ void conclude(const std::string& message, bool is_good) { print_line(message, is
 int close_standard_output(int exit_code) {
     if (::close(STDOUT_FILENO) == 0 || errno == EBADF) return exit_code;
     const std::string reason = std::strerror(errno);
-    complain("standard output: may be incomplete, it cannot be closed (" + reason + ")");
+    complain("standard output: may be incomplete, it cannot be closed (" + reason + "); check the free space there and run again");
     return exit_code == 0 ? static_cast<int>(ExitCode::output) : exit_code;
 }
 

@@ -32,7 +32,9 @@ void require_citations(const report::Document& document, const std::string& file
         for (const report::CodeReference& code : section.code) {
             const int line = listing.line_of(code.function, code.file);
             const std::string cited = section.id + " cites " + printable(code.function) + " of " + printable(code.file);
-            if (line == 0) throw SubmissionError(file, cited + ", which src.txt does not define", "correct its chapter.cpp");
+            if (line == 0)
+                throw SubmissionError(file, cited + ", which src.txt does not define",
+                                      "correct the citation in its chapter.cpp, or " + std::string(renew));
             if (code.line != line) throw SubmissionError(file, cited + " at another line than " + std::to_string(line), renew);
         }
     }
@@ -61,8 +63,8 @@ std::string author_of(const std::string& named, const std::string& asked, const 
         throw UsageError("the report names '" + printable(named) + "' as its author, not '" + printable(asked) + "'", remedy);
     std::string author = asked.empty() ? named : asked;
     if (author.size() > longest || printable(author) != author)
-        throw UsageError("--author is no name of at most " + std::to_string(longest) + " bytes on one line",
-                         "write it out, or leave --author away");
+        throw UsageError("the author's name is longer than " + std::to_string(longest) + " bytes, or not on one line",
+                         "give a shorter name on one line with --author");
     return author;
 }
 

@@ -168,7 +168,7 @@ class Space(Faults):
             wrap = [*ONE_CPU, STRACE, "-f", "-qq", "-e", "signal=none", "-o", log, "-e", "trace=close", "-e", f"inject=close:error=EIO:when={calls[-1].number}"]
             end = self.run_program("inspect", mesh, wrap=wrap, stdout=file)
         self.assertEqual(end.code, 4, end.err)
-        self.assertIn("standard output: may be incomplete, it cannot be closed (Input/output error)", end.err)
+        self.assertIn("standard output: may be incomplete, it cannot be closed (Input/output error); check the free space there and run again", end.err)
 
     def test_files_that_may_not_grow(self):
         old, new = self.with_old_and_new()

@@ -14,7 +14,7 @@ struct ComponentSizes {
     Vector volume;        // c, signed; NaN for a component that encloses none (mesh/orientation.h) [length³]
     Positions centroid;   // c × 3, of the surface [length]
 };
-/// Returns area, signed volume and centroid of each component; the centroid is (0, 0, 0) without area.
+/// Returns area, signed volume (NaN if it encloses none) and centroid of the surface of each component; (0, 0, 0) without area.
 ComponentSizes component_sizes(const TriangleMesh& mesh, const MeshTopology& topology);
 
 /// Returns the signed volume of each component for positions X, summed about a corner of its first triangle; meaningful for closed

@@ -156,8 +156,8 @@ void require_corner_values(const std::string& function, const Faces& F, int vert
             "give a row a triangle");
     }
     if (F.rows() > 0 && (F.minCoeff() < 0 || F.maxCoeff() >= vertex_count)) {
-        throw MeshError(function + ": a triangle names vertex " + std::to_string(F.minCoeff() < 0 ? F.minCoeff() : F.maxCoeff()) + " of " +
-                            std::to_string(vertex_count),
+        throw MeshError(function + ": a triangle names vertex " + std::to_string(F.minCoeff() < 0 ? F.minCoeff() : F.maxCoeff()) +
+                            ", but there are " + std::to_string(vertex_count) + " vertices",
                         "indices count from 0");
     }
 }

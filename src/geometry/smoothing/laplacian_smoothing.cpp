@@ -40,7 +40,8 @@ void check(const SmoothingOptions& options) {
         throw MeshError("smoothing: lambda = " + plain_text(options.lambda), "it must be positive and finite");
     if (options.iterations < 0) throw MeshError("smoothing: " + std::to_string(options.iterations) + " iterations", "give 0 or more");
     if (!(options.adaptive >= 0 && options.adaptive <= 1))
-        throw MeshError("smoothing: adaptive = " + plain_text(options.adaptive), "it is a share of the limit, between 0 and 1");
+        throw MeshError("smoothing: adaptive = " + plain_text(options.adaptive),
+                        "it is a share of the largest stable step, between 0 (off) and 1");
     if (options.scheme != SmoothingScheme::explicit_euler && (options.monitor || options.adaptive > 0)) {
         throw MeshError("smoothing: only explicit steps have a limit to keep",
                         "take the explicit scheme, or leave monitor and adaptive off");

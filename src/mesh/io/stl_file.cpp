@@ -113,7 +113,7 @@ LoadedMesh parse_binary(std::string_view bytes, const std::string& file) {
     const std::size_t room = (bytes.size() - header_bytes) / triangle_bytes;
     if (count > room)
         throw InputError({file, 0}, std::to_string(count) + " triangles announced, room for " + std::to_string(room),
-                         "the file may be cut off, or is not STL");
+                         "the file may be cut off, or is not STL: export it again");
     WarningTally warnings;
     const std::size_t trailing = bytes.size() - header_bytes - count * triangle_bytes;
     if (trailing > 0)

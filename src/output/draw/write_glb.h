@@ -37,6 +37,7 @@ bool can_be_a_model(const TriangleMesh& mesh);
 
 /// Returns the mesh as the bytes of a GLB file; equal input gives equal bytes.
 /// @param values  one a vertex, NaN if undefined; used only with `range`, beyond which colours but not values are clamped
+/// @param frame  ball and view of the pictures, kept in `extras`; does not move the mesh
 /// @throws MeshError unless can_be_a_model(mesh), or if `values` has the wrong size
 std::string write_glb(const TriangleMesh& mesh, const Vector& values, const std::optional<ColorRange>& range, const Ball& frame);
 

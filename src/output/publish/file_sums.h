@@ -47,7 +47,8 @@ struct SumsList {
 /// Reads the SHA256SUMS of `folder` without following a link. A damaged list counts as missing.
 SumsList sums_of(const std::filesystem::path& folder);
 
-/// Returns the first path in the SHA256SUMS of `folder` that is missing, leads outside or has another digest; empty: none.
+/// Returns the alphabetically first path of the SHA256SUMS of `folder` that is missing or unreadable, leads outside or has another digest;
+/// empty: none. A .gitignore does not count.
 /// @throws InputError if there is no list
 std::string first_changed(const std::filesystem::path& folder);
 

@@ -78,7 +78,8 @@ public:
     SharedMesh file(const std::filesystem::path& path, const std::filesystem::path& base) const;
 
     /// Returns a mesh of an earlier report: `path` relative to `base`, then by its whole path in a data folder, then by its bare name; else
-    /// the bundled mesh `stand_in`. An empty path means a lost mesh. The user's first own mesh replaces every original.
+    /// the bundled mesh `stand_in`. With an empty path, of a lost mesh, `stand_in` is taken. The user's first own mesh replaces every
+    /// original.
     SharedMesh original(const std::string& name, const std::filesystem::path& path, const std::string& stand_in,
                         const std::filesystem::path& base) const;
     /// Returns a mesh from the data folders, by its whole path or its bare name; null if none has it. @throws InputError if it is unusable

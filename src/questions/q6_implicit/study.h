@@ -93,7 +93,8 @@ struct ImplicitStudy {
     /// Returns the price of t implicit steps of lambdas[l]: the operations of explicit steps to their energy, over those of the implicit
     /// steps with the factorisation; NaN if prices are not counted or the explicit steps are unknown.
     double price(std::size_t l, int t) const;
-    /// Returns the break-even of lambdas[l]; none if explicit steps are cheaper at the last known price.
+    /// Returns from which iteration on price(l, t) stays at least 1, as far as it is known (BreakEven); none if the last known price is
+    /// below 1, or if none is known.
     std::optional<BreakEven> break_even(std::size_t l) const;
     /// Returns the break-even that leaves most of the size, over all λ; none if no λ has one.
     std::optional<BreakEven> break_even() const;

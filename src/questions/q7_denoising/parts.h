@@ -35,7 +35,8 @@ report::Table result_table(const Grids& grids);
 /// Returns a table with a row for each trial of each mesh: gain, λ and t by each of `measures`, and the gain of a rule that needs no clean
 /// mesh (Stopped).
 report::Table measure_table(const Grids& grids);
-/// Returns a table with a row for pictured() of each mesh: error removed along and across the surface, angles of normals, and volume left.
+/// Returns a table with a row for the noisy trial pictured() of each mesh: error removed along and across the surface, angles of normals,
+/// and volume left.
 report::Table remains_table(const Grids& grids);
 /// Adds a plot of shape and noise mode by mode, and one of the error over λt; each only if it is known.
 void add_reason_plots(report::Section& section, const Reasons& reasons);

@@ -38,7 +38,8 @@ void add_error_maps(report::Section& section, const Planes& planes);
 report::Table region_table(const Planes& planes);
 /// Returns a table with a row for each cell of each scheme on each mesh; for files only.
 report::Table plane_table(const Planes& planes);
-/// Returns a table of the predicted and measured iteration of blowing up, a row for each of up to four steps beyond the limit on each mesh.
+/// Returns a table of the predicted and measured iteration of blowing up, a row for each of up to four evenly chosen λ beyond the
+/// limit on each mesh.
 report::Table blow_up_table(const Planes& planes);
 
 /// Adds one figure: every mesh seen along the normal of its limiting vertex, and below it the triangles around, coloured by the top mode.

@@ -136,7 +136,7 @@ struct SmoothingMaps {
 /// spaced_iterations() up to the last of the settings, else 100 (quick: 30, laboratory: 200).
 SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings);
 
-/// Returns 10^(i / per_decade) for i = 0, 1, … up to and including `last`, rounded, each once: 1, 2, 3, 4, 6, 10 for five up to 10.
+/// Returns 10^(i / per_decade), i = 0, 1, …, below `last`, rounded, each once, and then `last`: 1, 2, 3, 4, 6, 10, 16, 20 for (20, 5).
 std::vector<int> spaced_iterations(int last, int per_decade);
 
 /// Returns the largest |many/few − 1| of the rms motions of two implicit cells with equal λt and tenfold iteration counts; 0 if there are

@@ -24,7 +24,7 @@ inline constexpr const char* not_finite = "_not_finite";
 inline Json derived_json(const auto& value) { return value; }
 inline Json derived_json(const std::optional<bool>& value) { return value ? Json(*value) : Json(); }
 
-/// Returns a part of a report as a JSON object, by its description.
+/// Returns a part of a report as a JSON object, with the fields that describe() names.
 Json json_of(const auto& part);
 
 class FieldWriter {

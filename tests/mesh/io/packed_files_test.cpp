@@ -57,7 +57,7 @@ TEST(PackedFiles, DamageAndBombsAreRefused) {
         damaged[at] = static_cast<char>(damaged[at] ^ 1);
         EXPECT_NE(refusal(damaged, "m.obj"), "accepted") << at;
     }
-    EXPECT_TRUE(refused(packed(std::string(8 << 20, 'v')), "m.obj", "unpacks to more than"));
+    EXPECT_TRUE(refused(packed(std::string(8 << 20, 'v')), "m.obj", "unpack to more than"));
     EXPECT_TRUE(refused(packed(gzip), "m.obj", "gzip data within gzip data"));
     EXPECT_TRUE(refused(packed("PK\x03\x04"), "m.obj.gz", "ZIP"));
 }

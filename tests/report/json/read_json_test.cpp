@@ -234,7 +234,7 @@ TEST(ReadJson, RefusesInconsistentValues) {
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["tables"][0]["columns"][0]["digits"] = 100000; }), "it may be 1 to 17"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["plots"][0]["series"][0]["x"].push_back(1); }), "different lengths"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["maps"][0]["x"].push_back(100); }), "a number for each x"));
-    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["checks"][0]["passed"] = false; }), "derived"));
+    EXPECT_TRUE(says(refusal([](Json& d) { d["questions"][0]["checks"][0]["passed"] = false; }), "does not agree with the values"));
     EXPECT_TRUE(says(refusal([](Json& d) { d["provenance"]["inputs"][0]["sha256"] = "0"; }), "does not list the inputs"));
     EXPECT_TRUE(
         says(refusal([](Json& d) { d["questions"][0]["diagrams"][0]["panels"][0]["paths"][0]["x"].push_back(1); }), "different lengths"));
