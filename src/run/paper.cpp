@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <set>
 #include <utility>
 
 #include "base/child_process.h"
@@ -114,10 +113,6 @@ std::string Paper::pdf_of(report::Volume volume, const report::Document& documen
 
 void Paper::begin(report::Volume volume, report::Document document, report::DrawnFigures figures, fs::path folder) {
     if (!is_wanted()) return;
-    if (volume == report::Volume::appendix) {   // its key must not depend on the other figures that are drawn by now
-        const std::set<std::string> own = report::figures_in(document, volume);
-        std::erase_if(figures, [&](const auto& figure) { return !own.contains(figure.first); });
-    }
     auto print = [this, volume, document = std::move(document), figures = std::move(figures), folder = std::move(folder)] {
         const std::string name = report::pdf_file(volume);
         std::string pdf;

@@ -29,7 +29,7 @@ public:
     bool is_wanted() const { return engine_.has_value(); }
 
     /// Begins to print the PDF of a volume into `folder`, in a thread of its own; does nothing unless is_wanted().
-    /// @param figures  of the volume, or more; for the report all figures, because results.json is attached to it
+    /// @param figures  of both volumes: results.json is attached to the report
     void begin(report::Volume volume, report::Document document, report::DrawnFigures figures, std::filesystem::path folder);
 
     /// Waits for all volumes. @return a text for each: why there is no PDF, or empty

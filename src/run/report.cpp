@@ -9,7 +9,6 @@
 #include "base/parallel_tasks.h"
 #include "output/draw/draw_figures.h"
 #include "output/publish/publish.h"
-#include "report/page/volumes.h"
 #include "run/console.h"
 #include "run/paper.h"
 #include "run/provenance.h"
@@ -73,39 +72,29 @@ report::Document assembled(const ReportRequest& request, const Sections& section
     return document;
 }
 
-/// Draws the figures of the sections answered now, those of the appendix first: its paper takes longest to print.
-report::DrawnFigures draw(const Work& work, const Sections& sections, const report::Document& document) {
+/// Draws the figures of the sections answered now, and adds those of stored sections.
+report::DrawnFigures draw(const Work& work, const Sections& sections) {
     std::vector<output::FigureRequest> requests;
     for (const ReportSection& section : sections) std::ranges::copy(section.answer.figures, std::back_inserter(requests));
-    const auto with_stored = [&](report::DrawnFigures figures) {
-        for (const ReportSection& section : sections) figures.insert(section.figures.begin(), section.figures.end());
-        return figures;
-    };
     work.display.step("drawing");
-    const output::DrawEvents events{
-        .progress = [&](double share) { work.display.advance(0.7 + 0.25 * share); },
-        .early = report::figures_in(document, report::Volume::appendix),
-        .early_drawn =
-            [&](report::DrawnFigures of_appendix) {
-                work.paper.begin(report::Volume::appendix, document, with_stored(std::move(of_appendix)), work.folder);
-            },
-    };
     const ReportSettings& settings = *work.request.settings;
-    report::DrawnFigures figures = with_stored(output::draw_figures(requests, work.folder,
-                                                                    {.width = settings.size.width,
-                                                                     .height = settings.size.height,
-                                                                     .view_files = settings.view_files,
-                                                                     .sheets_only = settings.sheets_only},
-                                                                    events));
+    report::DrawnFigures figures = output::draw_figures(requests, work.folder,
+                                                        {.width = settings.size.width,
+                                                         .height = settings.size.height,
+                                                         .view_files = settings.view_files,
+                                                         .sheets_only = settings.sheets_only},
+                                                        [&](double share) { work.display.advance(0.7 + 0.25 * share); });
+    for (const ReportSection& section : sections) figures.insert(section.figures.begin(), section.figures.end());
     if (!requests.empty()) work.display.milestone(std::to_string(requests.size()) + " figures drawn");
     return figures;
 }
 
-/// Writes everything but the pictures of meshes, while the report is printed.
+/// Writes everything but the pictures of meshes, while both volumes are printed.
 void write(const Work& work, const Sections& sections, const report::Document& document, const report::DrawnFigures& figures) {
     const ReportRequest& request = work.request;
     work.display.step(work.paper.is_wanted() ? "writing and printing" : "writing");
-    work.paper.begin(report::Volume::report, document, figures, work.folder);
+    for (const report::Volume volume : {report::Volume::appendix, report::Volume::report})
+        work.paper.begin(volume, document, figures, work.folder);
     report::WriteOptions options{
         .timings = request.settings->timings, .plot_files = true, .paper = work.paper.is_wanted(), .design = request.settings->page.design};
     run_tasks(
@@ -164,7 +153,7 @@ MadeReport make_report(const ReportRequest& request) {
     const Sections sections = gather(request, work.folder, display);
     const double gathered = seconds_since(began);
     report::Document document = assembled(request, sections);
-    const report::DrawnFigures figures = draw(work, sections, document);
+    const report::DrawnFigures figures = draw(work, sections);
     const double drawn = seconds_since(began);
     if (!request.renders_again) document.timings = {{"all questions", gathered}, {"drawing", drawn - gathered}, {"up to writing", drawn}};
     write(work, sections, document, figures);

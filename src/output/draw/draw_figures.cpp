@@ -236,7 +236,7 @@ void prepare(FigureJob& job, const FigureRequest& request, const DrawSettings& s
 }   // namespace
 
 report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const std::filesystem::path& folder,
-                                  const DrawSettings& settings, const DrawEvents& events) {
+                                  const DrawSettings& settings, const std::function<void(double share)>& progress) {
     require_good_names(requests);
     make_folder(folder / "images");
     std::map<std::string, std::vector<report::DrawnModel>> models = write_models(requests, folder);
@@ -251,31 +251,23 @@ report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const
         figures[f].drawn.models = std::move(models[requests[f].id]);
         for (std::size_t p = 0; p < requests[f].panels.size(); ++p) pieces.push_back({f, p});
     }
-    const auto is_early = [&](const FigureRequest& request) { return events.early.contains(request.id); };
-    const auto others = std::stable_partition(pieces.begin(), pieces.end(), [&](Piece piece) { return is_early(requests[piece.figure]); });
-    const auto drawn_figures = [&](bool all) {
-        report::DrawnFigures drawn;
-        for (const FigureJob& job : figures)
-            if (all || is_early(*job.request)) drawn.emplace(job.request->id, job.drawn);
-        return drawn;
-    };
-    std::atomic<std::ptrdiff_t> next = 0, early_left = others - pieces.begin();
-    if (early_left == 0 && events.early_drawn) events.early_drawn({});
+    std::atomic<std::size_t> next = 0;
     std::mutex reporting;
     std::size_t drawn = 0;
     for_each_task(pieces.size(), [&](std::size_t) {
-        const auto piece = pieces.begin() + next++;   // in their order
-        FigureJob& job = figures[piece->figure];
+        const Piece piece = pieces[next++];   // in their order
+        FigureJob& job = figures[piece.figure];
         // Isolated: a thread that waits for the views of this panel must not begin another one, which would be in memory at full size, too.
         tbb::this_task_arena::isolate([&] {
-            draw_panel(job, piece->panel, folder, settings);
+            draw_panel(job, piece.panel, folder, settings);
             if (--job.panels_left == 0) finish_figure(job, folder, settings);
         });
-        if (piece < others && --early_left == 0 && events.early_drawn) events.early_drawn(drawn_figures(false));
         const std::lock_guard lock(reporting);
-        if (events.progress) events.progress(static_cast<double>(++drawn) / static_cast<double>(pieces.size()));
+        if (progress) progress(static_cast<double>(++drawn) / static_cast<double>(pieces.size()));
     });
-    return drawn_figures(true);
+    report::DrawnFigures all;
+    for (const FigureJob& job : figures) all.emplace(job.request->id, job.drawn);
+    return all;
 }
 
 }   // namespace meshfolio::output

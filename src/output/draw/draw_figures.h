@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <set>
 #include <span>
 #include <string>
 
@@ -20,17 +19,11 @@ struct DrawSettings {
     bool sheets_only = false;        // write no view files; view_files wins
 };
 
-/// Functions that any thread calls while figures are drawn.
-struct DrawEvents {
-    std::function<void(double share)> progress = {};                      // with the share of the panels that are drawn
-    std::set<std::string> early = {};                                     // ids of the figures to draw before the others
-    std::function<void(report::DrawnFigures figures)> early_drawn = {};   // with those figures, once, even if there are none
-};
-
 /// Draws the figures: writes images/… and, for figures that readers can turn, models/… below `folder`.
+/// @param progress  called by any thread with the share of the panels that are drawn
 /// @return for each figure, by its id: places and JPEGs of its pictures, its legend and its models
 /// @throws OutputError if a file cannot be written
 report::DrawnFigures draw_figures(std::span<const FigureRequest> requests, const std::filesystem::path& folder,
-                                  const DrawSettings& settings, const DrawEvents& events = {});
+                                  const DrawSettings& settings, const std::function<void(double share)>& progress = {});
 
 }   // namespace meshfolio::output

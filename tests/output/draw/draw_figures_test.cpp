@@ -224,27 +224,10 @@ TEST(DrawFigures, SameBytesForAnyNumberOfThreads) {
 TEST(DrawFigures, ReportsProgress) {
     const TemporaryFolder folder;
     std::vector<double> told;
-    draw_figures(requests(), folder.path(), small_pictures, {.progress = [&](double share) { told.push_back(share); }});
+    draw_figures(requests(), folder.path(), small_pictures, [&](double share) { told.push_back(share); });
     EXPECT_EQ(told.size(), 3u);
     EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
     EXPECT_DOUBLE_EQ(told.back(), 1);
-}
-
-TEST(DrawFigures, EarlyFiguresAreDrawnFirst) {
-    const auto early_of = [](const std::set<std::string>& ids) {
-        const TemporaryFolder folder;
-        std::vector<report::DrawnFigures> handed;
-        const auto all = draw_figures(requests(), folder.path(), small_pictures,
-                                      {.early = ids, .early_drawn = [&](auto drawn) { handed.push_back(std::move(drawn)); }});
-        EXPECT_EQ(all.size(), 2u);
-        EXPECT_EQ(handed.size(), 1u);
-        for (const auto& [id, figure] : handed.at(0)) EXPECT_EQ(figure, all.at(id));
-        return handed.at(0).size();
-    };
-    EXPECT_EQ(early_of({}), 0u);
-    EXPECT_EQ(early_of({"elsewhere"}), 0u);
-    EXPECT_EQ(early_of({"q5_cube", "elsewhere"}), 1u);
-    EXPECT_EQ(early_of({"q1_ball_h", "q5_cube"}), 2u);
 }
 
 // A panel drawn on the box of a mesh ten times as large covers a tenth of the width.
