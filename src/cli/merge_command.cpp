@@ -7,7 +7,7 @@ namespace meshfolio::cli {
 
 Command merge_command(CLI::App& parent) {
     const auto flags = std::make_shared<ReportFlags>();
-    CommandOptions app(parent, "merge", "Parts of a report joined into the report that one run would make");
+    CommandOptions app(parent, "merge", "Merge parts of a report into the report that one run would make");
     app.required_texts("DIR", flags->parts, "folders of meshfolio report --part; each has some of the sections");
     app.text("--out DIR", flags->out, "folder of the report, replaced as a whole; default: out");
     add_paper_options(app, *flags);

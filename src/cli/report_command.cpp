@@ -20,7 +20,7 @@ ExitCode run_report(const ReportFlags& flags) {
 
 Command report_command(CLI::App& parent) {
     const auto flags = std::make_shared<ReportFlags>();
-    CommandOptions app(parent, "report", "All questions: the full report");
+    CommandOptions app(parent, "report", "Answer all questions in one report");
     app.texts("MESH", flags->meshes, "meshes of your own, which take every role; default: those of the assignment");
     add_run_options(app, *flags);
     add_paper_options(app, *flags);
@@ -29,7 +29,7 @@ Command report_command(CLI::App& parent) {
     app.texts("--data DIR", flags->data,
               "folder with the assignment's meshes by their own paths (repeatable, the first that has one wins)");
     app.text("--out DIR", flags->out, "folder of the report, replaced as a whole but for files of yours; default: out");
-    app.flag("--sheets-only", flags->sheets_only, "not even those: figures are sheets, as those of batch");
+    app.flag("--sheets-only", flags->sheets_only, "no views as files: figures are sheets alone, as in batch");
     app.flag("--quick", flags->quick, "small settings for a first look: 20 s up to 100,000 triangles, 60 s at a million");
     app.flag("--plan", flags->plan, "only say what would be done, what it costs and what is scaled down");
     app.flag("--json", flags->json, "the plan for programs");

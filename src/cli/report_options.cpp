@@ -7,7 +7,7 @@ namespace meshfolio::cli {
 void add_paper_options(CommandOptions& app, ReportFlags& flags) {
     app.text("--author NAME", flags.author, "author of the work");
     app.text("--config SETTINGS", flags.config,
-             "settings file (TOML; data/report.toml documents every key), or where no file has that name, bundled settings");
+             "settings file (TOML; data/report.toml documents every key), else the bundled settings of that name");
     app.text("--templates DIR", flags.templates, "folder of templates that replace those of the same name; links may not lead out of it");
     app.text("--pdf auto|require|off", flags.pdf,
              "report.pdf and appendix.pdf: auto, where an engine is there (the default of report); require; or off");
@@ -16,12 +16,12 @@ void add_paper_options(CommandOptions& app, ReportFlags& flags) {
 
 void add_run_options(CommandOptions& app, ReportFlags& flags) {
     app.text("--only QUESTIONS", flags.only,
-             "some of the questions: q1,q4 or 1-3,7; an earlier report in --out of the same inputs and settings keeps its others");
+             "some of the questions: q1,q4 or 1-3,7; the others stay if --out has a report of the same inputs and settings");
     app.text("--time SECONDS", flags.time,
-             "seconds on two cores to fit into: settings are made small, large meshes decimated; default: as promised, 180 up to 346,000 "
-             "triangles");
+             "seconds on two cores to fit into: settings are made small, large meshes decimated; default: 180 up to 346,000 triangles, "
+             "then in proportion");
     app.text("--size PIXELS", flags.size, "pixels of one view; default: 800, or 400 with --quick");
-    app.text("--threads", flags.threads, "at most so many threads, in a batch of all reports together; default: all");
+    app.text("--threads", flags.threads, "largest number of threads, in a batch of all reports together; default: all");
     app.flag("--views-files", flags.view_files, "every view of every figure as a PNG of that size, not only those asked to be handed in");
     app.flag("--no-timings", flags.no_timings, "leave out everything that differs from run to run");
     app.flag("--no-cache", flags.no_cache, "answer every question anew and keep no answer; see meshfolio cache --help");

@@ -73,7 +73,7 @@ ExitCode run_verify(const VerifyFlags& options) {
         document = gathered_document(request);
     } else {
         const MadeReport made = make_report(request);
-        tell_of(made.published.notes);
+        print_place(made.published);
         document = made.document;
     }
     std::string lines;
@@ -91,7 +91,8 @@ ExitCode run_verify(const VerifyFlags& options) {
 Command verify_command(CLI::App& parent) {
     const auto options = std::make_shared<VerifyFlags>();
     CommandOptions app(parent, "verify", "This program against closed forms, certificates, planted faults");
-    app.text("--out DIR", options->out, "folder for the tables, plots and discussion, replaced as a whole; default: none");
+    app.text("--out DIR", options->out,
+             "folder for the tables, plots and discussion, replaced as a whole; a failure goes to DIR.failed if DIR holds a good one");
     app.text("--seed", options->seed, "of the random meshes");
     app.flag("--quick", options->quick, "three refinements in place of four");
     app.footer("Example: meshfolio verify --out truth");

@@ -111,7 +111,8 @@ void write(const Work& work, const Sections& sections, const report::Document& d
 
 /// Stores the sections answered now, after all their files are written. Warns of a cache that cannot be written to.
 /// @return known digests of files in the report's folder
-output::Digests store(const ReportRequest& request, const Sections& sections, const report::DrawnFigures& figures, const fs::path& folder) {
+output::Digests store_sections(const ReportRequest& request, const Sections& sections, const report::DrawnFigures& figures,
+                               const fs::path& folder) {
     output::Digests digests;
     for (const ReportSection& section : sections) digests.insert(section.files.begin(), section.files.end());
     if (!request.cache) return digests;
@@ -160,7 +161,7 @@ MadeReport make_report(const ReportRequest& request) {
     std::vector<std::string> notes = missing_files(sections);
     std::ranges::copy(paper.finish(), std::back_inserter(notes));
     std::ranges::copy(request.notes, std::back_inserter(notes));
-    const output::Digests known = store(request, sections, figures, work.folder);
+    const output::Digests known = store_sections(request, sections, figures, work.folder);
     Published published = publish_report(publication, document, known, *request.settings, request.junit);
     const double seconds = request.renders_again ? 0 : seconds_since(began);
     return {std::move(document), std::move(published), std::move(notes), seconds};
@@ -172,14 +173,10 @@ report::Document gathered_document(const ReportRequest& request) {
 }
 
 ExitCode print_outcome(const MadeReport& made) {
-    tell_of(made.published.notes);
     for (const std::string& note : made.notes)
         if (!note.empty()) warn(note);
     summarise(made.document);
-    if (made.published.folder != made.published.wanted) {
-        complain(made.published.wanted.string() + " keeps the report that ended well; this one is " + made.published.folder.string() +
-                 ", until one ends well again");
-    }
+    print_place(made.published);
     conclude(verdict_on(made.document, made.seconds), !has_failed(made.document));
     print_path(made.published.folder / "index.html");
     return has_failed(made.document) ? ExitCode::failed : ExitCode::ok;

@@ -126,6 +126,13 @@ Published publish_report(output::Publication& publication, const report::Documen
     return published;
 }
 
+void print_place(const Published& published) {
+    tell_of(published.notes);
+    if (published.folder != published.wanted)
+        complain(published.wanted.string() + " keeps the report that ended well; this one is " + published.folder.string() +
+                 ", until one ends well again");
+}
+
 std::string verdict_on(const report::Document& document, double seconds) {
     std::size_t answered = 0, asked = 0;
     report::Score score;

@@ -40,6 +40,9 @@ struct Published {
 Published publish_report(output::Publication& publication, const report::Document& document, const output::Publication::Digests& digests,
                          const ReportSettings& settings, const std::string& junit);
 
+/// Prints the notes of a publication and, if a report with a failure did not replace one without, where it is.
+void print_place(const Published& published);
+
 /// Returns "7 of 7 questions answered, 457 checks passed, 9.8 s", with failed and undecided checks if there are any, without questions if
 /// none was asked. @param seconds  0: left out of the text
 std::string verdict_on(const report::Document& document, double seconds);

@@ -28,8 +28,6 @@ struct ReportSection {
     report::DrawnFigures figures = {};       // of a stored section
     output::Digests files = {};              // of a stored section, by path: they lie in the folder of the report that is being made
     std::vector<std::string> missing = {};   // paths of a stored section's files that are gone
-
-    bool is_stored() const { return origin == Origin::cache || origin == Origin::report; }
 };
 
 /// Returns the paths of a section's files that are not written from the document: pictures, models and meshes.

@@ -739,6 +739,11 @@ class Verify(InFolder):
             self.assertEqual({row['caught'] for row in csv.DictReader(file)}, {'yes'})
         self.assertTrue(os.path.exists(self.path('truth/index.html')))
         self.refuse(4, 'verify', '--quick', '--out', 'truth/index.html/x')
+        # One of its random meshes misses a tolerance: the good report stays, and that is said.
+        code, _, err = self.run_here('verify', '--quick', '--seed', '17', '--out', 'truth')
+        self.assertEqual(code, 1)
+        self.assertIn('keeps the report that ended well; this one is truth.failed', err)
+        self.assertEqual(json.loads(read(self.path('truth/results.json')))['provenance']['seed'], 1)
 
     def test_wrong_usage(self):
         self.refuse(2, 'verify', '--seed', 'x')

@@ -131,15 +131,6 @@ std::string ResultCache::keep(std::string_view bytes) {
     return digest;
 }
 
-bool ResultCache::place(const std::string& digest, const fs::path& target) {
-    const std::optional<std::string> bytes = bytes_of(digest);
-    if (!bytes) return false;
-    std::error_code error;
-    if (fs::exists(fs::symlink_status(target, error))) throw OutputError(target.string(), "is there already", "remove it first");
-    write_file(target, *bytes);
-    return true;
-}
-
 void ResultCache::trim() {
     std::vector<StoredFile> files = files_in(folder_);
     std::uintmax_t total = 0;

@@ -46,9 +46,6 @@ public:
     /// @return their SHA-256
     /// @throws OutputError
     std::string keep(std::string_view bytes);
-    /// Writes the bytes with this SHA-256 to `target`. @return false, and writes nothing, if they are missing or damaged
-    /// @throws OutputError
-    bool place(const std::string& digest, const std::filesystem::path& target);
 
     /// Removes the least recently used files until all together are within the limit.
     void trim();

@@ -56,8 +56,8 @@ struct MeshLibrary::Shelf {
     std::mutex digest_mutex;
     std::map<std::string, std::string> digests;   // by path, or the name of a bundled mesh
 
-    /// Holds the lock while decimating, for several sections want the same copy. Isolated, so that a waiting thread takes no task that
-    /// locks.
+    /// Holds the lock while decimating: several sections want the same copy, and one mesh at a time is decimated, as the planned memory
+    /// says. Isolated, so that a waiting thread takes no task that locks.
     SharedMesh decimated_to(int vertices, const SharedMesh& mesh) {
         if (mesh->mesh().vertex_count() <= vertices) return mesh;
         const std::lock_guard lock(copies_mutex);

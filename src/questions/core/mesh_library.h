@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <typeinfo>
 #include <vector>
 
 #include "mesh/mesh_checks.h"
@@ -26,7 +27,7 @@ public:
     /// @throws what `make` throws, in all callers that waited for it; the next caller makes the value again
     const auto& value(const std::string& key, const auto& make) {
         using Value = const std::remove_cvref_t<decltype(make())>;
-        return *static_cast<Value*>(pointer(key, [&] { return std::make_shared<Value>(make()); }).get());
+        return *static_cast<Value*>(pointer(key + "\n" + typeid(Value).name(), [&] { return std::make_shared<Value>(make()); }).get());
     }
 
 private:

@@ -62,27 +62,8 @@ TEST(ResultCache, FilesAreKeptByTheirContent) {
     EXPECT_EQ(cache.keep("picture"), sha256("picture"));
     EXPECT_EQ(cache.keep("picture"), sha256("picture"));
     EXPECT_EQ(cache.size().files, 1u);
-    ASSERT_TRUE(cache.place(sha256("picture"), folder.path() / "b"));
-    EXPECT_EQ(read_file(folder.path() / "b"), "picture");
-    EXPECT_FALSE(cache.place(sha256("none"), folder.path() / "c"));
-    EXPECT_FALSE(fs::exists(folder.path() / "c"));
-    EXPECT_THROW(cache.place(sha256("picture"), folder.path() / "b"), OutputError);
-}
-
-TEST(ResultCache, WhatIsDoneToAPlacedFileLeavesTheOthersAlone) {
-    const TemporaryFolder folder;
-    const fs::path first = folder.path() / "first.png", second = folder.path() / "second.png", third = folder.path() / "third.png";
-    write_file(first, "picture");
-    ResultCache cache(folder.path() / "cache", roomy);
-    const std::string digest = cache.keep(read_file(first));
-    ASSERT_TRUE(cache.place(digest, second));
-    std::ofstream(second, std::ios::in | std::ios::out) << "P";   // in place, as an editor may
-    fs::permissions(second, fs::perms::owner_exec, fs::perm_options::add);
-    EXPECT_EQ(read_file(first), "picture");
-    ASSERT_TRUE(cache.place(digest, third));
-    EXPECT_EQ(read_file(third), "picture");
-    EXPECT_EQ(fs::status(third).permissions() & fs::perms::owner_exec, fs::perms::none);
-    EXPECT_THROW(cache.place(digest, third), OutputError) << "is there already";
+    EXPECT_EQ(cache.bytes_of(sha256("picture")), "picture");
+    EXPECT_EQ(cache.bytes_of(sha256("none")), std::nullopt);
 }
 
 TEST(ResultCache, DamageCountsAsAbsence) {
@@ -93,12 +74,12 @@ TEST(ResultCache, DamageCountsAsAbsence) {
         cache.put(key_of("a"), "bytes");
         for (const fs::path& file : paths_below(folder.path())) spoil(file, damaged);
         EXPECT_FALSE(cache.get(key_of("a")));
-        EXPECT_FALSE(cache.place(digest, folder.path() / "b"));
+        EXPECT_FALSE(cache.bytes_of(digest));
         EXPECT_TRUE(paths_below(folder.path()).empty()) << "what is damaged is removed";
         cache.put(key_of("a"), "bytes");
         EXPECT_EQ(cache.keep("picture"), digest);
         EXPECT_EQ(cache.get(key_of("a")), "bytes");
-        EXPECT_TRUE(cache.place(digest, folder.path() / "b"));
+        EXPECT_EQ(cache.bytes_of(digest), "picture");
     }
 }
 
