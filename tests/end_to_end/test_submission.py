@@ -390,7 +390,7 @@ class Refusals(Reported):
     def test_no_author_or_another(self):
         out = self.copy()
         self.refuse(2, "give --author NAME", out, author=None)
-        self.refuse(2, "no name", out, author="Ada\nLovelace")
+        self.refuse(2, "the author's name", out, author="Ada\nLovelace")
         self.edit_results(out, lambda r: r.update(author="Alan Turing"))
         self.refuse(2, "the report names 'Alan Turing' as its author, not 'Ada Lovelace'", out)
         self.assertEqual(self.submit(out, author=None).returncode, 0, "the report's own author is enough")
