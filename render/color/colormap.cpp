@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "color/srgb.h"
@@ -14,7 +15,7 @@ namespace {
 
 /// A map given by a few equally spaced colours, with a Catmull–Rom spline in CIELAB between them.
 struct Definition {
-    std::string_view name, kind, description;
+    const char *name, *kind, *description;
     std::vector<std::uint32_t> colors;   // 0xRRGGBB; a cyclic map does not repeat the first colour
 };
 
@@ -71,7 +72,7 @@ glm::dvec3 spline(const glm::dvec3& p0, const glm::dvec3& p1, const glm::dvec3& 
 
 std::vector<Rgba> stops_of(const Definition& d) {
     constexpr int steps = 16;   // between two given colours: finer than the eye
-    const bool is_cyclic = d.kind == "cyclic";
+    const bool is_cyclic = std::string_view(d.kind) == "cyclic";
     std::vector<glm::dvec3> lab(1);
     for (const std::uint32_t c : d.colors) lab.push_back(lab_of(unpacked(c)));
     // One more point at either end: the neighbours round the circle, or straight on.
@@ -90,14 +91,9 @@ std::uint8_t mixed(std::uint8_t a, std::uint8_t b, double u) { return static_cas
 }   // namespace
 
 std::span<const Colormap> colormap_list() {
-    static const std::vector<std::vector<Rgba>> stops = [] {
-        std::vector<std::vector<Rgba>> all;
-        for (const Definition& d : definitions()) all.push_back(stops_of(d));
-        return all;
-    }();
     static const std::vector<Colormap> list = [] {
         std::vector<Colormap> maps;
-        for (const Definition& d : definitions()) maps.push_back({d.name, d.kind, d.description, stops[maps.size()]});
+        for (const Definition& d : definitions()) maps.push_back({d.name, d.kind, d.description, stops_of(d)});
         return maps;
     }();
     return list;
@@ -107,7 +103,7 @@ const Colormap& colormap_named(const std::string& name) {
     std::string known;
     for (const Colormap& map : colormap_list()) {
         if (map.name == name) return map;
-        known += (known.empty() ? "" : ", ") + std::string(map.name);
+        known += (known.empty() ? "" : ", ") + map.name;
     }
     throw std::invalid_argument("unknown colour map '" + name + "'; known are " + known);
 }

@@ -2,7 +2,7 @@
 
 #include <span>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "scene/image.h"
 
@@ -10,10 +10,10 @@ namespace render {
 
 /// A colour map; all are in the table in colormap.cpp.
 struct Colormap {
-    std::string_view name;
-    std::string_view kind;   // "sequential", "diverging" or "cyclic" (both ends have one colour)
-    std::string_view description;
-    std::span<const Rgba> stops;   // equally spaced in [0, 1], with linear interpolation between
+    std::string name;
+    std::string kind;   // "sequential", "diverging" or "cyclic" (both ends have one colour)
+    std::string description;
+    std::vector<Rgba> stops;   // equally spaced in [0, 1], with linear interpolation between
 };
 
 /// Returns all colour maps, "viridis" first.

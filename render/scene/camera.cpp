@@ -25,21 +25,49 @@ bool View::is_along_axis() const {
            std::max({std::abs(up.x), std::abs(up.y), std::abs(up.z)}) == 1;
 }
 
-View three_quarter_view() {
-    constexpr double azimuth = 35, elevation = 22;   // degrees: from +z towards +x, and upwards
-    const double a = glm::radians(azimuth), e = glm::radians(elevation);
-    return {"hero",
+glm::dvec3 turned_to(Up up, const glm::dvec3& v) {
+    return up == Up::x ? glm::dvec3(v.y, -v.x, v.z) : up == Up::z ? glm::dvec3(v.x, -v.z, v.y) : v;
+}
+
+namespace {
+
+/// Returns the view from an azimuth and an elevation [radians] of a model with y up.
+View view_at(std::string_view name, double a, double e) {
+    return {name,
             {std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a)},
             {-std::sin(e) * std::sin(a), std::cos(e), -std::sin(e) * std::cos(a)}};
 }
 
-View view_named(const std::string& name) {
+/// Returns the vector with components that are only rounding set to 0, so that a camera at right angles looks along an axis.
+glm::dvec3 snapped(glm::dvec3 v) {
+    for (int k = 0; k < 3; ++k) v[k] = std::abs(v[k]) < 1e-15 ? 0 : std::abs(v[k]) > 1 - 1e-15 ? std::copysign(1.0, v[k]) : v[k];
+    return v;
+}
+
+}   // namespace
+
+View three_quarter_view() {
+    constexpr double azimuth = 35, elevation = 22;   // degrees: from +z towards +x, and upwards
+    return view_at("hero", glm::radians(azimuth), glm::radians(elevation));
+}
+
+View view_from(const Angles& camera, Up up) {
+    const View upright = view_at("camera", glm::radians(camera.azimuth), glm::radians(camera.elevation));
+    const double roll = glm::radians(camera.roll);
+    const glm::dvec3 rolled = std::cos(roll) * upright.up - std::sin(roll) * upright.right();
+    return {upright.name, snapped(turned_to(up, upright.from)), snapped(turned_to(up, rolled))};
+}
+
+View view_named(const std::string& name, Up up) {
     std::string known;
     for (const View& view : six_views) {
-        if (view.name == name) return view;
         known += std::string(view.name) + ", ";
+        if (view.name != name) continue;
+        const glm::dvec3 top = turned_to(up, {0, 1, 0}), front = turned_to(up, {0, 0, 1});
+        const double above = glm::dot(view.from, top);
+        return {view.name, view.from, above == 0 ? top : -above * front + 0.0};   // never −0
     }
-    if (const View hero = three_quarter_view(); name == hero.name) return hero;
+    if (View hero = three_quarter_view(); name == hero.name) return {hero.name, turned_to(up, hero.from), turned_to(up, hero.up)};
     throw std::invalid_argument("unknown view '" + name + "'; known are " + known + "hero");
 }
 

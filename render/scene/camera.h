@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/sight.h"
+
 namespace render {
 
 /// A direction of sight, in unit vectors.
@@ -32,9 +34,15 @@ inline constexpr std::array<View, 6> six_views{{
 /// Returns the view "hero": from 35° to the right of +z (towards +x) and 22° above, with +y up.
 View three_quarter_view();
 
-/// Returns the view named "+x", "-x" … "-z" or "hero" (three_quarter_view()). @throws std::invalid_argument for another name, with the
-/// known ones
-View view_named(const std::string& name);
+/// Returns the view named "+x", "-x" … "-z" or "hero" (three_quarter_view()) of a model with this axis up. Views along that axis have the
+/// front of the model below (from above) or above (from below). @throws std::invalid_argument for another name, with the known ones
+View view_named(const std::string& name, Up up = Up::y);
+
+/// Returns the view "camera" from this place.
+View view_from(const Angles& camera, Up up = Up::y);
+
+/// Returns a vector of a model with y up, turned with the model so that another axis is up.
+glm::dvec3 turned_to(Up up, const glm::dvec3& v);
 
 /// True if the triangle's indices are in range and its corners finite. Other triangles are ignored everywhere.
 bool can_be_drawn(const glm::ivec3& triangle, std::span<const glm::dvec3> positions);

@@ -137,27 +137,29 @@ double symmetry(const std::vector<Patch>& patches, int axis) {
 
 }   // namespace
 
-View hero_view(const Surface& surface) {
+View hero_view(const Surface& surface, std::optional<Up> up) {
     const Bounds box = box_of(surface.positions);
     const std::vector<Patch> patches = patches_of(surface, box);
     const glm::dvec3 extent = box.high - box.low;
     const double along_y = symmetry(patches, 1), along_z = symmetry(patches, 2);
-    const bool z_up = extent.z > 1.05 * std::min(extent.x, extent.y) && along_y > 0.85 && along_y > along_z + 0.15;
+    const bool looks_z_up = extent.z > 1.05 * std::min(extent.x, extent.y) && along_y > 0.85 && along_y > along_z + 0.15;
+    const Up top = up.value_or(looks_z_up ? Up::z : Up::y);
     const View usual = three_quarter_view();
-    View best = usual;
+    View best = view_named("hero", up.value_or(Up::y));
     double most = 0;
     for (const int turn : {0, 20, 90, 110, 180, 200, 270, 290}) {
         const double a = glm::radians(double(turn)), c = std::cos(a), s = std::sin(a);
-        const auto turned = [&](const glm::dvec3& v) {
-            const glm::dvec3 about_y(c * v.x + s * v.z, v.y, c * v.z - s * v.x);
-            return z_up ? glm::dvec3(about_y.x, -about_y.z, about_y.y) : about_y;
-        };
+        const auto turned = [&](const glm::dvec3& v) { return turned_to(top, {c * v.x + s * v.z, v.y, c * v.z - s * v.x}); };
         View view = usual;
         view.from = turned(usual.from), view.up = turned(usual.up);
         const double seen = score(patches, view) * (turn == 0 ? 1.15 : 1);
         if (seen > most) most = seen, best = view;
     }
     return best;
+}
+
+View view_of(const Sight& sight, const Surface& surface) {
+    return sight.camera ? view_from(*sight.camera, sight.up.value_or(Up::y)) : hero_view(surface, sight.up);
 }
 
 }   // namespace render

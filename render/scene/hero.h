@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "draw_mesh.h"
+#include "scene/sight.h"
 
 namespace render {
 
@@ -8,6 +11,10 @@ namespace render {
 /// direction, unless another scores 15 % more for visible fronts and their curved parts. Up is +y, or +z if the model is symmetric along y,
 /// not along z, and not flattest along z (an upright model is not symmetric along the vertical). The result depends neither on the order of
 /// vertices and triangles nor on the scale.
-View hero_view(const Surface& surface);
+/// @param up  the axis that is up instead
+View hero_view(const Surface& surface, std::optional<Up> up = {});
+
+/// Returns the view from the camera of `sight`, else the hero_view().
+View view_of(const Sight& sight, const Surface& surface);
 
 }   // namespace render

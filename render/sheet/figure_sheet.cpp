@@ -82,7 +82,7 @@ ComposedFigure compose(const FigureSheet& sheet) {
     };
     for (const FigureSheet::Picture& p : sheet.pictures) reach(p.left + p.image->width, p.top + p.image->height);
     for (const FigureSheet::Words& w : sheet.words) reach(w.left + w.width, w.top + w.height);
-    const int margin = rounded(1.2 * em), legend_gap = sheet.color_bar ? rounded(0.8 * em) : 0;
+    const int margin = rounded(sheet.margin * em), legend_gap = sheet.color_bar ? rounded(0.8 * em) : 0;
     const int title = sheet.title.empty() ? 0 : rounded(1.9 * em), subtitle = sheet.subtitle.empty() ? 0 : rounded(1.5 * em);
     const int legend = sheet.color_bar ? color_bar_height(*sheet.color_bar, em) : 0;
     const int top = margin + title + subtitle, width = body_width + 2 * margin;

@@ -31,6 +31,7 @@ struct FigureSheet {
     std::optional<ColorBar> color_bar = {};
     double em = 16;        // text size
     int least_width = 0;   // of the body
+    double margin = 1.2;   // around all [em]
     Rgba background{255, 255, 255, 255};
 };
 

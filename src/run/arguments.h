@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/sight.h"
+
 namespace meshfolio::run {
 
 bool contains(const std::vector<std::string>& words, const std::string& word);
@@ -32,5 +34,15 @@ double finite_number(const std::string& option, std::string_view text);
 double number_between(const std::string& option, std::string_view text, double low, double high);
 double number_not_negative(const std::string& option, std::string_view text);
 double number_above_zero(const std::string& option, std::string_view text);
+
+/// The options --camera, --up and --zoom as they are given; empty: not given.
+struct SightFlags {
+    std::string camera, up, zoom;
+};
+inline constexpr double smallest_zoom = 0.01, largest_zoom = 100;
+
+/// Parses an azimuth, an elevation from -90 to 90 and perhaps a roll with commas between them ("35,22"), one of x, y, z, and a factor.
+/// @throws UsageError for any other text
+render::Sight sight_of(const SightFlags& flags);
 
 }   // namespace meshfolio::run

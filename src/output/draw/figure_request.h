@@ -9,16 +9,22 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
+#include "scene/sight.h"
+
+namespace render {
+struct Colormap;
+}
 
 namespace meshfolio::output {
 
 struct ColorRange {
     std::string colormap;   // "pale"
     double low = 0, high = 1;
-    std::string quantity, unit;                    // for the colour bar
-    bool logarithmic = false;                      // colours by the logarithm; low > 0
-    double clipped_below = 0, clipped_above = 0;   // shares of the finite values outside
-    std::vector<double> sample = {};               // finite values, taken evenly from their order, for the histogram
+    std::string quantity, unit;                             // for the colour bar
+    bool logarithmic = false;                               // colours by the logarithm; low > 0
+    double clipped_below = 0, clipped_above = 0;            // shares of the finite values outside
+    std::vector<double> sample = {};                        // finite values, taken evenly from their order, for the histogram
+    std::shared_ptr<const render::Colormap> own_map = {};   // instead of a bundled one: a map that was read from a file
 };
 
 /// One mesh with values. Its view files are images/<name>_<view>.png.
@@ -29,6 +35,7 @@ struct Panel {
     Vector values = {};                         // one a vertex, NaN if undefined; empty: plain surface
     std::vector<int> marked_vertices = {};      // get a ring if they are visible
     std::optional<ColorRange> range = {};       // instead of the figure's; the label then has a small colour bar
+    std::string view = {};                      // "+x": that picture, instead of the one from three quarters
 };
 
 enum class Layout {
@@ -54,6 +61,7 @@ struct FigureRequest {
     bool coarse_edges = false;                          // draw the edges of meshes of fewer than 3000 triangles
     /// Panels per group, which shows one mesh in several states, all in the frame of the first. 1: no groups.
     int states = 1;
+    render::Sight sight = {};   // of the pictures from three quarters
 
     /// Returns the colour range of a panel: its own or that of the figure; null if there is none.
     const ColorRange* range_of(const Panel& panel) const { return panel.range ? &*panel.range : range ? &*range : nullptr; }

@@ -83,14 +83,19 @@ const TriangleMesh& first_state(const FigureRequest& request, std::size_t panel)
 }   // namespace
 
 render::View hero_of(const FigureRequest& request, std::size_t panel) {
+    const render::Sight& sight = request.sight;
+    if (const std::string& name = request.panels[panel].view; !name.empty())
+        return render::view_named(name, sight.up.value_or(render::Up::y));
+    if (sight.camera) return render::view_of(sight, {});
     const bool own = has_own_frames(request), is_matrix = !request.columns.empty() || !request.rows.empty();
     std::size_t group = request.panels.size();
     if (own && request.states > 1) group = static_cast<std::size_t>(request.states);
     else if (own && (is_matrix || is_gallery(request))) group = is_matrix ? static_cast<std::size_t>(panels_in_a_line(request)) : 1;
     const std::size_t first = panel - panel % group;
     for (std::size_t p = first; p < std::min(first + group, request.panels.size()); ++p)
-        if (request.panels[p].mesh && (own || is_framed(request, p))) return render::hero_view(surface_of(*request.panels[p].mesh));
-    return render::three_quarter_view();
+        if (request.panels[p].mesh && (own || is_framed(request, p)))
+            return render::hero_view(surface_of(*request.panels[p].mesh), sight.up);
+    return render::view_named("hero", sight.up.value_or(render::Up::y));
 }
 
 std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side) {

@@ -46,6 +46,7 @@ bool fits_frame(const render::Bounds& bounds, const Positions& X) {
 }
 
 render::ValueRange value_range(const ColorRange& range) {
+    if (range.own_map) return {range.own_map.get(), range.low, range.high, range.logarithmic};
     std::vector<std::string> known;
     for (const render::Colormap& map : render::colormap_list()) known.emplace_back(map.name);
     if (std::ranges::find(known, range.colormap) == known.end())

@@ -18,7 +18,6 @@
 #include "geometry/linear/special_values.h"
 #include "mesh/triangle_measures.h"
 #include "questions/core/chapter.h"
-#include "questions/core/figures.h"
 #include "questions/core/table.h"
 #include "report/text.h"
 #include "report/words.h"
@@ -187,5 +186,23 @@ report::Text said_of(const Names& meshes, const report::Words& words, std::strin
 
 /// Returns the number with its noun: "1 mesh", "4 meshes", "40 962 vertices". @param plural  empty: `singular` with an s
 std::string counted(int n, std::string_view singular, std::string_view plural = "");
+
+// ---- figures of meshes ---------------------------------------------------------------------------------------------------
+
+/// Appends a figure with this caption to answer.section, and the request to answer.figures. Without `alt`, the alternative text is made of
+/// title, panels and colour range.
+void add_figure(Answer& answer, output::FigureRequest request, std::string caption);
+void add_figure(Answer& answer, output::FigureRequest request, std::string caption, std::string alt);
+
+/// Returns the file name and the number of vertices: "lily.obj, 1284 vertices".
+std::string subtitle_of(const LibraryMesh& mesh);
+
+/// Makes a panel of a mesh of the library, which is not copied, or of another mesh. @param values  n values to colour; empty: none
+output::Panel panel_of(const LibraryMesh& mesh, std::string name, std::string label, Vector values = {});
+output::Panel panel_of(TriangleMesh mesh, std::string name, std::string label, Vector values = {});
+
+/// Returns the triangles of `mesh` with positions (X − centre)/diagonal, centre and diagonal of the bounding box of `mesh`, so that meshes
+/// of any size can stand side by side.
+TriangleMesh in_unit_box(const TriangleMesh& mesh, const Positions& X);
 
 }   // namespace meshfolio

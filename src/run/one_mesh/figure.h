@@ -1,0 +1,57 @@
+/// @file
+/// Figures of one's own: a grid of meshes and fields as one drawing, for a paper.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mesh/mesh_checks.h"
+#include "run/one_mesh/fields.h"
+#include "scene/image.h"
+#include "scene/sight.h"
+#include "sheet/drawing.h"
+
+namespace meshfolio::run {
+
+inline constexpr double smallest_width = 10, largest_width = 2000;          // of a figure [mm]
+inline constexpr double least_resolution = 36, largest_resolution = 2400;   // [dpi]
+
+struct FigureStyle {
+    std::vector<std::string> views = {};   // "+x" …, "hero"; empty: the camera of `sight`, else from three quarters
+    render::Sight sight = {};
+    bool common_fit = false;   // all meshes in one frame, so that sizes and places can be compared; false: each fills its picture
+    int columns = 0;           // pictures in a line; 0: chosen
+    double width = 0;          // [mm]; 0: 85 for one picture in a line, else 170
+    double resolution = 300;   // [dpi]
+    std::string title = {};
+    bool bars = true;   // a colour bar for each field
+    render::Rgba background{255, 255, 255, 255};
+    std::string colormap = {};                              // empty: diverging for signed values, pale for distances, else viridis
+    std::shared_ptr<const render::Colormap> own_map = {};   // instead of `colormap`
+    std::optional<std::pair<double, double>> range = {};    // of the colours; nothing: without outliers
+    double isoline_spacing = 0;                             // 0: none
+    bool edges = false;
+    bool vector_isolines = true;   // as lines of the drawing; false: in the pictures
+};
+
+/// A mesh of a figure with its values of each field, which all meshes have in the same order; a field without values is a plain surface.
+struct FigureMesh {
+    std::string label;   // below its pictures
+    const PreparedMesh& prepared;
+    std::vector<Field> fields;
+};
+
+/// Draws a figure: for each field the pictures of all meshes in all views, with one range of colours and one bar.
+/// @throws UsageError for an unknown colour map or view, isolines that are too dense, or pictures that are too small or too large
+render::Drawing figure_of(std::span<const FigureMesh> meshes, const FigureStyle& style);
+
+/// Returns the drawing as the bytes of a file with this ending: .pdf, .svg or .png. Equal drawings give equal bytes.
+/// @param title  of the document
+std::string encode_figure(const render::Drawing& drawing, double resolution, const std::string& title, std::string_view ending);
+
+}   // namespace meshfolio::run
