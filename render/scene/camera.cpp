@@ -39,7 +39,7 @@ View view_at(std::string_view name, double a, double e) {
 }
 
 /// Returns the vector with components that are only rounding set to 0, so that a camera at right angles looks along an axis.
-glm::dvec3 snapped(glm::dvec3 v) {
+glm::dvec3 on_axes(glm::dvec3 v) {
     for (int k = 0; k < 3; ++k) v[k] = std::abs(v[k]) < 1e-15 ? 0 : std::abs(v[k]) > 1 - 1e-15 ? std::copysign(1.0, v[k]) : v[k];
     return v;
 }
@@ -55,7 +55,7 @@ View view_from(const Angles& camera, Up up) {
     const View upright = view_at("camera", glm::radians(camera.azimuth), glm::radians(camera.elevation));
     const double roll = glm::radians(camera.roll);
     const glm::dvec3 rolled = std::cos(roll) * upright.up - std::sin(roll) * upright.right();
-    return {upright.name, snapped(turned_to(up, upright.from)), snapped(turned_to(up, rolled))};
+    return {upright.name, on_axes(turned_to(up, upright.from)), on_axes(turned_to(up, rolled))};
 }
 
 View view_named(const std::string& name, Up up) {
