@@ -20,6 +20,7 @@ struct View {
     glm::dvec3 right() const;   // up × from: to the right of the picture
     /// True if `from` and `up` are axes of the model, in either direction.
     bool is_along_axis() const;
+    bool operator==(const View&) const = default;
 };
 
 inline constexpr std::array<View, 6> six_views{{

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "rounding.h"
 #include "sheet/strokes.h"
@@ -26,57 +27,43 @@ struct BarBox {
     double x_of(const ValueRange& range, double value) const { return x0 + (x1 - x0) * range.position(value); }
 };
 
-/// Draws a triangle that points away from the bar. @param direction  1: to the right of column `base`, −1: to its left
-void draw_tip(Image& image, const BarBox& e, int base, int direction, Rgba color) {
-    const double half = 0.5 * (e.bottom - e.top), middle = e.top + half;
-    const int length = rounded(half * 1.2);
-    for (int i = 0; i < length; ++i) {
-        const double reach = half * (1 - (i + 0.5) / length);
-        const int x = direction > 0 ? base + i : base - 1 - i;
-        for (int y = std::max(0, e.top); y < std::min(e.bottom, image.height); ++y) {
-            const double coverage = std::clamp(reach + 0.5 - std::abs(y + 0.5 - middle), 0.0, 1.0);
-            if (x >= 0 && x < image.width) image.at(x, y) = inked(image.at(x, y), color, static_cast<float>(coverage));
-        }
-    }
+/// Adds a triangle that points away from the bar. @param direction  1: to the right of column `base`, −1: to its left
+void add_tip(Drawing& drawing, const BarBox& e, int base, int direction, Rgba color) {
+    const double half = 0.5 * (e.bottom - e.top);
+    drawing.items.emplace_back(
+        Drawing::Area{{{base, e.top}, {base + direction * rounded(half * 1.2), e.top + half}, {base, e.bottom}}, color});
 }
 
-/// Draws the colours with isolines and tips.
-void draw_colors(Image& image, const ColorBar& bar, const BarBox& e) {
+/// Adds the colours with isolines and tips.
+void add_colors(Drawing& drawing, const ColorBar& bar, const BarBox& e) {
     const Colormap& map = bar.range.colormap != nullptr ? *bar.range.colormap : colormap_named("viridis");
-    for (int x = e.x0; x < e.x1; ++x) fill_rectangle(image, x, e.top, x + 1, e.bottom, color_at(map, (x + 0.5 - e.x0) / (e.x1 - e.x0)));
+    drawing.items.emplace_back(Drawing::Ramp{&map, e.x0, e.top, e.x1, e.bottom});
     if (bar.isoline_spacing > 0) {   // none if they are less than 4 pixels apart, which would hide the colours
         const double from = std::ceil(bar.range.low / bar.isoline_spacing), to = std::floor(bar.range.high / bar.isoline_spacing);
         for (double k = from; k <= to && (to - from) * 4 < e.x1 - e.x0; ++k) {
             const int x = rounded(e.x_of(bar.range, k * bar.isoline_spacing));
-            if (x > e.x0 && x < e.x1) fill_rectangle(image, x, e.top, x + 1, e.bottom, {34, 34, 40, 255});
+            if (x > e.x0 && x < e.x1) drawing.add_rectangle(x, e.top, x + 1, e.bottom, {34, 34, 40, 255});
         }
     }
-    if (bar.clipped_below > 0) draw_tip(image, e, e.x0, -1, color_at(map, 0));
-    if (bar.clipped_above > 0) draw_tip(image, e, e.x1, 1, color_at(map, 1));
+    if (bar.clipped_below > 0) add_tip(drawing, e, e.x0, -1, color_at(map, 0));
+    if (bar.clipped_above > 0) add_tip(drawing, e, e.x1, 1, color_at(map, 1));
 }
 
-/// Draws columns over the colours of their values, standing on the row `bottom`: pale below a thin line.
-void draw_histogram(Image& image, const ColorBar& bar, const BarBox& e, int bottom, double height, double thickness, Rgba ink) {
+/// Adds columns over the colours of their values, standing on the row `bottom`: pale below a thin line.
+void add_histogram(Drawing& drawing, const ColorBar& bar, const BarBox& e, int bottom, double height, double thickness, Rgba ink) {
     double highest = 0;
     for (const double share : bar.histogram)
         if (is_share(share)) highest = std::max(highest, std::sqrt(share));
-    const Rgba pale{ink.r, ink.g, ink.b, 48}, line{ink.r, ink.g, ink.b, 144};
-    const auto reach_at = [&, bins = static_cast<double>(bar.histogram.size())](double x) {
-        const double bin = std::clamp((x - e.x0) / (e.x1 - e.x0) * bins, 0.0, bins - 1),
-                     share = bar.histogram[static_cast<std::size_t>(bin)];
-        return height * (is_share(share) ? std::sqrt(share) : 0) / highest;
-    };
-    for (int x = std::max(0, e.x0); x < std::min(e.x1, image.width); ++x) {
-        const double reach = reach_at(x + 0.5), before = x > e.x0 ? reach_at(x - 0.5) : 0, after = x + 1 < e.x1 ? reach_at(x + 1.5) : 0;
-        const double foot = std::min({reach, before, after});   // begin of a side that rises above a neighbour
-        for (int y = std::max(0, bottom - static_cast<int>(height + thickness)); y < std::min(bottom, image.height); ++y) {
-            const double above = bottom - (y + 0.5) - reach;
-            Rgba& pixel = image.at(x, y);
-            pixel = inked(pixel, pale, static_cast<float>(std::clamp(0.5 - above, 0.0, 1.0)));
-            const double off = std::max(above, foot - reach - above);   // distance to the part of the column that the line covers
-            pixel = inked(pixel, line, static_cast<float>(std::clamp(thickness / 2 + 0.5 - off, 0.0, 1.0)));
-        }
+    std::vector<glm::dvec2> outline{{e.x0, bottom}};
+    for (std::size_t i = 0; i < bar.histogram.size(); ++i) {
+        const double share = bar.histogram[i], y = bottom - height * (is_share(share) ? std::sqrt(share) : 0) / highest;
+        for (const std::size_t end : {i, i + 1})
+            outline.emplace_back(e.x0 + static_cast<double>(end) * (e.x1 - e.x0) / static_cast<double>(bar.histogram.size()), y);
     }
+    outline.emplace_back(e.x1, bottom);
+    drawing.items.emplace_back(Drawing::Area{outline, {ink.r, ink.g, ink.b, 48}});
+    const Rgba line = inked(drawing.background, {ink.r, ink.g, ink.b, 144}, 1);   // opaque, so that corners are no darker
+    drawing.items.emplace_back(Drawing::Path{std::move(outline), thickness, line});
 }
 
 /// Returns up to seven ticks with numbers that do not touch.
@@ -93,36 +80,36 @@ std::vector<double> readable_ticks(const ColorBar& bar, const BarBox& e, const T
     return round_ticks(bar.range.low, bar.range.high, 1);
 }
 
-void draw_ticks(Image& image, const ColorBar& bar, const BarBox& e, const std::vector<double>& ticks, const TickLabels& labels, double em,
-                Rgba ink) {
+void add_ticks(Drawing& drawing, const ColorBar& bar, const BarBox& e, const std::vector<double>& ticks, const TickLabels& labels,
+               double em, Rgba ink) {
     const TextStyle style{0.9 * em, ink, Align::centre};
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const double x = std::clamp(std::floor(e.x_of(bar.range, ticks[i])) + 0.5, e.x0 + 0.5, e.x1 - 0.5);
-        draw_line(image, {x, e.bottom + 1}, {x, e.bottom + 0.28 * em}, std::max(1.0, em / 16), ink);
+        drawing.add_line({x, e.bottom + 1}, {x, e.bottom + 0.28 * em}, std::max(1.0, em / 16), ink);
         const double half = text_width(labels.text[i], style) / 2;
-        draw_text(image, std::clamp(x, half, std::max(half, image.width - half)), e.bottom + 1.25 * em, labels.text[i], style);
+        drawing.add_text(std::clamp(x, half, std::max(half, drawing.width - half)), e.bottom + 1.25 * em, labels.text[i], style);
     }
 }
 
-/// Draws the line below the ticks: the share below the range, a swatch for undefined values, the share above.
-void draw_notes(Image& image, const ColorBar& bar, const BarBox& e, double em, Rgba ink) {
+/// Adds the line below the ticks: the share below the range, a swatch for undefined values, the share above.
+void add_notes(Drawing& drawing, const ColorBar& bar, const BarBox& e, double em, Rgba ink) {
     const double baseline = e.bottom + (ticks_height + 0.95) * em, third = (e.x1 - e.x0) / 3.0 - 0.5 * em;
     TextStyle style{0.85 * em, ink};
-    if (bar.clipped_below > 0) draw_text(image, e.x0, baseline, fit_text(share_text(bar.clipped_below) + " below", third, style), style);
+    if (bar.clipped_below > 0) drawing.add_text(e.x0, baseline, fit_text(share_text(bar.clipped_below) + " below", third, style), style);
     if (bar.has_undefined) {
         const std::string text = fit_text("undefined", third - 1.1 * em, style);
         const double left = (e.x0 + e.x1) / 2.0 - (text_width(text, style) + 1.1 * em) / 2;
         const int box = rounded(0.8 * em), x = rounded(left), y = rounded(baseline - 0.68 * em);
-        fill_rectangle(image, x, y, x + box, y + box, ink);
-        fill_rectangle(image, x + 1, y + 1, x + box - 1, y + box - 1,
-                       {bar.undefined_color.r, bar.undefined_color.g, bar.undefined_color.b, 255});
+        drawing.add_rectangle(x, y, x + box, y + box, ink);
+        drawing.add_rectangle(x + 1, y + 1, x + box - 1, y + box - 1,
+                              {bar.undefined_color.r, bar.undefined_color.g, bar.undefined_color.b, 255});
         for (const double part : {0.4, 1.0, 1.6})   // hatched, as in the picture
-            draw_line(image, {x + std::max(1.0, (part - 1) * box), y + std::min(box - 1.0, part * box)},
-                      {x + std::min(box - 1.0, part * box), y + std::max(1.0, (part - 1) * box)}, 1, {0, 0, 0, 90});
-        draw_text(image, left + 1.1 * em, baseline, text, style);
+            drawing.add_line({x + std::max(1.0, (part - 1) * box), y + std::min(box - 1.0, part * box)},
+                             {x + std::min(box - 1.0, part * box), y + std::max(1.0, (part - 1) * box)}, 1, {0, 0, 0, 90});
+        drawing.add_text(left + 1.1 * em, baseline, text, style);
     }
     style.align = Align::right;
-    if (bar.clipped_above > 0) draw_text(image, e.x1, baseline, fit_text(share_text(bar.clipped_above) + " above", third, style), style);
+    if (bar.clipped_above > 0) drawing.add_text(e.x1, baseline, fit_text(share_text(bar.clipped_above) + " above", third, style), style);
 }
 
 /// Returns the text at the low end of a small bar, such as "0"; high_end() the text at the high end, such as "7.2 % of h" or "20/length²".
@@ -141,14 +128,14 @@ double small_bar_width(const ColorBar& bar, double em) {
     return text_width(low_end(bar), {em}) + text_width(high_end(bar), {em}) + (small_bar + 2 * small_gap) * em;
 }
 
-void draw_small_bar(Image& image, const ColorBar& bar, double left, double middle, double em, Rgba ink) {
+void add_small_bar(Drawing& drawing, const ColorBar& bar, double left, double middle, double em, Rgba ink) {
     const TextStyle style{em, ink};
     const double baseline = middle + 0.27 * em;
     const int x0 = rounded(left + text_width(low_end(bar), style) + small_gap * em), x1 = x0 + rounded(small_bar * em);
     const int half = rounded(0.34 * em), row = rounded(middle);
-    draw_text(image, left, baseline, low_end(bar), style);
-    draw_colors(image, bar, {x0, x1, row - half, row + half});
-    draw_text(image, x1 + small_gap * em, baseline, high_end(bar), style);
+    drawing.add_text(left, baseline, low_end(bar), style);
+    add_colors(drawing, bar, {x0, x1, row - half, row + half});
+    drawing.add_text(x1 + small_gap * em, baseline, high_end(bar), style);
 }
 
 int color_bar_height(const ColorBar& bar, double em) {
@@ -156,7 +143,7 @@ int color_bar_height(const ColorBar& bar, double em) {
     return histogram_rows(bar, em) + rounded((title_height + bar_height + ticks_height + (has_notes ? notes_height : 0)) * em);
 }
 
-void draw_color_bar(Image& image, const ColorBar& bar, int left, int top, int width, double em, Rgba ink) {
+void add_color_bar(Drawing& drawing, const ColorBar& bar, int left, int top, int width, double em, Rgba ink) {
     const int inset = std::min(rounded(2.5 * em), width / 8);
     const int length = std::min(width - 2 * inset, rounded(44 * em)), x0 = left + (width - length) / 2;
     const int bar_top = top + rounded(title_height * em) + histogram_rows(bar, em);
@@ -166,11 +153,11 @@ void draw_color_bar(Image& image, const ColorBar& bar, int left, int top, int wi
     const std::string factor = labels.power.empty() ? "" : "×\u202f" + labels.power + (bar.unit.empty() ? "" : " ");
     const std::string unit = factor + bar.unit, title = unit.empty() ? bar.quantity : bar.quantity + "  [" + unit + "]";
     const TextStyle centred{em, ink, Align::centre};
-    draw_text(image, left + width / 2.0, top + 1.0 * em, fit_text(title, width, centred), centred);
-    if (has_histogram(bar)) draw_histogram(image, bar, e, bar_top - rounded(0.1 * em), 1.75 * em, em / 16, ink);
-    draw_colors(image, bar, e);
-    draw_ticks(image, bar, e, ticks, labels, em, ink);
-    draw_notes(image, bar, e, em, ink);
+    drawing.add_text(left + width / 2.0, top + 1.0 * em, fit_text(title, width, centred), centred);
+    if (has_histogram(bar)) add_histogram(drawing, bar, e, bar_top - rounded(0.1 * em), 1.75 * em, em / 16, ink);
+    add_colors(drawing, bar, e);
+    add_ticks(drawing, bar, e, ticks, labels, em, ink);
+    add_notes(drawing, bar, e, em, ink);
 }
 
 }   // namespace render

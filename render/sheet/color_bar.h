@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "draw_mesh.h"
-#include "scene/image.h"
+#include "sheet/drawing.h"
 
 namespace render {
 
@@ -27,13 +27,13 @@ struct ColorBar {
 /// Returns the height of a colour bar with its title, histogram, ticks and notes, if it has them [pixels]. @param em  text size [pixels]
 int color_bar_height(const ColorBar& bar, double em);
 
-/// Draws a colour bar into the columns [left, left + width) from the row `top` down.
-void draw_color_bar(Image& image, const ColorBar& bar, int left, int top, int width, double em, Rgba ink);
+/// Adds a colour bar in the columns [left, left + width) from the row `top` down.
+void add_color_bar(Drawing& drawing, const ColorBar& bar, int left, int top, int width, double em, Rgba ink);
 
 /// Returns the width of a small bar for the line of a label: low end, colours, high end with unit, share of the values beyond [pixels].
 double small_bar_width(const ColorBar& bar, double em);
 
-/// Draws a small bar from the column `left` on, centred on the row `middle`.
-void draw_small_bar(Image& image, const ColorBar& bar, double left, double middle, double em, Rgba ink);
+/// Adds a small bar from the column `left` on, centred on the row `middle`.
+void add_small_bar(Drawing& drawing, const ColorBar& bar, double left, double middle, double em, Rgba ink);
 
 }   // namespace render

@@ -51,6 +51,11 @@ struct Drawing {
     Rgba background{255, 255, 255, 255};
     std::vector<Item> items = {};
 
+    /// Adds a text, or nothing for an empty one.
+    void add_text(double x, double y, const std::string& text, const TextStyle& style);
+    void add_line(glm::dvec2 from, glm::dvec2 to, double thickness, Rgba color) { items.emplace_back(Path{{from, to}, thickness, color}); }
+    /// Adds the area x0 ≤ x < x1, y0 ≤ y < y1.
+    void add_rectangle(int x0, int y0, int x1, int y1, Rgba color);
     /// Adds the items of another drawing, moved to the right and down.
     void add(const Drawing& other, int right, int down);
 };

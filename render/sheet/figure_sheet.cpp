@@ -15,20 +15,20 @@ namespace render {
 
 namespace {
 
-void draw_words(Image& image, const FigureSheet::Words& words, int left, int top, double em, Rgba ink) {
+void add_words(Drawing& drawing, const FigureSheet::Words& words, int left, int top, double em, Rgba ink) {
     const double middle = top + words.top + words.height / 2.0, width = words.width;
     if (words.bar) {
         const TextStyle style{0.95 * em, ink};
         const double bar = small_bar_width(*words.bar, style.size), between = words.text.empty() ? 0 : 1.5 * em;
         const std::string text = fit_text(words.text, std::max(0.0, width - bar - between), style);
         const double x = left + words.left + std::max(0.0, (width - bar - between - text_width(text, style)) / 2);
-        draw_text(image, x, middle + 0.27 * style.size, text, style);
-        draw_small_bar(image, *words.bar, x + text_width(text, style) + between, middle, style.size, ink);
+        drawing.add_text(x, middle + 0.27 * style.size, text, style);
+        add_small_bar(drawing, *words.bar, x + text_width(text, style) + between, middle, style.size, ink);
     } else if (words.is_centred) {
-        draw_view_label(image, left + words.left + width / 2, middle, fit_text(words.text, width, {0.95 * em}), 0.95 * em, ink);
+        add_view_label(drawing, left + words.left + width / 2, middle, fit_text(words.text, width, {0.95 * em}), 0.95 * em, ink);
     } else {
         const TextStyle style{em, ink};
-        draw_text(image, left + words.left, middle + 0.3 * em, fit_text(words.text, width, style), style);
+        drawing.add_text(left + words.left, middle + 0.3 * em, fit_text(words.text, width, style), style);
     }
 }
 
@@ -74,7 +74,7 @@ std::size_t place_of(const ContactSheet& sheet, std::size_t picture) {
 
 }   // namespace
 
-ComposedFigure compose(const FigureSheet& sheet) {
+SheetDrawing drawing_of(const FigureSheet& sheet) {
     const double em = sheet.em;
     int body_width = sheet.least_width, body_height = 0;
     const auto reach = [&](int right, int bottom) {
@@ -86,17 +86,19 @@ ComposedFigure compose(const FigureSheet& sheet) {
     const int title = sheet.title.empty() ? 0 : rounded(1.9 * em), subtitle = sheet.subtitle.empty() ? 0 : rounded(1.5 * em);
     const int legend = sheet.color_bar ? color_bar_height(*sheet.color_bar, em) : 0;
     const int top = margin + title + subtitle, width = body_width + 2 * margin;
-    ComposedFigure composed{Image(width, top + body_height + legend_gap + legend + margin, sheet.background), margin, top};
+    SheetDrawing composed{
+        {.width = width, .height = top + body_height + legend_gap + legend + margin, .background = sheet.background}, margin, top};
+    Drawing& drawn = composed.drawing;
 
     const bool is_dark = sheet.background.a > 127 && lab_of(sheet.background).x < 50;
     const Rgba strong = is_dark ? Rgba{236, 236, 240, 255} : Rgba{34, 34, 40, 255};
     const Rgba soft = is_dark ? Rgba{170, 170, 178, 255} : Rgba{92, 92, 102, 255};
     const TextStyle large{1.35 * em, strong, Align::left, Weight::bold}, small{em, soft};
-    draw_text(composed.image, margin, margin + 1.05 * em, fit_text(sheet.title, body_width, large), large);
-    draw_text(composed.image, margin, margin + title + 0.8 * em, fit_text(sheet.subtitle, body_width, small), small);
-    for (const FigureSheet::Picture& p : sheet.pictures) paste(composed.image, *p.image, margin + p.left, top + p.top);
-    for (const FigureSheet::Words& words : sheet.words) draw_words(composed.image, words, margin, top, em, strong);
-    if (sheet.color_bar) draw_color_bar(composed.image, *sheet.color_bar, margin, top + body_height + legend_gap, body_width, em, strong);
+    drawn.add_text(margin, margin + 1.05 * em, fit_text(sheet.title, body_width, large), large);
+    drawn.add_text(margin, margin + title + 0.8 * em, fit_text(sheet.subtitle, body_width, small), small);
+    for (const FigureSheet::Picture& p : sheet.pictures) drawn.items.emplace_back(Drawing::Picture{p.image, margin + p.left, top + p.top});
+    for (const FigureSheet::Words& words : sheet.words) add_words(drawn, words, margin, top, em, strong);
+    if (sheet.color_bar) add_color_bar(drawn, *sheet.color_bar, margin, top + body_height + legend_gap, body_width, em, strong);
     return composed;
 }
 
@@ -133,7 +135,7 @@ Image compose(const ContactSheet& sheet) {
         figure.words.push_back({sheet.heads[mesh], left, 0, grid.cell_width, line});
         if (mesh < sheet.subheads.size()) figure.words.push_back({sheet.subheads[mesh], left, line, grid.cell_width, line});
     }
-    return compose(figure).image;
+    return painted(drawing_of(figure).drawing);
 }
 
 }   // namespace render

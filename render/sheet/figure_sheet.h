@@ -14,10 +14,7 @@ namespace render {
 
 /// A figure with places in pixels from the upper left corner of its body, which lies between title and colour bar.
 struct FigureSheet {
-    struct Picture {
-        std::shared_ptr<const Image> image;
-        int left = 0, top = 0;
-    };
+    using Picture = Drawing::Picture;
     /// A line of text in a box, perhaps followed by a small colour bar. The name of one of the six views gets a tripod.
     struct Words {
         std::string text;
@@ -35,12 +32,12 @@ struct FigureSheet {
     Rgba background{255, 255, 255, 255};
 };
 
-struct ComposedFigure {
-    Image image;
+struct SheetDrawing {
+    Drawing drawing;
     int left = 0, top = 0;   // of the body
 };
-/// Draws a figure; its size follows from its contents.
-ComposedFigure compose(const FigureSheet& sheet);
+/// Returns a figure as a drawing; its size follows from its contents.
+SheetDrawing drawing_of(const FigureSheet& sheet);
 
 /// Views of one mesh with their names below, three in a line; the six views stand 2 × 3, +x +y +z over −x −y −z. Or views of several
 /// meshes: the pictures of one view are a group with half the gap inside and one name.

@@ -9,7 +9,6 @@
 
 #include "color/srgb.h"
 #include "scene/camera.h"
-#include "sheet/strokes.h"
 #include "sheet/text.h"
 
 namespace render {
@@ -44,36 +43,36 @@ const View* known_view(std::string_view name) {
     return found == six_views.end() ? nullptr : &*found;
 }
 
-void draw_letter(Image& image, glm::dvec2 middle, const Axis& axis, double em) {
+void add_letter(Drawing& drawing, glm::dvec2 middle, const Axis& axis, double em) {
     const double size = letter * em;
-    draw_text(image, middle.x, middle.y + 0.27 * size, axis.name, {size, axis.color, Align::centre, Weight::bold});
+    drawing.add_text(middle.x, middle.y + 0.27 * size, std::string(axis.name), {size, axis.color, Align::centre, Weight::bold});
 }
 
-/// Draws an axis in the picture plane.
-void draw_arrow(Image& image, glm::dvec2 from, glm::dvec2 direction, double em, const Axis& axis) {
+/// Adds an axis in the picture plane.
+void add_arrow(Drawing& drawing, glm::dvec2 from, glm::dvec2 direction, double em, const Axis& axis) {
     const double width = std::max(1.2, 0.085 * em), head = 0.24 * em;
     const glm::dvec2 tip = from + arm * em * direction, across(-direction.y, direction.x);
-    draw_line(image, from, tip, width, axis.color);
-    draw_line(image, tip, tip - head * (direction + 0.62 * across), width, axis.color);
-    draw_line(image, tip, tip - head * (direction - 0.62 * across), width, axis.color);
-    draw_letter(image, tip + letter_gap * 1.25 * em * direction, axis, em);
+    drawing.add_line(from, tip, width, axis.color);
+    drawing.add_line(tip, tip - head * (direction + 0.62 * across), width, axis.color);
+    drawing.add_line(tip, tip - head * (direction - 0.62 * across), width, axis.color);
+    add_letter(drawing, tip + letter_gap * 1.25 * em * direction, axis, em);
 }
 
-/// Draws an axis along the line of sight: a ringed dot if it points to the viewer, a ringed cross if it points away.
-void draw_end_on(Image& image, glm::dvec2 at, bool towards, double em, const Axis& axis) {
+/// Adds an axis along the line of sight: a ringed dot if it points to the viewer, a ringed cross if it points away.
+void add_end_on(Drawing& drawing, glm::dvec2 at, bool towards, double em, const Axis& axis) {
     const double width = std::max(1.2, 0.085 * em), radius = 0.22 * em;
-    draw_ring(image, at, radius, width, axis.color);
+    drawing.items.emplace_back(Drawing::Ring{at, radius, width, axis.color});
     if (towards) {
-        draw_line(image, at, at, 0.2 * em, axis.color);
+        drawing.add_line(at, at, 0.2 * em, axis.color);
     } else {
         const double d = radius / std::sqrt(2.0);
-        draw_line(image, at - d, at + d, width, axis.color);
-        draw_line(image, at + glm::dvec2(-d, d), at + glm::dvec2(d, -d), width, axis.color);
+        drawing.add_line(at - d, at + d, width, axis.color);
+        drawing.add_line(at + glm::dvec2(-d, d), at + glm::dvec2(d, -d), width, axis.color);
     }
 }
 
-/// Draws the three axes in a square of `side` em with its middle at `middle`.
-void draw_tripod(Image& image, glm::dvec2 middle, const View& view, const Tripod& axes, double em) {
+/// Adds the three axes in a square of `side` em with its middle at `middle`.
+void add_tripod(Drawing& drawing, glm::dvec2 middle, const View& view, const Tripod& axes, double em) {
     glm::dvec2 sum(0);
     const auto on_screen = [&](const Axis& a) { return glm::dvec2(glm::dot(a.direction, view.right()), -glm::dot(a.direction, view.up)); };
     for (const Axis& a : axes) sum += on_screen(a);   // the diagonal into which the two visible axes open
@@ -81,10 +80,10 @@ void draw_tripod(Image& image, glm::dvec2 middle, const View& view, const Tripod
     for (const Axis& a : axes) {
         const double depth = glm::dot(a.direction, view.from);
         if (std::abs(depth) < 0.5) {
-            draw_arrow(image, origin + 0.22 * em * on_screen(a), on_screen(a), em, a);
+            add_arrow(drawing, origin + 0.22 * em * on_screen(a), on_screen(a), em, a);
         } else {
-            draw_end_on(image, origin, depth > 0, em, a);
-            draw_letter(image, origin - 0.5 * em * sum, a, em);
+            add_end_on(drawing, origin, depth > 0, em, a);
+            add_letter(drawing, origin - 0.5 * em * sum, a, em);
         }
     }
 }
@@ -98,14 +97,14 @@ double view_label_width(std::string_view view, double em) {
 
 double view_label_height(double em) { return side * em; }
 
-void draw_view_label(Image& image, double x, double y, std::string_view view, double em, Rgba ink) {
+void add_view_label(Drawing& drawing, double x, double y, std::string_view view, double em, Rgba ink) {
     double left = x - view_label_width(view, em) / 2;
     if (const View* known = known_view(view)) {
         const Tripod& axes = lab_of(ink).x > 50 ? light_axes : dark_axes;
-        draw_tripod(image, {left + side * em / 2, y}, *known, axes, em);
+        add_tripod(drawing, {left + side * em / 2, y}, *known, axes, em);
         left += (side + gap) * em;
     }
-    draw_text(image, left, y + 0.27 * em, shown_name(view), {em, ink});
+    drawing.add_text(left, y + 0.27 * em, shown_name(view), {em, ink});
 }
 
 }   // namespace render

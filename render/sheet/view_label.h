@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "scene/image.h"
+#include "sheet/drawing.h"
 
 namespace render {
 
@@ -13,7 +13,7 @@ double view_label_width(std::string_view view, double em);
 /// Returns the height of labels with text of size `em` [pixels].
 double view_label_height(double em);
 
-/// Draws a label with its middle at (x, y). Names other than "+x", "-x" … "-z" get no tripod; "hero" is written as "three-quarter view".
-void draw_view_label(Image& image, double x, double y, std::string_view view, double em, Rgba ink);
+/// Adds a label with its middle at (x, y). Names other than "+x", "-x" … "-z" get no tripod; "hero" is written as "three-quarter view".
+void add_view_label(Drawing& drawing, double x, double y, std::string_view view, double em, Rgba ink);
 
 }   // namespace render

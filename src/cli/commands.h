@@ -17,6 +17,7 @@ namespace meshfolio {
 struct Backend;
 namespace run {
 struct ReportFlags;
+struct SightFlags;
 }
 }   // namespace meshfolio
 
@@ -57,6 +58,9 @@ struct Command {
 void add_paper_options(CommandOptions& app, ReportFlags& flags);
 /// Declares the options that report and batch share: sections, time, size, threads, cache.
 void add_run_options(CommandOptions& app, ReportFlags& flags);
+
+/// Declares --camera, --up and --zoom.
+void add_sight_options(CommandOptions& app, SightFlags& flags);
 
 /// Returns work(), called with the backend "builtin" or "slepc". With slepc, the first rank of MPI calls work(); each other rank serves it
 /// and returns ok.

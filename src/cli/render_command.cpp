@@ -1,36 +1,28 @@
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "base/in_quotes.h"
+#include "base/joined.h"
 #include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "cli/commands.h"
+#include "cli/render_flags.h"
 #include "draw_mesh.h"
 #include "mesh/io/mesh_files.h"
-#include "mesh/triangle_measures.h"
 #include "output/draw/finished_picture.h"
-#include "output/draw/surface_of.h"
 #include "output/draw/write_glb.h"
 #include "output/publish/file_group.h"
 #include "output/publish/folder_system.h"
 #include "png/png.h"
 #include "run/console.h"
-#include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/mesh_pictures.h"
-#include "run/settings/setting_list.h"
 
 namespace meshfolio::cli {
 
 namespace {
-
-struct RenderFlags {
-    std::string mesh, out, names = "sign", size = "1024", views, field = "none", values, colormap, range;
-    std::string isolines, glb, pair;
-    bool edges = false, plain = false, transparent = false;
-};
 
 render::DrawOptions draw_options(const RenderFlags& options) {
     render::DrawOptions draw;
@@ -44,7 +36,7 @@ render::DrawOptions draw_options(const RenderFlags& options) {
     draw.height = static_cast<int>(*height);
     draw.edges = options.edges;
     if (!options.isolines.empty()) draw.isoline_spacing = number_above_zero("--isolines", options.isolines);
-    if (options.transparent) draw.background = {255, 255, 255, 0};
+    draw.background = background_of(options);
     draw.face_colors_from_id = options.field == "id";
     if (options.plain) {
         draw.fill = 0.95;
@@ -53,15 +45,6 @@ render::DrawOptions draw_options(const RenderFlags& options) {
         draw.samples = 1;
     }
     return draw;
-}
-
-/// Returns {low, high} for the text "low,high" of --range. @throws UsageError for another text
-std::pair<double, double> value_limits_in(const std::string& text) {
-    const std::size_t comma = text.find(',');
-    const auto low = parse_number(std::string_view(text).substr(0, comma));
-    const auto high = comma == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(comma + 1));
-    const double nothing = std::nan("");
-    return value_limits(low.value_or(nothing), high.value_or(nothing), "--range '" + text + "'");
 }
 
 /// Returns "+x.png", or "x-pos.png" for programs that mistake a sign for an option.
@@ -89,62 +72,27 @@ void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::p
     });
 }
 
-/// Draws two meshes on one sheet: one field of both, or the distance of each to the other.
-ExitCode run_pair(const RenderFlags& options, PictureRequest request) {
-    if (options.plain || options.field == "id" || !options.values.empty() || !options.glb.empty())
-        throw UsageError("--pair goes with none of --plain, --field id, --values and --glb", "render each mesh by itself");
-    if (!options.isolines.empty() && options.field == "none") throw UsageError("--isolines needs values", "take --field with it");
-    const bool distance = options.field == "distance";
-    const Checks checks = distance ? Checks::for_pictures : checks_for(options.field);
-    const PreparedMesh a = load_mesh(options.mesh, checks), b = load_mesh(options.pair, checks);
-    Field of_a, of_b;
-    if (distance) {
-        if (request.colormap.empty()) request.colormap = "pale";   // from 0 on
-        const double diagonal = bounding_box(a.mesh).diagonal();
-        of_a = distance_field(vertex_distances(a.mesh, b.mesh), diagonal);
-        of_b = distance_field(vertex_distances(b.mesh, a.mesh), diagonal);
-    } else {
-        of_a = field_of(a, options.field);
-        of_b = field_of(b, options.field);
-    }
-    const auto name_of = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
-    request.title = name_of(options.mesh) + ", " + name_of(options.pair);
-    const std::filesystem::path folder = options.out.empty() ? mesh_name(options.mesh) : options.out;
-    output::FileGroup files;
-    for (const std::string& file : {options.mesh, options.pair}) files.keep(file);
-    output::make_folder(folder);
-    keep_others(folder / "sheet.png", is_our_picture);
-    files.add(folder / "sheet.png", marked(render::encode_png(render::compose(draw_pair({a, of_a}, {b, of_b}, request).sheet))));
-    files.publish();
-    print_path(folder / "sheet.png");
-    return ExitCode::ok;
-}
-
-ExitCode run_render(const RenderFlags& options) {
+/// Writes the views of one mesh and their sheet into a folder.
+ExitCode run_views(const RenderFlags& options) {
     const render::DrawOptions given = draw_options(options);
-    const std::vector<render::View> views = views_named(options.views);
+    const render::Sight sight = sight_of(options.sight);
+    const std::vector<render::View> views = views_named(options.views, sight);
     const bool bare = options.plain || given.face_colors_from_id;
     if (const std::int64_t pixels = bare_sheet_pixels(views.size(), given); bare && pixels > render::largest_png)
         throw UsageError("a plain sheet of " + std::to_string(views.size()) + " views has " + std::to_string(pixels) +
                              " pixels, more than " + std::to_string(render::largest_png),
                          "take a smaller --size or fewer --views");
-    std::optional<std::pair<double, double>> range;
-    if (!options.range.empty()) range = value_limits_in(options.range);
-    if (!options.colormap.empty()) output::value_range({.colormap = options.colormap, .quantity = "", .unit = ""});
+    const std::string& mesh = options.meshes.front();
+    const std::filesystem::path folder = options.out.empty() ? mesh_name(mesh) : options.out;
     check_output("--glb", options.glb, {".glb"}, options.out);
-    check_read_once(options.mesh, options.pair);
-    if (options.mesh == "-" && options.out.empty())
-        throw UsageError("render - needs --out DIR, as standard input has no name for a folder", "give one");
-    output::require_folder(options.out.empty() ? mesh_name(options.mesh) : options.out);
-    if (!options.pair.empty()) return run_pair(options, {.draw = given, .views = views, .colormap = options.colormap, .range = range});
-    if (options.field == "distance") throw UsageError("--field distance needs another mesh", "name it with --pair");
-    const PreparedMesh prepared = load_mesh(options.mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
-    if (!options.isolines.empty() && options.values.empty() && (options.field == "none" || options.field == "id"))
-        throw UsageError("--isolines needs values", "take --field or --values with it");
+    output::require_folder(folder);
+    const PictureRequest request{.draw = given,
+                                 .views = views,
+                                 .colors = color_choice(options),
+                                 .sight = sight,
+                                 .title = options.title.empty() ? std::filesystem::path(mesh).filename().string() : options.title};
+    const PreparedMesh prepared = load_mesh(mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
     const Field field = options.values.empty() ? field_of(prepared, options.field) : field_from_file(prepared, options.values);
-
-    PictureRequest request{.draw = given, .views = views, .colormap = options.colormap, .range = range};
-    request.title = std::filesystem::path(prepared.file).filename().string();
     MeshPictures drawn = draw_pictures(prepared, field, request);
     const auto is_empty = [&](const render::Image& picture) {
         return std::ranges::all_of(picture.pixels, [&](render::Rgba pixel) { return pixel == given.background; });
@@ -153,9 +101,7 @@ ExitCode run_render(const RenderFlags& options) {
         warn("nothing of the mesh is seen: it is thinner than the samples of a picture lie apart");
 
     output::FileGroup files;
-    files.keep(options.mesh);
-    files.keep(options.values.substr(0, options.values.rfind(':')));
-    const std::filesystem::path folder = options.out.empty() ? mesh_name(options.mesh) : options.out;
+    keep_inputs(files, options);
     std::vector<std::filesystem::path> paths;
     for (const render::View& view : views) paths.push_back(folder / file_name(std::string(view.name), options.names == "word"));
     paths.push_back(folder / "sheet.png");
@@ -169,34 +115,83 @@ ExitCode run_render(const RenderFlags& options) {
     return ExitCode::ok;
 }
 
+/// Refuses options that do not go with the output that the others ask for.
+void check_flags(const RenderFlags& options) {
+    const bool figure = !options.output.empty(), views = !figure && !options.terminal;
+    const auto refuse = [](const std::string& option, const std::string& with, const std::string& remedy) {
+        throw UsageError(option + " does not go with " + with, remedy);
+    };
+    if (figure && options.terminal) refuse("--terminal", "-o", "give one of them");
+    if (views && options.meshes.size() > 1)
+        throw UsageError("several meshes make one figure", "name its file with -o, such as -o figure.pdf");
+    if (views && contains(split(options.field, ','), "distance"))
+        throw UsageError("--field distance needs another mesh and -o", "meshfolio render A B --field distance -o figure.pdf");
+    if (views && options.meshes.front() == "-" && options.out.empty())
+        throw UsageError("render - needs --out DIR, as standard input has no name for a folder", "give one, or -o FILE");
+    for (const std::string& mesh : options.meshes)
+        if (&mesh != &options.meshes.front()) check_read_once(options.meshes.front(), mesh);
+    const std::string ending = std::filesystem::path(options.out).extension().string();
+    if (contains({".png", ".pdf", ".svg", ".jpg", ".jpeg"}, ending))
+        throw UsageError("--out is a folder, but " + in_quotes(options.out) + " is called like a picture", "name one figure with -o");
+    if (!options.values.empty() && options.meshes.size() > 1) refuse("--values", "several meshes", "render each by itself");
+    const bool has_values = !options.values.empty() || (options.field != "none" && options.field != "id");
+    if (!options.isolines.empty() && !has_values) throw UsageError("--isolines needs values", "take --field or --values with it");
+    if (views) {
+        for (const auto& [name, is_given] : {std::pair{"--width-mm", !options.width.empty()}, std::pair{"--dpi", !options.dpi.empty()},
+                                             std::pair{"--columns", !options.columns.empty()}, std::pair{"--fit", !options.fit.empty()}})
+            if (is_given) throw UsageError(std::string(name) + " is for one figure", "name its file with -o");
+        if (split(options.field, ',').size() > 1) throw UsageError("several fields make one figure", "name its file with -o");
+        return;
+    }
+    for (const auto& [name, is_given] :
+         {std::pair{"--out", !options.out.empty()}, std::pair{"--size", options.size != "1024"}, std::pair{"--plain", options.plain},
+          std::pair{"--glb", !options.glb.empty()}, std::pair{"--field id", contains(split(options.field, ','), "id")}})
+        if (is_given) refuse(name, options.terminal ? "--terminal" : "-o", "it is for the views of one mesh, in a folder");
+}
+
+ExitCode run_render(const RenderFlags& options) {
+    check_flags(options);
+    return options.terminal || !options.output.empty() ? run_figure(options) : run_views(options);
+}
+
 }   // namespace
 
 Command render_command(CLI::App& parent) {
     const auto options = std::make_shared<RenderFlags>();
-    CommandOptions app(parent, "render", "Pictures of a mesh from six directions, and a contact sheet");
-    app.required("MESH", options->mesh, formats_read);
+    CommandOptions app(parent, "render", "Pictures of a mesh from six directions, or one figure of meshes and fields");
+    app.required_texts("MESH", options->meshes, formats_read);
     app.text("--out DIR", options->out,
              "folder for +x.png … -z.png and sheet.png, whose paths are printed; default: a folder called as the mesh");
+    app.text("-o,--output FILE", options->output,
+             "one figure instead, .pdf, .svg or .png: pictures of all meshes in all fields, in print quality, with words and colour bars");
+    app.flag("--terminal", options->terminal, "show the figure in the terminal instead");
     app.choice("--names", options->names, {"sign", "word"}, "of the pictures: +x.png, or x-pos.png");
-    app.text("--views VIEWS", options->views, "some of +x,-x,+y,-y,+z,-z and hero (from above, where most is seen); default: the six");
+    app.text("--views VIEWS", options->views,
+             "some of +x,-x,+y,-y,+z,-z,hero (from above, where most is seen),camera; default: the six, in a figure camera or hero");
+    add_sight_options(app, options->sight);
     app.text("--size PIXELS", options->size, "pixels of one view: N or WxH");
-    std::vector<std::string> fields = field_names();
-    fields.emplace_back("distance");
-    app.choice("--field", options->field, fields,
-               "what is drawn in colours; h-… is the mean curvature by that operator, distance that to the surface of --pair");
-    app.text("--pair FILE", options->pair, "another mesh beside it on one sheet.png, by one camera, at one scale, in one range of colours");
+    app.text("--field NAMES", options->field,
+             "what is drawn in colours: " + meshfolio::joined(field_names(), ", ") +
+                 "; h-… is the mean curvature by that operator; distance, that to the first mesh. A figure takes several, with commas");
     app.text("--values FILE:COLUMN", options->values, "values from FILE.csv:COLUMN, one row a vertex, or of a mesh, FILE.ply:PROPERTY");
-    app.choice("--colormap", options->colormap, colormap_names(),
-               "see meshfolio list; default: diverging for signed values, pale for distances, viridis otherwise");
+    app.text("--colormap NAME", options->colormap,
+             "see meshfolio list, or a file (CSV, or JSON of ParaView); default: diverging for signed values, pale for distances, viridis "
+             "otherwise");
     app.text("--range LOW,HIGH", options->range, "lo,hi of the colours; default: robust");
     app.text("--isolines", options->isolines, "lines where the value is a multiple of this");
     app.text("--glb FILE", options->glb, "also the mesh with its values and colours as binary glTF, to be turned in other programs");
+    app.text("--title TEXT", options->title, "of the sheet or the figure");
+    app.text("--background COLOUR", options->background, "white, none or #rrggbb");
+    app.text("--width-mm MM", options->width, "width of a figure; default: 85 for one picture in a line, else 170");
+    app.text("--dpi N", options->dpi, "pixels per inch of a figure; default: 300");
+    app.text("--columns N", options->columns, "pictures in a line of a figure");
+    app.choice("--fit", options->fit, {"each", "common"}, "each mesh of a figure fills its picture (default), or all are in one frame");
+    app.choice("--bar", options->bar, {"on", "off"}, "the colour bars of a figure");
     app.flag("--edges", options->edges, "draw triangle edges");
-    app.flag("--transparent", options->transparent, "no ground behind the surface");
     app.flag("--plain", options->plain, "no labels, colour bar, shading or antialiasing: flat colours, for checks");
     app.footer(
         "Example: meshfolio render bunny.off --field h-cotan --range -20,20 --views +z,-z --out views\n"
-        "         meshfolio render before.ply --pair after.ply --field distance --out pair");
+        "         meshfolio render a.obj b.obj c.obj --field h-cotan,gauss --camera 35,22 --width-mm 85 -o figure.pdf");
     return {app, [options] { return run_render(*options); }};
 }
 

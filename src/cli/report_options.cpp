@@ -1,5 +1,6 @@
-// The options that report, batch and merge have in common.
+// Options that several commands have in common.
 #include "cli/commands.h"
+#include "run/arguments.h"
 #include "run/settings/report_settings.h"
 
 namespace meshfolio::cli {
@@ -25,6 +26,14 @@ void add_run_options(CommandOptions& app, ReportFlags& flags) {
     app.flag("--views-files", flags.view_files, "every view of every figure as a PNG of that size, not only those asked to be handed in");
     app.flag("--no-timings", flags.no_timings, "leave out everything that differs from run to run");
     app.flag("--no-cache", flags.no_cache, "answer every question anew and keep no answer; see meshfolio cache --help");
+}
+
+void add_sight_options(CommandOptions& app, SightFlags& flags) {
+    app.text(
+        "--camera AZ,EL", flags.camera,
+        "direction from which a mesh is seen [degrees]: azimuth from the front to the right, elevation, and perhaps a roll: AZ,EL,ROLL");
+    app.text("--up x|y|z", flags.up, "axis of the mesh that points up; default: y, or as the mesh suggests from three quarters");
+    app.text("--zoom FACTOR", flags.zoom, "size in the picture; default: 1");
 }
 
 }   // namespace meshfolio::cli

@@ -125,7 +125,7 @@ class Usage(InFolder):
             os.rmdir(self.path(f'folder{known}'))
         for arguments in (['spectrum', 'none.obj', '-k', 3, '--reconstruct', 3], ['render', 'none.obj']):
             self.refuse(4, *arguments, '--out', os.path.join(self.write('file', ''), 'x'))
-        for words in (['compare', '-', '-'], ['render', '-', '--pair', '-', '--out', 'x']):
+        for words in (['compare', '-', '-'], ['render', '-', '-', '-o', 'x.png']):
             self.assertIn('standard input can be read once', self.refuse(2, *words))
         self.assertEqual(os.listdir(self.folder), ['file'])
 

@@ -1,4 +1,4 @@
-"""`compare` and `render --pair` on surfaces with equal or different triangles, and the action that runs them for a pull request."""
+"""`compare` and `render A B` on surfaces with equal or different triangles, and the action that runs them for a pull request."""
 
 import json
 import os
@@ -133,21 +133,13 @@ class Compare(InFolder):
 
 class Pair(InFolder):
 
-    def test_two_meshes_on_one_sheet(self):
+    def test_two_meshes_in_one_figure(self):
         self.write('box.obj', BOX)
         self.sample('creature')
         for field in ('none', 'distance', 'h-cotan'):
-            self.assertEqual(self.succeed('render', 'box.obj', '--pair', 'creature.obj', '--field', field, '--size', '64', '--out', field),
-                             f'{field}/sheet.png\n')
-            self.assertEqual(os.listdir(self.path(field)), ['sheet.png'])
-            self.assertGreater(png(self.path(field, 'sheet.png'))[0], 4 * 64)
-
-    def test_options_that_do_not_fit_a_pair_are_refused(self):
-        self.write('box.obj', BOX)
-        for words in (['--plain'], ['--field', 'id'], ['--glb', 'x.glb'], ['--values', 'v.csv:x'], ['--isolines', '1']):
-            self.refuse(2, 'render', 'box.obj', '--pair', 'box.obj', *words)
-        self.assertIn('--pair', self.refuse(2, 'render', 'box.obj', '--field', 'distance'))
-        self.refuse(3, 'render', 'box.obj', '--pair', 'none.obj')
+            self.assertEqual(self.succeed('render', 'box.obj', 'creature.obj', '--field', field, '--dpi', '72', '-o', field + '.png'),
+                             field + '.png\n')
+            self.assertEqual(png(self.path(field + '.png'))[0], round(170 / 25.4 * 72))
 
 
 class Action(InFolder):

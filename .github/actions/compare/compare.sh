@@ -36,7 +36,8 @@ failed() {
 draw() {
     local name=$1 folder=$2
     if [ $# = 4 ]; then
-        timeout 600 "$PROGRAM" render "$3" --pair "$4" --field distance --size 320 --out "$folder" >> "$folder/log" 2>&1 || return
+        timeout 600 "$PROGRAM" render "$3" "$4" --field distance --fit common --views +x,-x,+y,-y,+z,-z --columns 4 --dpi 200 \
+            -o "$folder/sheet.png" >> "$folder/log" 2>&1 || return
     else
         timeout 600 "$PROGRAM" render "$3" --size 320 --views +x,+y,+z,hero --out "$folder" >> "$folder/log" 2>&1 || return
     fi

@@ -17,14 +17,22 @@ namespace {
 constexpr std::size_t most_large = 12, in_a_line = 4, in_a_gallery_line = 6;
 constexpr int flat_in_a_line = 3;
 
+/// True if labels are names of views, with their tripods.
+bool names_views(const FigureRequest& request) {
+    const auto is_view = [](const Panel& panel) { return !panel.view.empty(); };
+    return request.layout == Layout::six_views || std::ranges::any_of(request.panels, is_view);
+}
+
+/// Returns the height of a line of words.
+int line_of(const FigureRequest& request, double em) {
+    return static_cast<int>(std::lround(names_views(request) ? render::view_label_height(0.95 * em) : 1.7 * em));
+}
+
 /// Fills a sheet. Lengths are in pixels.
 class Arranger {
 public:
     Arranger(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em)
-        : request_(request),
-          panels_(panels),
-          line_(static_cast<int>(std::lround(std::max(1.7 * em, render::view_label_height(0.95 * em))))),
-          gap_(line_ / 3) {
+        : request_(request), panels_(panels), line_(line_of(request, em)), gap_(gap_of(request, em)) {
         sheet_.em = em;
         sheet_.least_width = static_cast<int>(std::lround(16 * em));   // for the numbers of a colour bar
         if (request_.layout == Layout::six_views) place_blocks();
@@ -101,7 +109,7 @@ private:
             if (!flat) place_views(panels_[p], x + large + 2 * gap_, y + (height - lines_of_views() * views_height()) / 2);
             int below = y + height;
             if (named) place_label(p, x, std::exchange(below, below + line_), cell);
-            if (flat) place_words(flat_panel_note(*view_of_flat(*request_.panels[p].mesh)), x, below, cell);
+            if (flat) place_words(flat_panel_note(*view_of_flat(*request_.panels[p].mesh, request_.sight)), x, below, cell);
             x += cell;
         }
     }
@@ -125,7 +133,7 @@ private:
 
     /// Places the six views of a panel, each with its name below.
     void place_views(const PanelPictures& panel, int left, int top) {
-        const std::vector<render::View> directions = views_in_reading_order();
+        const std::vector<render::View> directions = views_in_reading_order(request_.sight);
         const int height = views_height() - line_ - gap_;
         int x = left;
         for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -141,14 +149,18 @@ private:
 
 }   // namespace
 
-std::vector<render::View> views_in_reading_order() {
-    const auto& six = render::six_views;
-    return {six[0], six[2], six[4], six[1], six[3], six[5]};
+std::vector<render::View> views_in_reading_order(const render::Sight& sight) {
+    std::vector<render::View> views;
+    for (const char* name : {"+x", "+y", "+z", "-x", "-y", "-z"})
+        views.push_back(render::view_named(name, sight.up.value_or(render::Up::y)));
+    return views;
 }
 
 std::string flat_panel_note(const render::View& view) {
     return "seen from " + report::DrawnPicture{std::string(view.name)}.direction() + "; its other views are edge-on";
 }
+
+int gap_of(const FigureRequest& request, double em) { return line_of(request, em) / 3; }
 
 bool is_gallery(const FigureRequest& request) {
     return request.layout != Layout::six_views && request.panels.size() > most_large && request.columns.empty() && request.rows.empty();
@@ -164,8 +176,18 @@ int panels_in_a_line(const FigureRequest& request) {
     return static_cast<int>((panels + lines - 1) / lines);   // fills the lines about equally
 }
 
-render::FigureSheet arranged(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em) {
-    return Arranger(request, panels, em).sheet();
+render::FigureSheet sheet_of(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em) {
+    render::FigureSheet sheet = Arranger(request, panels, em).sheet();
+    sheet.title = request.title;
+    sheet.subtitle = request.subtitle;
+    if (!request.range) return sheet;
+    render::DrawOptions options;
+    options.isoline_spacing = request.isoline_spacing;
+    const auto has_undefined = [](const Panel& panel) { return panel.values.array().isNaN().any(); };
+    sheet.color_bar = color_bar_of(*request.range, std::ranges::any_of(request.panels, has_undefined), options);
+    // Several figures may share a range: the histogram shows the values of this one.
+    sheet.color_bar->histogram = histogram_of(finite_values(request.panels), sheet.color_bar->range);
+    return sheet;
 }
 
 }   // namespace meshfolio::output

@@ -13,16 +13,18 @@
 namespace meshfolio::output {
 
 /// Returns the six views along the axes: +x +y +z, then -x -y -z.
-std::vector<render::View> views_in_reading_order();
+std::vector<render::View> views_in_reading_order(const render::Sight& sight);
 
 /// Pictures of one mesh: from three quarters, then perhaps the six views in reading order. A flat mesh has the view of its front alone, an
 /// empty cell of a matrix has none.
 using PanelPictures = std::vector<std::shared_ptr<const render::Image>>;
 
-/// Returns the sheet of a figure: its pictures, panel after panel, with all labels and heads; title, subtitle and colour bar are left
-/// empty.
+/// Returns the sheet of a figure: its pictures, panel after panel, with all labels and heads, title and colour bar.
 /// @param em  text size [pixels]
-render::FigureSheet arranged(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em);
+render::FigureSheet sheet_of(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em);
+
+/// Returns the gap between pictures of a sheet [pixels].
+int gap_of(const FigureRequest& request, double em);
 
 /// Returns the number of panels in a line of the sheet: of a matrix its columns, 1 with six views, else `in_a_line`; if that is 0, at most
 /// 4 (in a gallery 6).

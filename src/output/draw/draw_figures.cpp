@@ -22,6 +22,7 @@
 #include "draw_mesh.h"
 #include "output/draw/arrangement.h"
 #include "output/draw/draw_models.h"
+#include "output/draw/draw_panel.h"
 #include "output/draw/figure_request.h"
 #include "output/draw/finished_picture.h"
 #include "output/draw/framing.h"
@@ -81,23 +82,6 @@ void require_good_names(std::span<const FigureRequest> requests) {
     }
 }
 
-bool has_values(const FigureRequest& request, const Panel& panel) { return panel.values.size() > 0 && request.range_of(panel) != nullptr; }
-
-render::DrawOptions options_of(const FigureRequest& request, const Panel& panel) {
-    constexpr Eigen::Index coarse_mesh = 3000;   // triangles below which a shape cannot be seen without its edges
-    const bool is_coarse = panel.mesh->face_count() < coarse_mesh;
-    render::DrawOptions options;
-    options.edges = request.edges || (is_coarse && (request.coarse_edges || (!has_values(request, panel) && !has_six_views(request))));
-    options.isoline_spacing = request.isoline_spacing;
-    options.marked_vertices = panel.marked_vertices;
-    if (const ColorRange* range = request.range_of(panel)) options.range = value_range(*range);
-    return options;
-}
-
-render::Surface surface_in(const FigureRequest& request, const Panel& panel) {
-    return surface_of(*panel.mesh, has_values(request, panel) ? &panel.values : nullptr);
-}
-
 std::string view_file(const Panel& panel, const render::View& view) {
     return "images/" + panel.name + "_" + std::string(view.name) + ".png";
 }
@@ -107,9 +91,9 @@ std::vector<render::View> views_of(const FigureJob& job, std::size_t index) {
     const FigureRequest& request = *job.request;
     const Panel& panel = request.panels[index];
     if (!panel.mesh) return {};
-    if (const auto front = has_six_views(request) ? view_of_flat(*panel.mesh) : std::nullopt) return {*front};
+    if (const auto front = has_six_views(request) ? view_of_flat(*panel.mesh, request.sight) : std::nullopt) return {*front};
     std::vector<render::View> views{job.three_quarters[index].view};
-    if (has_six_views(request)) std::ranges::copy(views_in_reading_order(), std::back_inserter(views));
+    if (has_six_views(request)) std::ranges::copy(views_in_reading_order(request.sight), std::back_inserter(views));
     return views;
 }
 
@@ -166,8 +150,7 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
 }
 
 /// Enters the labels of the panels and the places of their pictures on the sheet.
-void enter_pictures(FigureJob& job, const render::FigureSheet& sheet, const render::ComposedFigure& composed,
-                    const DrawSettings& settings) {
+void enter_pictures(FigureJob& job, const render::FigureSheet& sheet, const render::SheetDrawing& composed, const DrawSettings& settings) {
     const FigureRequest& request = *job.request;
     std::size_t next = 0;
     for (std::size_t p = 0; p < request.panels.size(); ++p) {
@@ -197,23 +180,14 @@ void finish_figure(FigureJob& job, const std::filesystem::path& folder, const Dr
     job.drawn.rows = request.rows;
     job.drawn.in_a_line = panels_in_a_line(request);
     job.drawn.states = request.states;
-    render::FigureSheet sheet = arranged(request, std::exchange(job.pictures, {}), std::max(13.0, 21 * scale_of(settings)));
-    sheet.title = request.title;
-    sheet.subtitle = request.subtitle;
-    if (request.range) {
-        render::DrawOptions options;
-        options.isoline_spacing = request.isoline_spacing;
-        const auto has_undefined = [](const Panel& panel) { return panel.values.array().isNaN().any(); };
-        sheet.color_bar = color_bar_of(*request.range, std::ranges::any_of(request.panels, has_undefined), options);
-        // Several figures may share a range: the histogram shows the values of this one.
-        sheet.color_bar->histogram = histogram_of(finite_values(request.panels), sheet.color_bar->range);
-        job.drawn.legend = legend_of(*sheet.color_bar);
-    }
-    const render::ComposedFigure composed = render::compose(sheet);
+    const render::FigureSheet sheet = sheet_of(request, std::exchange(job.pictures, {}), std::max(13.0, 21 * scale_of(settings)));
+    if (sheet.color_bar) job.drawn.legend = legend_of(*sheet.color_bar);
+    const render::SheetDrawing composed = render::drawing_of(sheet);
+    const render::Image image = render::painted(composed.drawing);
     enter_pictures(job, sheet, composed, settings);
     job.drawn.sheet = "images/" + request.id + "_sheet.png";
-    write_file(folder / job.drawn.sheet, render::encode_png(composed.image));
-    cut_pictures(composed.image, job.drawn);
+    write_file(folder / job.drawn.sheet, render::encode_png(image));
+    cut_pictures(image, job.drawn);
 }
 
 /// Sets the frames and sizes of a figure's pictures.
@@ -226,7 +200,7 @@ void prepare(FigureJob& job, const FigureRequest& request, const DrawSettings& s
     if (alone) side = leading;
     job.three_quarters = three_quarter_frames(request, scaled(side, settings));
     for (std::size_t p = 0; has_six_views(request) && p < request.panels.size(); ++p) {
-        const int beside = !alone ? in_a_row : view_of_flat(*request.panels[p].mesh) ? leading : beside_leading;
+        const int beside = !alone ? in_a_row : view_of_flat(*request.panels[p].mesh, request.sight) ? leading : beside_leading;
         job.six.push_back(six_frames(request, p, scaled(beside, settings)));
     }
     job.pictures.resize(request.panels.size());

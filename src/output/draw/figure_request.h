@@ -68,9 +68,9 @@ struct FigureRequest {
 };
 
 /// Returns the range between the percentiles clip and 1 − clip of the finite values of all panels, with clipped shares and a sample of at
-/// most 8192 values. "diverging" makes it symmetric about 0, up to 1.25 times the median at least, so that nearly equal values do not all
-/// get the colour of an end. "pale" makes it begin at 0 if its low end is not negative. It is at least `floor` wide, so that rounding noise
-/// gets one colour.
+/// most 8192 values. A diverging map makes it symmetric about 0, up to 1.25 times the median at least, so that nearly equal values do not
+/// all get the colour of an end. "pale" makes it begin at 0 if its low end is not negative. It is at least `floor` wide, so that rounding
+/// noise gets one colour.
 ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, std::string quantity, std::string unit, double floor,
                         double clip = 0.02);
 

@@ -27,7 +27,9 @@ void label_view(render::Image& picture, std::string_view view) {
     };
     const auto [x, y] = std::ranges::min({std::pair{left, bottom}, std::pair{right, bottom}, std::pair{left, top}, std::pair{right, top}},
                                          {}, hidden);   // the first on a tie
-    render::draw_view_label(picture, x + width / 2.0, y + height / 2.0, view, em, {90, 90, 100, 255});
+    render::Drawing label;
+    render::add_view_label(label, x + width / 2.0, y + height / 2.0, view, em, {90, 90, 100, 255});
+    render::paint(picture, label);
 }
 
 render::Image part_of(const render::Image& picture, int left, int top, int width, int height) {

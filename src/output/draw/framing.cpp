@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
 
 #include "mesh/triangle_measures.h"
 #include "output/draw/arrangement.h"
@@ -75,6 +77,19 @@ render::Frame own_frame(const TriangleMesh& mesh, const render::View& view, int 
 
 bool has_own_frames(const FigureRequest& request) { return request.layout == Layout::multiples || request.states > 1; }
 
+/// Gives views of one mesh, or of all meshes in one frame, the smallest of their scales, if panels have views of their own.
+void share_scales(const FigureRequest& request, std::vector<PictureFrame>& frames) {
+    const auto has_view = [](const Panel& panel) { return !panel.view.empty(); };
+    if (std::ranges::none_of(request.panels, has_view)) return;
+    std::map<const TriangleMesh*, double> scales;
+    const auto scale_of = [&](std::size_t p) -> double& {
+        return scales.try_emplace(has_own_frames(request) ? request.panels[p].mesh.get() : nullptr, frames[p].frame.pixels_per_unit)
+            .first->second;
+    };
+    for (std::size_t p = 0; p < frames.size(); ++p) scale_of(p) = std::min(scale_of(p), frames[p].frame.pixels_per_unit);
+    for (std::size_t p = 0; p < frames.size(); ++p) frames[p].frame.pixels_per_unit = scale_of(p);
+}
+
 /// Returns the mesh that frames a panel: the first of its group.
 const TriangleMesh& first_state(const FigureRequest& request, std::size_t panel) {
     return *request.panels[first_of_group(request, panel)].mesh;
@@ -100,28 +115,31 @@ render::View hero_of(const FigureRequest& request, std::size_t panel) {
 
 std::vector<PictureFrame> three_quarter_frames(const FigureRequest& request, int side) {
     const bool own = has_own_frames(request);
-    const render::View shared = own ? render::View{} : hero_of(request, 0);
-    const render::Frame common = own ? render::Frame{} : common_frame(request, shared, side, side, share_framed);
+    const double fill = share_framed * request.sight.zoom;
     std::vector<PictureFrame> frames(request.panels.size());
-    std::optional<render::Bounds> box;
     for (std::size_t p = 0; p < frames.size(); ++p) {
         if (!request.panels[p].mesh) continue;
-        const TriangleMesh& mesh = *request.panels[p].mesh;
-        const render::View view = frames[p].view = own ? hero_of(request, p) : shared;
-        frames[p].frame = own ? own_frame(first_state(request, p), view, side, side, share_framed) : common;
-        box = united(box, within_square(seen(mesh, view, frames[p].frame), side));
+        PictureFrame& frame = frames[p];
+        frame.view = own || p == 0 || !request.panels[p].view.empty() ? hero_of(request, p) : frames[0].view;
+        frame.frame = own                                     ? own_frame(first_state(request, p), frame.view, side, side, fill)
+                      : p > 0 && frame.view == frames[0].view ? frames[0].frame
+                                                              : common_frame(request, frame.view, side, side, fill);
     }
+    share_scales(request, frames);
+    std::optional<render::Bounds> box;
+    for (std::size_t p = 0; p < frames.size(); ++p)
+        if (request.panels[p].mesh) box = united(box, within_square(seen(*request.panels[p].mesh, frames[p].view, frames[p].frame), side));
     const render::Bounds shown = box.value_or(render::Bounds{});
     const glm::dvec3 extent = shown.high - shown.low, middle = 0.5 * (shown.low + shown.high);
     for (PictureFrame& frame : frames) {
         frame.frame.centre += (middle.x * frame.view.right() + middle.y * frame.view.up) / frame.frame.pixels_per_unit;
-        frame.width = picture_length(extent.x, side);
-        frame.height = picture_length(extent.y, side);
+        frame.width = picture_length(extent.x / std::min(1.0, request.sight.zoom), side);
+        frame.height = picture_length(extent.y / std::min(1.0, request.sight.zoom), side);
     }
     return frames;
 }
 
-std::optional<render::View> view_of_flat(const TriangleMesh& mesh) {
+std::optional<render::View> view_of_flat(const TriangleMesh& mesh, const render::Sight& sight) {
     constexpr double thin = 0.05;   // of the largest extent: more than noise
     const render::Bounds box = bounds_of(mesh);
     const glm::dvec3 extent = box.high - box.low;
@@ -130,7 +148,8 @@ std::optional<render::View> view_of_flat(const TriangleMesh& mesh) {
     if (is_thin(0) + is_thin(1) + is_thin(2) != 1) return {};
     const int axis = is_thin(0) ? 0 : is_thin(1) ? 1 : 2;
     const bool faces_back = face_normals(mesh).col(axis).sum() < 0;
-    return render::six_views[static_cast<std::size_t>(2 * axis + (faces_back ? 1 : 0))];
+    const render::View& front = render::six_views[static_cast<std::size_t>(2 * axis + (faces_back ? 1 : 0))];
+    return render::view_named(std::string(front.name), sight.up.value_or(render::Up::y));
 }
 
 FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X) {
@@ -147,7 +166,7 @@ FittedPositions fitted_into_frame(const TriangleMesh& mesh, const Positions& X) 
 
 PictureFrame SixFrames::covering_all() const {
     PictureFrame all{frame, 0, 0};
-    for (const PictureFrame& one : along) {
+    for (const PictureFrame& one : sizes) {
         all.width = std::max(all.width, one.width);
         all.height = std::max(all.height, one.height);
     }
@@ -156,21 +175,23 @@ PictureFrame SixFrames::covering_all() const {
 
 SixFrames six_frames(const FigureRequest& request, std::size_t panel, int side) {
     SixFrames six;
-    six.frame =
-        render::frame_of(joined_box(request, [&](std::size_t p) { return is_framed(request, p, panel); }), side, side, share_framed);
+    six.frame = render::frame_of(joined_box(request, [&](std::size_t p) { return is_framed(request, p, panel); }), side, side,
+                                 share_framed * request.sight.zoom);
     const render::Bounds all = joined_box(
         request, [&](std::size_t p) { return request.states == 1 || first_of_group(request, p) == first_of_group(request, panel); });
     const double scale = six.frame.pixels_per_unit;
     const render::Bounds shown = within_square({(all.low - six.frame.centre) * scale, (all.high - six.frame.centre) * scale}, side);
-    const glm::dvec3 extent = shown.high - shown.low;
     six.frame.centre += 0.5 * (shown.low + shown.high) / scale;
-    const int x = picture_length(extent.x, side), y = picture_length(extent.y, side), z = picture_length(extent.z, side);
-    six.along = {{{six.frame, z, y}, {six.frame, x, z}, {six.frame, x, y}}};
+    const glm::dvec3 extent = (shown.high - shown.low) / std::min(1.0, request.sight.zoom);
+    for (const render::View& view : views_in_reading_order(request.sight)) {
+        const glm::dvec3 right = glm::abs(view.right()), up = glm::abs(view.up);
+        six.sizes.push_back({six.frame, picture_length(glm::dot(extent, right), side), picture_length(glm::dot(extent, up), side), view});
+    }
     return six;
 }
 
 render::Frame full_frame(const FigureRequest& request, std::size_t panel, const render::View* hero, int width, int height) {
-    const double fill = render::DrawOptions{}.fill;
+    const double fill = render::DrawOptions{}.fill * request.sight.zoom;
     if (hero == nullptr)
         return render::frame_of(joined_box(request, [&](std::size_t p) { return is_framed(request, p, panel); }), width, height, fill);
     if (has_own_frames(request)) return own_frame(first_state(request, panel), *hero, width, height, fill);

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "color/colormap.h"
+
 namespace meshfolio::output {
 
 std::vector<double> finite_values(const std::vector<Panel>& panels) {
@@ -56,7 +58,8 @@ ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, 
         return from + (place - static_cast<double>(below)) * (to - from);
     };
     if (!values.empty()) range.low = percentile(clip), range.high = percentile(1 - clip);
-    const bool diverging = range.colormap == "diverging";
+    const auto map = std::ranges::find(render::colormap_list(), range.colormap, &render::Colormap::name);
+    const bool diverging = map != render::colormap_list().end() && map->kind == "diverging";
     const bool from_zero = range.colormap == "pale" && range.low >= 0;
     if (from_zero) range.low = 0;
     if (diverging) {

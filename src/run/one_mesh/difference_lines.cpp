@@ -84,7 +84,7 @@ Difference difference_of(const TriangleMesh& a, const TriangleMesh& b, bool as_s
 }
 
 Field distance_field(Vector of_vertices, double diagonal) {
-    return {.values = std::move(of_vertices), .quantity = "distance", .unit = "length", .floor = 1e-9 * diagonal};
+    return {.values = std::move(of_vertices), .quantity = "distance", .unit = "length", .colormap = "pale", .floor = 1e-9 * diagonal};
 }
 
 std::string difference_json(const Difference& difference) {

@@ -15,7 +15,7 @@
 #include "report/page/template_render.h"
 #include "report/page/view_value.h"
 #include "report/words.h"
-#include "run/one_mesh/mesh_pictures.h"
+#include "run/one_mesh/figure.h"
 
 namespace meshfolio::run {
 
@@ -24,8 +24,7 @@ using namespace report::literals;
 namespace {
 
 constexpr report::Words words("compare");
-constexpr int view_side = 340, jpeg_quality = 85;   // pixels of a view
-constexpr double text_size = 26;                    // a page shows the picture at half its size
+constexpr int jpeg_quality = 85;
 
 std::string name_of(const PreparedMesh& prepared) { return report::safe_text(std::filesystem::path(prepared.file).filename().string()); }
 
@@ -33,11 +32,9 @@ std::string name_of(const PreparedMesh& prepared) { return report::safe_text(std
 std::string pictures(const PreparedMesh& a, const PreparedMesh& b, const SurfaceDistances& distances, bool values) {
     const double diagonal = bounding_box(a.mesh).diagonal();
     const auto field = [&](const DistancesTo& to) { return values ? distance_field(to.of_vertices, diagonal) : Field(); };
-    const Field of_a = field(distances.a_to_b), of_b = field(distances.b_to_a);
-    PictureRequest request{.views = views_named(""), .colormap = "pale", .title = name_of(a) + ", " + name_of(b)};
-    request.draw.width = request.draw.height = view_side;
-    request.em = text_size;
-    return render::encode_jpeg(render::compose(draw_pair({a, of_a}, {b, of_b}, request).sheet), jpeg_quality);
+    const std::vector<FigureMesh> meshes{{name_of(a), a, {field(distances.a_to_b)}}, {name_of(b), b, {field(distances.b_to_a)}}};
+    const FigureStyle style{.views = {"+x", "-x", "+y", "-y", "+z", "-z"}, .common_fit = true, .columns = 4, .resolution = 210};
+    return render::encode_jpeg(render::painted(figure_of(meshes, style)), jpeg_quality);
 }
 
 /// Returns the percentages of the area per bin of distance, as steps.

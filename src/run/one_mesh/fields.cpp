@@ -44,21 +44,22 @@ Checks checks_for(const std::string& name) { return name == "h-uniform" ? Checks
 Field field_of(const PreparedMesh& mesh, const std::string& name) {
     if (name == "none" || name == "id") return {};
     const double diagonal = Box{mesh.preflight.box_low, mesh.preflight.box_high}.diagonal();
-    if (name == "h-uniform") return {uniform_mean_curvature(mesh.mesh, mesh.topology), "½‖Δx‖, uniform", "length", true, 1e-9 * diagonal};
+    if (name == "h-uniform")
+        return {uniform_mean_curvature(mesh.mesh, mesh.topology), "½‖Δx‖, uniform", "length", "diverging", 1e-9 * diagonal};
     for (const OperatorEntry& entry : operator_list()) {
         if (name != "h-" + std::string(entry.name)) continue;
         const LaplaceBeltrami laplacian = laplace_operator(mesh.mesh, entry.kind);
-        return {operator_mean_curvature(mesh.mesh, mesh.topology, entry.kind, laplacian), "mean curvature H", "1/length", true,
+        return {operator_mean_curvature(mesh.mesh, mesh.topology, entry.kind, laplacian), "mean curvature H", "1/length", "diverging",
                 1e-6 / diagonal};
     }
     if (name == "gauss") {
         return {gaussian_curvature(mesh.mesh, mesh.topology, vertex_areas(mesh.mesh, AreaForm::barycentric)), "Gaussian curvature K",
-                "1/length²", true, 1e-6 / (diagonal * diagonal)};
+                "1/length²", "diverging", 1e-6 / (diagonal * diagonal)};
     }
     if (name == "area")
-        return {vertex_areas(mesh.mesh, AreaForm::barycentric), "barycentric area", "length²", false, 1e-12 * diagonal * diagonal};
+        return {vertex_areas(mesh.mesh, AreaForm::barycentric), "barycentric area", "length²", "viridis", 1e-12 * diagonal * diagonal};
     for (const auto& [axis, column] : {std::pair{"x", 0}, std::pair{"y", 1}, std::pair{"z", 2}})
-        if (name == axis) return {mesh.mesh.X.col(column), name, "length", false, 1e-9 * diagonal};
+        if (name == axis) return {mesh.mesh.X.col(column), name, "length", "viridis", 1e-9 * diagonal};
     throw UsageError("unknown field " + in_quotes(name), "did you mean '" + nearest_word(name, field_names()) + "'?");
 }
 
@@ -100,7 +101,7 @@ Field field_of_values(Vector values, const std::string& quantity) {
     Field field{.values = std::move(values), .quantity = quantity, .unit = ""};
     const double low = field.values.array().isNaN().select(0, field.values).minCoeff();
     const double high = field.values.array().isNaN().select(0, field.values).maxCoeff();
-    field.is_signed = low < 0 && high > 0;
+    if (low < 0 && high > 0) field.colormap = "diverging";
     field.floor = 1e-9 * std::max(std::abs(low), std::abs(high));
     return field;
 }

@@ -15,7 +15,7 @@ namespace meshfolio::run {
 struct Field {
     Vector values;                // n; empty: none
     std::string quantity, unit;   // for the colour bar
-    bool is_signed = false;       // drawn with a diverging map
+    std::string colormap = "viridis";   // unless the user names one
     double floor = 0;             // narrowest range of the colours; smaller differences are drawn in one colour
 };
 

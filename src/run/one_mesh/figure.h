@@ -2,18 +2,12 @@
 /// Figures of one's own: a grid of meshes and fields as one drawing, for a paper.
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "mesh/mesh_checks.h"
-#include "run/one_mesh/fields.h"
-#include "scene/image.h"
-#include "scene/sight.h"
+#include "run/one_mesh/mesh_pictures.h"
 #include "sheet/drawing.h"
 
 namespace meshfolio::run {
@@ -28,15 +22,13 @@ struct FigureStyle {
     int columns = 0;           // pictures in a line; 0: chosen
     double width = 0;          // [mm]; 0: 85 for one picture in a line, else 170
     double resolution = 300;   // [dpi]
+    double text_size = 8;      // [points]
     std::string title = {};
     bool bars = true;   // a colour bar for each field
     render::Rgba background{255, 255, 255, 255};
-    std::string colormap = {};                              // empty: diverging for signed values, pale for distances, else viridis
-    std::shared_ptr<const render::Colormap> own_map = {};   // instead of `colormap`
-    std::optional<std::pair<double, double>> range = {};    // of the colours; nothing: without outliers
-    double isoline_spacing = 0;                             // 0: none
+    ColorChoice colors = {};
+    double isoline_spacing = 0;   // 0: none
     bool edges = false;
-    bool vector_isolines = true;   // as lines of the drawing; false: in the pictures
 };
 
 /// A mesh of a figure with its values of each field, which all meshes have in the same order; a field without values is a plain surface.
@@ -45,6 +37,13 @@ struct FigureMesh {
     const PreparedMesh& prepared;
     std::vector<Field> fields;
 };
+
+/// Computes a field of all meshes. "distance" is that to the surface of the first mesh; that of the first is to the second.
+/// @throws UsageError for an unknown name, or the distance of a single mesh
+std::vector<Field> fields_of(std::span<const PreparedMesh> meshes, const std::string& name);
+
+/// Returns the names of the files, with their folders where two files have one name.
+std::vector<std::string> labels_of(std::span<const PreparedMesh> meshes);
 
 /// Draws a figure: for each field the pictures of all meshes in all views, with one range of colours and one bar.
 /// @throws UsageError for an unknown colour map or view, isolines that are too dense, or pictures that are too small or too large

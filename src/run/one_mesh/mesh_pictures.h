@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,13 +18,19 @@ namespace meshfolio::run {
 
 inline constexpr int largest_side = 8192;   // of a picture [pixels]
 
+/// The colours of a field, as a user wants them.
+struct ColorChoice {
+    std::string colormap = {};                              // empty: that of the field
+    std::shared_ptr<const render::Colormap> own_map = {};   // instead: a map that was read from a file
+    std::optional<std::pair<double, double>> range = {};    // nothing: without outliers
+};
+
 struct PictureRequest {
     render::DrawOptions draw = {};   // without a range, which comes from the field
     std::vector<render::View> views;
-    std::string colormap = {};                             // empty: diverging for signed values, viridis for others
-    std::optional<std::pair<double, double>> range = {};   // of the colours; nothing: without outliers
-    std::string title = {};                                // of the sheet
-    double em = 0;                                         // text size of the sheet [pixels]; 0: by its width
+    ColorChoice colors = {};
+    render::Sight sight = {};   // of the view "hero", and the zoom of all
+    std::string title = {};     // of the sheet
 };
 
 struct MeshPictures {
@@ -31,8 +38,9 @@ struct MeshPictures {
     render::ContactSheet sheet;                // with a picture for each view
 };
 
-/// Parses a list with commas of +x, -x, +y, -y, +z, -z and hero; empty: the first six. @throws UsageError for another name
-std::vector<render::View> views_named(const std::string& names);
+/// Parses a list with commas of +x, -x, +y, -y, +z, -z, hero and, if `sight` has one, camera; empty: the camera, else the first six.
+/// @throws UsageError for another name
+std::vector<render::View> views_named(const std::string& names, const render::Sight& sight = {});
 
 /// Returns {low, high} for a range of colours that a colour bar can print: low < high, within ±1e100, at least 1e-100 wide.
 /// @param name  of the range in messages @throws UsageError
@@ -42,14 +50,11 @@ std::pair<double, double> value_limits(double low, double high, const std::strin
 /// @throws UsageError for an unknown colour map, or isolines that are too dense
 MeshPictures draw_pictures(const PreparedMesh& prepared, const Field& field, const PictureRequest& request);
 
-/// A mesh of a pair with its field; either both fields have values or none.
-struct PairedMesh {
-    const PreparedMesh& prepared;
-    const Field& field;
-};
-/// Draws two meshes from one camera, at one scale, in one range of colours: each view of the first beside that of the second.
-/// @throws UsageError like draw_pictures()
-MeshPictures draw_pair(const PairedMesh& left, const PairedMesh& right, const PictureRequest& request);
+/// Returns the range of the colours of a field, over all meshes of the panels; nothing if it has no values.
+std::optional<output::ColorRange> color_range(const std::vector<output::Panel>& panels, const Field& field, const ColorChoice& colors);
+
+/// @throws UsageError if isolines would hide the colours between them in pictures of this size
+void refuse_dense_isolines(const PreparedMesh& prepared, const Field& field, const render::DrawOptions& draw);
 
 /// Returns a sheet as one picture. @param bare  the pictures alone, three in a row, without words and colour bar
 render::Image composed(const render::ContactSheet& sheet, bool bare);

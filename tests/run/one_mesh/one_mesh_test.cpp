@@ -1,6 +1,7 @@
 // Functions that commands and the Python module share: tables, pictures and the JSON of `inspect`.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -94,28 +95,6 @@ TEST(OneMesh, LeavesOutDenseEdgesAndSaysSo) {
     EXPECT_NE(subtitle_at(2).find("edges left out"), std::string::npos) << subtitle_at(2);
 }
 
-// A copy of half the size is drawn at half the size, in the colours of the common range.
-TEST(OneMesh, IsDrawnInAPairAtOneScaleAndInOneColourRange) {
-    const PreparedMesh whole = prepared_tetrahedron(), half = prepare_mesh({moved_to(whole.mesh, 0.5 * whole.mesh.X), "half.obj", {}, {}});
-    const Field of_whole = field_of(whole, "x"), of_half = field_of(half, "x");
-    PictureRequest request{.views = views_named("+z,hero")};
-    request.draw.width = request.draw.height = 60;
-    const MeshPictures pair = draw_pair({whole, of_whole}, {half, of_half}, request), alone = draw_pictures(whole, of_whole, request);
-    const auto covered = [&](const render::Image& picture) {
-        return std::ranges::count_if(picture.pixels, [&](render::Rgba pixel) { return pixel != request.draw.background; });
-    };
-    ASSERT_EQ(pair.sheet.pictures.size(), 4U);
-    EXPECT_EQ(pair.sheet.view_names, (std::vector<std::string>{"+z", "+z", "hero", "hero"}));
-    for (const std::size_t view : {0U, 1U}) {
-        EXPECT_EQ(covered(pair.sheet.pictures[2 * view]), covered(alone.sheet.pictures[view]));
-        EXPECT_NEAR(static_cast<double>(covered(pair.sheet.pictures[2 * view + 1])), covered(pair.sheet.pictures[2 * view]) / 4.0, 40);
-    }
-    EXPECT_EQ(pair.sheet.heads, (std::vector<std::string>{"A: " + whole.file, "B: half.obj"}));
-    EXPECT_EQ(pair.sheet.subheads.size(), 2U) << "the rms of each";
-    EXPECT_EQ(pair.range->sample.size(), 8U);
-    EXPECT_GT(render::compose(pair.sheet).width, 4 * 60);
-}
-
 TEST(OneMesh, HasAColumnForEachRequestedCurvature) {
     const PreparedMesh mesh = prepared_tetrahedron();
     const auto names = [&](OperatorKind kind, bool with_jets) {
@@ -164,7 +143,7 @@ TEST(OneMesh, InspectionDistinguishesJoinedVerticesFromTrianglesOfZeroArea) {
 
 TEST(OneMesh, IsDrawnFromEveryNamedSide) {
     const PreparedMesh mesh = prepared_tetrahedron();
-    PictureRequest request{.views = views_named(""), .range = std::pair{-1.0, 1.0}};
+    PictureRequest request{.views = views_named(""), .colors = {.range = std::pair{-1.0, 1.0}}};
     request.draw.width = request.draw.height = 10;
     const MeshPictures drawn = draw_pictures(mesh, field_of(mesh, "x"), request);
     EXPECT_EQ(drawn.sheet.view_names, (std::vector<std::string>{"+x", "-x", "+y", "-y", "+z", "-z"}));
@@ -175,6 +154,29 @@ TEST(OneMesh, IsDrawnFromEveryNamedSide) {
     EXPECT_EQ(bare_sheet_pixels(6, request.draw), 600);
     EXPECT_FALSE(draw_pictures(mesh, field_of(mesh, "none"), request).range.has_value());
     EXPECT_THROW(views_named("+x,up"), UsageError);
+    EXPECT_THROW(views_named("camera"), UsageError) << "there is none";
+}
+
+TEST(OneMesh, IsSeenFromTheCameraAndNearer) {
+    const PreparedMesh mesh = prepared_tetrahedron();
+    const auto drawn = [&](const std::string& views, const render::Sight& sight) {
+        PictureRequest request{.views = views_named(views, sight), .sight = sight};
+        request.draw.width = request.draw.height = 40;
+        return draw_pictures(mesh, {}, request).sheet;
+    };
+    const auto covered = [](const render::Image& picture) {
+        return static_cast<double>(std::ranges::count_if(picture.pixels, [](render::Rgba p) {
+            return p != render::Rgba{255, 255, 255, 255};
+        }));
+    };
+    const render::ContactSheet camera = drawn("", {.camera = render::Angles{90, 0}});
+    ASSERT_EQ(camera.pictures.size(), 1U);
+    EXPECT_EQ(camera.view_names, std::vector<std::string>{"azimuth 90°, elevation 0°"});
+    EXPECT_EQ(camera.pictures[0].pixels, drawn("+x", {}).pictures[0].pixels) << "90° to the right of +z is +x";
+    EXPECT_EQ(drawn("+x,camera", {.camera = render::Angles{0, 0}}).pictures.size(), 2U);
+    EXPECT_NEAR(covered(drawn("+z", {.zoom = 0.5}).pictures[0]), covered(drawn("+z", {}).pictures[0]) / 4, 30);
+    EXPECT_EQ(drawn("-y", {.up = render::Up::z}).pictures[0].pixels,
+              drawn("", {.camera = render::Angles{0, 0}, .up = render::Up::z}).pictures[0].pixels);
 }
 
 TEST(OneMesh, RefusesRangesThatNoColourBarCanPrint) {

@@ -1,0 +1,154 @@
+#include "run/one_mesh/figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "base/errors.h"
+#include "geometry/measures/surface_distance.h"
+#include "mesh/triangle_measures.h"
+#include "output/draw/draw_panel.h"
+#include "output/draw/write_drawing.h"
+#include "png/png.h"
+#include "run/one_mesh/difference_lines.h"
+#include "sheet/figure_sheet.h"
+
+namespace meshfolio::run {
+
+namespace {
+
+constexpr double mm_per_inch = 25.4, points_per_inch = 72;
+constexpr double line_points = 0.5;                    // width of an isoline
+constexpr double em_of_font = 1.164;                   // from ascender to descender, over the size of the font
+constexpr double one_column = 85, two_columns = 170;   // of a journal [mm]
+constexpr int most_in_a_line = 4, views_in_a_line = 3;
+constexpr std::int64_t largest_drawing = 200'000'000;   // pixels
+
+/// The arrangement of a figure: a block for each field, with the pictures of all meshes and views.
+struct Blocks {
+    int columns = 1;          // pictures in a line of a block
+    int in_a_line = 1;        // blocks
+    int gap = 0, width = 0;   // between blocks, of a block [pixels]
+
+    Blocks(int meshes, int views, int fields, int wanted) {
+        const int pictures = meshes * views;
+        const int most = wanted > 0 ? wanted : meshes > 1 ? most_in_a_line : views > 1 ? views_in_a_line : most_in_a_line;
+        const int lines = (pictures + most - 1) / most;
+        columns = wanted > 0 ? std::min(wanted, pictures) : (pictures + lines - 1) / lines;   // fills the lines about equally
+        if (wanted == 0 && meshes > 1 && views > 1) columns = std::max(meshes, columns / meshes * meshes);
+        in_a_line = std::clamp(pictures == 1 ? most / columns : wanted / columns, 1, fields);
+    }
+};
+
+/// Returns the request for one field of all meshes.
+output::FigureRequest request_of(std::span<const FigureMesh> meshes, std::size_t field, const FigureStyle& style, int columns) {
+    output::FigureRequest request{.frame_panel = -1,
+                                  .layout = style.common_fit ? output::Layout::one_frame : output::Layout::multiples,
+                                  .isoline_spacing = style.isoline_spacing,
+                                  .in_a_line = columns,
+                                  .sight = style.sight};
+    Field whole;   // of all meshes
+    for (const FigureMesh& mesh : meshes) {
+        const Field& one = mesh.fields[field];
+        if (whole.values.size() == 0) whole = one;
+        if (one.colormap == "diverging") whole.colormap = one.colormap;
+        whole.floor = std::max(whole.floor, one.floor);
+        request.panels.push_back(
+            {"", mesh.label, std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &mesh.prepared.mesh), one.values});
+    }
+    request.range = color_range(request.panels, whole, style.colors);
+    const std::vector<output::Panel> once = std::exchange(request.panels, {});
+    const std::vector<std::string> views = style.views.empty() ? std::vector<std::string>{"hero"} : style.views;
+    for (const std::string& view : views) {
+        for (output::Panel panel : once) {
+            if (view != "hero" && view != "camera") panel.view = view;
+            if (views.size() > 1) panel.label = once.size() > 1 ? panel.label + ", " + view : view;
+            request.panels.push_back(std::move(panel));
+        }
+    }
+    return request;
+}
+
+/// Places drawings in lines, each in its own column, below a title.
+render::Drawing stacked(const FigureStyle& style, const std::vector<render::Drawing>& drawings, const Blocks& blocks, int width,
+                        double em) {
+    render::Drawing whole{.width = width, .background = style.background};
+    if (!style.title.empty()) {
+        render::FigureSheet sheet{.title = style.title, .em = em, .least_width = width, .margin = 0, .background = style.background};
+        const render::Drawing title = render::drawing_of(sheet).drawing;
+        whole.add(title, 0, 0);
+        whole.height = title.height;
+    }
+    for (std::size_t first = 0; first < drawings.size(); first += static_cast<std::size_t>(blocks.in_a_line)) {
+        const int top = whole.height + (first > 0 ? blocks.gap : 0);
+        for (std::size_t i = first; i < std::min(drawings.size(), first + static_cast<std::size_t>(blocks.in_a_line)); ++i) {
+            whole.add(drawings[i], static_cast<int>(i - first) * (blocks.width + blocks.gap), top);
+            whole.height = std::max(whole.height, top + drawings[i].height);
+        }
+    }
+    return whole;
+}
+
+}   // namespace
+
+std::vector<Field> fields_of(std::span<const PreparedMesh> meshes, const std::string& name) {
+    std::vector<Field> fields;
+    if (name == "distance" && meshes.size() < 2)
+        throw UsageError("the field distance needs another mesh", "name the mesh to which the distance is, and others");
+    for (const PreparedMesh& mesh : meshes) {
+        const PreparedMesh& other = &mesh == meshes.data() ? meshes.back() : meshes.front();
+        if (name != "distance") fields.push_back(field_of(mesh, name));
+        else fields.push_back(distance_field(vertex_distances(mesh.mesh, other.mesh), bounding_box(meshes.front().mesh).diagonal()));
+    }
+    return fields;
+}
+
+std::vector<std::string> labels_of(std::span<const PreparedMesh> meshes) {
+    std::multiset<std::string> names;
+    const auto name_of = [](const PreparedMesh& mesh) { return std::filesystem::path(mesh.file).filename().string(); };
+    for (const PreparedMesh& mesh : meshes) names.insert(name_of(mesh));
+    std::vector<std::string> labels;
+    for (const PreparedMesh& mesh : meshes) labels.push_back(names.count(name_of(mesh)) > 1 ? mesh.file : name_of(mesh));
+    return labels;
+}
+
+render::Drawing figure_of(std::span<const FigureMesh> meshes, const FigureStyle& style) {
+    const auto views = static_cast<int>(std::max<std::size_t>(1, style.views.size())), fields = static_cast<int>(meshes[0].fields.size());
+    Blocks blocks(static_cast<int>(meshes.size()), views, fields, style.columns);
+    const double em = style.text_size * em_of_font * style.resolution / points_per_inch;
+    const double mm = style.width > 0 ? style.width : blocks.columns * blocks.in_a_line == 1 ? one_column : two_columns;
+    const int width = static_cast<int>(std::lround(mm / mm_per_inch * style.resolution));
+    blocks.gap = static_cast<int>(std::lround(em));
+    blocks.width = (width - (blocks.in_a_line - 1) * blocks.gap) / blocks.in_a_line;
+    output::DrawingLook look{.width = blocks.width,
+                             .em = em,
+                             .line = std::max(1.0, line_points * style.resolution / points_per_inch),
+                             .bar = style.bars,
+                             .edges = style.edges,
+                             .background = style.background};
+    std::vector<render::Drawing> drawings;
+    for (std::size_t field = 0; field < meshes[0].fields.size(); ++field) {
+        for (const FigureMesh& mesh : meshes) {
+            render::DrawOptions draw{.width = blocks.width / blocks.columns, .height = blocks.width / blocks.columns};
+            draw.isoline_spacing = style.isoline_spacing;
+            refuse_dense_isolines(mesh.prepared, mesh.fields[field], draw);
+        }
+        drawings.push_back(output::drawing_of(request_of(meshes, field, style, blocks.columns), look));
+    }
+    render::Drawing whole = stacked(style, drawings, blocks, width, em);
+    if (std::int64_t{whole.width} * whole.height > largest_drawing)
+        throw UsageError("the figure would have " + std::to_string(whole.width) + " x " + std::to_string(whole.height) + " pixels",
+                         "take a smaller --width-mm or --dpi");
+    return whole;
+}
+
+std::string encode_figure(const render::Drawing& drawing, double resolution, const std::string& title, std::string_view ending) {
+    if (ending == ".pdf") return output::write_pdf(drawing, resolution, title);
+    if (ending == ".svg") return output::write_svg(drawing, resolution, title);
+    return render::encode_png(render::painted(drawing), resolution);
+}
+
+}   // namespace meshfolio::run
