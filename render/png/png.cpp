@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <climits>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -185,7 +186,7 @@ bool has_whole_chunks(std::string_view png) {
 
 }   // namespace
 
-std::string encode_png(const Image& image) {
+std::string encode_png(const Image& image, double pixels_per_inch) {
     check_size(image, largest_png, "encode_png");
     std::size_t channels = image.pixels.front().a == 255 ? 3 : 4;   // no alpha if all pixels are opaque, which filtering finds out
     std::vector<std::optional<Band>> bands = bands_of(image, channels);
@@ -196,6 +197,12 @@ std::string encode_png(const Image& image) {
     png += big_endian(static_cast<std::size_t>(image.width)) + big_endian(static_cast<std::size_t>(image.height));
     png += {8, channels == 3 ? '\2' : '\6', 0, 0, 0};   // 8 bits, RGB or RGBA, standard compression and filters, not interlaced
     close_chunk(png, begin);
+    if (pixels_per_inch > 0) {
+        const std::string per_metre = big_endian(static_cast<std::size_t>(std::lround(pixels_per_inch / 0.0254)));
+        begin = open_chunk(png, "pHYs");
+        png += per_metre + per_metre + '\1';   // in metres
+        close_chunk(png, begin);
+    }
     begin = open_chunk(png, "IDAT");
     append_compressed(png, bands);
     close_chunk(png, begin);

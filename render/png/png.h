@@ -16,8 +16,9 @@ namespace render {
 inline constexpr std::int64_t largest_png = 480'000'000;
 
 /// Returns the bytes of a PNG file: RGB if all pixels are opaque, else RGBA, 8 bits a channel.
+/// @param pixels_per_inch  told to the reader of the file; 0: not told
 /// @throws std::invalid_argument if the picture is empty or has more than `largest_png` pixels
-std::string encode_png(const Image& image);
+std::string encode_png(const Image& image, double pixels_per_inch = 0);
 /// Returns the bytes of a JPEG file of the picture, composited on white. @param quality  1 to 100; no chroma subsampling from 91 on (stb)
 /// @throws std::invalid_argument if the picture is empty or has more than 268 million pixels, or the quality is out of range
 std::string encode_jpeg(const Image& image, int quality);

@@ -50,6 +50,7 @@ bool is_invisible(char32_t c) {
 }
 
 struct Font {
+    std::string_view bytes;
     stbtt_fontinfo info;
     FontLines lines;
     double scale;   // pixels per font unit, at a size of 1
@@ -70,6 +71,7 @@ Font loaded(std::string_view name) {
     for (const auto& file : meshfolio_embedded::embedded_fonts()) {
         if (file.name != name || stbtt_InitFont(&font.info, reinterpret_cast<const unsigned char*>(file.bytes.data()), 0) == 0) continue;
         const auto box = [&](char c) { return box_of(font.info, stbtt_FindGlyphIndex(&font.info, c)); };
+        font.bytes = file.bytes;
         font.lines = {box('p').low, box('x').high, box('H').high, box('d').high, -box('o').low};
         font.scale = double(stbtt_ScaleForMappingEmToPixels(&font.info, 1)) / line_in_ems;
         return font;
@@ -82,41 +84,39 @@ const Font& font_of(Weight weight) {
     return weight == Weight::bold ? bold : regular;
 }
 
-struct Glyph {
-    int index;
-    double place;      // from the left end of its line [pixels]
-    double rise = 0;   // of a mark above a letter that is higher than x [pixels]
-};
-
 /// A line of glyphs. Characters that the font lacks become its box.
-struct Line {
+struct Line : TextLine {
     const Font& font;
     double size, scale;   // in pixels; in pixels per font unit
-    std::vector<Glyph> glyphs;
-    double width = 0;
 
     Line(std::string_view text, const TextStyle& style) : font(font_of(style.weight)), size(style.size), scale(font.scale * size) {
         while (!text.empty()) {
+            const std::string_view before = text;
             const char32_t c = next_character(text);
             if (is_invisible(c)) continue;
+            const bool is_known = c != replacement && c != 0xFFFE && c != 0xFFFF;   // the last two are no characters of XML
+            const std::string_view bytes = is_known ? before.substr(0, before.size() - text.size()) : "\uFFFD";
             const int glyph = stbtt_FindGlyphIndex(&font.info, static_cast<int>(c));
+            int advance = 0, bearing = 0;
+            stbtt_GetGlyphHMetrics(&font.info, glyph, &advance, &bearing);
             if (c >= 0x300 && c < 0x370 && !glyphs.empty()) {   // a combining mark, without width
-                glyphs.push_back(above(glyphs.back(), glyph));
+                glyphs.push_back(above(glyphs.back(), {glyph, bytes, 0, scale * advance}));
                 continue;
             }
             if (!glyphs.empty()) width += scale * stbtt_GetGlyphKernAdvance(&font.info, glyphs.back().index, glyph);
-            glyphs.push_back({glyph, width});
-            int advance = 0, bearing = 0;
-            stbtt_GetGlyphHMetrics(&font.info, glyph, &advance, &bearing);
+            glyphs.push_back({glyph, bytes, width, scale * advance});
             width += scale * advance;
         }
+        left = style.align == Align::left ? 0 : style.align == Align::right ? -width : -width / 2;
+        em = size / line_in_ems;
     }
 
     /// Centres a mark above a letter.
-    Glyph above(const Glyph& letter, int mark) const {
-        const Box below = box_of(font.info, letter.index), box = box_of(font.info, mark);
-        return {mark, letter.place + scale / 2 * (below.left + below.right - box.left - box.right),
-                letter.rise + scale * std::max(0.0, below.high - font.lines.x_height)};
+    PlacedGlyph above(const PlacedGlyph& letter, PlacedGlyph mark) const {
+        const Box below = box_of(font.info, letter.index), box = box_of(font.info, mark.index);
+        mark.place = letter.place + scale / 2 * (below.left + below.right - box.left - box.right);
+        mark.rise = letter.rise + scale * std::max(0.0, below.high - font.lines.x_height);
+        return mark;
     }
 };
 
@@ -189,7 +189,7 @@ struct Coverage {
 };
 
 /// Draws a glyph with its heights fitted to rows of pixels and its origin rounded to a quarter of a pixel.
-void draw_glyph(Image& image, const Line& line, const Glyph& glyph, double left, double base, Rgba color) {
+void draw_glyph(Image& image, const Line& line, const PlacedGlyph& glyph, double left, double base, Rgba color) {
     const double quarters = std::floor(4 * (left + glyph.place) + 0.5);
     const int column = static_cast<int>(std::floor(quarters / 4)), baseline = static_cast<int>(std::lround(base - glyph.rise));
     const Outline outline(line.font.info, glyph.index);
@@ -211,8 +211,18 @@ double text_width(std::string_view text, const TextStyle& style) { return Line(t
 
 void draw_text(Image& image, double x, double y, std::string_view text, const TextStyle& style) {
     const Line line(text, style);
-    const double left = style.align == Align::left ? x : style.align == Align::right ? x - line.width : x - line.width / 2;
-    for (const Glyph& glyph : line.glyphs) draw_glyph(image, line, glyph, left, y, style.color);
+    for (const PlacedGlyph& glyph : line.glyphs) draw_glyph(image, line, glyph, x + line.left, y, style.color);
+}
+
+TextLine text_line(std::string_view text, const TextStyle& style) { return Line(text, style); }
+
+FontFile font_file(Weight weight) {
+    const Font& font = font_of(weight);
+    const double unit = 1000 * double(stbtt_ScaleForMappingEmToPixels(&font.info, 1));
+    int ascent = 0, descent = 0, gap = 0, left = 0, low = 0, right = 0, high = 0;
+    stbtt_GetFontVMetrics(&font.info, &ascent, &descent, &gap);
+    stbtt_GetFontBoundingBox(&font.info, &left, &low, &right, &high);
+    return {font.bytes, unit * ascent, unit * descent, unit * font.lines.capital, unit * left, unit * low, unit * right, unit * high};
 }
 
 std::string fit_text(std::string_view text, double width, const TextStyle& style) {

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/image.h"
 
@@ -27,5 +28,30 @@ void draw_text(Image& image, double x, double y, std::string_view text, const Te
 
 /// Returns the text, shortened with "…" if it is wider than `width` pixels; "" if not even one character fits.
 std::string fit_text(std::string_view text, double width, const TextStyle& style);
+
+/// A glyph of a text, for vector files.
+struct PlacedGlyph {
+    int index;               // in the font file
+    std::string_view text;   // its character in UTF-8; U+FFFD for a byte that is not UTF-8
+    double place;            // of its origin, from the left end of its line [pixels]
+    double advance;          // of the font; a combining mark moves nothing [pixels]
+    double rise = 0;         // of a mark above a letter that is higher than x [pixels]
+};
+struct TextLine {
+    std::vector<PlacedGlyph> glyphs;
+    double width = 0;   // [pixels]
+    double left = 0;    // of its left end, from the place that style.align says [pixels]
+    double em = 0;      // size of the font [pixels]
+};
+/// Returns the glyphs of a text, which must outlive them, where draw_text() draws them before it rounds their places to pixels.
+TextLine text_line(std::string_view text, const TextStyle& style);
+
+/// A font of the texts as a TrueType file; measures in thousandths of its em.
+struct FontFile {
+    std::string_view bytes;
+    double ascent, descent, capital;
+    double left, low, right, high;   // the box around all glyphs
+};
+FontFile font_file(Weight weight);
 
 }   // namespace render

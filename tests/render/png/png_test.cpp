@@ -160,6 +160,20 @@ TEST(Png, OpaquePicturesHaveThreeChannels) {
     EXPECT_EQ(decoded(render::encode_png(image)).channels, 4);
 }
 
+TEST(Png, TheResolutionIsOneChunkBehindTheHeader) {
+    const Image image = gradient(30, 20);
+    const std::string plain = render::encode_png(image), png = render::encode_png(image, 300);
+    constexpr std::size_t header = 8 + 25, chunk = 12 + 9;
+    ASSERT_EQ(png.size(), plain.size() + chunk);
+    EXPECT_EQ(png.substr(0, header) + png.substr(header + chunk), plain);
+    const std::string_view resolution = std::string_view(png).substr(header, chunk);
+    EXPECT_EQ(big_endian(resolution), 9);
+    EXPECT_EQ(resolution.substr(4, 4), "pHYs");
+    for (const std::size_t at : {8, 12}) EXPECT_EQ(big_endian(resolution.substr(at)), 11811);   // 300 / 0.0254 a metre
+    EXPECT_EQ(resolution[16], 1);
+    EXPECT_EQ(libdeflate_crc32(0, resolution.data() + 4, 13), big_endian(resolution.substr(17)));
+}
+
 TEST(Png, PicturesWithTheLongestSidesSurvive) {
     expect_survives(gradient(16384, 40), "wide");
     expect_survives(noise(3, 16384, false), "high");

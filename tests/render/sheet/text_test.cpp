@@ -171,6 +171,56 @@ TEST(Text, TextOutsideThePictureIsCutOff) {
     EXPECT_FALSE(ink_of(image).empty());
 }
 
+std::string characters_of(const render::TextLine& line) {
+    std::string text;
+    for (const render::PlacedGlyph& glyph : line.glyphs) text += glyph.text;
+    return text;
+}
+
+TEST(TextLine, EachGlyphEndsWhereTheTextUpToItEnds) {
+    const std::string text = "AVATAR To \u03bb 10\u207b\u2077";
+    const render::TextLine line = render::text_line(text, {17});
+    EXPECT_EQ(characters_of(line), text);
+    std::string before;
+    for (const render::PlacedGlyph& glyph : line.glyphs) {
+        before += glyph.text;
+        EXPECT_NEAR(glyph.place + glyph.advance, render::text_width(before, {17}), 1e-9) << before;
+        EXPECT_EQ(glyph.rise, 0);
+    }
+    EXPECT_EQ(line.width, render::text_width(text, {17}));
+}
+
+TEST(TextLine, BeginsWhereItsAlignmentSays) {
+    for (const auto& [align, share] : {std::pair{Align::left, 0.0}, {Align::centre, 0.5}, {Align::right, 1.0}}) {
+        const render::TextLine line = render::text_line("HHHH", {.align = align});
+        EXPECT_EQ(line.left, -share * line.width);
+    }
+}
+
+TEST(TextLine, HasValidTextWithoutInvisibleCharacters) {
+    const std::string text = "a\n\u200b\xff\uFFFF\U0001F9FFz";
+    EXPECT_EQ(characters_of(render::text_line(text, {})), "a\uFFFD\uFFFD\U0001F9FFz");
+}
+
+TEST(TextLine, MarksAreRaisedAboveHighLetters) {
+    const render::TextLine line = render::text_line("x\u0304H\u0304", {20});
+    ASSERT_EQ(line.glyphs.size(), 4);
+    EXPECT_EQ(line.glyphs[1].rise, 0);
+    EXPECT_NEAR(line.glyphs[3].rise, line.em * (2048 - 1536) / 2816, 0.01);   // from x to H, of Inter
+    EXPECT_EQ(line.glyphs[2].place, line.glyphs[0].advance);                  // a mark moves nothing
+}
+
+TEST(FontFile, HasItsMeasuresInThousandthsOfTheEm) {
+    for (const Weight weight : {Weight::regular, Weight::bold}) {
+        const render::FontFile font = render::font_file(weight);
+        EXPECT_EQ(font.bytes.substr(0, 4), std::string_view("\0\1\0\0", 4));
+        EXPECT_NEAR(font.capital, 1000.0 * 2048 / 2816, 0.5);
+        EXPECT_NEAR(font.ascent - font.descent, 1000 * 20 / render::text_line("", {20}).em, 60);   // a line is as high as the size
+        EXPECT_LE(font.low, font.descent + 100);
+        EXPECT_GE(font.high, font.capital);
+    }
+}
+
 TEST(FitText, FitsAndKeepsWhatFits) {
     const TextStyle style{14};
     const std::string text = "smoothing of größe λ with many words";
