@@ -18,7 +18,7 @@ struct Backend;
 namespace run {
 struct ReportFlags;
 struct SightFlags;
-}
+}   // namespace run
 }   // namespace meshfolio
 
 namespace meshfolio::cli {
@@ -56,11 +56,10 @@ struct Command {
 
 /// Declares the options that report, batch and merge share: author, settings, templates, PDF.
 void add_paper_options(CommandOptions& app, ReportFlags& flags);
-/// Declares the options that report and batch share: sections, time, size, threads, cache.
-void add_run_options(CommandOptions& app, ReportFlags& flags);
-
 /// Declares --camera, --up and --zoom.
 void add_sight_options(CommandOptions& app, SightFlags& flags);
+/// Declares the options that report and batch share: sections, time, size, sight, threads, cache.
+void add_run_options(CommandOptions& app, ReportFlags& flags);
 
 /// Returns work(), called with the backend "builtin" or "slepc". With slepc, the first rank of MPI calls work(); each other rank serves it
 /// and returns ok.

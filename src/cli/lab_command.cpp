@@ -4,6 +4,7 @@
 #include "mesh/io/mesh_files.h"
 #include "output/publish/file_group.h"
 #include "report/writers.h"
+#include "run/arguments.h"
 #include "run/console.h"
 #include "run/lab/lab_mesh.h"
 
@@ -11,7 +12,7 @@ namespace meshfolio::cli {
 
 namespace {
 
-struct LabFlags {
+struct LabFlags : SightFlags {
     std::string mesh, output, templates;
 };
 
@@ -19,12 +20,14 @@ ExitCode run_lab(const LabFlags& options) {
     if (report::viewer_program().empty())
         throw UsageError("this program was built without the viewer, and the laboratory needs it", "apt install npm, then build again");
     check_output("-o", options.output, {".html", ".htm"});
+    const render::Sight sight = sight_of(options);
     const report::Templates templates(options.templates);
     const PreparedMesh prepared = load_mesh(options.mesh);
     const std::string name = mesh_name(options.mesh);
-    const LabMesh lab = about_mesh(options.mesh, [&] {
+    LabMesh lab = about_mesh(options.mesh, [&] {
         return lab_mesh(prepared.mesh, name, {{"lab", {}}}, {.vertices = 50'000, .decimated_to = 20'000});
     });
+    lab.sight = sight;
     if (lab.is_decimated)
         warn(shown(options.mesh) + ": a page holds at most 50000 vertices, so it shows a copy of " +
              std::to_string(lab.mesh.vertex_count()));
@@ -45,6 +48,7 @@ Command lab_command(CLI::App& parent) {
     CommandOptions app(parent, "lab", "A page that filters the modes of one mesh live, for a lecture");
     app.required("MESH", options->mesh, formats_read);
     app.required("-o,--output FILE", options->output, "the page, one HTML file that works offline");
+    add_sight_options(app, *options);
     app.text("--templates DIR", options->templates, "folder of templates that replace those of the same name");
     app.footer(
         "Up to 2,000 vertices the page has all modes, above the lowest 300 or fewer;\nbeyond 50,000 it shows a decimated copy of "

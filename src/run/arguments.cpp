@@ -82,19 +82,21 @@ double number_above_zero(const std::string& option, std::string_view text) {
         option, text, [](double x) { return x > 0; }, "a finite number > 0");
 }
 
+std::vector<std::string> axis_names() { return {"x", "y", "z"}; }
+
 render::Sight sight_of(const SightFlags& flags) {
     render::Sight sight;
     if (!flags.camera.empty()) {
         const std::vector<std::string> angles = split(flags.camera, ',');
         if (angles.size() < 2 || angles.size() > 3)
             refuse("--camera", flags.camera, "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ROLL, such as 35,22");
-        sight.camera = {number_between("the azimuth of --camera", angles[0], -360, 360),
-                        number_between("the elevation of --camera", angles[1], -90, 90),
-                        angles.size() == 3 ? number_between("the roll of --camera", angles[2], -360, 360) : 0};
+        sight.camera = {number_between("the azimuth of --camera", angles[0], -largest_turn, largest_turn),
+                        number_between("the elevation of --camera", angles[1], -largest_elevation, largest_elevation),
+                        angles.size() == 3 ? number_between("the roll of --camera", angles[2], -largest_turn, largest_turn) : 0};
     }
     if (!flags.up.empty()) {
-        require_choice("--up", flags.up, {"x", "y", "z"});
-        sight.up = flags.up == "x" ? render::Up::x : flags.up == "y" ? render::Up::y : render::Up::z;
+        require_choice("--up", flags.up, axis_names());
+        sight.up = static_cast<render::Up>(flags.up[0] - 'x');
     }
     if (!flags.zoom.empty()) sight.zoom = number_between("--zoom", flags.zoom, smallest_zoom, largest_zoom);
     return sight;

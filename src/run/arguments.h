@@ -37,9 +37,12 @@ double number_above_zero(const std::string& option, std::string_view text);
 
 /// The options --camera, --up and --zoom as they are given; empty: not given.
 struct SightFlags {
-    std::string camera, up, zoom;
+    std::string camera = {}, up = {}, zoom = {};
 };
+inline constexpr double largest_turn = 360, largest_elevation = 90;   // degrees to either side; of azimuth and roll the turn
 inline constexpr double smallest_zoom = 0.01, largest_zoom = 100;
+
+std::vector<std::string> axis_names();   // of --up
 
 /// Parses an azimuth, an elevation from -90 to 90 and perhaps a roll with commas between them ("35,22"), one of x, y, z, and a factor.
 /// @throws UsageError for any other text

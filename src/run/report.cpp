@@ -9,6 +9,7 @@
 #include "base/parallel_tasks.h"
 #include "output/draw/draw_figures.h"
 #include "output/publish/publish.h"
+#include "questions/core/section_tools.h"
 #include "run/console.h"
 #include "run/paper.h"
 #include "run/provenance.h"
@@ -78,6 +79,7 @@ report::DrawnFigures draw(const Work& work, const Sections& sections) {
     for (const ReportSection& section : sections) std::ranges::copy(section.answer.figures, std::back_inserter(requests));
     work.display.step("drawing");
     const ReportSettings& settings = *work.request.settings;
+    for (output::FigureRequest& request : requests) request.sight = settings.sight;
     report::DrawnFigures figures = output::draw_figures(requests, work.folder,
                                                         {.width = settings.size.width,
                                                          .height = settings.size.height,
@@ -85,7 +87,7 @@ report::DrawnFigures draw(const Work& work, const Sections& sections) {
                                                          .sheets_only = settings.sheets_only},
                                                         [&](double share) { work.display.advance(0.7 + 0.25 * share); });
     for (const ReportSection& section : sections) figures.insert(section.figures.begin(), section.figures.end());
-    if (!requests.empty()) work.display.milestone(std::to_string(requests.size()) + " figures drawn");
+    if (!requests.empty()) work.display.milestone(counted(static_cast<int>(requests.size()), "figure") + " drawn");
     return figures;
 }
 

@@ -50,7 +50,7 @@ export class Scene {
         for (let i = 0; i < data.positions.length; i += 3) this.radius = Math.max(this.radius, Math.hypot(...data.positions.subarray(i, i + 3)));
         this.normals = normals(data);
         this.palettes = Object.fromEntries(Object.entries(data.colors).map(([name, colors]) => [name, paletteOf(colors)]));
-        const frame = { centre: [0, 0, 0], radius: 1, from: data.from }, places = () => Float32Array.from(data.positions, (x) => x / this.radius);
+        const frame = { centre: [0, 0, 0], radius: 1, from: data.from, up: data.up, zoom: data.zoom }, places = () => Float32Array.from(data.positions, (x) => x / this.radius);
         this.models = ["before", "after"].map((label) => Model.ofSurface(places(), data.corners, label, { colors: data.colors.pale }, frame));
         for (const { mesh } of this.models) {
             Object.assign(mesh.material, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });

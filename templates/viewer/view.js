@@ -2,7 +2,6 @@
 import { OrthographicCamera, SRGBColorSpace, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
-const heroAzimuth = 35, heroElevation = 22;   // degrees, as render/camera.cpp: the picture's own direction
 const margin = 1.04;                          // what is seen, in radii of the model
 const narrow = 520;                           // pixels; below, two models stand above each other
 const filled = 0.85;                          // of a pane's width or height, by a model that is fitted
@@ -47,6 +46,13 @@ export function button(text, act) {
     return made;
 }
 
+/// Returns the axis to turn models about: that of the model nearest to the top of the picture, or the top itself if the camera is rolled.
+function axisOf(from, up) {
+    const right = (k) => up[(k + 1) % 3] * from[(k + 2) % 3] - up[(k + 2) % 3] * from[(k + 1) % 3];
+    const shares = up.map((u, k) => (Math.abs(right(k)) < 1e-9 ? Math.abs(u) : 0)), most = Math.max(...shares);
+    return most < 1e-9 ? up : up.map((u, k) => (k === shares.indexOf(most) ? Math.sign(u) : 0));
+}
+
 export class View {
     /// Its `stage` is to be put into the page, then `open` called.
     /// @param told  callbacks: drawn() after each requested frame, keyed() after a movement by key, closed(byReader)
@@ -75,8 +81,8 @@ export class View {
         this.camera = new OrthographicCamera(-1, 1, 1, -1, 0.1, 20);
         this.placeCamera();
         this.controls = new OrbitControls(this.camera, this.canvas);
-        this.controls.minZoom = 0.5;
-        this.controls.maxZoom = 40;
+        this.controls.minZoom = Math.min(0.5, this.camera.zoom);
+        this.controls.maxZoom = Math.max(40, this.camera.zoom);
         this.controls.saveState();
         this.controls.addEventListener("change", () => this.ask());
         this.listen();
@@ -104,9 +110,10 @@ export class View {
 
     /// The direction of the picture.
     placeCamera() {
-        const a = heroAzimuth * Math.PI / 180, e = heroElevation * Math.PI / 180;
-        const usual = [Math.cos(e) * Math.sin(a), Math.sin(e), Math.cos(e) * Math.cos(a)];
-        this.camera.position.set(...(this.models[0]?.frame?.from ?? usual)).multiplyScalar(10);
+        const { from, up = [0, 1, 0], zoom = 1 } = this.models[0].frame;
+        this.camera.position.set(...from).multiplyScalar(10);
+        this.camera.up.set(...axisOf(from, up));
+        this.camera.zoom = zoom;
         this.camera.lookAt(0, 0, 0);
     }
 

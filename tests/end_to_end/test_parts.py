@@ -167,7 +167,7 @@ class Parts(unittest.TestCase):
         mesh, other = sample(folder, "cube8"), sample(folder, "sphere")
         base, good = ["report", "--quick", "--size", 64], self.parts[1]
         cases = [(["--only", "q2", "--config", folder / "my.toml"], "seed 2, and not 1"), (["--only", "q2", mesh], "meshes cube8.obj, and not none"),
-                 (["--only", "q2", "--size", 72], "size 72"), (["--only", "q2", "--config", folder / "own.toml"], "author 'Ada', and not ''")]
+                 (["--only", "q2", "--size", 72], "size 72"), (["--only", "q2", "--camera", "1,2"], "camera 1, 2, 0, and not none"), (["--only", "q2", "--config", folder / "own.toml"], "author 'Ada', and not ''")]
         for number, (options, words) in enumerate(cases):
             part = folder / f"part{number}"
             self.ended(0, *[w for w in base if "--size" not in options or w not in ("--size", 64)], "--part", part, *options)

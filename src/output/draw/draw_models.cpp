@@ -51,6 +51,7 @@ Models models_of(const FigureRequest& request) {
         report::DrawnModel model{panel.label, "models/" + panel.name + ".glb", "", ""};
         Ball frame = frame_of(request, panel, panels);
         frame.view = views[i];
+        frame.zoom = request.sight.zoom;
         model.glb = write_glb(*panel.mesh, panel.values, range != nullptr ? std::optional(*range) : std::nullopt, frame);
         if (range != nullptr) model.quantity = range->quantity + (range->unit.empty() ? "" : " [" + range->unit + "]");
         models.push_back(std::move(model));

@@ -191,6 +191,7 @@ std::string write_glb(const TriangleMesh& mesh, const Vector& values, const std:
     }
     extras["frame"] = {
         {"centre", json_of(frame.centre)}, {"radius", frame.radius}, {"from", json_of(frame.view.from)}, {"up", json_of(frame.view.up)}};
+    if (frame.zoom != 1) extras["frame"]["zoom"] = frame.zoom;
     Json json;
     json["asset"] = {{"version", "2.0"}, {"generator", "meshfolio"}};
     json["extensionsUsed"] = json["extensionsRequired"] = Json::array({"KHR_mesh_quantization"});

@@ -10,8 +10,8 @@
 /// and the mesh's `extras` hold
 ///   value     {attribute, quantity, unit, range: [low, high], logarithmic, colormap, colors: ["#rrggbb", …] equally spaced over the
 ///              range (over its logarithm), defined: the mask's attribute or null, undefined_color}; absent without values
-///   frame     {centre: [x, y, z], radius, from, up}: the ball that frames the pictures of the mesh, in the model's units, and the
-///              direction of its three-quarter view
+///   frame     {centre: [x, y, z], radius, from, up, zoom}: the ball that frames the pictures of the mesh, in the model's units, and the
+///              direction of its three-quarter view; `zoom` is absent if it is 1
 #pragma once
 
 #include <optional>
@@ -28,6 +28,7 @@ struct Ball {
     Vector3 centre = Vector3::Zero();
     double radius = 1;
     render::View view = render::three_quarter_view();
+    double zoom = 1;   // of the pictures
 };
 /// Returns the smallest ball about the centre of the triangles' box that holds all their corners.
 Ball ball_around(const TriangleMesh& mesh);

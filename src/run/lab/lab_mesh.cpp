@@ -113,23 +113,25 @@ std::string header_of(const LabMesh& lab) {
     for (const LabPreset& p : lab.presets)
         presets.push_back({{"question", p.question}, {"words", p.words}, {"lines", p.shows_drift}, {"state", json_of(p.setting)}});
     for (const auto& [question, start] : lab.starts) starts[question] = json_of(start);
-    const glm::dvec3 from = render::hero_view(output::surface_of(lab.mesh)).from;
-    const nlohmann::json header = {{"name", lab.name},
-                                   {"from", {from.x, from.y, from.z}},
-                                   {"sourceVertices", lab.source_vertices},
-                                   {"isDecimated", lab.is_decimated},
-                                   {"isClosed", lab.is_closed},
-                                   {"vertices", lab.mesh.vertex_count()},
-                                   {"triangles", lab.mesh.face_count()},
-                                   {"modes", lab.eigenvalues.size()},
-                                   {"diagonal", lab.diagonal},
-                                   {"largestEigenvalue", lab.largest_eigenvalue},
-                                   {"meanEdge", lab.mean_edge},
-                                   {"quantisationShift", lab.quantisation_shift},
-                                   {"colors", colors},
-                                   {"starts", starts},
-                                   {"presets", presets},
-                                   {"readings", readings}};
+    const render::View view = render::view_of(lab.sight, output::surface_of(lab.mesh));
+    const auto vector = [](const glm::dvec3& v) { return nlohmann::json{v.x, v.y, v.z}; };
+    nlohmann::json header = {{"name", lab.name},
+                             {"from", vector(view.from)},
+                             {"sourceVertices", lab.source_vertices},
+                             {"isDecimated", lab.is_decimated},
+                             {"isClosed", lab.is_closed},
+                             {"vertices", lab.mesh.vertex_count()},
+                             {"triangles", lab.mesh.face_count()},
+                             {"modes", lab.eigenvalues.size()},
+                             {"diagonal", lab.diagonal},
+                             {"largestEigenvalue", lab.largest_eigenvalue},
+                             {"meanEdge", lab.mean_edge},
+                             {"quantisationShift", lab.quantisation_shift},
+                             {"colors", colors},
+                             {"starts", starts},
+                             {"presets", presets},
+                             {"readings", readings}};
+    if (lab.sight != render::Sight() || std::abs(view.right().y) > 1e-9) header.update({{"up", vector(view.up)}, {"zoom", lab.sight.zoom}});
     return header.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

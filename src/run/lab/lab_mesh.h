@@ -11,6 +11,7 @@
 #include "geometry/spectrum/laplace_spectrum.h"
 #include "geometry/spectrum/quantised_modes.h"
 #include "questions/bench/lab_offer.h"
+#include "scene/sight.h"
 
 namespace meshfolio::run {
 
@@ -45,6 +46,7 @@ struct LabMesh {
     std::map<std::string, LabSetting> starts;   // by question
     std::vector<LabPreset> presets;             // with numbers of iterations
     std::vector<LabReading> readings;
+    render::Sight sight = {};   // that the page begins with
 
     double critical() const { return 2 / largest_eigenvalue; }
     bool has_all_modes() const { return eigenvalues.size() >= (laplacian.M.array() > 0).count(); }   // a vertex without area has none

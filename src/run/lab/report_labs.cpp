@@ -84,6 +84,7 @@ std::vector<report::Lab> report_labs(const std::vector<ReportSection>& sections,
             }
             LabMesh lab = lab_mesh(mesh->mesh(), mesh->name, jobs[i].questions);
             lab.source_vertices = mesh->input.vertices;
+            lab.sight = settings.sight;
             labs[i] = report::lab_of(names_of(jobs[i]), bytes_of(lab));
             if (!key.empty()) store->put(key, labs[i].data);
         } catch (const OutputError&) {

@@ -38,6 +38,14 @@ void take(std::optional<double>& value, const Setting& setting, const std::strin
         throw UsageError(name + " " + in_quotes(text) + " is more than " + plain_text(setting.largest), "take that at most");
 }
 
+void take(std::optional<render::Angles>& camera, const Setting&, const std::string&, const std::string& text) {
+    camera = sight_of({.camera = text}).camera;
+}
+
+void take(std::optional<render::Up>& up, const Setting&, const std::string&, const std::string& text) { up = sight_of({.up = text}).up; }
+
+void take(double& zoom, const Setting&, const std::string&, const std::string& text) { zoom = sight_of({.zoom = text}).zoom; }
+
 void take(std::string& value, const Setting& setting, const std::string& name, const std::string& text) {
     if (setting.choices != nullptr) require_choice(name, text, setting.choices());
     const bool is_printed = *setting.table != '\0';   // in the report

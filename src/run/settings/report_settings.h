@@ -19,6 +19,7 @@
 #include "questions/core/chapter.h"
 #include "questions/core/experiment.h"
 #include "questions/core/settings.h"
+#include "run/arguments.h"
 
 namespace meshfolio::run {
 
@@ -34,7 +35,7 @@ private:
 };
 
 /// The options of the command line; empty: not given.
-struct ReportFlags {
+struct ReportFlags : SightFlags {
     std::vector<std::string> meshes, data;
     std::string only, out, config, threads, size, templates, pdf, pdf_browser, author, from, part, junit, time;
     std::vector<std::string> parts;   // of `merge`
@@ -48,7 +49,9 @@ inline constexpr std::pair<const char*, std::string ReportFlags::*> word_flags[]
     {"--author", &ReportFlags::author},   {"--size", &ReportFlags::size},
     {"--time", &ReportFlags::time},       {"--templates", &ReportFlags::templates},
     {"--pdf", &ReportFlags::pdf},         {"--pdf-browser", &ReportFlags::pdf_browser},
-    {"--threads", &ReportFlags::threads}, {"--out", &ReportFlags::out}};
+    {"--threads", &ReportFlags::threads}, {"--out", &ReportFlags::out},
+    {"--camera", &ReportFlags::camera},   {"--up", &ReportFlags::up},
+    {"--zoom", &ReportFlags::zoom}};
 
 struct ViewSize {
     int width = 0, height = 0;   // of one view [pixels]
@@ -85,7 +88,8 @@ struct ReportSettings {
     std::string pdf = "auto", pdf_browser;   // auto, require or off; name or path of the browser, empty: the first that is found
     std::string title, author, course, colormap;
     ViewSize size;
-    int threads = 0;   // 0: all
+    render::Sight sight;   // of the pictures, models and laboratories
+    int threads = 0;       // 0: all
     std::uint64_t seed = 0;
     bool view_files = false;    // also write every view of every figure as a file
     bool sheets_only = false;   // write no view as a file, even if the assignment asks for it

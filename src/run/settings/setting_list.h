@@ -26,8 +26,10 @@ struct Setting {
     const char* name = "";           // in the provenance; empty: not there
     bool shapes_answers = false;     // its value is a part of the key of a cached answer
     long long least = 0, most = 0;   // of integers
-    double largest = 0;              // of other numbers, from 0
-    bool is_above_zero = false;      // 0 itself is refused
+    double smallest = 0;             // of other numbers
+    double largest = 0;
+    bool is_above_zero = false;   // 0 itself is refused
+    const char* unsaid = "";      // the value that the provenance leaves out
     std::vector<std::string> (*choices)() = nullptr;
 };
 
@@ -44,7 +46,7 @@ inline std::vector<std::string> colormap_names() {
 template <class Settings, class Visit>
 requires std::same_as<std::remove_const_t<Settings>, ReportSettings>
 void for_each_setting(Settings& settings, Visit visit) {
-    auto& [meshes, data, out, templates, page, pdf, pdf_browser, title, author, course, colormap, size, threads, seed, view_files,
+    auto& [meshes, data, out, templates, page, pdf, pdf_browser, title, author, course, colormap, size, sight, threads, seed, view_files,
            sheets_only, quick, laboratory, fail_fast, timings, earlier, time, efforts, only, questions, experiments, experiments_digest,
            base] = settings;
     visit(Setting{.table = "[render]",
@@ -56,6 +58,17 @@ void for_each_setting(Settings& settings, Visit visit) {
                   .least = limits::smallest_size,
                   .most = limits::largest_size},
           size);
+    visit(Setting{.table = "[render]", .key = "camera", .flag = "--camera", .name = "camera", .shapes_answers = true}, sight.camera);
+    visit(Setting{.table = "[render]", .key = "up", .flag = "--up", .name = "up", .shapes_answers = true, .choices = axis_names}, sight.up);
+    visit(Setting{.table = "[render]",
+                  .key = "zoom",
+                  .flag = "--zoom",
+                  .name = "zoom",
+                  .shapes_answers = true,
+                  .smallest = smallest_zoom,
+                  .largest = largest_zoom,
+                  .unsaid = "1"},
+          sight.zoom);
     visit(Setting{.table = "[render]", .key = "view_files", .flag = "--views-files", .name = "view files", .shapes_answers = true},
           view_files);
     visit(Setting{.flag = "--sheets-only", .name = "sheets only", .shapes_answers = true}, sheets_only);

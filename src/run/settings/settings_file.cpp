@@ -1,5 +1,6 @@
 // Settings files: TOML to ReportSettings.
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <iterator>
 
@@ -7,6 +8,7 @@
 #include "base/in_quotes.h"
 #include "base/joined.h"
 #include "base/nearest_word.h"
+#include "base/number_text.h"
 #include "base/sha256.h"
 #include "output/publish/folder_system.h"
 #include "report/page/template_render.h"
@@ -101,7 +103,29 @@ private:
     }
 
     void take(const TableReader& reader, const Setting& setting, std::vector<double>& values) {
-        values = reader.numbers(setting.key, 0, setting.largest, setting.is_above_zero);
+        values = reader.numbers(setting.key, setting.smallest, setting.largest, setting.is_above_zero);
+    }
+
+    void take(const TableReader& reader, const Setting& setting, double& value) {
+        value = reader.number(setting.key, setting.smallest, setting.largest, setting.is_above_zero, value);
+    }
+
+    void take(const TableReader& reader, const Setting& setting, std::optional<render::Up>& up) {
+        if (const auto name = reader.word(setting.key, setting.choices())) up = sight_of({.up = *name}).up;
+    }
+
+    void take(const TableReader& reader, const Setting& setting, std::optional<render::Angles>& camera) {
+        const toml::node& node = *reader.node(setting.key);
+        const std::vector<double> angles = reader.numbers(setting.key, -largest_turn, largest_turn, false);
+        const std::size_t given = reader.size(setting.key);
+        if (angles.empty() || angles.size() != given) return;   // has a problem
+        if (given < 2 || given > 3)
+            problems_.add(node, reader.called(setting.key) + " has " + std::to_string(given) + (given == 1 ? " value" : " values"),
+                          "write [azimuth, elevation] or [azimuth, elevation, roll]");
+        else if (std::abs(angles[1]) > largest_elevation)
+            problems_.add(node, reader.called(setting.key) + "[1] = " + plain_text(angles[1]) + " is out of range",
+                          "an elevation may be from -90 to 90");
+        else camera = {angles[0], angles[1], given == 3 ? angles[2] : 0};
     }
 
     void take(const TableReader& reader, const Setting& setting, ViewSize& size) {

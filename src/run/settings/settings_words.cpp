@@ -16,6 +16,8 @@ Words words_of(bool value) { return {value ? "yes" : "no"}; }
 Words words_of(const std::string& value) { return {value}; }
 Words words_of(const std::filesystem::path& value) { return {value.string()}; }
 Words words_of(const ViewSize& size) { return {std::to_string(size.width) + " × " + std::to_string(size.height)}; }
+Words words_of(render::Up up) { return {axis_names()[static_cast<std::size_t>(up)]}; }
+Words words_of(const render::Angles& camera) { return {exact_text(camera.azimuth), exact_text(camera.elevation), exact_text(camera.roll)}; }
 Words words_of(const PageTemplate& page) { return {page.design, page.file.value_or("").string()}; }
 Words words_of(const Effort& effort) {
     if (effort.left_out) return {"left out"};
@@ -44,7 +46,7 @@ std::map<std::string, std::string> described(const ReportSettings& settings) {
             if constexpr (std::is_same_v<decltype(value), const std::vector<std::filesystem::path>&>)   // without their folders
                 for (std::string& word : words) word = std::filesystem::path(word).filename().string();
             const std::string text = joined(words, ", ");
-            if (*setting.name != '\0' && !text.empty()) values[prefix + setting.name] = text;
+            if (*setting.name != '\0' && text != setting.unsaid) values[prefix + setting.name] = text;
         };
     };
     for_each_setting(settings, enter_as(""));

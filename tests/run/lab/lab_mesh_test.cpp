@@ -172,6 +172,24 @@ TEST(LabMesh, FewerModesAreRoundedByWhatTheyMove) {
     EXPECT_LT(lab.quantisation_shift, 1e-4);
 }
 
+TEST(LabMesh, ThePageBeginsAtTheSight) {
+    LabMesh lab = lab_mesh(icosphere(1), "sphere", {});
+    const auto header = [&lab] {
+        const std::string bytes = bytes_of(lab);
+        std::uint32_t length = 0;
+        std::memcpy(&length, bytes.data(), 4);
+        return nlohmann::json::parse(bytes.substr(4, length));
+    };
+    EXPECT_FALSE(header().contains("up") || header().contains("zoom"));
+    lab.sight = {.camera = render::Angles{90, 0, 0}, .zoom = 2};
+    EXPECT_EQ(header()["from"], nlohmann::json({1.0, 0.0, 0.0}));
+    EXPECT_EQ(header()["up"], nlohmann::json({0.0, 1.0, 0.0}));
+    EXPECT_EQ(header()["zoom"], 2);
+    lab.sight = {.camera = render::Angles{0, 0, 0}, .up = render::Up::z};
+    EXPECT_EQ(header()["from"], nlohmann::json({0.0, -1.0, 0.0}));
+    EXPECT_EQ(header()["up"], nlohmann::json({0.0, 0.0, 1.0}));
+}
+
 TEST(LabMesh, BytesHoldWhatTheHeaderSays) {
     const LabMesh lab = lab_mesh(icosphere(1), "\xff<sphere>", {});
     const std::string bytes = bytes_of(lab);

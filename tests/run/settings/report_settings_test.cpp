@@ -74,7 +74,28 @@ TEST(ReportSettings, DataFoldersOfTheEnvironmentAreSeparatedByColons) {
     EXPECT_EQ(report_settings({}).data, (std::vector<std::filesystem::path>{"a", "b"}));
 }
 
+// A flag replaces its own key alone; what is not given is neither in the provenance nor a difference between parts of a report.
+TEST(ReportSettings, TheSightIsThatOfTheFileUnderTheFlags) {
+    const TemporaryFolder folder;
+    ReportFlags flags;
+    for (const char* name : {"camera", "up", "zoom"}) EXPECT_FALSE(described(report_settings(flags)).contains(name)) << name;
+    flags.config = settings_in(folder, "[render]\ncamera = [10, 20, 30]\nzoom = 3\n");
+    flags.camera = "-5,6.5";
+    flags.up = "x";
+    const ReportSettings settings = report_settings(flags);
+    EXPECT_EQ(settings.sight, (render::Sight{render::Angles{-5, 6.5, 0}, render::Up::x, 3}));
+    const auto values = described(settings);
+    EXPECT_EQ(values.at("camera"), "-5, 6.5, 0");
+    EXPECT_EQ(values.at("up"), "x");
+    EXPECT_EQ(values.at("zoom"), "3");
+}
+
 TEST(ReportSettings, WrongFlagsAndEnvironmentAreUsageErrors) {
+    for (const char* camera : {"35", "1,2,3,4", "1,", "0,91", "361,0", "a,b", "nan,0"}) {
+        ReportFlags flags;
+        flags.camera = camera;
+        EXPECT_THROW(report_settings(flags), UsageError) << camera;
+    }
     for (const char* size : {"0", "15", "4097", "-1", "1e3", "100x100", "x", "99999999999999999999"}) {
         ReportFlags flags;
         flags.size = size;
@@ -99,6 +120,9 @@ TEST(ReportSettings, AllProblemsAreReportedAtOnce) {
     ReportFlags flags;
     flags.config = settings_in(folder, "[report]\nwidht = 5\n");
     flags.size = "1";
+    flags.camera = "x";
+    flags.up = "w";
+    flags.zoom = "0";
     flags.only = "q99";
     std::string told;
     try {
@@ -106,7 +130,8 @@ TEST(ReportSettings, AllProblemsAreReportedAtOnce) {
     } catch (const SettingsErrors& errors) {
         for (const UsageError& error : errors.problems()) told += std::string(error.what()) + "\n";
     }
-    for (const char* name : {"MESHFOLIO_PDF 'bogus'", "MESHFOLIO_THREADS 'x'", "my.toml:2", "--size '1'", "q99"})
+    for (const char* name :
+         {"MESHFOLIO_PDF 'bogus'", "MESHFOLIO_THREADS 'x'", "my.toml:2", "--size '1'", "--camera 'x'", "--up 'w'", "--zoom '0'", "q99"})
         EXPECT_NE(told.find(name), std::string::npos) << name << " in\n" << told;
 }
 

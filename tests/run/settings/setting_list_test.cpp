@@ -61,7 +61,8 @@ TEST(SettingList, TheKeyOfAnAnswerHasAllSettingsThatShapeIt) {
     const std::string q4 = "[[question]]\nid = \"q4\"\n";
     for (const std::string& text :
          {std::string("seed = 2"), std::string("laboratory = true"), std::string("[render]\nsize = 64"),
-          std::string("[render]\nview_files = true"), q4 + "k = 5", q4 + "mesh = \"torus\"", q4 + "output = \"x\"", q4 + "seed = 1"})
+          std::string("[render]\nview_files = true"), std::string("[render]\ncamera = [35, 22]"), std::string("[render]\nup = \"y\""),
+          std::string("[render]\nzoom = 1.5"), q4 + "k = 5", q4 + "mesh = \"torus\"", q4 + "output = \"x\"", q4 + "seed = 1"})
         EXPECT_NE(identity_of(parse_settings(text, "my.toml", before), "q4"), identity) << text;
     ReportFlags in_time;
     in_time.time = "60";

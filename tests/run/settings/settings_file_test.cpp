@@ -47,6 +47,9 @@ course = "C"
 size = [300, 200]
 colormap = "viridis"
 view_files = true
+camera = [-35, 22.5]
+up = "z"
+zoom = 2
 [[question]]
 id = "q4"
 mesh = ["a.obj", "b/c.ply"]
@@ -74,6 +77,7 @@ noise = [0, 0.5]
     EXPECT_EQ(settings.size.height, 200);
     EXPECT_EQ(settings.colormap, "viridis");
     EXPECT_TRUE(settings.view_files);
+    EXPECT_EQ(settings.sight, (render::Sight{render::Angles{-35, 22.5, 0}, render::Up::z, 2}));
     EXPECT_EQ(settings.base, "folder");
     const QuestionTable& q4 = settings.questions.at("q4");
     EXPECT_EQ(q4.meshes, (std::vector<std::string>{"a.obj", "b/c.ply"}));
