@@ -133,16 +133,16 @@ private:
     std::vector<Line> joined() const {
         struct End {
             std::size_t piece;
-            int side;
+            int tip;
         };
         std::map<Crossing, std::vector<End>> ends;
         for (std::size_t i = 0; i < pieces_.size(); ++i)
-            for (const int side : {0, 1})
-                if (pieces_[i].crossing[index(side)]) ends[*pieces_[i].crossing[index(side)]].push_back({i, side});
+            for (const int tip : {0, 1})
+                if (pieces_[i].crossing[index(tip)]) ends[*pieces_[i].crossing[index(tip)]].push_back({i, tip});
         std::vector<char> used(pieces_.size());
         // Returns the end of an unused piece that meets another piece's end, if only two meet there.
-        const auto next = [&](std::size_t piece, int side) -> std::optional<End> {
-            const auto& crossing = pieces_[piece].crossing[index(side)];
+        const auto next = [&](std::size_t piece, int tip) -> std::optional<End> {
+            const auto& crossing = pieces_[piece].crossing[index(tip)];
             if (!crossing || ends[*crossing].size() != 2) return {};
             for (const End& end : ends[*crossing])
                 if (used[end.piece] == 0) return end;
@@ -153,11 +153,11 @@ private:
             if (used[i] != 0) continue;
             used[i] = 1;
             Line line{pieces_[i].at[0], pieces_[i].at[1]};
-            for (const int side : {1, 0}) {   // forwards from the end, then backwards from the beginning
-                std::optional<End> end = next(i, side);
-                for (; end; end = next(end->piece, 1 - end->side)) {
+            for (const int tip : {1, 0}) {   // forwards from the end, then backwards from the beginning
+                std::optional<End> end = next(i, tip);
+                for (; end; end = next(end->piece, 1 - end->tip)) {
                     used[end->piece] = 1;
-                    line.push_back(pieces_[end->piece].at[index(1 - end->side)]);
+                    line.push_back(pieces_[end->piece].at[index(1 - end->tip)]);
                 }
                 std::ranges::reverse(line);
             }
