@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/image.h"
@@ -18,7 +19,9 @@ struct Colormap {
 
 /// Returns all colour maps, "viridis" first.
 std::span<const Colormap> colormap_list();
-/// Returns the colour map of this name, such as "viridis". @throws std::invalid_argument for another name, with the known ones
+/// Returns the colour map of this name in upper or lower case, such as "viridis"; also "gray" and "parula". Null for another name.
+const Colormap* find_colormap(std::string_view name);
+/// Returns the colour map that find_colormap() finds. @throws std::invalid_argument for another name, with the known ones
 const Colormap& colormap_named(const std::string& name);
 
 /// Returns the colour at t, mixed from the two nearest stops; t is clamped to [0, 1], NaN counts as 0.

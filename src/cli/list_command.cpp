@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "color/colormap.h"
+#include "color/evenness.h"
 #include "mesh/samples/sample_shapes.h"
 #include "questions/core/chapter.h"
 #include "questions/core/mesh_roles.h"
@@ -26,8 +27,12 @@ nlohmann::ordered_json everything() {
         const std::string asked(role.asked);
         add("meshes", role.role, (asked.empty() ? "" : asked + ", bundled stand-in ") + std::string(role.bundled));
     }
-    for (const render::Colormap& map : render::colormap_list())
-        add("colormaps", map.name, std::string(map.kind) + ", " + std::string(map.description));
+    for (const render::Colormap& map : render::colormap_list()) {
+        const std::string uneven = render::unevenness_of(map);
+        add("colormaps", map.name,
+            map.kind + ", " + map.description + (uneven.empty() ? "; perceptually uniform" : "; not perceptually uniform: " + uneven));
+        json["colormaps"].back()["uniform"] = uneven.empty();
+    }
     for (const Sample& sample : sample_list()) add("samples", sample.name, std::string(sample.description));
     return json;
 }

@@ -82,7 +82,7 @@ class Usage(InFolder):
         mesh = self.sample('cube8')
         self.assertIn('bumpy_cube', self.refuse(2, 'sample', 'bumpy_cub', '-o', 'x.obj'))
         self.refuse(2, 'render', mesh, '--views', '+w')
-        self.refuse(2, 'render', mesh, '--colormap', 'rainbow')
+        self.refuse(2, 'render', mesh, '--colormap', 'rainbo')
         self.assertIn('h-cotan', self.refuse(2, 'render', mesh, '--field', 'h-cotn'))
         for option, value in (('--scheme', 'x'), ('--operator', 'x'), ('--unit', 'x')):
             self.refuse(2, 'smooth', mesh, '-o', 'x.ply', '--lambda', '1', option, value)
@@ -699,6 +699,10 @@ class ListAndDoctor(InFolder):
             self.assertTrue(lists[kind])
             for entry in lists[kind]:
                 self.assertIn(entry['name'], self.succeed('list'))
+        uniform = {entry['name']: entry['uniform'] for entry in lists['colormaps']}
+        self.assertTrue(uniform['viridis'] and uniform['vik'])
+        self.assertFalse(uniform['jet'])
+        self.assertRegex(self.succeed('list'), r'(?m)^  jet .*; not perceptually uniform: its lightness goes up and down$')
 
     def test_doctor(self):
         found = json.loads(self.succeed('doctor', '--json'))
