@@ -14,17 +14,12 @@ namespace meshfolio {
 
 namespace {
 
-/// True if text on the descriptor gets colours, by the rules of inked().
-bool has_colors(int descriptor) {
-    const auto variable = [](const char* name) -> std::string_view {
-        const char* value = std::getenv(name);
-        return value != nullptr ? value : "";
-    };
-    if (!variable("NO_COLOR").empty()) return false;
-    if (const std::string_view forced = variable("CLICOLOR_FORCE"); !forced.empty() && forced != "0") return true;
-    const std::string_view kind = variable("TERM");
-    return ::isatty(descriptor) == 1 && !kind.empty() && kind != "dumb" && variable("CLICOLOR") != "0";
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr ? value : "";
 }
+
+bool has_colors(int descriptor) { return why_no_colors(descriptor).empty(); }
 
 bool begins_code_point(char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }
 
@@ -61,6 +56,14 @@ std::string wrapped_line(std::string_view line, std::size_t width) {
 
 }   // namespace
 
+std::string why_no_colors(int descriptor) {
+    if (!variable("NO_COLOR").empty()) return "NO_COLOR is set";
+    if (const std::string forced = variable("CLICOLOR_FORCE"); !forced.empty() && forced != "0") return "";
+    if (::isatty(descriptor) != 1) return "the output is no terminal";
+    if (const std::string kind = variable("TERM"); kind.empty() || kind == "dumb") return "TERM is '" + kind + "'";
+    return variable("CLICOLOR") == "0" ? "CLICOLOR is 0" : "";
+}
+
 std::string inked(Ink ink, const std::string& text, int descriptor) {
     return has_colors(descriptor) ? "\x1b[" + std::to_string(static_cast<int>(ink)) + "m" + text + "\x1b[0m" : text;
 }
@@ -70,12 +73,17 @@ std::string with_bold_numbers(const std::string& text, int descriptor) {
     return has_colors(descriptor) ? std::regex_replace(text, number, "\x1b[1m$&\x1b[22m") : text;
 }
 
-int terminal_width(int descriptor) {
+TerminalSize terminal_size(int descriptor) {
     winsize size{};
-    if (::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
-    const char* columns = std::getenv("COLUMNS");
-    return static_cast<int>(std::clamp(parse_integer(columns != nullptr ? columns : "").value_or(80), 1LL, 1000LL));
+    if (::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+        return {size.ws_col, size.ws_row > 0 ? size.ws_row : TerminalSize{}.rows, size.ws_xpixel, size.ws_ypixel};
+    const auto length = [](const char* name, long long usual) {
+        return static_cast<int>(std::clamp(parse_integer(variable(name)).value_or(usual), 1LL, 1000LL));
+    };
+    return {length("COLUMNS", 80), length("LINES", 24), 0, 0};
 }
+
+int terminal_width(int descriptor) { return terminal_size(descriptor).columns; }
 
 std::string wrapped(const std::string& text, int width) {
     std::string result;

@@ -9,14 +9,24 @@ namespace meshfolio {
 
 enum class Ink { bold = 1, dim = 2, red = 31, green = 32, yellow = 33 };   // "select graphic rendition", ECMA-48
 
-/// Returns the text in escape sequences of this colour, or unchanged if the descriptor is to have no colours. None has colours if NO_COLOR
-/// is set; else all have if CLICOLOR_FORCE is set and not 0; else a terminal has unless TERM is empty or "dumb", or CLICOLOR is 0
-/// (no-color.org, bixense.com/clicolors).
+/// Returns why text on the descriptor has no colours, such as "NO_COLOR is set"; "" if it has. None has colours if NO_COLOR is set; else
+/// all have if CLICOLOR_FORCE is set and not 0; else a terminal has unless TERM is empty or "dumb", or CLICOLOR is 0 (no-color.org,
+/// bixense.com/clicolors).
+std::string why_no_colors(int descriptor);
+
+/// Returns the text in escape sequences of this colour, or unchanged if the descriptor is to have no colours.
 std::string inked(Ink ink, const std::string& text, int descriptor = 1);
 
 /// Returns the text with its numbers in bold, or unchanged if the descriptor is to have no colours.
 std::string with_bold_numbers(const std::string& text, int descriptor);
 
+struct TerminalSize {
+    int columns = 80, rows = 24;
+    int width = 0, height = 0;   // [pixels]; 0: unknown
+};
+
+/// Returns the size of the terminal, else that of the variables COLUMNS and LINES, else 80 × 24 characters.
+TerminalSize terminal_size(int descriptor);
 /// Returns the number of columns of the terminal, else the variable COLUMNS, else 80.
 int terminal_width(int descriptor);
 
