@@ -21,6 +21,7 @@ namespace {
 constexpr double step = 0.5;        // between tested points [pixels]
 constexpr double tolerance = 1;     // of depths [pixels]
 constexpr double steepest = 4;      // slope of a triangle that enters the tolerance
+constexpr double smallest = 1;      // extent of a line: less is a dot at a peak [pixels]
 constexpr double straight = 0.02;   // distance from a line at which a point is left out [pixels]
 
 using Line = std::vector<glm::dvec2>;
@@ -161,7 +162,9 @@ private:
                 }
                 std::ranges::reverse(line);
             }
-            lines.push_back(simplified(line));
+            const auto [low, high] = std::ranges::minmax(line, {}, &glm::dvec2::x);
+            const auto [top, bottom] = std::ranges::minmax(line, {}, &glm::dvec2::y);
+            if (high.x - low.x > smallest || bottom.y - top.y > smallest) lines.push_back(simplified(line));
         }
         return lines;
     }

@@ -11,8 +11,7 @@
 #include "cli/render_flags.h"
 #include "run/console.h"
 #include "run/one_mesh/colormap_choice.h"
-#include "run/one_mesh/figure.h"
-#include "run/one_mesh/terminal_picture.h"
+#include "run/one_mesh/terminal_figure.h"
 
 namespace meshfolio::cli {
 

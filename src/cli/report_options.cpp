@@ -36,12 +36,4 @@ void add_run_options(CommandOptions& app, ReportFlags& flags) {
     app.flag("--no-cache", flags.no_cache, "answer every question anew and keep no answer; see meshfolio cache --help");
 }
 
-void add_sight_options(CommandOptions& app, SightFlags& flags) {
-    app.text(
-        "--camera AZ,EL", flags.camera,
-        "direction from which a mesh is seen [degrees]: azimuth from the front to the right, elevation, and perhaps a roll: AZ,EL,ROLL");
-    app.text("--up x|y|z", flags.up, "axis of the mesh that points up; default: y, or as the mesh suggests from three quarters");
-    app.text("--zoom FACTOR", flags.zoom, "size in the picture; default: 1");
-}
-
 }   // namespace meshfolio::cli

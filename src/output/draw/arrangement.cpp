@@ -31,8 +31,8 @@ int line_of(const FigureRequest& request, double em) {
 /// Fills a sheet. Lengths are in pixels.
 class Arranger {
 public:
-    Arranger(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em)
-        : request_(request), panels_(panels), line_(line_of(request, em)), gap_(gap_of(request, em)) {
+    Arranger(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em, int cell)
+        : request_(request), panels_(panels), cell_(cell), line_(line_of(request, em)), gap_(gap_of(request, em)) {
         sheet_.em = em;
         sheet_.least_width = static_cast<int>(std::lround(16 * em));   // for the numbers of a colour bar
         if (request_.layout == Layout::six_views) place_blocks();
@@ -44,7 +44,7 @@ public:
 private:
     const FigureRequest& request_;
     const std::vector<PanelPictures>& panels_;
-    const int line_, gap_;
+    const int cell_, line_, gap_;
     render::FigureSheet sheet_;
 
     void place(const std::shared_ptr<const render::Image>& picture, int left, int top) { sheet_.pictures.push_back({picture, left, top}); }
@@ -71,6 +71,7 @@ private:
             width = std::max(width, panel[0]->width);
             height = std::max(height, panel[0]->height);
         }
+        if (cell_ > 0) width = cell_;
         const int left = request_.rows.empty() ? 0 : 6 * line_, top = request_.columns.empty() ? 0 : line_;
         const bool named = panels_.size() > 1 && !matrix;
         const int across = width + gap_, down = height + gap_ + (named ? line_ : 0) + (bars ? line_ : 0);
@@ -176,8 +177,8 @@ int panels_in_a_line(const FigureRequest& request) {
     return static_cast<int>((panels + lines - 1) / lines);   // fills the lines about equally
 }
 
-render::FigureSheet sheet_of(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em) {
-    render::FigureSheet sheet = Arranger(request, panels, em).sheet();
+render::FigureSheet sheet_of(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em, int cell) {
+    render::FigureSheet sheet = Arranger(request, panels, em, cell).sheet();
     sheet.title = request.title;
     sheet.subtitle = request.subtitle;
     if (!request.range) return sheet;

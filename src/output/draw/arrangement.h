@@ -20,8 +20,9 @@ std::vector<render::View> views_in_reading_order(const render::Sight& sight);
 using PanelPictures = std::vector<std::shared_ptr<const render::Image>>;
 
 /// Returns the sheet of a figure: its pictures, panel after panel, with all labels and heads, title and colour bar.
-/// @param em  text size [pixels]
-render::FigureSheet sheet_of(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em);
+/// @param em    text size [pixels]
+/// @param cell  width of a cell of a grid [pixels]; 0: as pictures and words need
+render::FigureSheet sheet_of(const FigureRequest& request, const std::vector<PanelPictures>& panels, double em, int cell = 0);
 
 /// Returns the gap between pictures of a sheet [pixels].
 int gap_of(const FigureRequest& request, double em);

@@ -39,16 +39,6 @@ render::Drawing lines_of(const render::Surface& surface, const render::View& vie
     return lines;
 }
 
-/// Moves pictures and words to the middle of the sheet's width.
-void centre(render::FigureSheet& sheet) {
-    int right = 0;
-    for (const auto& picture : sheet.pictures) right = std::max(right, picture.left + picture.image->width);
-    for (const auto& words : sheet.words) right = std::max(right, words.left + words.width);
-    const int shift = std::max(0, (sheet.least_width - right) / 2);
-    for (auto& picture : sheet.pictures) picture.left += shift;
-    for (auto& words : sheet.words) words.left += shift;
-}
-
 }   // namespace
 
 render::Surface surface_in(const FigureRequest& request, const Panel& panel) {
@@ -88,12 +78,11 @@ render::Drawing drawing_of(const FigureRequest& request, const DrawingLook& look
         options.isoline_spacing = 0;
         pictures[p] = {std::make_shared<render::Image>(std::move(drawn_views(surface, std::span(&frames[p].view, 1), options).front()))};
     });
-    render::FigureSheet sheet = sheet_of(request, pictures, look.em);
+    render::FigureSheet sheet = sheet_of(request, pictures, look.em, width);
     if (!look.bar) sheet.color_bar.reset();
     sheet.least_width = look.width;
     sheet.margin = 0;
     sheet.background = look.background;
-    centre(sheet);
     render::SheetDrawing drawn = render::drawing_of(sheet);
     for (std::size_t p = 0; p < lines.size(); ++p)
         drawn.drawing.add(lines[p], drawn.left + sheet.pictures[p].left, drawn.top + sheet.pictures[p].top);

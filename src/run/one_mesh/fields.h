@@ -13,10 +13,10 @@
 namespace meshfolio::run {
 
 struct Field {
-    Vector values;                // n; empty: none
-    std::string quantity, unit;   // for the colour bar
+    Vector values;                      // n; empty: none
+    std::string quantity, unit;         // for the colour bar
     std::string colormap = "viridis";   // unless the user names one
-    double floor = 0;             // narrowest range of the colours; smaller differences are drawn in one colour
+    double floor = 0;                   // narrowest range of the colours; smaller differences are drawn in one colour
 };
 
 std::vector<std::string> operator_choices();   // names of all operators

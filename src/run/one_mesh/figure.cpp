@@ -145,6 +145,10 @@ render::Drawing figure_of(std::span<const FigureMesh> meshes, const FigureStyle&
     return whole;
 }
 
+std::optional<output::ColorRange> range_of(std::span<const FigureMesh> meshes, std::size_t field, const FigureStyle& style) {
+    return request_of(meshes, field, style, 1).range;
+}
+
 std::string encode_figure(const render::Drawing& drawing, double resolution, const std::string& title, std::string_view ending) {
     if (ending == ".pdf") return output::write_pdf(drawing, resolution, title);
     if (ending == ".svg") return output::write_svg(drawing, resolution, title);

@@ -2,6 +2,7 @@
 /// Figures of one's own: a grid of meshes and fields as one drawing, for a paper.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,6 +49,9 @@ std::vector<std::string> labels_of(std::span<const PreparedMesh> meshes);
 /// Draws a figure: for each field the pictures of all meshes in all views, with one range of colours and one bar.
 /// @throws UsageError for an unknown colour map or view, isolines that are too dense, or pictures that are too small or too large
 render::Drawing figure_of(std::span<const FigureMesh> meshes, const FigureStyle& style);
+
+/// Returns the range of the colours of a field in all meshes of a figure; nothing if it has no values.
+std::optional<output::ColorRange> range_of(std::span<const FigureMesh> meshes, std::size_t field, const FigureStyle& style);
 
 /// Returns the drawing as the bytes of a file with this ending: .pdf, .svg or .png. Equal drawings give equal bytes.
 /// @param title  of the document
