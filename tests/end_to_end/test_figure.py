@@ -1,6 +1,7 @@
 """`render -o`: one figure as PDF, SVG and PNG, read by independent programs."""
 
 import os
+import pathlib
 import re
 import struct
 import subprocess
@@ -20,16 +21,19 @@ class Figure(InFolder):
 
     def setUp(self):
         super().setUp()
-        for name in ('torus', 'creature', 'icosphere'):
+        for name in ('torus', 'creature', 'sphere'):
             self.sample(name)
-        self.meshes = ['torus.obj', 'creature.obj', 'icosphere.obj']
+        self.meshes = ['torus.obj', 'creature.obj', 'sphere.obj']
+
+    def bytes_of(self, file):
+        return pathlib.Path(self.path(file)).read_bytes()
 
     def figure(self, file, *options):
         self.assertEqual(self.succeed('render', *self.meshes, *options, '-o', file), file + '\n')
         return self.path(file)
 
     def test_a_pdf_has_its_width_its_words_and_its_fonts(self):
-        pdf = self.figure('fig.pdf', '--field', 'h-cotan,gauss', '--camera', '35,22', '--width-mm', '85', '--title', 'Café & <curvature>')
+        pdf = self.figure('fig.pdf', '--field', 'h-cotan,gauss', '--camera', '35,22', '--width-mm', '85', '--dpi', '150', '--title', 'Café & <curvature>')
         width = float(re.search(r'Page size: +([\d.]+) x', told_by('pdfinfo', pdf)).group(1))
         self.assertAlmostEqual(width, 85 * POINTS_PER_MM, delta=0.3)
         self.assertIn('Pages:           1\n', told_by('pdfinfo', pdf))
@@ -46,8 +50,7 @@ class Figure(InFolder):
     def test_every_format_is_the_same_every_time_and_of_one_size(self):
         options = ('--field', 'z', '--isolines', '0.2', '--dpi', '120', '--width-mm', '100')
         for ending in ('pdf', 'svg', 'png'):
-            files = [self.figure(f'{number}.{ending}', *options) for number in (1, 2)]
-            contents = [open(file, 'rb').read() for file in files]
+            contents = [self.bytes_of(self.figure(f'{number}.{ending}', *options)) for number in (1, 2)]
             self.assertEqual(*contents)
         width, height = struct.unpack('>II', contents[0][16:24])
         self.assertEqual(width, round(100 / 25.4 * 120))
@@ -60,14 +63,14 @@ class Figure(InFolder):
             self.assertIn(mesh, words)
 
     def test_inputs_and_folders_stay(self):
-        before = open(self.path('torus.obj'), 'rb').read()
+        before = self.bytes_of('torus.obj')
         self.refuse(2, 'render', 'torus.obj', '-o', 'torus.obj')
         self.assertIn('-o', self.refuse(2, 'render', 'torus.obj', '--out', 'fig.pdf'))
         self.assertIn('-o', self.refuse(2, 'render', *self.meshes))
         self.assertIn('-o', self.refuse(2, 'render', *self.meshes, '--out', 'folder'))
         self.refuse(4, 'render', 'torus.obj', '-o', 'no/fig.pdf')
         self.refuse(3, 'render', 'torus.obj', 'none.obj', '-o', 'fig.pdf')
-        self.assertEqual(open(self.path('torus.obj'), 'rb').read(), before)
+        self.assertEqual(self.bytes_of('torus.obj'), before)
         self.assertEqual(sorted(os.listdir(self.folder)), sorted(self.meshes))
 
     def test_options_that_do_not_fit_are_refused(self):
@@ -86,7 +89,7 @@ class Figure(InFolder):
         self.assertEqual(printed, 'views/camera.png\nviews/sheet.png\n')
         self.succeed('render', 'torus.obj', '--camera', '90,0', '--size', '64', '--plain', '--out', 'right')
         self.succeed('render', 'torus.obj', '--views', '+x', '--size', '64', '--plain', '--out', 'x')
-        self.assertEqual(*(open(self.path(file), 'rb').read() for file in ('right/camera.png', 'x/+x.png')))
+        self.assertEqual(*(self.bytes_of(file) for file in ('right/camera.png', 'x/+x.png')))
 
 
 if __name__ == '__main__':
