@@ -9,6 +9,7 @@
 #include "base/joined.h"
 #include "questions/core/section_tools.h"
 #include "run/arguments.h"
+#include "run/console.h"
 #include "run/provenance.h"
 #include "run/report.h"
 
