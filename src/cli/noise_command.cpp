@@ -1,5 +1,3 @@
-#include <cstdint>
-#include <limits>
 #include <memory>
 
 #include "cli/commands.h"
@@ -27,8 +25,7 @@ Command noise_command(CLI::App& parent) {
     return {app, [options] {
                 const double sigma = number_not_negative("--sigma", options->sigma);
                 if (sigma > largest_coordinate) throw UsageError("--sigma " + options->sigma + " is beyond 1e100", "take a smaller one");
-                const auto seed =
-                    static_cast<std::uint64_t>(integer_between("--seed", options->seed, 0, std::numeric_limits<std::int64_t>::max()));
+                const std::uint64_t seed = seed_of(options->seed);
                 check_output("-o", options->output, mesh_or_standard_output());
                 const PreparedMesh prepared = load_mesh(options->mesh, Checks::all, Keep::attributes);
                 const Vector3 scale = options->unit == "bbox" ? bounding_box(prepared.mesh).extent() : Vector3::Ones();

@@ -1,5 +1,3 @@
-#include <cstdint>
-#include <limits>
 #include <memory>
 
 #include "base/file_bytes.h"
@@ -23,10 +21,6 @@ struct VerifyFlags {
     bool quick = false;
 };
 
-std::uint64_t seed_of(const VerifyFlags& options) {
-    return static_cast<std::uint64_t>(integer_between("--seed", options.seed, 0, std::numeric_limits<std::int64_t>::max()));
-}
-
 /// Returns "ok      name: measured 1.99, expected 2, tolerance 0.15" as a line; for an undecided check with the reason.
 std::string in_words(const report::Check& check) {
     const std::string line = check.name + ": " + words_of(check);
@@ -45,7 +39,7 @@ void require_no_other_report(const std::filesystem::path& out) {
 ReportRequest verification(const VerifyFlags& options) {
     auto settings = std::make_shared<ReportSettings>();
     settings->out = options.out;
-    settings->seed = seed_of(options);
+    settings->seed = seed_of(options.seed);
     settings->quick = options.quick;
     settings->laboratory = true;
     settings->timings = false;

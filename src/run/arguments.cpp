@@ -62,6 +62,8 @@ std::vector<int> integers_between(const std::string& option, std::string_view te
     return values;
 }
 
+std::uint64_t seed_of(std::string_view text) { return static_cast<std::uint64_t>(integer_between("--seed", text, 0, largest_seed)); }
+
 double finite_number(const std::string& option, std::string_view text) {
     return number_where(
         option, text, [](double) { return true; }, "a finite number");

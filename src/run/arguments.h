@@ -2,6 +2,8 @@
 /// Arguments of the command line as values. A wrong one is a UsageError that names the option and its possible values.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +36,10 @@ double finite_number(const std::string& option, std::string_view text);
 double number_between(const std::string& option, std::string_view text, double low, double high);
 double number_not_negative(const std::string& option, std::string_view text);
 double number_above_zero(const std::string& option, std::string_view text);
+
+inline constexpr long long largest_seed = std::numeric_limits<std::int64_t>::max();   // TOML's integers
+/// Parses the value of --seed. @throws UsageError unless it is an integer from 0 to largest_seed
+std::uint64_t seed_of(std::string_view text);
 
 /// The options --camera, --up and --zoom as they are given; empty: not given.
 struct SightFlags {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <concepts>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -16,8 +15,6 @@
 
 namespace meshfolio::run {
 
-inline constexpr long long largest_seed = std::numeric_limits<std::int64_t>::max();   // TOML's integers
-
 struct Setting {
     const char* table = "";          // of a settings file; empty: the top level
     const char* key = "";            // in that table; empty: not in files
@@ -26,10 +23,9 @@ struct Setting {
     const char* name = "";           // in the provenance; empty: not there
     bool shapes_answers = false;     // its value is a part of the key of a cached answer
     long long least = 0, most = 0;   // of integers
-    double smallest = 0;             // of other numbers
-    double largest = 0;
-    bool is_above_zero = false;   // 0 itself is refused
-    const char* unsaid = "";      // the value that the provenance leaves out
+    double largest = 0;              // of other numbers, from 0
+    bool is_above_zero = false;      // 0 itself is refused
+    const char* unsaid = "";         // the value that the provenance leaves out
     std::vector<std::string> (*choices)() = nullptr;
 };
 
@@ -60,15 +56,7 @@ void for_each_setting(Settings& settings, Visit visit) {
           size);
     visit(Setting{.table = "[render]", .key = "camera", .flag = "--camera", .name = "camera", .shapes_answers = true}, sight.camera);
     visit(Setting{.table = "[render]", .key = "up", .flag = "--up", .name = "up", .shapes_answers = true, .choices = axis_names}, sight.up);
-    visit(Setting{.table = "[render]",
-                  .key = "zoom",
-                  .flag = "--zoom",
-                  .name = "zoom",
-                  .shapes_answers = true,
-                  .smallest = smallest_zoom,
-                  .largest = largest_zoom,
-                  .unsaid = "1"},
-          sight.zoom);
+    visit(Setting{.table = "[render]", .key = "zoom", .flag = "--zoom", .name = "zoom", .shapes_answers = true, .unsaid = "1"}, sight.zoom);
     visit(Setting{.table = "[render]", .key = "view_files", .flag = "--views-files", .name = "view files", .shapes_answers = true},
           view_files);
     visit(Setting{.flag = "--sheets-only", .name = "sheets only", .shapes_answers = true}, sheets_only);

@@ -103,11 +103,11 @@ private:
     }
 
     void take(const TableReader& reader, const Setting& setting, std::vector<double>& values) {
-        values = reader.numbers(setting.key, setting.smallest, setting.largest, setting.is_above_zero);
+        values = reader.numbers(setting.key, 0, setting.largest, setting.is_above_zero);
     }
 
-    void take(const TableReader& reader, const Setting& setting, double& value) {
-        value = reader.number(setting.key, setting.smallest, setting.largest, setting.is_above_zero, value);
+    void take(const TableReader& reader, const Setting& setting, double& zoom) {
+        zoom = reader.number(setting.key, smallest_zoom, largest_zoom, false, zoom);
     }
 
     void take(const TableReader& reader, const Setting& setting, std::optional<render::Up>& up) {
