@@ -20,9 +20,4 @@ DenseEigenpairs pairs_of(const Solver& solver) {
 
 DenseEigenpairs dense_eigenpairs(const DenseMatrix& A) { return pairs_of(Solver(A)); }
 
-DenseEigenpairs tridiagonal_eigenpairs(const Vector& diagonal, const Vector& beside) {
-    Solver solver;
-    return pairs_of(solver.computeFromTridiagonal(diagonal, beside));
-}
-
 }   // namespace meshfolio

@@ -15,9 +15,4 @@ struct DenseEigenpairs {
 /// @throws SolverError if they do not converge
 DenseEigenpairs dense_eigenpairs(const DenseMatrix& A);
 
-/// Computes all eigenpairs of a symmetric tridiagonal matrix. @param diagonal  n entries @param beside  the n − 1 entries beside the
-/// diagonal
-/// @throws SolverError if they do not converge
-DenseEigenpairs tridiagonal_eigenpairs(const Vector& diagonal, const Vector& beside);
-
 }   // namespace meshfolio

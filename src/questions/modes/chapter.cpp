@@ -24,8 +24,6 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "shape", shape);
     add(section, damping_plot(*shapes));
     add_gap_table(section, *shapes);
-    add_words(section, words, "cost", shape);
-    add(section, cost_plot(*shapes), truth_plot(*shapes), crossing_table(*shapes));
     add_words(section, words, "noise", noise);
     add(section, expected_plot(*noisy), expected_table(*noisy));
     add_words(section, words, "own_operator", noise);
@@ -42,9 +40,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
 extern const Chapter chapter{
     .id = "modes",
-    .code = {{"spectral_measure", "src/geometry/spectrum/spectral_measure.cpp"},
-             {"CostModel", "src/questions/modes/costs.cpp"},
-             {"mode_study", "src/questions/modes/mode_study.cpp"},
+    .code = {{"mode_study", "src/questions/modes/mode_study.cpp"},
              {"denoising_prediction", "src/geometry/denoising/denoising_prediction.cpp"},
              {"noise_level", "src/geometry/denoising/noise_level.cpp"},
              {"risk_estimate", "src/geometry/denoising/risk_estimate.cpp"},

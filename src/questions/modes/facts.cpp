@@ -19,28 +19,6 @@ std::pair<double, std::string> largest_gap(const ModeStudies& studies, int steps
     return largest;
 }
 
-/// Returns the range over the meshes of the energy below which implicit way `which` is cheaper, "36 % to 74 %"; empty if it never is.
-std::string cheaper_below(const ModeStudies& studies, std::size_t which) {
-    double least = infinity, most = 0;
-    for (const ModeStudy& study : studies) {
-        if (study.cheaper_nowhere(which)) continue;
-        least = std::min(least, study.crossings[which]->energy);
-        most = std::max(most, study.crossings[which]->energy);
-    }
-    return most > 0 ? span_of(percent(least), percent(most)) : "";
-}
-
-/// Returns the energy below which the explicit result is nearer to the exact flow than one implicit step; 0 if it never is.
-double explicit_is_truer_below(const ModeStudy& study) {
-    double below = 0;
-    for (const SmoothingTarget& target : study.curve) {   // energies descend
-        if (target.explicit_way.steps == 0) continue;
-        const bool truer = target.explicit_way.error < target.implicit_ways.front().error;
-        below = truer ? std::max(below, target.energy) : 0;
-    }
-    return below;
-}
-
 // ---- noise
 
 /// Returns the deviation of a prediction from the measurement.
@@ -72,22 +50,11 @@ report::Facts shape_facts(const ModeStudies& studies) {
     const auto [gap, gap_mesh] = counts.empty() ? std::pair(0.0, std::string()) : largest_gap(studies, counts.front());
     const double last_gap = counts.size() < 2 ? 0 : largest_gap(studies, counts.back()).first;
 
-    const auto below = [](const ModeStudy& s) { return !s.cheaper_nowhere(0) && !s.cheaper_everywhere(0); };
-    report::FactList borders;
-    for (const ModeStudy& study : studies)
-        if (below(study)) borders.push_back({"energy"_a = percent(study.crossings[0]->energy), "mesh"_a = study.name()});
-    for (std::size_t i = 0; i < borders.size(); ++i)
-        borders[i].push_back("sep"_a = i + 1 == borders.size() ? "" : i + 2 == borders.size() ? " and " : ", ");
-    const double truer = explicit_is_truer_below(*std::ranges::min_element(studies, {}, explicit_is_truer_below));
     return list_of("laws"_a = (worst < law_tolerance), "worst"_a = readable(worst, 2), "first"_a = studies.front().name(),
                    "steps"_a = close.steps, "left"_a = percent(std::abs(close.law(studies.front().subject.top.value))),
                    "gap"_a = (gap > 0 ? percent(gap) : ""), "gap_steps"_a = counts.empty() ? 0 : counts.front(), "gap_mesh"_a = gap_mesh,
                    "last_gap"_a = last_gap > 0 && last_gap < gap ? percent(last_gap) : "",
-                   "last_steps"_a = counts.empty() ? 0 : counts.back(), "some"_a = !borders.empty(), "below"_a = borders,
-                   "everywhere"_a = listed(names_where(studies, [](const ModeStudy& s) { return s.cheaper_everywhere(0); })),
-                   "nowhere"_a = listed(names_where(studies, [](const ModeStudy& s) { return s.cheaper_nowhere(0); })),
-                   "truer"_a = truer > 0 ? percent(truer) : "", "accuracy"_a = readable_percent(implicit_accuracy, 1),
-                   "accurate"_a = cheaper_below(studies, accurate_way), "matched"_a = cheaper_below(studies, matched_way));
+                   "last_steps"_a = counts.empty() ? 0 : counts.back());
 }
 
 report::Facts noise_facts(const PredictionStudies& studies) {
@@ -139,8 +106,6 @@ void add_record(report::Section& section, const ModeStudies& shapes, const Predi
         levels.push_back(readable_percent(level.sigma, 2));
     }
     section.parameters = {{"operator", words.line("parameter.operator")},
-                          {words.line("parameter.step"), {"0.95 λ_crit", 0.95, "λ_crit"}},
-                          {words.line("parameter.lanczos"), lanczos_steps(settings)},
                           {"noise", {words.line("parameter.noise", "levels"_a = listed(levels)), noise, "box diagonal"}},
                           {"seeds", first.seeds},
                           {"seed", settings.seed}};

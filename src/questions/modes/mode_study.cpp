@@ -1,17 +1,12 @@
 #include "questions/modes/mode_study.h"
 
-#include <chrono>
-
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/diffusion_step.h"
-#include "geometry/smoothing/dirichlet_energy.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 
 namespace meshfolio::modes {
 
 namespace {
-
-constexpr int run_at_most = 2000;   // explicit steps of a way that is tried
 
 /// Smooths unit coefficients of the modes and measures the factor left of each. @param relative  step over λ_crit
 ModeDamping damping_of(const SmoothingSubject& subject, const Spectrum& modes, SmoothingScheme scheme, double relative, int steps) {
@@ -51,62 +46,23 @@ Smoothed smoothed(const SmoothingSubject& subject, SmoothingScheme scheme, doubl
     return smooth(subject.mesh(), {.scheme = scheme, .lambda = lambda, .iterations = steps}, solver);
 }
 
-SchemeGap gap_of(const ModeStudy& study, double lambda, int steps, ImplicitSolver& solver) {
+/// @param shape  Σ over x, y, z of the squared coefficients of the input, one a mode: of all modes, or empty
+SchemeGap gap_of(const ModeStudy& study, const Vector& shape, double lambda, int steps, ImplicitSolver& solver) {
     const SmoothingSubject& subject = study.subject;
     SchemeGap gap{lambda, steps};
     const Positions X = smoothed(subject, SmoothingScheme::implicit_euler, lambda, steps, solver).X;
     gap.motion = distance(subject, X, subject.mesh().X);
     const Smoothed other = smoothed(subject, SmoothingScheme::explicit_euler, lambda, steps, solver);
     gap.measured = other.blew_up ? undefined : distance(subject, X, other.X);
-    const auto explicit_minus_implicit = [&](double mu) {
-        return damping_law(SmoothingScheme::explicit_euler, lambda, steps, mu) -
-               damping_law(SmoothingScheme::implicit_euler, lambda, steps, mu);
-    };
-    gap.predicted = study.model.measure.rms(explicit_minus_implicit) / subject.diagonal;
-    return gap;
-}
-
-/// Computes the Dirichlet energy about the first vertex, because coordinates far from 0 would cost digits.
-double energy_of(const SmoothingSubject& subject, const Positions& X) {
-    return dirichlet_energy(subject.laplacian.C, X.rowwise() - X.row(0));
-}
-
-TriedWay tried(const ModeStudy& study, std::size_t target, const SmoothingWay& way, double initial_energy) {
-    const SmoothingSubject& subject = study.subject;
-    TriedWay run{target, way};
-    ImplicitSolver solver;
-    const auto start = std::chrono::steady_clock::now();
-    const Positions X = smoothed(subject, way.scheme, way.lambda, way.steps, solver).X;
-    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const double energy = energy_of(subject, X);
-    run.energy = energy / initial_energy;
-
-    const Vector &nodes = study.model.measure.nodes, &weights = study.model.measure.weights;
-    const double spread = nodes.maxCoeff() / (weights.array() > 1e-20 * weights.sum()).select(nodes, infinity).minCoeff();
-    const Vector stiffness = subject.laplacian.C.diagonal().cwiseAbs();
-    const double of_sums = 8 * X.cwiseAbs().maxCoeff() * stiffness.dot((X.rowwise() - X.row(0)).rowwise().norm()) / energy;
-    run.rounding = epsilon * (of_sums + spread);
-    return run;
-}
-
-/// Fills the targets, the curve, the crossings and the tried ways.
-void study_costs(ModeStudy& study, bool quick) {
-    const CostModel& model = study.model;
-    const double least = model.least_energy(0.005), most = std::max(0.95, least);
-    for (const double energy : quick ? std::vector{0.5, 0.1} : std::vector{0.9, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02})
-        if (energy >= least) study.targets.push_back(smoothing_target(model, energy));
-    if (study.targets.empty()) study.targets.push_back(smoothing_target(model, least));
-    const int points = quick ? 6 : 20;
-    for (int i = 0; i <= points; ++i) study.curve.push_back(smoothing_target(model, most * std::pow(least / most, double(i) / points)));
-    for (std::size_t which = 0; which < implicit_way_count; ++which) study.crossings.push_back(crossing_of(model, study.curve, which));
-    const double initial_energy = energy_of(study.subject, study.subject.mesh().X);
-    for (std::size_t i = 0; i < study.targets.size(); ++i) {
-        const SmoothingTarget& target = study.targets[i];
-        if (target.explicit_way.steps > 0 && target.explicit_way.steps <= run_at_most)
-            study.tried.push_back(tried(study, i, target.explicit_way, initial_energy));
-        for (std::size_t which = 0; which < std::size(implicit_steps); ++which)
-            study.tried.push_back(tried(study, i, target.implicit_ways[which], initial_energy));
+    double square = 0;
+    for (Eigen::Index i = 0; i < shape.size(); ++i) {
+        const double mu = study.eigenvalues[i];
+        const double explicit_minus_implicit = damping_law(SmoothingScheme::explicit_euler, lambda, steps, mu) -
+                                               damping_law(SmoothingScheme::implicit_euler, lambda, steps, mu);
+        square += shape[i] * explicit_minus_implicit * explicit_minus_implicit;
     }
+    gap.predicted = study.all ? std::sqrt(square / subject.laplacian.M.sum()) / subject.diagonal : undefined;
+    return gap;
 }
 
 }   // namespace
@@ -123,8 +79,6 @@ double ModeDamping::deviation(const Vector& eigenvalues) const {
     }
     return largest / scale;
 }
-
-int lanczos_steps(const QuestionSettings& settings) { return settings.laboratory ? 160 : settings.quick ? 60 : 100; }
 
 ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings) {
     ModeStudy study;
@@ -147,14 +101,20 @@ ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings) {
     for (const double relative : {0.5, 0.95, 10.0})
         study.dampings.push_back(damping_of(study.subject, modes, SmoothingScheme::implicit_euler, relative, steps));
 
-    study.model = {study.subject, spectral_measure(study.subject.laplacian, study.subject.mesh().X, lanczos_steps(settings))};
+    Vector shape;
+    if (study.all) {
+        const Vector& M = study.subject.laplacian.M;
+        const Positions& X = study.subject.mesh().X;
+        const Positions near = X.rowwise() - X.row(0);   // far from the origin the offset would drown the modes in rounding
+        const Eigen::RowVector3d mean = M.transpose() * near / M.sum();
+        shape = (modes.eigenvectors.transpose() * (M.asDiagonal() * (near.rowwise() - mean))).rowwise().squaredNorm();
+    }
     const std::vector<int> counts = settings.iterations.empty() ? std::vector{1, 10, 100} : each_once(settings.iterations);
     ImplicitSolver solver;
     for (const double lambda : steps_of(settings, study.subject.critical, {0.1, 0.5, 0.9})) {
         for (const int count : counts)
-            if (count > 0) study.gaps.push_back(gap_of(study, lambda, count, solver));
+            if (count > 0) study.gaps.push_back(gap_of(study, shape, lambda, count, solver));
     }
-    study_costs(study, settings.quick);
     return study;
 }
 

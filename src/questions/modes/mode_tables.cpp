@@ -14,31 +14,6 @@ constexpr Eigen::Index most_shown = 60;   // points
 /// Returns |factor|; NaN if it is rounding.
 double visible(double factor) { return std::abs(factor) > invisible ? std::abs(factor) : undefined; }
 
-double operations_of(const SmoothingWay& way) { return way.steps > 0 ? way.operations : undefined; }
-
-/// Plots one value of the explicit way and of the first implicit ways over the energy, one panel per mesh.
-report::Plot target_plot(const ModeStudies& studies, const std::string& key, std::size_t implicit_ways,
-                         double (*value)(const SmoothingWay&)) {
-    report::Plot plot{.id = "modes_" + key,
-                      .caption = words.line(key),
-                      .alt = words.line(key + ".alt", "meshes"_a = listed(names_of(studies))),
-                      .x_label = words.line("targets.x"),
-                      .y_label = words.line(key + ".y"),
-                      .log_x = true,
-                      .log_y = true};
-    for (const ModeStudy& study : studies) {
-        const auto add = [&](const std::string& name, const auto& way_of) {
-            report::Series series{.name = name, .panel = study.name()};
-            for (const SmoothingTarget& target : study.curve) add_point(series, 100 * target.energy, value(way_of(target)));
-            plot.series.push_back(std::move(series));
-        };
-        add(words.line("way.explicit"), [](const SmoothingTarget& t) { return t.explicit_way; });
-        for (std::size_t which = 0; which < implicit_ways; ++which)
-            add(implicit_way_names()[which], [&](const SmoothingTarget& t) { return t.implicit_ways[which]; });
-    }
-    return plot;
-}
-
 }   // namespace
 
 report::Plot damping_plot(const ModeStudies& studies) {
@@ -103,60 +78,19 @@ void add_gap_table(report::Section& section, const ModeStudies& studies) {
     add(section, gaps);
 }
 
-report::Plot cost_plot(const ModeStudies& studies) {
-    report::Plot plot = target_plot(studies, "operations", std::size(implicit_steps) + 1, operations_of);
-    for (const ModeStudy& study : studies) {
-        for (std::size_t which = 0; which <= std::size(implicit_steps); ++which) {
-            if (study.cheaper_nowhere(which) || study.cheaper_everywhere(which)) continue;
-            const SmoothingTarget& at = *study.crossings[which];
-            plot.markers.push_back({100 * at.energy, operations_of(at.implicit_ways[which]), "", study.name()});
-        }
-    }
-    return plot;
-}
-
-report::Plot truth_plot(const ModeStudies& studies) {
-    return target_plot(studies, "truth", std::size(implicit_steps),
-                       [](const SmoothingWay& way) { return way.steps > 0 ? 100 * way.error : undefined; });
-}
-
-report::Table crossing_table(const ModeStudies& studies) {
-    auto crossings = table("modes_crossing", words.line("crossing"), studies);
-    crossings.column("mesh", &ModeStudy::name)
-        .column("step", {.unit = "explicit steps"}, [](auto& s) { return s.model.implicit_step / s.model.explicit_step; })
-        .column("factorisation", {.unit = "explicit steps"}, [](auto& s) { return s.model.factor.factorisation / s.model.explicit_step; })
-        .column("looked down to", {.unit = "% of energy", .digits = 2}, [](auto& s) { return 100 * s.curve.back().energy; });
-    for (std::size_t which = 0; which < implicit_way_count; ++which)
-        crossings.column(implicit_way_names()[which], {.unit = "% of energy"}, [which](auto& s) {
-            return s.cheaper_nowhere(which) ? report::Cell() : report::Cell(100 * s.crossings[which]->energy);
-        });
-    return crossings;
-}
-
 void add_shape_checks(report::Section& section, const ModeStudies& studies) {
     for (const ModeStudy& study : studies) {
-        double damping = 0, gap = 0, energy = 0;
-        int gaps = 0, runs = 0;
+        double damping = 0, gap = 0;
+        int gaps = 0;
         for (const ModeDamping& d : study.dampings) damping = std::max(damping, d.deviation(study.eigenvalues));
         for (const SchemeGap& g : study.gaps) {
             if (!(g.lambda <= study.subject.critical && study.is_measurable(g))) continue;
             gap = std::max(gap, std::abs(g.predicted / g.measured - 1));
             ++gaps;
         }
-        for (const TriedWay& run : study.tried) {
-            const bool is_explicit = run.way.scheme == SmoothingScheme::explicit_euler;
-            const std::string target = readable_percent(study.targets[run.target].energy, 2);
-            section.timings.push_back({words.line("timing", "explicitly"_a = is_explicit, "steps"_a = run.way.steps,
-                                                  "mesh"_a = study.name(), "energy"_a = target),
-                                       run.seconds});
-            if (!(run.rounding < 1e-7)) continue;
-            energy = std::max(energy, std::abs(run.energy / run.way.energy - 1));
-            ++runs;
-        }
         add(section, check_at_most(words.line("check.damping", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name()),
                                    law_tolerance, damping));
         if (gaps > 0) add(section, check_at_most(words.line("check.gap", "mesh"_a = study.name()), 1e-6, gap));
-        if (runs > 0) add(section, check_at_most(words.line("check.energy", "runs"_a = runs, "mesh"_a = study.name()), 1e-6, energy));
     }
 }
 

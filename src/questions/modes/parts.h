@@ -19,13 +19,7 @@ std::shared_ptr<const ModeStudies> mode_studies(const LibraryMeshes& meshes, con
 report::Plot damping_plot(const ModeStudies& studies);
 /// Adds a table that compares the results of the two schemes, one row per step of each mesh; none without steps.
 void add_gap_table(report::Section& section, const ModeStudies& studies);
-/// Plots the operations of the explicit way and four implicit ways over the energy left, a panel for each mesh; markers show crossings.
-report::Plot cost_plot(const ModeStudies& studies);
-/// Plots SmoothingWay::error [%] of the explicit way and three implicit ways over the energy left, a panel for each mesh.
-report::Plot truth_plot(const ModeStudies& studies);
-/// Shows the energy from which each implicit way is cheaper than the explicit one, a row for each mesh; empty if it never is.
-report::Table crossing_table(const ModeStudies& studies);
-/// Adds the checks of dampings, gaps and energies, and the times of the runs.
+/// Adds the checks of dampings and gaps.
 void add_shape_checks(report::Section& section, const ModeStudies& studies);
 /// Collects the facts of the words on the shape.
 report::Facts shape_facts(const ModeStudies& studies);
