@@ -23,7 +23,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "planes", facts);
     add_error_maps(section, *planes);
     add_place_figure(answer, *planes);
-    add(section, region_table(*planes), blow_up_table(*planes), plane_table(*planes));
+    add(section, region_table(*planes), blow_up_table(*planes));
     add_checks(section, *studies, *flow, *planes);
     add_record(section, *studies, *planes);
     return answer;

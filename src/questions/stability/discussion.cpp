@@ -67,7 +67,6 @@ void add_limit_checks(report::Section& section, const std::string& mesh, const O
 }
 
 std::string at_most(double x) { return readable(rounded_up(x, 2), 2); }
-std::string percent_at_most(double x) { return readable_percent(rounded_up(x, 2), 2); }
 
 report::Facts limit_facts(const Studies& studies) {
     int semidefinite = 0, refuted = 0;
@@ -132,17 +131,10 @@ report::Facts flow_facts(const RebuiltFlow& flow) {
 report::Facts run_facts(const Planes& planes) {
     const BlowUps found = blow_ups_of(planes);
     const auto is_hidden = [](const SmoothingMaps& maps) { return maps.top.heights[0] <= maps.top.noticeable(); };
-    const Gap gap = largest_gap(planes);
-    const SmoothingMaps& maps = gap.maps ? *gap.maps : planes.front();
-    const double at_equal_time = largest_of(planes, largest_difference_at_equal_time);
     return list_of("faults"_a = found.within_lost + found.implicit_lost, "beyond"_a = found.beyond, "lost"_a = found.beyond_lost,
                    "all_lost"_a = found.beyond > 0 && found.beyond_lost == found.beyond, "late"_a = std::lround(found.off),
                    "plane_mesh"_a = planes.front().name(), "hidden"_a = listed(names_where(planes, is_hidden)),
-                   "hidden_known"_a = std::ranges::all_of(planes, [&](auto& m) { return !is_hidden(m) || m.all; }),
-                   "gap"_a = gap.maps ? percent_at_most(gap.largest) : "", "gap_mesh"_a = maps.name(),
-                   "gap_t"_a = maps.iterations[maps.row_of(gap.cell)], "gap_fades"_a = (gap.last < 0.5 * gap.largest),
-                   "gap_last"_a = percent_at_most(gap.last), "last_t"_a = maps.iterations.back(),
-                   "equal_time"_a = (at_equal_time > 0) ? percent_at_most(at_equal_time) : "");
+                   "hidden_known"_a = std::ranges::all_of(planes, [&](auto& m) { return !is_hidden(m) || m.all; }));
 }
 
 /// Returns the name of the fact that says which scheme comes nearest to the clean mesh, by more than 2 %; empty if no clean mesh is known.
@@ -207,18 +199,6 @@ void add_record(report::Section& section, const Studies& studies, const Planes& 
             relative};
     }
     section.extent = words.line("extent", "meshes"_a = listed(names_of(studies)), "planes"_a = listed(names_of(planes)));
-}
-
-Gap largest_gap(const Planes& planes) {
-    Gap gap;
-    for (const SmoothingMaps& maps : planes) {
-        const PlaneValues& gaps = maps.implicit_map().gap;
-        for (std::size_t i = 0; i < gaps.size(); ++i) {
-            if (gaps[i] > gap.largest) gap.maps = &maps, gap.cell = i, gap.largest = gaps[i];
-            if (maps.row_of(i) + 1 == maps.iterations.size() && gaps[i] > gap.last) gap.last = gaps[i];
-        }
-    }
-    return gap;
 }
 
 report::Facts facts_of(const Studies& studies, const RebuiltFlow& flow, const Planes& planes) {

@@ -36,8 +36,6 @@ report::Plot flow_plot(const RebuiltFlow& flow);
 void add_error_maps(report::Section& section, const Planes& planes);
 /// Returns a table of usable cells, turned triangles and the smallest error, a row for each scheme on each mesh.
 report::Table region_table(const Planes& planes);
-/// Returns a table with a row for each cell of each scheme on each mesh; for files only.
-report::Table plane_table(const Planes& planes);
 /// Returns a table of the predicted and measured iteration of blowing up, a row for each of up to four evenly chosen λ beyond the
 /// limit on each mesh.
 report::Table blow_up_table(const Planes& planes);

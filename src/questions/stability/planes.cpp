@@ -27,7 +27,6 @@ void measure(const SmoothingMaps& maps, const Positions& first_normals, const Po
 
     constexpr double vanished = 1e-6;   // of the box diagonal: a smaller surface has no meaningful normals
     if (bounding_box(mesh).diagonal() < vanished * maps.subject.diagonal) return;
-    map.angle[i] = smallest_angle(mesh);
     const Positions normals = face_normals(mesh);
     map.inverted[i] = double((normals.cwiseProduct(first_normals).rowwise().sum().array() < 0).count()) / std::max(mesh.face_count(), 1);
 }
@@ -36,22 +35,16 @@ void measure(const SmoothingMaps& maps, const Positions& first_normals, const Po
 void run_step(const SmoothingMaps& maps, const Positions& first_normals, std::size_t step, SchemeMap& map, ImplicitSolver& solver) {
     SmoothingOptions options{.scheme = map.scheme, .lambda = maps.lambdas[step], .iterations = maps.iterations.back()};
     std::size_t row = 0;
-    const bool compared = !map.gap.empty() && maps.relative(step) < 0.5;
-    Positions by_explicit = compared ? maps.subject.mesh().X : Positions();   // after as many explicit steps
     options.after_step = [&](int iteration, const Positions& X) {
-        if (compared) by_explicit = explicit_step(maps.subject.laplacian, options.lambda, by_explicit);
         if (iteration != maps.iterations[row]) return true;
-        const std::size_t i = maps.index(step, row);
-        measure(maps, first_normals, X, i, map);
-        if (compared) map.gap[i] = vertex_rms(by_explicit, X) / maps.subject.diagonal / map.moved[i];
-        ++row;
+        measure(maps, first_normals, X, maps.index(step, row++), map);
         return true;
     };
     const Smoothed result = smooth(maps.subject.mesh(), options, solver);
     map.blow_up[step] = result.blow_up_iteration;
     if (!result.blew_up || row == 0 || maps.iterations[row - 1] != result.blow_up_iteration) return;
     // The iteration that blew up was finite and has been measured: it is beyond the plane all the same.
-    for (PlaneValues* values : {&map.moved, &map.error, &map.size, &map.angle, &map.inverted})
+    for (PlaneValues* values : {&map.moved, &map.error, &map.size, &map.inverted})
         if (!values->empty()) (*values)[maps.index(step, row - 1)] = undefined;
 }
 
@@ -59,9 +52,8 @@ SchemeMap scheme_map(const SmoothingMaps& maps, SmoothingScheme scheme) {
     SchemeMap map;
     map.scheme = scheme;
     const PlaneValues nothing(maps.lambdas.size() * maps.iterations.size(), undefined);
-    map.moved = map.size = map.angle = map.inverted = nothing;
+    map.moved = map.size = map.inverted = nothing;
     if (maps.clean) map.error = nothing;
-    if (scheme == SmoothingScheme::implicit_euler) map.gap = nothing;
     map.blow_up.assign(maps.lambdas.size(), 0);
     const Positions first_normals = face_normals(maps.subject.mesh());
     constexpr std::size_t lanes = 2;   // each with a solver and every other λ; the number must not depend on the processors
@@ -154,19 +146,6 @@ std::vector<int> spaced_iterations(int last, int per_decade) {
         counts.push_back(count < last ? static_cast<int>(std::lround(count)) : last);
     }
     return each_once(counts);
-}
-
-double largest_difference_at_equal_time(const SmoothingMaps& maps) {
-    const PlaneValues& moved = maps.implicit_map().moved;
-    double largest = 0;
-    for (std::size_t many = 0; many < moved.size(); ++many) {
-        for (std::size_t few = 0; few < many; ++few) {
-            const double ratio = maps.lambdas[maps.step_of(few)] / maps.lambdas[maps.step_of(many)];
-            const bool tenfold = maps.iterations[maps.row_of(many)] == 10 * maps.iterations[maps.row_of(few)];
-            if (tenfold && std::abs(ratio / 10 - 1) <= 1e-9) largest = std::max(largest, std::abs(moved[many] / moved[few] - 1));
-        }
-    }
-    return largest;
 }
 
 SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings) {

@@ -72,9 +72,7 @@ struct SchemeMap {
     PlaneValues moved;          // rms distance from the input over the box diagonal
     PlaneValues error;          // rms distance from the clean mesh over the box diagonal; empty if there is no clean mesh
     PlaneValues size;           // volume over that of the input; for an open mesh, area over area
-    PlaneValues angle;          // smallest [rad]
     PlaneValues inverted;       // share of the triangles that face away from their first normals
-    PlaneValues gap;            // of the implicit scheme, below half the limit: rms distance from the explicit result over `moved`
     std::vector<int> blow_up;   // iteration at which the run of each λ blew up; 0: it did not
     int factorisations = 0;
 
@@ -138,19 +136,6 @@ SmoothingMaps smoothing_maps(SharedMesh source, const QuestionSettings& settings
 
 /// Returns 10^(i / per_decade), i = 0, 1, …, below `last`, rounded, each once, and then `last`: 1, 2, 3, 4, 6, 10, 16, 20 for (20, 5).
 std::vector<int> spaced_iterations(int last, int per_decade);
-
-/// Returns the largest |many/few − 1| of the rms motions of two implicit cells with equal λt and tenfold iteration counts; 0 if there are
-/// none.
-double largest_difference_at_equal_time(const SmoothingMaps& maps);
-
-/// The cell in which the results of the two schemes are farthest apart.
-struct Gap {
-    const SmoothingMaps* maps = nullptr;   // null: no cell is compared
-    std::size_t cell = 0;
-    double largest = 0;   // in this cell
-    double last = 0;      // the largest after all iterations, on any mesh
-};
-Gap largest_gap(const Planes& planes);
 
 /// The triangles with all corners within `rings` edges of a vertex, turned so that its normal faces the three-quarter view.
 struct Neighbourhood {

@@ -228,33 +228,6 @@ report::Table blow_up_table(const Planes& planes) {
         });
 }
 
-report::Table plane_table(const Planes& planes) {
-    struct Row {
-        const SmoothingMaps& maps;
-        const SchemeMap& map;
-        std::size_t cell;
-    };
-    std::vector<Row> rows;
-    for (const SmoothingMaps& maps : planes)
-        for (const SchemeMap& map : maps.schemes)
-            for (std::size_t cell = 0; cell < map.moved.size(); ++cell) rows.push_back({maps, map, cell});
-    const auto value = [](PlaneValues SchemeMap::*quantity, double unit) {
-        return [=](const Row& r) { return (r.map.*quantity).empty() ? report::Cell() : cell_of(unit * (r.map.*quantity)[r.cell]); };
-    };
-    return table("stability_planes", words.line("plane"), rows)
-        .column("mesh", [](auto& r) { return r.maps.name(); })
-        .column("scheme", [](auto& r) { return r.map.name(); })
-        .column("λ/λ_crit", [](auto& r) { return r.maps.relative(r.maps.step_of(r.cell)); })
-        .column("iterations", {.digits = 5}, [](auto& r) { return r.maps.iterations[r.maps.row_of(r.cell)]; })
-        .column("moved (rms)", {.unit = "% of box"}, value(&SchemeMap::moved, 100))
-        .column("from the clean mesh", {.unit = "% of box"}, value(&SchemeMap::error, 100))
-        .column("size", {.unit = "% of input"}, value(&SchemeMap::size, 100))
-        .column("smallest angle", {.unit = "°"}, value(&SchemeMap::angle, 180 / pi))
-        .column("turned triangles", {.unit = "%"}, value(&SchemeMap::inverted, 100))
-        .column("explicit apart", {.unit = "% of moved"}, value(&SchemeMap::gap, 100))
-        .file_only();
-}
-
 report::Table region_table(const Planes& planes) {
     const auto cells_where = [](const auto& chosen) { return [=](auto& r) { return std::ranges::count_if(r.part.inverted, chosen); }; };
     const auto at_best = [](const auto& value) {
