@@ -79,12 +79,7 @@ Tip tip_of(const Ellipsoid& ellipsoid) {
     return tip;
 }
 
-std::vector<PoleStep> towards_the_pole(const Ellipsoid& ellipsoid) {
-    return each_of(std::array{0.5, 0.1, 1e-2, 1e-3, 1e-4}, [&](double distance) {
-        const FundamentalForms forms = ellipsoid_forms(ellipsoid, 0, pi - distance);
-        return PoleStep{distance, forms.I.determinant(), gaussian_curvature(forms)};
-    });
-}
+double curvature_near_pole(const Ellipsoid& ellipsoid) { return gaussian_curvature(ellipsoid_forms(ellipsoid, 0, pi - near_pole)); }
 
 DiscreteTips discrete_tips(const Ellipsoid& ellipsoid, bool quick) {
     DiscreteTips tips;

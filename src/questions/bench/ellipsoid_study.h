@@ -42,13 +42,9 @@ struct Tip {
 /// Computes the curvatures at the tip, and the largest gaps over 360 directions.
 Tip tip_of(const Ellipsoid& ellipsoid);
 
-struct PoleStep {
-    double distance = 0;               // π − v [rad]
-    double area_element_squared = 0;   // EG − F² [length⁴]
-    double K = 0;                      // [1/length²]
-};
-/// Evaluates EG − F² and K along u = 0, at the distances π − v = 0.5, 0.1, 0.01, 0.001 and 0.0001 from the south pole.
-std::vector<PoleStep> towards_the_pole(const Ellipsoid& ellipsoid);
+inline constexpr double near_pole = 1e-4;   // π − v [rad]
+/// Returns K at u = 0 and near_pole. [1/length²]
+double curvature_near_pole(const Ellipsoid& ellipsoid);
 
 /// Cotangent H and angle-deficit K (Voronoi areas) at the tip of a mesh.
 struct DiscreteTip {

@@ -52,17 +52,6 @@ report::Table error_table(const BenchRuns& runs) {
         .column("K mixed", {.unit = "%", .digits = 2}, error("K.mixed"));
 }
 
-report::Table gauss_bonnet_table(const AngleSums& sums) {
-    return table("q1_gauss_bonnet", words.line("gauss_bonnet"), sums)
-        .column("mesh", &AngleSum::mesh)
-        .column("vertices", &AngleSum::vertices)
-        .column("χ", &AngleSum::euler)
-        .column("Σ deficit / 2π", {.digits = 6}, &AngleSum::measured)
-        .column("difference", {.digits = 2}, [](auto& s) { return s.measured - s.euler; })
-        .column("applies", [](auto& s) { return s.applies ? "yes" : words.line("gauss_bonnet.does_not_apply"); })
-        .file_only();
-}
-
 void add_checks(report::Section& section, const AngleSums& sums, const std::vector<FlatMesh>& flat, const BenchRuns& runs) {
     for (const AngleSum& s : sums)
         if (s.applies) add(section, check_near(words.line("check.gauss_bonnet", "mesh"_a = s.mesh), s.euler, s.measured, s.tolerance()));
@@ -115,7 +104,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     begin_appendix(section);
     add_words(section, words, "appendix");
     add(section, convergence_plot("q1_convergence", words, runs, {{uniform_H, "convergence.h"}, {deficit_K, "convergence.k"}}),
-        statistics_table(meshes), area_table(runs), gauss_bonnet_table(sums));
+        statistics_table(meshes), area_table(runs));
     for (const FlatMesh& f : flat)
         if (f.boundary_vertices > 0)
             add_words(section, words, "flat.boundary", "mesh"_a = f.curvature->name(), "length"_a = readable(f.boundary_length, 2),

@@ -11,7 +11,7 @@ report::Text about_tip(const Tip& tip) {
                      "least"_a = readable(k.minimum, 2), "largest"_a = readable(k.maximum, 2));
 }
 
-void add_discussion(report::Section& section, const Tip& tip, const Oracles& oracles, const PoleSteps& steps, const DiscreteTips& tips) {
+void add_discussion(report::Section& section, const Tip& tip, const Oracles& oracles, const DiscreteTips& tips) {
     const Ellipsoid& e = tip.ellipsoid;
     const auto [gap, degrees] = largest_gap(e);
     const double x = tip.forms.normal.x();   // the tip is at +x
@@ -20,7 +20,6 @@ void add_discussion(report::Section& section, const Tip& tip, const Oracles& ora
         forms = std::max({forms, errors.I, errors.II});
         curvature = std::max({curvature, errors.K, errors.H});
     }
-    const PoleStep& last = steps.back();
     const DiscreteTip &grid = tips.grid.back(), &icosphere = tips.icosphere.back();
     const bool stalls = icosphere.K_error >= tips.icosphere.front().K_error;
     add_paragraphs(section,
@@ -30,8 +29,8 @@ void add_discussion(report::Section& section, const Tip& tip, const Oracles& ora
                     words.say("sign", "where"_a = x < 0 ? "inwards" : "outwards", "normal_x"_a = readable(x), "K"_a = readable(tip.K, 2)),
                     paragraph_of({words.say("against_oracles", "points"_a = total_points(oracles), "ellipsoids"_a = oracles.size(),
                                             "forms"_a = readable(forms, 2), "curvature"_a = readable(curvature, 2)),
-                                  words.say("poles", "distance"_a = readable(last.distance, 2),
-                                            "off"_a = readable(std::abs(last.K / pole_limit(e) - 1), 2)),
+                                  words.say("poles", "distance"_a = readable(near_pole, 2),
+                                            "off"_a = readable(std::abs(curvature_near_pole(e) / pole_limit(e) - 1), 2)),
                                   words.say("on_meshes", "grid_vertices"_a = grid.vertices, "H_error"_a = readable_percent(grid.H_error, 2),
                                             "K_error"_a = readable_percent(grid.K_error, 2), "icosphere_vertices"_a = icosphere.vertices,
                                             "icosphere_H_error"_a = readable_percent(icosphere.H_error, 2),
@@ -52,8 +51,7 @@ report::Text about_mistakes(const Tip& tip) {
                      "off"_a = readable_percent(std::abs(wrong / right - 1)));
 }
 
-void add_checks(report::Section& section, const std::vector<Tip>& tips, const Oracles& oracles, const PoleSteps& pole,
-                const DiscreteTips& discrete) {
+void add_checks(report::Section& section, const std::vector<Tip>& tips, const Oracles& oracles, const DiscreteTips& discrete) {
     const auto line = [](const char* key, const Ellipsoid& e) { return words.line(key, "axes"_a = axes_text(e)); };
     for (const Tip& tip : tips) {
         const auto [a, b, c] = tip.ellipsoid;
@@ -75,7 +73,7 @@ void add_checks(report::Section& section, const std::vector<Tip>& tips, const Or
             check_at_most(name("check.oracle.gaussian"), 0, e.K, 1e-11), check_at_most(name("check.oracle.mean"), 0, e.H, 1e-11));
     }
     const double limit = pole_limit(tips.front().ellipsoid);
-    add(section, check_near(words.line("check.pole"), limit, pole.back().K, 1e-6 * limit),
+    add(section, check_near(words.line("check.pole"), limit, curvature_near_pole(tips.front().ellipsoid), 1e-6 * limit),
         check_near(words.line("check.discrete.mean"), 2, errors_of(discrete.grid, &DiscreteTip::H_error).order().exponent, 0.2),
         check_near(words.line("check.discrete.gaussian"), 2, errors_of(discrete.grid, &DiscreteTip::K_error).order().exponent, 0.2));
 }
@@ -107,7 +105,6 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     const std::vector<Tip> tips{tip_of(flat_ellipsoid), tip_of(tall_ellipsoid)};
     const Tip& tip = tips.front();
     const Oracles oracles = all_oracle_errors(settings);
-    const PoleSteps pole = towards_the_pole(flat_ellipsoid);
     progress("curvature of an ellipsoid mesh at its tip");
     const DiscreteTips discrete = discrete_tips(flat_ellipsoid, settings.quick);
 
@@ -120,15 +117,15 @@ Answer answer(const MeshLibrary&, const QuestionSettings& settings, const Progre
     add(section, angle_diagram(tip));
     add_words(section, words, {"method.tip", "results"});
     add(section, tip_table(tips), tip_plot(tip, "q2_tip_b_above_c"));
-    add_discussion(section, tip, oracles, pole, discrete);
-    add_checks(section, tips, oracles, pole, discrete);
+    add_discussion(section, tip, oracles, discrete);
+    add_checks(section, tips, oracles, discrete);
 
     begin_appendix(section);
     add_words(section, words, "appendix");
     add(section, forms_table(flat_ellipsoid));
     add_ellipsoid_figure(answer, flat_ellipsoid, settings.quick, settings.colormap);
     add_paragraphs(section, {about_tip(tips[1]), about_mistakes(tip)});
-    add(section, oracle_table(oracles), pole_table(flat_ellipsoid, pole), discrete_table(tip, discrete));
+    add(section, discrete_table(tip, discrete));
 
     const int points = oracles.front().points;
     const Ellipsoid &flat = flat_ellipsoid, &tall = tall_ellipsoid;

@@ -9,7 +9,6 @@ namespace meshfolio::q2_ellipsoid {
 inline constexpr report::Words words("q2");
 
 using Oracles = std::vector<OracleErrors>;
-using PoleSteps = std::vector<PoleStep>;
 
 /// The largest difference of κ_n at the tip between θ as an angle in space and θ as (du, dv) = (cos θ, sin θ), and the whole degree from 0
 /// to 90 where it occurs.
@@ -34,10 +33,6 @@ report::Table forms_table(const Ellipsoid& ellipsoid);
 report::Table tip_table(const std::vector<Tip>& tips);
 /// Plots the normal curvature at the tip over θ from 0 to 2π, with θ as an angle (line) and as (du, dv) = (cos θ, sin θ) (dashed).
 report::Plot tip_plot(const Tip& tip, const std::string& id);
-/// Returns a table of the deviations of I, II, K and H, a row for each ellipsoid; for files only.
-report::Table oracle_table(const Oracles& oracles);
-/// Returns a table of EG − F² and K, a row for each distance from the pole; for files only.
-report::Table pole_table(const Ellipsoid& ellipsoid, const PoleSteps& steps);
 /// Returns a table of H and K at the tip and their errors, a row for each mesh: first the grids, then the icospheres.
 report::Table discrete_table(const Tip& exact, const DiscreteTips& tips);
 

@@ -101,24 +101,6 @@ report::Plot tip_plot(const Tip& tip, const std::string& id) {
             .markers = extrema};
 }
 
-report::Table oracle_table(const Oracles& oracles) {
-    auto deviations = table("q2_oracles", words.line("oracles", "points"_a = oracles.front().points), oracles);
-    add_axes(deviations);
-    return deviations.column("I", {.digits = 2}, &OracleErrors::I)
-        .column("II", {.digits = 2}, &OracleErrors::II)
-        .column("K", {.digits = 2}, &OracleErrors::K)
-        .column("H", {.digits = 2}, &OracleErrors::H)
-        .file_only();
-}
-
-report::Table pole_table(const Ellipsoid& ellipsoid, const PoleSteps& steps) {
-    return table("q2_pole", words.line("pole", "axes"_a = axes_text(ellipsoid)), steps)
-        .column("π − v", {.unit = "rad"}, &PoleStep::distance)
-        .column("EG − F²", {.unit = "length⁴", .digits = 4}, &PoleStep::area_element_squared)
-        .column("K", {.unit = "1/length²", .digits = 8}, &PoleStep::K)
-        .file_only();
-}
-
 report::Table discrete_table(const Tip& exact, const DiscreteTips& tips) {
     struct Mesh {
         std::string name;

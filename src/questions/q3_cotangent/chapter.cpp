@@ -30,7 +30,7 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
 
     begin_appendix(section);
     add_limits(section, meshes, runs);
-    add(section, error_table(runs, &EstimateError::linf, "linf", "L∞"), order_table(runs), difference_table(meshes), variant_table(meshes),
+    add(section, error_table(runs, &EstimateError::linf, "linf", "L∞"), difference_table(meshes), variant_table(meshes),
         error_curves(runs));
     add_trust(section, indicator_trials(library, runs, settings));
     for (std::size_t m = 0; m < meshes.size(); ++m)   // a mesh that is flat, or all boundary, has no H to doubt

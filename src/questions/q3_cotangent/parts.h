@@ -56,8 +56,6 @@ report::Table variant_table(const Comparisons& meshes);
 /// Returns a table of errors on the finest meshes in one norm [%], a row for each run, a column for each estimator with `in_q3`.
 /// @param key, name  of the norm, in the id and in the caption: "l2", "L2"
 report::Table error_table(const BenchRuns& runs, Norm norm, const std::string& key, const std::string& name);
-/// Returns a table of the orders of uniform and cotangent H, a row for each run; for files only.
-report::Table order_table(const BenchRuns& runs);
 /// Plots the L2 errors of uniform and of cotangent H over the mean edge, a panel for each surface.
 report::Plot error_curves(const BenchRuns& runs);
 

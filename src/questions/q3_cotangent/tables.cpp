@@ -76,25 +76,6 @@ report::Plot error_curves(const BenchRuns& runs) {
                             {{"H.uniform", "convergence.uniform"}, {H_with(areas_used), "convergence.cotangent"}});
 }
 
-report::Table order_table(const BenchRuns& runs) {
-    const auto order = [](std::string_view estimator, Norm norm = &EstimateError::l2) {
-        return [=](const BenchRun& run) { return words_of(run.errors(estimator, norm).order()); };
-    };
-    return table("q3_orders", words.line("orders", "meshes"_a = runs.front().levels.size()), runs)
-        .column("surface", &BenchRun::surface)
-        .column("triangulation", [](auto& run) { return name_of(run.kind); })
-        .column("from", {.unit = "vertices"}, [](auto& run) { return run.levels.front().vertices; })
-        .column("to", {.unit = "vertices"}, [](auto& run) { return run.finest().vertices; })
-        .column("smallest angle", {.unit = "°"}, [](auto& run) { return run.finest().smallest_angle * 180 / pi; })
-        .column("negative weights", {.unit = "% of edges"}, [](auto& run) { return 100 * run.finest().negative_weights; })
-        .column("uniform", order("H.uniform"))
-        .column("barycentric", order("H.barycentric"))
-        .column("barycentric, L∞", order("H.barycentric", &EstimateError::linf))
-        .column("Voronoi", order("H.voronoi"))
-        .column("mixed", order("H.mixed"))
-        .file_only();
-}
-
 void add_checks(report::Section& section, const BenchRuns& runs, const PlaneTest& plane, const Comparisons& meshes) {
     for (const AreaForm form : area_forms) {
         const Order order = run_on(runs, "torus", MeshKind::regular).errors(H_with(form)).order();
