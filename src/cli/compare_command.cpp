@@ -1,13 +1,20 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "mesh/io/mesh_files.h"
+#include "mesh/triangle_measures.h"
+#include "output/draw/figure_request.h"
 #include "run/arguments.h"
 #include "run/console.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/fields.h"
+#include "run/one_mesh/figure.h"
+#include "run/one_mesh/terminal_picture.h"
 
 namespace meshfolio::cli {
 
@@ -15,7 +22,7 @@ namespace {
 
 struct CompareFlags {
     std::string a, b, csv, ply, html, accuracy = plain_text(default_accuracy);
-    bool json = false, surfaces = false;
+    bool json = false, surfaces = false, terminal = false;
 };
 
 std::string in_words(const std::vector<DifferenceLine>& lines) {
@@ -39,17 +46,43 @@ void take_triangles_of_file(const CompareFlags& options, const PreparedMesh& a, 
 
 /// Adds the output files, which need the distances between the surfaces.
 void add_files(output::FileGroup& files, const CompareFlags& options, const PreparedMesh& a, const PreparedMesh& b,
-               const Difference& difference) {
-    if (options.csv.empty() && options.ply.empty() && options.html.empty()) return;
-    const SurfaceDistances distances = difference.distances ? *difference.distances : surface_distances(a.mesh, b.mesh, most_accuracy);
+               const Difference& difference, const SurfaceDistances& distances) {
     const std::vector<VertexColumn> columns{{"distance", distances.a_to_b.of_vertices, ScalarType::float32}};
     if (!options.ply.empty()) add_mesh(files, options.ply, a.mesh, attributes_with(a, columns));
     if (!options.html.empty()) files.add(options.html, difference_page(a, b, difference, distances));
     if (!options.csv.empty()) print_to(files, options.csv, vertex_table(a, columns));
 }
 
+/// Returns a picture of both meshes in one frame, coloured by their distances to each other. Where it is too coarse for words, they are
+/// below it.
+std::string picture_of_both(const PreparedMesh& a, const PreparedMesh& b, const SurfaceDistances& distances, const TerminalRoom& room) {
+    constexpr int oversampling = 8;                  // pixels of the figure for one of a coarse picture
+    constexpr double resolution = 96, inch = 25.4;   // [dpi], [mm]
+    const double diagonal = bounding_box(a.mesh).diagonal();
+    const std::array fields{distance_field(distances.a_to_b.of_vertices, diagonal), distance_field(distances.b_to_a.of_vertices, diagonal)};
+    const output::ColorRange range =
+        output::robust_range({{"", "", nullptr, fields[0].values}, {"", "", nullptr, fields[1].values}}, "pale", "", "", fields[0].floor);
+    const bool words = !room.is_coarse();
+    const auto label = [&](const PreparedMesh& one) { return words ? std::filesystem::path(one.file).filename().string() : ""; };
+    const std::array meshes{FigureMesh{label(a), a, {fields[0]}}, FigureMesh{label(b), b, {fields[1]}}};
+    const int pixels = picture_pixels(room).first * (words ? 1 : oversampling);
+    FigureStyle style{.common_fit = true, .columns = 2, .width = std::clamp(pixels / resolution * inch, smallest_width, largest_width)};
+    style.resolution = resolution;
+    style.bars = words;
+    style.colormap = range.colormap;
+    style.range = {range.low, range.high};
+    if (!words) style.background.a = 0;
+    const std::string picture = terminal_picture(render::painted(figure_of(meshes, style)), room);
+    if (words) return picture;
+    return picture + "left A, right B; distance to the other from " + plain_text(range.low, 3) + " (pale) to " + plain_text(range.high, 3) +
+           " and more (dark blue)\n";
+}
+
 ExitCode run_compare(const CompareFlags& options) {
     if (options.json && options.csv == "-") throw UsageError("--json and --csv - both write to standard output", "name a file for --csv");
+    if (options.terminal && (options.json || options.csv == "-"))
+        throw UsageError("--terminal goes with neither --json nor --csv -", "take one of them");
+    const TerminalRoom room = options.terminal ? terminal_room() : TerminalRoom();
     check_read_once(options.a, options.b);
     check_output("--csv", options.csv, {".csv", "-"});
     check_output("--ply", options.ply, column_endings());
@@ -62,12 +95,17 @@ ExitCode run_compare(const CompareFlags& options) {
     for (const std::string& warning : difference.warnings) warn(warning);
     output::FileGroup files;
     for (const std::string& file : {options.a, options.b}) files.keep(file);
-    add_files(files, options, a, b, difference);
+    std::string picture;
+    if (options.terminal || !options.csv.empty() || !options.ply.empty() || !options.html.empty()) {
+        const SurfaceDistances distances = difference.distances ? *difference.distances : surface_distances(a.mesh, b.mesh, most_accuracy);
+        add_files(files, options, a, b, difference, distances);
+        if (options.terminal) picture = picture_of_both(a, b, distances, room);
+    }
     files.publish();
     if (options.json) {
         print(difference_json(difference));
     } else if (options.csv != "-") {
-        print(for_terminal(in_words(difference.lines)));
+        print(picture + for_terminal(in_words(difference.lines)));
     }
     return ExitCode::ok;
 }
@@ -85,6 +123,7 @@ Command compare_command(CLI::App& parent) {
     app.text("--csv FILE", options->csv, "the distance of every vertex of A to the surface of B: file, or - for standard output");
     app.text("--ply FILE", options->ply, "A, with this distance as a property of its vertices");
     app.text("--html FILE", options->html, "a page of both: pictures by one camera, distances, numbers");
+    app.flag("--terminal", options->terminal, "show both in the terminal, coloured by their distances to each other");
     app.footer("Example: meshfolio compare clean.ply denoised.ply --json");
     return {app, [options] { return run_compare(*options); }};
 }

@@ -24,7 +24,8 @@ class Terminal(InFolder):
         """Runs the program on a terminal of this width. Returns exit code and output."""
         ours, theirs = pty.openpty()
         fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack('HHHH', 24, columns, 0, 0))
-        environment = {name: value for name, value in os.environ.items() if name not in ('NO_COLOR', 'CLICOLOR', 'CLICOLOR_FORCE', 'COLUMNS')}
+        environment = {name: value for name, value in os.environ.items() if name not in
+                       ('NO_COLOR', 'CLICOLOR', 'CLICOLOR_FORCE', 'COLUMNS', 'COLORTERM', 'TERM_PROGRAM', 'LC_TERMINAL', 'TMUX', 'STY', 'KITTY_WINDOW_ID')}
         environment |= {'TERM': 'xterm-256color', 'MESHFOLIO_PDF': 'off', 'XDG_CACHE_HOME': self.path('cache'), **variables}
         process = subprocess.Popen([PROGRAM, *map(str, words)], cwd=self.folder, env=environment, stdin=theirs, stdout=theirs, stderr=theirs)
         os.close(theirs)
@@ -75,6 +76,34 @@ class Terminal(InFolder):
         named = [line.split()[0] for title, lines in groups if title != 'Options' for line in lines.splitlines()]
         self.assertEqual(len(set(named)), len(named))
         self.assertLessEqual(set(COMMANDS), set(named))
+
+    def test_two_meshes_are_shown_side_by_side(self):
+        self.sample('sphere')
+        os.rename(self.path('sphere.obj'), self.path('a\x1b]2;title\x07.obj'))
+        words = ['compare', 'a\x1b]2;title\x07.obj', self.sample('cube')]
+        numbers = self.succeed(*words)
+        for variables, colours in (({}, '8;5;'), ({'COLORTERM': 'truecolor'}, '8;2;')):
+            code, told = self.seen(*words, '--terminal', columns=60, **variables)
+            self.assertEqual(code, 0, told)
+            self.assertIn(colours, told)
+            self.assertNotIn('title', told.split('left A')[0])
+            lines = ESCAPE.sub('', told).split('\n')
+            rows = [line for line in lines if '▀' in line]
+            self.assertGreater(len(rows), 10)
+            self.assertLessEqual(max(map(len, lines[:len(rows)])), 60)
+            for row in rows[len(rows) // 2 - 2:len(rows) // 2 + 2]:   # both surfaces, and the ground between them
+                self.assertRegex(row.rstrip(), '^ *[▀▄]+ +[▀▄]+$')
+            self.assertIn('left A, right B', told)
+            self.assertEqual(sorted(ESCAPE.sub('', told).split('(dark blue)')[1].split()), sorted(numbers.split()))
+        self.assertIn('\x1b_Ga=T,f=100,q=2,m=', self.seen(*words, '--terminal', TERM='xterm-kitty')[1])
+        self.assertIn('\x1b]1337;File=inline=1;', self.seen(*words, '--terminal', TERM_PROGRAM='iTerm.app')[1])
+        for variables, why in (({'TERM': 'dumb'}, "TERM is 'dumb'"), ({'TERM': ''}, "TERM is ''"), ({'NO_COLOR': '1'}, 'NO_COLOR is set')):
+            code, told = self.seen(*words, '--terminal', **variables)
+            self.assertEqual(code, 2)
+            self.assertIn(why, ' '.join(told.split()))
+        self.assertIn('the output is no terminal', self.refuse(2, *words, '--terminal', CLICOLOR_FORCE=''))
+        for other in (['--json'], ['--csv', '-']):
+            self.refuse(2, *words, '--terminal', *other)
 
     def test_doctor_ends_with_a_verdict(self):
         missing = json.loads(self.succeed('doctor', '--json'))['missing']
