@@ -1,5 +1,5 @@
 /// @file
-/// Meshes, attributes and pictures as NumPy arrays. Results are handed over without a copy, and a mesh shows its own memory, read-only;
+/// Meshes and attributes as NumPy arrays. Results are handed over without a copy, and a mesh shows its own memory, read-only;
 /// input is copied once, into the mesh.
 #pragma once
 
@@ -7,22 +7,64 @@
 #include <pybind11/numpy.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/errors.h"
 #include "mesh/io/mesh_encoders.h"
+#include "mesh/io/polygon_list.h"
 #include "mesh/mesh_checks.h"
-#include "png/png.h"
+#include "mesh/triangle_measures.h"
 #include "python/interruptible.h"
-#include "run/one_mesh/mesh_pictures.h"
 
 namespace meshfolio::python {
 
 namespace py = pybind11;
 using namespace py::literals;
+
+/// Warns at the line that calls a function of the package.
+inline void warn(const std::string& text) {
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 3) != 0) throw py::error_already_set();
+}
+
+// ---- numbers in ------------------------------------------------------------------------------------------------------------
+
+/// Returns the object as an array, with NaN where a masked array has no value.
+/// @param kinds  allowed for its numbers: b, i, u, f @throws MeshError with this problem and remedy for another kind
+inline py::array numbers_of(const py::handle& object, const std::string& problem, std::string_view kinds, const std::string& remedy) {
+    const bool masked = py::hasattr(object, "mask") && py::hasattr(object, "filled") && py::hasattr(object, "dtype");
+    const py::array array = py::array::ensure(masked ? object.attr("astype")("float64").attr("filled")(std::nan(""))
+                                                     : py::reinterpret_borrow<py::object>(object));
+    if (!array || kinds.find(array.dtype().kind()) == std::string_view::npos) throw MeshError(problem, remedy);
+    return array;
+}
+
+inline std::string shape_of(const py::array& array) {
+    std::string shape;
+    for (py::ssize_t axis = 0; axis < array.ndim(); ++axis) shape += (axis > 0 ? " x " : "") + std::to_string(array.shape(axis));
+    return shape;
+}
+
+/// @throws MeshError unless the array has n rows @param about  subject and verb of the message
+inline void require_rows(const py::array& array, Eigen::Index n, const std::string& about) {
+    if (array.shape(0) != n)
+        throw MeshError(about + std::to_string(array.shape(0)) + " values, the mesh has " + std::to_string(n) + " vertices",
+                        "give one row a vertex, NaN where undefined");
+}
+
+/// Returns n numbers. @throws MeshError for anything else
+inline Vector values_of(const py::object& values, Eigen::Index n) {
+    const py::array array = numbers_of(values, "values are no numbers", "biuf", "give one number a vertex, NaN where undefined");
+    if (array.ndim() < 1 || array.size() != array.shape(0))
+        throw MeshError("values have the shape " + shape_of(array) + ", not n",
+                        "give one number a vertex, such as one column: values[:, 0]");
+    require_rows(array, n, "");
+    return array.attr("ravel")().cast<Vector>();
+}
 
 // ---- attributes ------------------------------------------------------------------------------------------------------------
 
@@ -57,19 +99,21 @@ inline ScalarType type_in_files(const py::dtype& type, const DenseMatrix& values
     }
 }
 
-/// Converts arrays to columns; an n × k array becomes the columns NAME_0, NAME_1, …
-/// @throws MeshError for an array that is not of numbers or has not n rows
+/// Returns an attribute as an array. @throws MeshError if it is not of numbers, n or n × k
+inline py::array attribute_of(const std::string& name, const py::object& values, Eigen::Index n) {
+    const std::string about = "attribute '" + printable(name) + "'";
+    py::array array = numbers_of(values, about + " holds no numbers", "biuf", "give an array of booleans, integers or floats");
+    if (array.ndim() < 1 || array.ndim() > 2) throw MeshError(about + " has neither one axis nor two", "give n numbers or n x k");
+    require_rows(array, n, about + " has ");
+    return array;
+}
+
+/// Converts arrays to columns; an n × k array becomes the columns NAME_0, NAME_1, … @throws MeshError as attribute_of
 inline std::vector<VertexColumn> columns_of(const py::dict& arrays, Eigen::Index n) {
     std::vector<VertexColumn> columns;
     for (const auto& [key, value] : arrays) {
-        const std::string name = py::str(key), about = "attribute '" + printable(name) + "'";
-        const py::array array = py::array::ensure(value);
-        if (!array || std::string("biuf").find(array.dtype().kind()) == std::string::npos)
-            throw MeshError(about + " holds no numbers", "give an array of booleans, integers or floats");
-        if (array.ndim() < 1 || array.ndim() > 2) throw MeshError(about + " has neither one axis nor two", "give n numbers or n x k");
-        if (array.shape(0) != n)
-            throw MeshError(about + " has " + std::to_string(array.shape(0)) + " values, the mesh has " + std::to_string(n) + " vertices",
-                            "give one row a vertex");
+        const std::string name = py::str(key);
+        const py::array array = attribute_of(name, py::reinterpret_borrow<py::object>(value), n);
         const auto values = array.cast<DenseMatrix>();
         const ScalarType type = type_in_files(array.dtype(), values);
         for (Eigen::Index k = 0; k < values.cols(); ++k)
@@ -80,7 +124,7 @@ inline std::vector<VertexColumn> columns_of(const py::dict& arrays, Eigen::Index
 
 // ---- meshes ----------------------------------------------------------------------------------------------------------------
 
-/// A mesh of Python. Its surface never changes: functions return new meshes.
+/// A mesh of Python. A prepared mesh never changes, so that arrays and running work can share it; setters replace it.
 struct Mesh {
     std::shared_ptr<const PreparedMesh> prepared;   // its only columns are the normals of the file
     py::dict attributes;                            // may be changed by the user
@@ -91,7 +135,9 @@ struct Mesh {
 
 /// Returns a dict of these arrays (meshfolio._Attributes) that refuses arrays without n rows. @throws MeshError if one of them has not n
 /// rows
-inline py::dict checked(const py::dict& arrays, Eigen::Index n) { return py::module_::import("meshfolio").attr("_Attributes")(n, arrays); }
+inline py::dict checked(const py::object& arrays, Eigen::Index n) {
+    return py::module_::import("meshfolio").attr("_Attributes")(n, arrays);
+}
 
 inline Mesh mesh_of(PreparedMesh prepared) {
     py::dict attributes = checked(dict_of(prepared.attributes.columns), prepared.mesh.X.rows());
@@ -100,14 +146,26 @@ inline Mesh mesh_of(PreparedMesh prepared) {
 }
 
 /// Returns a deep copy of a dict with its arrays.
-inline py::dict copy_of(const py::dict& arrays) { return py::module_::import("copy").attr("deepcopy")(arrays); }
+inline py::object copy_of(const py::object& arrays) { return py::module_::import("copy").attr("deepcopy")(arrays); }
 
-/// Returns the mesh at positions X, with a copy of its attributes and the orientation of its triangles.
-inline Mesh moved_to(const Mesh& mesh, Positions X) {
-    PreparedMesh moved = *mesh.prepared;
-    moved.mesh.X = std::move(X);
-    return {std::make_shared<const PreparedMesh>(std::move(moved)), copy_of(mesh.attributes), true};
+/// Returns the prepared mesh with the counts and the box that pictures need, all else as it is.
+inline std::shared_ptr<const PreparedMesh> measured(PreparedMesh mesh) {
+    const Box box = bounding_box(mesh.mesh);
+    mesh.preflight.box_low = box.low, mesh.preflight.box_high = box.high;
+    mesh.preflight.triangles = mesh.mesh.face_count();
+    mesh.preflight.vertices_in_use = 0;
+    for (int v = 0; v < mesh.mesh.vertex_count(); ++v) mesh.preflight.vertices_in_use += mesh.topology.vertex_faces.size(v) > 0 ? 1 : 0;
+    return std::make_shared<const PreparedMesh>(std::move(mesh));
 }
+
+/// Returns the surface at positions X, with the orientation of its triangles.
+inline std::shared_ptr<const PreparedMesh> moved_to(PreparedMesh mesh, Positions X) {
+    mesh.mesh.X = std::move(X);
+    return measured(std::move(mesh));
+}
+
+/// Returns the mesh at positions X, with a copy of its attributes.
+inline Mesh moved_to(const Mesh& mesh, Positions X) { return {moved_to(*mesh.prepared, std::move(X)), copy_of(mesh.attributes), true}; }
 
 /// Returns all that a file stores besides the triangles: normals and text of the file that was read, and the attributes as columns.
 inline Attributes attributes_of(const Mesh& mesh) {
@@ -118,47 +176,45 @@ inline Attributes attributes_of(const Mesh& mesh) {
 
 // ---- arrays in -------------------------------------------------------------------------------------------------------------
 
-/// Returns the object as an n × 3 array. @param kinds  allowed for its numbers: i, u, f @throws MeshError for another shape or kind
-inline py::array rows_of_three(const py::object& rows, const std::string& name, const std::string& kinds) {
-    const py::array array = py::array::ensure(rows);
-    if (!array || kinds.find(array.dtype().kind()) == std::string::npos)
-        throw MeshError(name + (kinds == "iu" ? " are no integers" : " are no numbers"));
-    if (array.ndim() == 2 && array.shape(1) == 3) return array;
-    std::string shape;
-    for (py::ssize_t axis = 0; axis < array.ndim(); ++axis) shape += (axis > 0 ? " x " : "") + std::to_string(array.shape(axis));
-    throw MeshError(name + " have the shape " + shape + ", not n x 3",
-                    kinds == "iu" ? "of PyVista's take faces.reshape(-1, 4)[:, 1:]" : "");
+/// Returns the object as an n × 3 array. @param kinds  allowed for its numbers @throws MeshError for another shape or kind
+inline py::array rows_of_three(const py::array& array, const std::string& name, const std::string& remedy) {
+    if (array.ndim() != 2 || array.shape(1) != 3) throw MeshError(name + " have the shape " + shape_of(array) + ", not n x 3", remedy);
+    return array;
 }
 
-inline TriangleMesh triangles_of(const py::object& vertices, const py::object& faces, const std::string& name) {
-    using Indices = Eigen::Matrix<long long, Eigen::Dynamic, 3, Eigen::RowMajor>;
-    TriangleMesh mesh;
-    mesh.X = rows_of_three(vertices, "vertices", "iuf").cast<Positions>();
-    const Indices indices = rows_of_three(faces, "faces", "iu").cast<Indices>();
-    for (Eigen::Index v = 0; v < mesh.X.rows(); ++v) {
-        if (!mesh.X.row(v).allFinite())
-            throw MeshError("vertex " + std::to_string(v) + " is not finite", "every coordinate must be a number", {name});
+inline Positions positions_of(const py::object& vertices, const std::string& name) {
+    const py::array array = numbers_of(vertices, "vertices are no numbers", "iuf", "give n x 3 coordinates");
+    Positions X = rows_of_three(array, "vertices", "").cast<Positions>();
+    for (Eigen::Index v = 0; v < X.rows(); ++v) {
+        if (!(X.row(v).array().abs() <= largest_coordinate).all())
+            throw MeshError("vertex " + std::to_string(v) + " is not finite", "every coordinate must be a number within 1e100", {name});
     }
-    for (Eigen::Index t = 0; t < indices.rows(); ++t) {
-        if (indices.row(t).minCoeff() < 0 || indices.row(t).maxCoeff() >= mesh.X.rows())
-            throw MeshError("face " + std::to_string(t) + " names a vertex that is not there",
-                            "indices lie from 0 to " + std::to_string(mesh.X.rows() - 1), {name});
-    }
-    mesh.F = indices.cast<int>();
-    return mesh;
+    return X;
 }
 
-/// Returns (N, N) for N, or (width, height). @throws UsageError unless both are whole numbers from 1 to run::largest_side
-inline std::pair<int, int> picture_size(const py::object& size) {
-    std::pair<int, int> sides;
-    try {
-        sides = PyIndex_Check(size.ptr()) != 0 ? std::pair{size.cast<int>(), size.cast<int>()} : size.cast<std::pair<int, int>>();
-    } catch (const py::cast_error&) {   // not numbers: refused below
+/// Returns the polygons of rows of three vertices, or of one row of numbers as PyVista has it: k, then k vertices, and so on.
+/// @param n  vertices @throws MeshError
+inline PolygonList polygons_of(const py::object& faces, Eigen::Index n, const std::string& name) {
+    const std::string forms = "give m x 3 vertices, polygons, or 3, a, b, c, 3, a, b, c, … as PyVista has it";
+    const py::array array = numbers_of(faces, "faces are no integers", "iu", forms);
+    const bool counted = array.ndim() == 1;   // each polygon begins with its number of corners
+    const auto flat = (counted ? array : rows_of_three(array, "faces", forms)).attr("ravel")().cast<Eigen::VectorX<long long>>();
+    PolygonList polygons;
+    polygons.reserve(static_cast<std::size_t>(flat.size() / 3));
+    for (Eigen::Index i = 0; i < flat.size(); polygons.end_polygon(0)) {
+        const long long corners = counted ? flat[i++] : 3;
+        if (corners < 1 || corners > flat.size() - i)
+            throw MeshError(
+                "faces[" + std::to_string(i - 1) + "] is " + std::to_string(corners) + ", not the number of corners that follow", forms);
+        for (const Eigen::Index end = i + corners; i < end; ++i) {
+            if (flat[i] < 0 || flat[i] >= n)
+                throw MeshError(
+                    "face " + std::to_string(polygons.size()) + " names vertex " + std::to_string(flat[i]) + ", which is not there",
+                    "indices lie from 0 to " + std::to_string(n - 1), {name});
+            polygons.add_corner(static_cast<int>(flat[i]));
+        }
     }
-    const auto [width, height] = sides;
-    if (std::min(width, height) < 1 || std::max(width, height) > run::largest_side)
-        throw UsageError("size is not N or (width, height)", "both between 1 and " + std::to_string(run::largest_side));
-    return sides;
+    return polygons;
 }
 
 // ---- arrays out ------------------------------------------------------------------------------------------------------------
@@ -173,19 +229,6 @@ template <class Matrix> py::array rows_of(const Matrix& matrix, const Mesh& mesh
     py::array rows = array_over(matrix.data(), {matrix.rows(), matrix.cols()}, mesh.prepared);
     rows.attr("setflags")("write"_a = false);
     return rows;
-}
-
-inline py::array array_of(render::Image picture) {
-    const auto kept = std::make_shared<const render::Image>(std::move(picture));
-    static_assert(sizeof(render::Rgba) == 4);
-    return array_over(reinterpret_cast<const std::uint8_t*>(kept->pixels.data()), {kept->height, kept->width, 4}, kept);
-}
-
-inline py::bytes png_of(const py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>& array) {
-    if (array.ndim() != 3 || array.shape(2) != 4) throw UsageError("a picture is height x width x 4", "RGBA, 8 bits each");
-    render::Image picture(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)));
-    std::copy_n(array.data(), array.size(), reinterpret_cast<std::uint8_t*>(picture.pixels.data()));
-    return render::encode_png(picture);
 }
 
 }   // namespace meshfolio::python

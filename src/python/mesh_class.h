@@ -16,12 +16,39 @@
 
 namespace meshfolio::python {
 
-inline Mesh new_mesh(const py::object& vertices, const py::object& faces, const std::string& name, const py::dict& attributes) {
-    LoadedMesh loaded{triangles_of(vertices, faces, name), name, {}, {}};
-    const py::dict own = checked(copy_of(attributes), loaded.mesh.X.rows());
-    Mesh mesh = mesh_of(interruptible([loaded](const Stop&) { return prepare_mesh(loaded); }));
-    mesh.attributes = own;
+/// Returns the mesh of arrays, with its polygons as triangles. @throws MeshError
+inline LoadedMesh loaded_from(const py::object& vertices, const py::object& faces, const std::string& name) {
+    Positions X = positions_of(vertices, name);
+    const PolygonList polygons = polygons_of(faces, X.rows(), name);
+    return triangulated(polygons, std::move(X), name, {});
+}
+
+inline Mesh new_mesh(const py::object& vertices, const py::object& faces, const std::string& name, const py::object& attributes) {
+    LoadedMesh loaded = loaded_from(vertices, faces, name);
+    py::dict own = checked(copy_of(attributes), loaded.mesh.X.rows());
+    Mesh mesh = mesh_of(interruptible([&loaded](const Stop&) { return prepare_mesh(std::move(loaded)); }));
+    mesh.attributes = std::move(own);
     return mesh;
+}
+
+/// Moves the vertices. Arrays that show the old ones keep them. @throws MeshError
+inline void set_vertices(Mesh& mesh, const py::object& vertices) {
+    Positions X = positions_of(vertices, mesh.prepared->file);
+    if (X.rows() != mesh.triangles().X.rows())
+        throw MeshError("vertices have " + std::to_string(X.rows()) + " rows, the mesh has " + std::to_string(mesh.triangles().X.rows()),
+                        "for another number make a new Mesh(vertices, faces)");
+    auto moved = moved_to(*mesh.prepared, std::move(X));
+    if (moved->preflight.box_low == moved->preflight.box_high) throw MeshError("all vertices coincide", "a mesh needs an extent");
+    mesh.prepared = std::move(moved);
+    mesh.moved = true;
+}
+
+inline void set_name(Mesh& mesh, const py::object& name) {
+    if (!py::isinstance<py::str>(name))
+        throw UsageError("name must be a word, not of type " + std::string(py::str(py::type::of(name).attr("__name__"))));
+    PreparedMesh named = *mesh.prepared;
+    named.file = name.cast<std::string>();
+    mesh.prepared = std::make_shared<const PreparedMesh>(std::move(named));
 }
 
 /// True if every edge lies between two triangles.
@@ -32,10 +59,8 @@ inline bool is_watertight(const Mesh& mesh) {
 
 /// Returns vertices in use − edges + triangles.
 inline int euler_number(const Mesh& mesh) {
-    const MeshTopology& topology = mesh.prepared->topology;
-    int count = mesh.triangles().face_count() - static_cast<int>(topology.edges.size());
-    for (int v = 0; v < mesh.triangles().vertex_count(); ++v) count += topology.vertex_faces.size(v) > 0 ? 1 : 0;
-    return count;
+    const Preflight& counts = mesh.prepared->preflight;
+    return counts.vertices_in_use - static_cast<int>(mesh.prepared->topology.edges.size()) + counts.triangles;
 }
 
 inline Eigen::Matrix<double, 2, 3, Eigen::RowMajor> bounds_of(const Mesh& mesh) {
@@ -63,42 +88,45 @@ inline py::tuple state_of(const Mesh& mesh) {
 inline Mesh mesh_of_state(const py::tuple& state) {
     PreparedMesh mesh;
     mesh.file = state[2].cast<std::string>();
-    mesh.mesh = triangles_of(state[0], state[1], mesh.file);
+    mesh.mesh = loaded_from(state[0], state[1], mesh.file).mesh;
     mesh.topology = topology_of(mesh.mesh);
     for (const auto& message : state[3]) mesh.warnings.push_back({message.cast<std::string>()});
     mesh.attributes = {{}, state[5].cast<std::string>(), state[6].cast<std::vector<long>>()};
     if (state[7].cast<bool>()) {   // computed when they are written
         for (const char* name : {"nx", "ny", "nz"}) mesh.attributes.columns.push_back({name, Vector::Zero(mesh.mesh.X.rows())});
     }
-    const py::dict attributes = checked(state[4].cast<py::dict>(), mesh.mesh.X.rows());
-    return {std::make_shared<const PreparedMesh>(std::move(mesh)), attributes, true};
+    const py::dict attributes = checked(state[4], mesh.mesh.X.rows());
+    return {measured(std::move(mesh)), attributes, true};
 }
 
 inline void add_mesh(py::module_& m) {
     const auto vertices = [](const Mesh& mesh) { return rows_of(mesh.triangles().X, mesh); };
     const auto attributes = [](const Mesh& mesh) { return mesh.attributes; };
+    const auto set_attributes = [](Mesh& mesh, const py::object& arrays) { mesh.attributes = checked(arrays, mesh.triangles().X.rows()); };
     const auto copied = [](const Mesh& mesh) { return copy_of(mesh); };
     py::class_<Mesh> mesh_class(
         m, "Mesh",
-        "A triangle mesh. Its surface is never changed: smooth() and noise() give new ones. `attributes` are yours to change.\n\n"
+        "A triangle mesh.\n\n"
         "Faces that name a vertex twice, and repeated ones, are dropped, and the rest is turned consistently, outwards where\n"
-        "closed; `warnings` says what was done. Vertices keep their rows.");
-    mesh_class
-        .def(py::init(&new_mesh), "vertices"_a, "faces"_a, "name"_a = "mesh", "attributes"_a = py::dict(),
-             "vertices: n x 3 coordinates in any unit of length; faces: m x 3 rows of vertices, counter-clockwise seen from outside;\n"
-             "attributes: names with n numbers each, or n x k.")
-        .def_property_readonly("vertices", vertices, "n x 3 float64 [length], read-only, no copy")
-        .def_property_readonly("points", vertices, "vertices, under PyVista's name for them")
-        .def_property_readonly(
-            "faces", [](const Mesh& mesh) { return rows_of(mesh.triangles().F, mesh); }, "m x 3 int32, read-only, no copy")
-        .def_property_readonly(
-            "attributes", attributes,
-            "a dict, name -> n numbers (or n x k), read and written: colours, quality, … of the file; save() writes them,\n"
-            "smooth() and noise() keep them. Normals are computed anew when they are written")
-        .def_property_readonly("vertex_attributes", attributes, "attributes, under trimesh's name for them")
-        .def_property_readonly("point_data", attributes, "attributes, under PyVista's name for them")
-        .def_property_readonly(
-            "name", [](const Mesh& mesh) { return mesh.prepared->file; }, "file it was read from, or what it was called")
+        "closed; `warnings` says what was done. Vertices keep their rows. `vertices`, `attributes` and `name` can be set.");
+    mesh_class.def(py::init(&new_mesh))
+        .def_property("vertices", vertices, &set_vertices,
+                      "n x 3 float64 [length], read-only, no copy. Set n x 3 coordinates to move the vertices, such as\n"
+                      "`mesh.vertices = 2 * mesh.vertices`; arrays taken before keep the old ones")
+        .def_property("points", vertices, &set_vertices, "vertices, under PyVista's name for them")
+        .def_property(
+            "faces", [](const Mesh& mesh) { return rows_of(mesh.triangles().F, mesh); },
+            [](const Mesh&, const py::object&) {
+                throw py::attribute_error("the faces of a Mesh cannot be set; make a new one: Mesh(vertices, faces)");
+            },
+            "m x 3 int32, read-only, no copy")
+        .def_property("attributes", attributes, set_attributes,
+                      "a dict, name -> n numbers (or n x k), read and written: colours, quality, … of the file; save() writes them,\n"
+                      "smooth() and noise() keep them. Normals are computed anew when they are written")
+        .def_property("vertex_attributes", attributes, set_attributes, "attributes, under trimesh's name for them")
+        .def_property("point_data", attributes, set_attributes, "attributes, under PyVista's name for them")
+        .def_property(
+            "name", [](const Mesh& mesh) { return mesh.prepared->file; }, &set_name, "file it was read from, or what it was called")
         .def_property_readonly("warnings", &warnings_of, "a list of sentences: oddities found when it was read, and repairs");
     mesh_class
         .def_property_readonly(
@@ -122,13 +150,8 @@ inline void add_mesh(py::module_& m) {
         .def_property_readonly(
             "vertex_normals", [](const Mesh& mesh) { return vertex_normals(mesh.triangles()); },
             "n x 3 of length 1, the area-weighted mean of the faces around; 0 without area");
-    m.def("_check_attribute", [](const py::str& name, const py::object& values, Eigen::Index n) {
-        py::dict one;
-        one[name] = values;
-        columns_of(one, n);   // throws for an array that cannot be saved
-    });
-    mesh_class.def("copy", copied, "The same surface, with attributes of its own.")
-        .def("__copy__", copied)
+    m.def("_attribute", &attribute_of);
+    mesh_class.def("__copy__", copied)
         .def("__deepcopy__", [](const Mesh& mesh, const py::dict& /*seen*/) { return copy_of(mesh); })
         .def(py::pickle(&state_of, &mesh_of_state))
         .def("__repr__", [](const Mesh& mesh) {

@@ -1,5 +1,6 @@
 /// @file
-/// The Python module: the functions behind the commands, with NumPy arrays in and out. src/python/meshfolio is the package around it.
+/// The Python module: the functions behind the commands, with NumPy arrays in and out. The package around it, src/python/meshfolio, has
+/// their arguments and documentation.
 #include <pybind11/eigen.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -18,18 +19,17 @@
 #include "geometry/operators/laplace_operator.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "geometry/spectrum/spectrum_certificate.h"
-#include "mesh/io/polygon_list.h"
 #include "mesh/samples/sample_shapes.h"
 #include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "output/publish/file_group.h"
 #include "python/interruptible.h"
 #include "python/mesh_class.h"
+#include "python/pictures.h"
 #include "run/arguments.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/fields.h"
 #include "run/one_mesh/inspection.h"
-#include "run/one_mesh/mesh_pictures.h"
 #include "run/settings/setting_list.h"
 
 namespace meshfolio::python {
@@ -46,10 +46,6 @@ AreaForm area_of(const std::string& name) {
 OperatorKind operator_of(const std::string& name) {
     run::require_choice("operator", name, run::operator_choices());
     return operator_named(name);
-}
-
-void warn(const std::string& text) {
-    if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) throw py::error_already_set();
 }
 
 /// Reads a mesh. @throws meshfolio.MissingFileError, which is a FileNotFoundError as well
@@ -172,7 +168,8 @@ Mesh smooth_mesh(const Mesh& mesh, std::optional<double> step, const std::string
     return moved_to(mesh, std::move(smoothed.X));
 }
 
-Mesh noise(const Mesh& mesh, double sigma, std::uint64_t seed, const std::string& unit) {
+Mesh noise(const Mesh& mesh, double sigma, long long asked, const std::string& unit) {
+    const auto seed = static_cast<std::uint64_t>(run::integer_between("seed", std::to_string(asked), 0, run::largest_seed));
     if (run::number_not_negative("sigma", plain_text(sigma)) > largest_coordinate)
         throw UsageError("sigma " + plain_text(sigma) + " is beyond 1e100", "take a smaller one");
     run::require_choice("unit", unit, {"raw", "bbox"});
@@ -202,37 +199,6 @@ py::object inspect(const Mesh& mesh, const std::string& laplacian) {
         return run::inspection_json(run::inspect_mesh(std::move(seen), kind, [&stop](std::string_view) { stop.check(); }));
     });
     return py::module_::import("json").attr("loads")(json);
-}
-
-py::array draw(const Mesh& mesh, const std::string& field_name, const std::optional<Vector>& values, const std::string& label,
-               const std::string& views, const py::object& size, const std::string& colormap,
-               const std::optional<std::pair<double, double>>& range, double isolines, bool edges, bool transparent) {
-    if (!values) run::require_choice("field", field_name, run::field_names());
-    if (!colormap.empty()) run::require_choice("colormap", colormap, run::colormap_names());
-    run::PictureRequest request{
-        .views = run::views_named(views), .colormap = colormap, .title = std::filesystem::path(mesh.prepared->file).filename().string()};
-    std::tie(request.draw.width, request.draw.height) = picture_size(size);
-    if (range) {
-        request.range =
-            run::value_limits(range->first, range->second, "range (" + plain_text(range->first) + ", " + plain_text(range->second) + ")");
-    }
-    if (!(isolines >= 0))
-        throw UsageError("isolines must be a number >= 0, not " + plain_text(isolines), "give the distance between lines, 0 for none");
-    request.draw.isoline_spacing = isolines;
-    request.draw.edges = edges;
-    request.draw.face_colors_from_id = !values && field_name == "id";
-    if (transparent) request.draw.background = {255, 255, 255, 0};
-    if (values && values->size() != mesh.triangles().X.rows())
-        throw MeshError(std::to_string(values->size()) + " values, the mesh has " + std::to_string(mesh.triangles().X.rows()) + " vertices",
-                        "give one value a vertex, NaN where undefined");
-    return array_of(interruptible([=, of = mesh.prepared](const Stop& stop) {
-        const run::Field field = values ? run::field_of_values(*values, label) : run::field_of(*of, field_name);
-        stop.check();
-        run::MeshPictures drawn = run::draw_pictures(*of, field, request);
-        stop.check();
-        return drawn.sheet.pictures.size() == 1 ? std::move(drawn.sheet.pictures.front())
-                                                : run::composed(drawn.sheet, request.draw.face_colors_from_id);
-    }));
 }
 
 void add_spectrum(py::module_& m) {
@@ -275,50 +241,23 @@ PYBIND11_MODULE(_core, m) {
     add_errors(m);
     add_mesh(m);
     add_spectrum(m);
+    add_pictures(m);
     m.attr("__version__") = build_info::version;
     leave_works_at_exit();
-    m.def("load", &load, "path"_a,
-          "A mesh from an OBJ, OFF, PLY, STL, VTP or GLB file, perhaps packed by gzip, with the values that the file holds for its\n"
-          "vertices in `attributes`. Raises MissingFileError, a FileNotFoundError, where there is no file.");
-    m.def(
-        "sample",
-        [](const std::string& name, int subdivide) {
-            return mesh_of(interruptible([=](const Stop&) { return prepare_mesh({make_sample(name, subdivide), name, {}, {}}); }));
-        },
-        "name"_a, "subdivide"_a = 0,
-        "A bundled mesh, its triangles divided into four `subdivide` times, with new vertices on its surface.");
-    m.def("save", &save, "mesh"_a, "path"_a,
-          "Writes an OBJ, OFF, PLY, STL, VTP or GLB file, which is replaced as a whole. PLY, VTP and GLB take the attributes:\n"
-          "an n x k array as columns NAME_0, NAME_1, … An OBJ file's texture coordinates, groups and materials go into OBJ.");
-    m.def("curvature", &curvature, "mesh"_a, py::kw_only(), "area"_a = "barycentric", "operator"_a = "cotan", "jets"_a = false,
-          "A dict of n float64 each, NaN where undefined: area [length^2], h_uniform [length], k_gauss [1/length^2], h_cotan and\n"
-          "h_uniform_scaled [1/length]; with jets also h_jet, k_jet; h_<operator> of another operator.");
-    m.def("laplacian", &laplacian_of, "mesh"_a, py::kw_only(), "operator"_a = "cotan", "area"_a = "barycentric",
-          "C (n x n, scipy.sparse, negative semidefinite) and M (n masses [length^2]) of the operator M^-1 C. Of vertices that edges "
-          "without\n"
-          "length join, the first has the row and the mass of all; the others, like unreferenced vertices, have zeros.");
-    m.def("spectrum", &spectrum, "mesh"_a, "k"_a, py::kw_only(), "operator"_a = "cotan", "area"_a = "barycentric",
-          "A Spectrum: the k smallest eigenpairs, M-orthonormal, with a certificate; fewer, with a warning, on a mesh of fewer vertices.");
-    m.def("smooth", &smooth_mesh, "mesh"_a, "step"_a = py::none(), py::kw_only(), "scheme"_a = "explicit", "operator"_a = "cotan",
-          "unit"_a = "raw", "iterations"_a = 1, "rebuild"_a = false, "adaptive"_a = false, "mu"_a = py::none(),
-          "A smoothed mesh, by scheme explicit, implicit or taubin. step is lambda in unit raw [length^2], tau (1 is the largest stable\n"
-          "step) or h2 (mean edge squared); default: half the largest stable one. SolverError when it blows up.");
-    m.def("noise", &noise, "mesh"_a, "sigma"_a, py::kw_only(), "seed"_a = 1, "unit"_a = "raw",
-          "A mesh with seeded Gaussian noise of standard deviation sigma per coordinate: raw [length], or bbox, a share of each extent.");
-    m.def("compare", &compare, "a"_a, "b"_a, py::kw_only(), "surfaces"_a = false, "accuracy"_a = default_accuracy,
-          "A dict of errors of b against a: rms, max, hausdorff, hausdorff_bound [length], mean_normal_angle_deg, volume_ratio, area_ratio "
-          "and more. Vertex "
-          "by\n"
-          "vertex where both have the same faces, else, or if surfaces is true, from surface to surface. The Hausdorff distance lies "
-          "between\n"
-          "hausdorff and hausdorff_bound, which is larger by the share accuracy at most.");
-    m.def("distances", &distances, "a"_a, "b"_a,
-          "n float64: the distance of every vertex of a to the surface of b, NaN where no face uses the vertex [length].");
-    m.def("inspect", &inspect, "mesh"_a, py::kw_only(), "operator"_a = "cotan",
-          "A dict: counts, defects, Gauss-Bonnet, lambda_crit [length^2] and its proof, None where not defined; as `inspect --json`.");
-    m.def("draw", &draw, "mesh"_a, "field"_a, "values"_a, "label"_a, "views"_a, "size"_a, "colormap"_a, "range"_a, "isolines"_a, "edges"_a,
-          "transparent"_a);
-    m.def("encode_png", &png_of, "picture"_a);
+    m.def("load", &load);
+    m.def("sample", [](const std::string& name, long long subdivide) {
+        const auto times = static_cast<int>(run::integer_between("subdivide", std::to_string(subdivide), 0, most_subdivisions));
+        return mesh_of(interruptible([=](const Stop&) { return prepare_mesh({make_sample(name, times), name, {}, {}}); }));
+    });
+    m.def("save", &save);
+    m.def("curvature", &curvature);
+    m.def("laplacian", &laplacian_of);
+    m.def("spectrum", &spectrum);
+    m.def("smooth", &smooth_mesh);
+    m.def("noise", &noise);
+    m.def("compare", &compare);
+    m.def("distances", &distances);
+    m.def("inspect", &inspect);
 }
 
 }   // namespace meshfolio::python

@@ -29,7 +29,7 @@ target_link_libraries(meshfolio_python PRIVATE meshfolio_run meshfolio_warnings)
 optimise_less(meshfolio_python)
 # Links only libraries that are called. Hides our symbols, which a program that embeds Python may define, too.
 target_link_options(meshfolio_python PRIVATE LINKER:--as-needed LINKER:--gc-sections LINKER:--exclude-libs,ALL)
-set(package_files __init__.py __init__.pyi py.typed)
+set(package_files __init__.py _arguments.py _core.pyi py.typed)
 foreach(file IN LISTS package_files)
   configure_file(src/python/meshfolio/${file} ${package_folder}/${file} COPYONLY)
 endforeach()

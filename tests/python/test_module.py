@@ -4,13 +4,17 @@ import ast
 import copy
 import errno
 import gc
+import importlib
+import inspect
 import pickle
+import re
 import signal
 import subprocess
 import sys
 import tempfile
 import threading
 import time
+import types
 import unittest
 import warnings
 from pathlib import Path
@@ -56,6 +60,9 @@ def all_eigenvalues(mesh):
     return scipy.linalg.eigvalsh(-C.toarray() * scale[:, None] * scale[None, :])
 
 
+TETRAHEDRON = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]), np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+
+
 class Arrays(unittest.TestCase):
     def test_a_mesh_shows_its_own_memory_read_only_and_keeps_it(self):
         mesh = meshfolio.sample("torus")
@@ -70,6 +77,47 @@ class Arrays(unittest.TestCase):
         del mesh
         gc.collect()
         np.testing.assert_array_equal(vertices, before)
+
+    def test_views_keep_the_memory_of_meshes_that_are_gone_or_moved(self):
+        views, copies = [], []
+        for i in range(200):
+            mesh = meshfolio.Mesh(TETRAHEDRON[0] + i, TETRAHEDRON[1])
+            views += [mesh.vertices, mesh.faces, mesh.vertices[1:, ::2]]
+            copies += [view.copy() for view in views[-3:]]
+            mesh.vertices = mesh.vertices * -2
+        del mesh
+        gc.collect()
+        for view, kept in zip(views, copies):
+            np.testing.assert_array_equal(view, kept)
+
+    def test_moved_vertices_make_the_mesh_that_a_new_one_would_be(self):
+        mesh = meshfolio.Mesh(*TETRAHEDRON, name="t", attributes={"h": range(4)})
+        old, faces = mesh.vertices, mesh.faces
+        picture = meshfolio.render(mesh, views="+x", size=60)
+        mesh.points = np.asfortranarray(10 * old.astype(np.float32))
+        new = meshfolio.Mesh(10 * TETRAHEDRON[0], TETRAHEDRON[1])
+        np.testing.assert_array_equal(old, TETRAHEDRON[0])
+        np.testing.assert_array_equal(mesh.vertices, new.vertices)
+        np.testing.assert_array_equal(mesh.faces, faces)
+        self.assertAlmostEqual(mesh.area, new.area)
+        self.assertEqual(meshfolio.inspect(mesh)["area"], meshfolio.inspect(new)["area"])
+        self.assertEqual(list(mesh.attributes["h"]), [0, 1, 2, 3])
+        for other in (mesh, new, pickle.loads(pickle.dumps(mesh)), meshfolio.smooth(mesh, iterations=0)):
+            np.testing.assert_array_equal(meshfolio.render(other, views="+x", size=60), picture, "fills its picture")
+        for wrong in (old[:3], old[:, :2], "no", old * np.nan, old * 1e200, old * 0):
+            with self.assertRaises(meshfolio.MeshError):
+                mesh.vertices = wrong
+            np.testing.assert_array_equal(mesh.vertices, new.vertices)
+
+    def test_name_and_attributes_can_be_set_and_faces_cannot(self):
+        mesh = meshfolio.Mesh(*TETRAHEDRON)
+        mesh.name, mesh.attributes = "other", {"h": [1, 2, 3, 4]}
+        self.assertEqual((mesh.name, mesh.attributes), ("other", {"h": [1, 2, 3, 4]}))
+        for setting in (lambda: mesh.__setattr__("attributes", {"h": [1]}), lambda: mesh.__setattr__("name", 5), lambda: mesh.__setattr__("point_data", 5)):
+            self.assertRaises(meshfolio.Error, setting)
+        self.assertEqual((mesh.name, mesh.attributes), ("other", {"h": [1, 2, 3, 4]}))
+        with self.assertRaisesRegex(AttributeError, "make a new one"):
+            mesh.faces = mesh.faces
 
     def test_arrays_and_files_give_back_what_went_in(self):
         mesh = meshfolio.sample("creature")
@@ -206,7 +254,7 @@ class Errors(unittest.TestCase):
             (meshfolio.UsageError, ValueError, "size", lambda: meshfolio.render(mesh, size=0)),
             (meshfolio.UsageError, ValueError, "lo < hi", lambda: meshfolio.render(mesh, "x", range=(2, 1))),
             (meshfolio.MeshError, ValueError, "4 x 2", lambda: meshfolio.Mesh(np.zeros((4, 2)), mesh.faces)),
-            (meshfolio.MeshError, ValueError, "reshape", lambda: meshfolio.Mesh(mesh.vertices, [3, 0, 1, 2])),
+            (meshfolio.MeshError, ValueError, "3, a, b, c", lambda: meshfolio.Mesh(mesh.vertices, [0, 1, 2])),
             (meshfolio.MeshError, ValueError, "face 1", lambda: meshfolio.Mesh(mesh.vertices, [[0, 1, 2], [0, 1, 8]])),
             (meshfolio.MeshError, ValueError, "vertex 0", lambda: meshfolio.Mesh(mesh.vertices * np.nan, mesh.faces)),
             (meshfolio.MeshError, ValueError, "integers", lambda: meshfolio.Mesh(mesh.vertices, mesh.faces * 1.0)),
@@ -331,7 +379,186 @@ class Numbers(unittest.TestCase):
         self.assertNotIn("inverted_faces", difference)
 
 
+    def test_every_wrong_argument_is_refused_in_words(self):
+        mesh = meshfolio.sample("cube8")
+        wrong = {"MeshLike": ["no.obj", 5, None, mesh.vertices, object()], "str": [["x"], 5], "int": ["5", 5.5, 2**70], "float": ["x", 1j, [1, 2]],
+                 "bool": ["yes", 2], "Path": [5, None, "a\0b"], "Limits": [5, (1,), ("a", "b")], "Camera": [5, (1,), ("a", 2), (0, 91)],
+                 "Color": ["red", 5, "#12345"], "Words": [5, [5]]}  # fmt: skip
+        right = {"MeshLike": mesh, "Path": "mesh.obj", "k": 1, "sigma": 0.1, "name": "cube8", "meshes": mesh, "str": "cube8"}
+        tried = 0
+        for function in (getattr(meshfolio, name) for name in meshfolio.__all__ if not isinstance(getattr(meshfolio, name), type)):
+            arguments = inspect.signature(function).parameters
+            needed = {n: right.get(n, right.get(a.annotation)) for n, a in arguments.items() if a.default is inspect.Parameter.empty}
+            for name, argument in arguments.items():
+                kind = argument.annotation.replace("Optional[", "").rstrip("]")
+                for value in wrong.get(kind, [["x"], 5] if kind in ("Area", "Operator", "Scheme", "StepUnit", "NoiseUnit", "Axis", "Fit") else []):
+                    if value is None and kind != argument.annotation:
+                        continue
+                    tried += 1
+                    with self.subTest(function=function.__name__, name=name, value=value), self.assertRaises(meshfolio.Error) as caught:
+                        function(**dict(needed, **{name: value}))
+                    self.assertRegex(str(caught.exception), rf"\b{name}\b|azimuth|elevation|no\.obj")
+                    self.assertNotRegex(str(caught.exception), "incompatible|meshfolio\\.|--")
+            for call in (lambda: function(*[mesh] * 9), lambda: function(**needed, wrong=1), lambda: function(**dict(list(needed.items())[1:]))):
+                with self.subTest(function=function.__name__), self.assertRaisesRegex(meshfolio.UsageError, rf"^{function.__name__}\(\): .*it takes"):
+                    call()
+        self.assertGreater(tried, 100)
+        with self.assertRaisesRegex(meshfolio.UsageError, "did you mean 'operator'"):
+            meshfolio.curvature(mesh, opertor="cotan")
+
+    def test_warnings_name_the_line_of_the_caller(self):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            meshfolio.spectrum(meshfolio.sample("cube8"), 9)
+        self.assertEqual(caught[0].filename, __file__)
+
+
+def thing(**attributes):
+    return types.SimpleNamespace(**attributes)
+
+
+class OtherPackages(unittest.TestCase):
+    """Stand-ins have the attributes of the other packages' classes."""
+
+    def setUp(self):
+        self.X, self.F = TETRAHEDRON
+        self.counted = np.insert(self.F, 0, 3, axis=1).ravel()
+
+    def meshes(self):
+        h = {"h": np.arange(4.0), "words": ["a"] * 4, "of_faces": np.zeros(5)}
+        yield "h", "x.obj", thing(vertices=np.asfortranarray(self.X), faces=self.F, vertex_attributes=h, metadata={"file_name": "x.obj"})   # trimesh
+        yield "h", "mesh", thing(points=self.X.astype(np.float32), faces=self.counted, point_data=h)   # PyVista
+        yield "", "mesh", thing(points=self.X, cells_dict={5: self.F, 10: [[0, 1, 2, 3]]})   # PyVista's grid
+        yield "", "mesh", thing(points=self.X.astype(int), cells_dict={"line": [[0, 1]], "triangle": self.F.astype(np.uint64)})   # meshio
+        yield "", "open3d", thing(vertices=self.X.tolist(), triangles=self.F.tolist(), name="open3d")
+        yield "", "mesh", (self.X, self.F)
+        yield "", "mesh", (self.X.tolist(), [[0, 2, 1], [0, 1, 3], (0, 3, 2), [1, 2, 3]])
+
+    def test_every_function_takes_their_meshes(self):
+        own = meshfolio.Mesh(self.X, self.F)
+        for attribute, name, theirs in self.meshes():
+            with self.subTest(theirs=theirs), tempfile.TemporaryDirectory() as folder:
+                mesh = meshfolio.Mesh(theirs)
+                self.assertEqual((list(mesh.attributes), mesh.name), ([attribute] if attribute else [], name))
+                np.testing.assert_array_equal(mesh.vertices, own.vertices)
+                np.testing.assert_array_equal(mesh.faces, own.faces)
+                np.testing.assert_array_equal(meshfolio.curvature(theirs)["k_gauss"], meshfolio.curvature(own)["k_gauss"])
+                np.testing.assert_array_equal(meshfolio.laplacian(theirs)[1], meshfolio.laplacian(own)[1])
+                np.testing.assert_array_equal(meshfolio.spectrum(theirs, 2).eigenvalues, meshfolio.spectrum(own, 2).eigenvalues)
+                for function, arguments in ((meshfolio.smooth, ()), (meshfolio.noise, (0.1,))):
+                    result = function(theirs, *arguments)
+                    self.assertIsInstance(result, meshfolio.Mesh)
+                    np.testing.assert_array_equal(result.vertices, function(own, *arguments).vertices)
+                self.assertEqual(meshfolio.compare(theirs, theirs)["max"], 0)
+                self.assertEqual(meshfolio.distances(theirs, own).max(), 0)
+                self.assertEqual(meshfolio.inspect(theirs)["area"], own.area)
+                np.testing.assert_array_equal(meshfolio.render(theirs, views="+x", size=40), meshfolio.render(own, views="+x", size=40))
+                meshfolio.save(theirs, Path(folder) / "t.ply")
+                self.assertEqual(list(meshfolio.load(Path(folder) / "t.ply").attributes), list(mesh.attributes))
+
+    def test_polygons_are_cut_into_triangles_of_one_area(self):
+        X = np.array([[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0], [1, 2, 0]])
+        for faces in ([[0, 1, 2, 3]], np.array([[0, 1, 2, 3]], dtype=np.uint8), [4, 0, 1, 2, 3], {"quad": [[0, 1, 2, 3]]}):
+            mesh = meshfolio.Mesh(X, faces)
+            self.assertEqual((len(mesh.faces), mesh.area), (2, 2))
+        for faces in ([[0, 1, 2, 3], [3, 2, 4]], [4, 0, 1, 2, 3, 3, 3, 2, 4], {"quad": [[0, 1, 2, 3]], "triangle": [[3, 2, 4]]}, [[0, 1, 2, 4, 3]]):
+            mesh = meshfolio.Mesh(X, faces)
+            self.assertEqual((len(mesh.faces), mesh.area), (3, 3))
+        for faces, words in (
+            ([4, 0, 1, 2], "not the number of corners"), ([-1, 0, 1], "not the number"), ([[3, 0, 1, 2], [3, 0, 2, 3]], "begin with 3"), ([], "no faces"),
+            (np.zeros((0, 3), int), "no faces"), ({"tetra": [[0, 1, 2, 3]]}, "tetra; extract"), ([[0, 1, 2, 7]], "vertex 7"), ([["a", "b", "c"]], "no integers"),
+            (np.ma.masked_array([[0, 1, 2]], [[0, 0, 1]]), "no integers"), ([[0.0, 1.0, 2.0]], "no integers"),
+        ):  # fmt: skip
+            with self.subTest(faces=faces), self.assertRaisesRegex(meshfolio.MeshError, words):
+                meshfolio.Mesh(X, faces)
+
+    def test_masked_and_read_only_arrays_mean_what_they_say(self):
+        masked = np.ma.masked_array(self.X, np.eye(4, 3, dtype=bool))
+        with self.assertRaisesRegex(meshfolio.MeshError, "vertex 0 is not finite"):
+            meshfolio.Mesh(masked, self.F)
+        X = self.X.copy()
+        X.setflags(write=False)
+        values = np.ma.masked_array([0, 1, 2, 3], [0, 0, 0, 1])
+        for field in (values, [0, 1, 2, np.nan], np.array([[0], [1], [2], [np.nan]])):
+            np.testing.assert_array_equal(
+                meshfolio.render((X, self.F), values=field, size=40), meshfolio.render((X, self.F), values=values.astype(float).filled(np.nan), size=40)
+            )
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "t.ply"
+            meshfolio.save(meshfolio.Mesh(X, self.F, attributes={"m": values}), path)
+            np.testing.assert_array_equal(meshfolio.load(path).attributes["m"], [0, 1, 2, np.nan])
+
+    def test_the_packages_themselves(self):
+        real = {
+            "trimesh": lambda p: p.Trimesh(self.X, self.F, process=False), "meshio": lambda p: p.Mesh(self.X, [("triangle", self.F)]),
+            "pyvista": lambda p: p.PolyData(self.X, self.counted),
+        }  # fmt: skip
+        tried = 0
+        for name, make in real.items():
+            try:
+                theirs = make(importlib.import_module(name))
+            except ImportError:
+                continue
+            tried += 1
+            np.testing.assert_array_equal(meshfolio.Mesh(theirs).faces, self.F)
+        try:
+            pandas = importlib.import_module("pandas")
+            np.testing.assert_array_equal(meshfolio.Mesh(pandas.DataFrame(self.X), pandas.DataFrame(self.F)).vertices, self.X)
+        except ImportError:
+            pass
+        if tried == 0:
+            self.skipTest("trimesh, meshio and PyVista are not installed")
+
+
+class Figures(unittest.TestCase):
+    def setUp(self):
+        self.mesh = meshfolio.sample("cube8")
+
+    def test_each_ending_has_its_format_and_without_a_path_there_is_a_picture(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for ending, begins in ((".pdf", b"%PDF-"), (".svg", b"<"), (".PNG", b"\x89PNG")):
+                path = Path(folder) / f"figure{ending}"
+                self.assertIsNone(meshfolio.figure([self.mesh, TETRAHEDRON], ["x", "gauss"], path, dpi=72, camera=(35, 22)))
+                self.assertEqual(path.read_bytes()[: len(begins)], begins)
+                first = path.read_bytes()
+                meshfolio.figure([self.mesh, TETRAHEDRON], "x,gauss", str(path), dpi=72, camera="35,22")
+                self.assertEqual(path.read_bytes(), first)
+            self.assertEqual(len(list(Path(folder).iterdir())), 3)
+        picture = meshfolio.figure(self.mesh, width_mm=25.4, dpi=100)
+        self.assertIsInstance(picture, meshfolio.Picture)
+        self.assertEqual(picture.shape[1], 100)
+
+    def test_values_are_fields_and_labels_are_counted(self):
+        x = self.mesh.vertices[:, 0]
+        by_name = meshfolio.figure(self.mesh, "x", dpi=72, bar=False, range=(-1, 1), colormap="viridis")
+        for values in (x, [x], {"x": x}, {"x": [x]}, {"x": x.tolist()}):
+            drawn = meshfolio.figure(self.mesh, values=values, dpi=72, bar=False, range=(-1, 1), colormap="viridis")
+            np.testing.assert_array_equal(drawn, by_name)
+        for wrong in (dict(values=x), dict(values=[x]), dict(values=[x, x[:5]]), dict(values={"x": 5}), dict(labels=["a"]), dict(labels=5)):
+            with self.subTest(wrong=wrong), self.assertRaises(meshfolio.Error):
+                meshfolio.figure([self.mesh, self.mesh], **wrong)
+        with self.assertRaisesRegex(meshfolio.UsageError, "empty"):
+            meshfolio.figure([])
+        for path in ("figure", "figure.eps", "/nowhere/at/all.pdf"):
+            with self.assertRaisesRegex(meshfolio.Error, path):
+                meshfolio.figure(self.mesh, path=path)
+
+
 class Pictures(unittest.TestCase):
+    def test_a_camera_along_an_axis_sees_what_its_view_shows(self):
+        mesh = meshfolio.sample("creature")
+        for view, camera in (("+z", (0, 0)), ("+x", (90, 0)), ("-z", (180, 0))):
+            seen = meshfolio.render(mesh, camera=camera, size=80)
+            shown = meshfolio.render(mesh, views=[view], size=80)
+            self.assertLess(abs(seen.astype(float) - shown).mean(), 6, view)
+        small = meshfolio.render(mesh, views="+z", zoom=0.5, size=80, transparent=True)[:, :, 3].sum()
+        large = meshfolio.render(mesh, views="+z", size=80, transparent=True)[:, :, 3].sum()
+        self.assertAlmostEqual(large / small, 4, delta=0.3)
+        self.assertFalse((meshfolio.render(mesh, camera=(35, 22), up="z", size=80) == meshfolio.render(mesh, camera=(35, 22), size=80)).all())
+        sheet = meshfolio.render(mesh, views=["+x", "camera"], camera=(35, 22, 10), size=80)
+        np.testing.assert_array_equal(sheet, meshfolio.render(mesh, views="+x,camera", camera="35,22,10", size=80))
+
+
     def test_a_view_is_an_array_and_covers_the_disc_of_a_sphere(self):
         sphere = meshfolio.sample("sphere")
         picture = meshfolio.render(sphere, views="+z", size=(120, 80))
@@ -405,20 +632,24 @@ class LongCalls(unittest.TestCase):
 
 
 class Stubs(unittest.TestCase):
-    def test_stubs_and_docstrings_are_complete(self):
-        stubs = ast.parse((SOURCE / "src/python/meshfolio/__init__.pyi").read_text(encoding="utf-8"))
-        named = {node.name: node for node in stubs.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
-        self.assertEqual(set(named), set(meshfolio.__all__))
-        for name, node in named.items():
+    def test_annotations_and_docstrings_are_complete(self):
+        stubs = ast.parse((SOURCE / "src/python/meshfolio/_core.pyi").read_text(encoding="utf-8"))
+        classes = {node.name: node for node in stubs.body if isinstance(node, ast.ClassDef)}
+        for name in meshfolio.__all__:
             thing = getattr(meshfolio, name)
-            self.assertTrue(issubclass(thing, meshfolio.Error) if name.endswith("Error") else thing.__doc__, name)
+            self.assertTrue(thing.__doc__ or name.endswith("Error"), name)
             if name in ("Mesh", "Spectrum"):
-                members = {member.name: member for member in node.body if not member.name.startswith("__")}
-                self.assertEqual(set(members), {member for member in dir(thing) if not member.startswith("__")}, name)
+                named = [getattr(member, "name", None) or member.target.id for member in classes.pop(name).body]
+                members = {member for member in named if not member.startswith("__")}
+                self.assertEqual(members, {member for member in dir(thing) if not member.startswith("__")}, name)
                 self.assertTrue(all(getattr(thing, member).__doc__ for member in members if not member.startswith("_")), name)
-            if isinstance(node, ast.FunctionDef) and name != "render":   # pybind11 writes the signature into the first line
-                for argument in node.args.args + node.args.kwonlyargs:
-                    self.assertIn(f"{argument.arg}: ", thing.__doc__.splitlines()[0])
+            elif isinstance(thing, type):
+                classes.pop(name, None)
+            else:
+                for argument in inspect.signature(thing).parameters.values():
+                    self.assertTrue(argument.annotation, argument)
+                    self.assertTrue(argument.name == "mesh" or re.search(rf"\b{argument.name}\b", thing.__doc__), (name, argument.name))
+        self.assertFalse(classes)
 
 
 if __name__ == "__main__":
