@@ -37,36 +37,31 @@ struct Grid {
     int columns = 1;
     int cell_width = 400, cell_height = 0;   // if there are no pictures
     double em = 16;                          // text size
-    int group = 1;                           // pictures of one view
-    int gap = 0, heads = 0, names = 0;       // the latter two: heights of the heads above and of the view names below
+    int gap = 0, names = 0;                  // the latter: height of the view names below
 
     explicit Grid(const ContactSheet& sheet) {
         const int count = static_cast<int>(sheet.pictures.size());
-        columns = sheet.columns > 0 ? sheet.columns : count == 4 ? 2 : std::clamp(count, 1, 3);
+        columns = count == 4 ? 2 : std::clamp(count, 1, 3);
         if (count > 0) {
             const double width = sheet.pictures[0].width, height = sheet.pictures[0].height;
             const double scale = sheet.cell > 0 ? std::min(1.0, sheet.cell / std::max(width, height)) : 1.0;
             cell_width = std::max(1, rounded(scale * width));
             cell_height = std::max(1, rounded(scale * height));
         }
-        em = sheet.em > 0 ? sheet.em : std::max(13.0, std::min(columns * cell_width / 74.0, cell_width / 13.0));
+        em = std::max(13.0, std::min(columns * cell_width / 74.0, cell_width / 13.0));
         gap = rounded(0.5 * em);
-        group = std::max(1, static_cast<int>(sheet.heads.size()));
-        heads = sheet.heads.empty() ? 0 : rounded((sheet.subheads.empty() ? 1.6 : 2.9) * em);
         names = sheet.view_names.empty() ? 0 : rounded(view_label_height(0.95 * em) + 0.1 * em);
     }
-    /// Returns the left end of the picture in a place. The gap between groups is three times the gap inside.
-    int left(int place) const { return place % columns * (cell_width + gap) + (group > 1 ? place % columns / group * 2 * gap : 0); }
-    int top(int place) const { return heads + place / columns * (cell_height + names + gap); }
+    int left(int place) const { return place % columns * (cell_width + gap); }
+    int top(int place) const { return place / columns * (cell_height + names + gap); }
     int width() const { return left(columns - 1) + cell_width; }
-    int group_width() const { return left(group - 1) + cell_width; }
 };
 
 /// Returns the place of a picture in reading order: +x +y +z over −x −y −z if the sheet has exactly these six, else its own number.
 std::size_t place_of(const ContactSheet& sheet, std::size_t picture) {
     static constexpr std::array<std::string_view, 6> order{"+x", "+y", "+z", "-x", "-y", "-z"};
     const std::vector<std::string>& names = sheet.view_names;
-    if (sheet.columns > 0 || sheet.pictures.size() != order.size() || names.size() != order.size() ||
+    if (sheet.pictures.size() != order.size() || names.size() != order.size() ||
         !std::is_permutation(order.begin(), order.end(), names.begin()))
         return picture;
     return static_cast<std::size_t>(std::find(order.begin(), order.end(), names[picture]) - order.begin());
@@ -125,15 +120,8 @@ Image compose(const ContactSheet& sheet) {
             fits ? std::shared_ptr<const Image>(std::shared_ptr<void>(), &picture)   // not owned: the sheet outlives the figure
                  : std::make_shared<const Image>(shrink(picture, grid.cell_width, grid.cell_height));
         figure.pictures.push_back({shared, left, top});
-        if (grid.names > 0 && place % grid.group == 0) {
-            const std::string name = i < sheet.view_names.size() ? sheet.view_names[i] : "";
-            figure.words.push_back({name, left, top + grid.cell_height, grid.group_width(), grid.names});
-        }
-        if (place >= grid.columns || grid.heads == 0) continue;
-        const auto mesh = static_cast<std::size_t>(place % grid.group);
-        const int line = rounded(1.3 * grid.em);
-        figure.words.push_back({sheet.heads[mesh], left, 0, grid.cell_width, line});
-        if (mesh < sheet.subheads.size()) figure.words.push_back({sheet.subheads[mesh], left, line, grid.cell_width, line});
+        const std::string name = i < sheet.view_names.size() ? sheet.view_names[i] : "";
+        if (grid.names > 0) figure.words.push_back({name, left, top + grid.cell_height, grid.cell_width, grid.names});
     }
     return painted(drawing_of(figure).drawing);
 }

@@ -39,18 +39,14 @@ struct SheetDrawing {
 /// Returns a figure as a drawing; its size follows from its contents.
 SheetDrawing drawing_of(const FigureSheet& sheet);
 
-/// Views of one mesh with their names below, three in a line; the six views stand 2 × 3, +x +y +z over −x −y −z. Or views of several
-/// meshes: the pictures of one view are a group with half the gap inside and one name.
+/// Views of one mesh with their names below, three in a line; the six views stand 2 × 3, +x +y +z over −x −y −z.
 struct ContactSheet {
     std::string title = {};
     std::string subtitle = {};   // mesh, counts, settings
     std::vector<std::string> view_names = {};
     std::vector<Image> pictures = {};   // all of one size
     std::optional<ColorBar> color_bar = {};
-    int cell = 0;                                         // largest side of a picture in the sheet [pixels]; 0: as it is
-    int columns = 0;                                      // pictures in a line, in their own order; 0: as above
-    double em = 0;                                        // text size; 0: by the width
-    std::vector<std::string> heads = {}, subheads = {};   // of each mesh of a group, above the first line
+    int cell = 0;   // largest side of a picture in the sheet [pixels]; 0: as it is
     Rgba background{255, 255, 255, 255};
 };
 

@@ -55,30 +55,6 @@ TEST(ContactSheet, SixViewsStandTwoByThree) {
     }
 }
 
-TEST(ContactSheet, ColumnsSetTheNumberOfPicturesInALine) {
-    ContactSheet sheet = sheet_of(60, 50);
-    sheet.columns = 4;
-    const Image image = render::compose(sheet);
-    for (std::size_t i = 0; i < 6; ++i) {   // in their own order, whatever their names
-        EXPECT_EQ(box_of(image, paints[i]).x0, box_of(image, paints[i % 4]).x0) << i;
-        EXPECT_EQ(box_of(image, paints[i]).y0 > box_of(image, paints[0]).y0, i >= 4) << i;
-    }
-}
-
-// A and B of one view are a pair: half the gap within, one name below.
-TEST(ContactSheet, PicturesOfOneViewStandNearerToEachOther) {
-    ContactSheet sheet = sheet_of(60, 50);
-    sheet.columns = 4;
-    const Image plain = render::compose(sheet);
-    sheet.heads = {"A", "B"};
-    const Image image = render::compose(sheet);
-    const auto gap = [&](std::size_t left) { return box_of(image, paints[left + 1]).x0 - box_of(image, paints[left]).x1; };
-    EXPECT_LE(2 * gap(0), gap(1));
-    EXPECT_EQ(gap(2), gap(0));
-    EXPECT_GT(box_of(image, paints[0]).y0, box_of(plain, paints[0]).y0) << "the heads stand above";
-    for (const Rgba paint : paints) EXPECT_TRUE(box_of(image, paint).is_full(60, 50));
-}
-
 TEST(ContactSheet, SixViewsAreOrderedByTheirNames) {
     ContactSheet sheet = sheet_of(100, 100);
     sheet.view_names = {"-z", "+z", "-y", "+y", "-x", "+x"};
