@@ -25,6 +25,7 @@ std::vector<double> crossings(const std::vector<glm::dvec2>& corners, double y) 
 /// Fills an area: 16 lines a row of pixels, each with its exact length in a pixel.
 void fill_area(Image& image, const Drawing::Area& area) {
     constexpr int lines = 16;
+    if (area.corners.empty()) return;
     const auto [top, bottom] = std::ranges::minmax(area.corners, {}, &glm::dvec2::y);
     std::vector<double> coverage(index(image.width));
     for (int y = std::max(0, int(std::floor(top.y))); y < std::min(image.height, int(std::ceil(bottom.y))); ++y) {

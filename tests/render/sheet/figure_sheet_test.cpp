@@ -21,8 +21,9 @@ FigureSheet two_pictures() {
 }
 
 TEST(FigureSheet, PicturesAreWholeAndInTheirPlaces) {
-    const render::ComposedFigure composed = render::compose(two_pictures());
-    const auto first = box_of(composed.image, red), second = box_of(composed.image, green);
+    const render::SheetDrawing composed = render::drawing_of(two_pictures());
+    const Image image = render::painted(composed.drawing);
+    const auto first = box_of(image, red), second = box_of(image, green);
     EXPECT_TRUE(first.is_full(70, 50));
     EXPECT_TRUE(second.is_full(30, 90));
     EXPECT_EQ(first.x0, composed.left);
@@ -36,12 +37,12 @@ TEST(FigureSheet, LongWordsStayInTheirBoxesAndOffThePictures) {
     sheet.title = sheet.subtitle = std::string(400, 'W');
     sheet.words.push_back({std::string(90, 'v'), 0, 60, 70, 24, true});
     sheet.words.push_back({std::string(90, 'v'), 0, 90, 70, 24, false});
-    const render::ComposedFigure composed = render::compose(sheet);
-    EXPECT_TRUE(box_of(composed.image, red).is_full(70, 50));
-    EXPECT_TRUE(box_of(composed.image, green).is_full(30, 90));
+    const render::SheetDrawing composed = render::drawing_of(sheet);
+    const Image image = render::painted(composed.drawing);
+    EXPECT_TRUE(box_of(image, red).is_full(70, 50));
+    EXPECT_TRUE(box_of(image, green).is_full(30, 90));
     for (int x = composed.left + 70; x < composed.left + 100; ++x)
-        for (int y = composed.top + 60; y < composed.top + 114; ++y)
-            ASSERT_EQ(composed.image.at(x, y), (Rgba{255, 255, 255, 255})) << x << ' ' << y;
+        for (int y = composed.top + 60; y < composed.top + 114; ++y) ASSERT_EQ(image.at(x, y), (Rgba{255, 255, 255, 255})) << x << ' ' << y;
 }
 
 }   // namespace

@@ -21,9 +21,9 @@ constexpr double em = 100;
 constexpr std::array<glm::dvec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 Image label_of(const View& view) {
-    Image image(800, 500);
-    render::draw_view_label(image, 400, 250, view.name, em, {0, 0, 0, 255});
-    return image;
+    render::Drawing drawing{.width = 800, .height = 500};
+    render::add_view_label(drawing, 400, 250, view.name, em, {0, 0, 0, 255});
+    return render::painted(drawing);
 }
 
 /// Pixels of one axis: x is red, y green, z blue.
@@ -127,8 +127,7 @@ TEST(ViewLabel, AnAxisAlongTheLineOfSightIsARingedDotOrCross) {
 }
 
 TEST(ViewLabel, OtherNamesGetNoTripod) {
-    Image image(800, 500);
-    render::draw_view_label(image, 400, 250, "front", em, {0, 0, 0, 255});
+    const Image image = label_of({"front", {}, {}});
     for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(inked(image, axis).empty());
     EXPECT_GT(render::view_label_width("+x", em), render::view_label_width("front", em)) << "though the name is shorter";
 }
