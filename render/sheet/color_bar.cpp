@@ -66,17 +66,25 @@ void add_histogram(Drawing& drawing, const ColorBar& bar, const BarBox& e, int b
     drawing.items.emplace_back(Drawing::Path{std::move(outline), thickness, line});
 }
 
-/// Returns up to seven ticks with numbers that do not touch.
+/// Returns up to seven ticks, or those of decades, with numbers that do not touch.
 std::vector<double> readable_ticks(const ColorBar& bar, const BarBox& e, const TextStyle& style) {
-    if (bar.range.logarithmic) return decade_ticks(bar.range.low, bar.range.high);
-    for (int wanted = 7; wanted > 1; --wanted) {
-        std::vector<double> ticks = round_ticks(bar.range.low, bar.range.high, wanted);
-        const TickLabels labels = tick_labels(ticks);
+    const auto are_apart = [&](const std::vector<double>& ticks, double gap) {
         double widest = 0;
-        for (const std::string& text : labels.text) widest = std::max(widest, text_width(text, style));
-        const double spacing = ticks.size() > 1 ? e.x_of(bar.range, ticks[1]) - e.x_of(bar.range, ticks[0]) : INFINITY;
-        if (widest + style.size < spacing) return ticks;
+        for (const std::string& text : tick_labels(ticks).text) widest = std::max(widest, text_width(text, style));
+        for (std::size_t i = 1; i < ticks.size(); ++i)
+            if (e.x_of(bar.range, ticks[i]) - e.x_of(bar.range, ticks[i - 1]) <= widest + gap) return false;
+        return true;
+    };
+    if (bar.range.logarithmic) {
+        std::vector<double> ticks = decade_ticks(bar.range.low, bar.range.high);
+        for (bool powers = false; !are_apart(ticks, 0.2 * style.size); powers = true) {   // first only the powers of ten, then every second
+            std::size_t i = 0;
+            std::erase_if(ticks, [&](double x) { return powers ? i++ % 2 == 1 : std::abs(std::remainder(std::log10(x), 1)) > 0.1; });
+        }
+        return ticks;
     }
+    for (int wanted = 7; wanted > 1; --wanted)
+        if (std::vector<double> ticks = round_ticks(bar.range.low, bar.range.high, wanted); are_apart(ticks, style.size)) return ticks;
     return round_ticks(bar.range.low, bar.range.high, 1);
 }
 
@@ -93,11 +101,15 @@ void add_ticks(Drawing& drawing, const ColorBar& bar, const BarBox& e, const std
 
 /// Adds the line below the ticks: the share below the range, a swatch for undefined values, the share above.
 void add_notes(Drawing& drawing, const ColorBar& bar, const BarBox& e, double em, Rgba ink) {
-    const double baseline = e.bottom + (ticks_height + 0.95) * em, third = (e.x1 - e.x0) / 3.0 - 0.5 * em;
+    const double baseline = e.bottom + (ticks_height + 0.95) * em, room = (e.x1 - e.x0) / (bar.has_undefined ? 3.0 : 2.0) - 0.5 * em;
     TextStyle style{0.85 * em, ink};
-    if (bar.clipped_below > 0) drawing.add_text(e.x0, baseline, fit_text(share_text(bar.clipped_below) + " below", third, style), style);
+    const auto add_share = [&](double x, double share, const std::string& where) {   // its place beside a tip says it too
+        const std::string number = share_text(share), text = number + where;
+        if (share > 0) drawing.add_text(x, baseline, text_width(text, style) <= room ? text : fit_text(number, room, style), style);
+    };
+    add_share(e.x0, bar.clipped_below, " below");
     if (bar.has_undefined) {
-        const std::string text = fit_text("undefined", third - 1.1 * em, style);
+        const std::string text = fit_text("undefined", room - 1.1 * em, style);
         const double left = (e.x0 + e.x1) / 2.0 - (text_width(text, style) + 1.1 * em) / 2;
         const int box = rounded(0.8 * em), x = rounded(left), y = rounded(baseline - 0.68 * em);
         drawing.add_rectangle(x, y, x + box, y + box, ink);
@@ -109,7 +121,7 @@ void add_notes(Drawing& drawing, const ColorBar& bar, const BarBox& e, double em
         drawing.add_text(left + 1.1 * em, baseline, text, style);
     }
     style.align = Align::right;
-    if (bar.clipped_above > 0) drawing.add_text(e.x1, baseline, fit_text(share_text(bar.clipped_above) + " above", third, style), style);
+    add_share(e.x1, bar.clipped_above, " above");
 }
 
 /// Returns the text at the low end of a small bar, such as "0"; high_end() the text at the high end, such as "7.2 % of h" or "20/length²".
@@ -151,9 +163,10 @@ void add_color_bar(Drawing& drawing, const ColorBar& bar, int left, int top, int
     const std::vector<double> ticks = readable_ticks(bar, e, {0.9 * em});
     const TickLabels labels = tick_labels(ticks);
     const std::string factor = labels.power.empty() ? "" : "×\u202f" + labels.power + (bar.unit.empty() ? "" : " ");
-    const std::string unit = factor + bar.unit, title = unit.empty() ? bar.quantity : bar.quantity + "  [" + unit + "]";
+    const std::string unit = factor.empty() && bar.unit.empty() ? "" : "  [" + factor + bar.unit + "]";
     const TextStyle centred{em, ink, Align::centre};
-    drawing.add_text(left + width / 2.0, top + 1.0 * em, fit_text(title, width, centred), centred);
+    const std::string quantity = fit_text(bar.quantity, width - text_width(unit, centred), centred);
+    drawing.add_text(left + width / 2.0, top + 1.0 * em, fit_text(quantity + unit, width, centred), centred);
     if (has_histogram(bar)) add_histogram(drawing, bar, e, bar_top - rounded(0.1 * em), 1.75 * em, em / 16, ink);
     add_colors(drawing, bar, e);
     add_ticks(drawing, bar, e, ticks, labels, em, ink);

@@ -18,11 +18,13 @@ using render_tests::box_of;
 using render_tests::long_bar;
 using render_tests::white;
 
-Image bar_image(const render::ColorBar& bar, int width) {
-    Image image(width, render::color_bar_height(bar, 16) + 10);
-    render::draw_color_bar(image, bar, 10, 5, width - 20, 16, {0, 0, 0, 255});
-    return image;
+render::Drawing bar_drawing(const render::ColorBar& bar, int width, double em = 16) {
+    render::Drawing drawing{.width = width, .height = render::color_bar_height(bar, em) + 10};
+    render::add_color_bar(drawing, bar, 10, 5, width - 20, em, {0, 0, 0, 255});
+    return drawing;
 }
+
+Image bar_image(const render::ColorBar& bar, int width) { return render::painted(bar_drawing(bar, width)); }
 
 TEST(ColorBar, ShowsTheWholeMapFromLowToHigh) {
     const render::ColorBar bar{{&render::colormap_named("viridis"), 0, 1}, "H", ""};
@@ -126,8 +128,9 @@ TEST(ColorBar, IsolinesAreInTheBarWhereTheyAreInThePictures) {
 // A small bar has the ends with their unit, and the colours between.
 TEST(SmallBar, ShowsTheWholeMapAndIsAsWideAsItSays) {
     render::ColorBar bar{{&render::colormap_named("diverging"), -7.21, 7.21}, "H", "% of h̄"};
-    Image image(600, 40);
-    render::draw_small_bar(image, bar, 10, 20, 16, {0, 0, 0, 255});
+    render::Drawing drawing{.width = 600, .height = 40};
+    render::add_small_bar(drawing, bar, 10, 20, 16, {0, 0, 0, 255});
+    const Image image = render::painted(drawing);
     const Box low = box_of(image, render::color_at(*bar.range.colormap, 0.5 / 112)), all = box_of(image, white);
     EXPECT_GT(low.count, 5);
     EXPECT_GT(low.x0, 10 + 20) << "its low end is a number";
@@ -157,6 +160,42 @@ TEST(ColorBar, NarrowBarsAndStrangeRangesAreDrawn) {
             bar.histogram = {0.1, 0.3, 0.2};
             EXPECT_EQ(bar_image(bar, width).width, width);
         }
+}
+
+/// The ends of a text from left to right.
+std::pair<double, double> extent_of(const render::Drawing::Text& text) {
+    const double width = render::text_width(text.text, text.style);
+    const double left = text.at.x - width * (text.style.align == render::Align::centre ? 0.5 : text.style.align == render::Align::right);
+    return {left, left + width};
+}
+
+TEST(ColorBar, WordsNeitherTouchNorLeaveTheDrawingAtAnySize) {
+    const render::ValueRange plain{nullptr, -1234.5, 6543.2}, tiny{nullptr, -3e-9, 1.7e-8}, decades{nullptr, 0.02, 31, true},
+        many_decades{nullptr, 1e-9, 1e3, true};
+    for (const render::ValueRange& range : {plain, tiny, decades, many_decades})
+        for (const double em : {7.0, 16.0, 41.0})
+            for (const int width : {90, 160, 250, 400, 700, 1500}) {
+                render::ColorBar bar{range, "mean curvature", "1/length", 0.123, 0.0004};
+                bar.has_undefined = width % 100 == 0;
+                std::vector<std::pair<double, std::pair<double, double>>> words;   // baseline, ends
+                for (const auto& item : bar_drawing(bar, width, em).items)
+                    if (const auto* text = std::get_if<render::Drawing::Text>(&item)) words.push_back({text->at.y, extent_of(*text)});
+                std::ranges::sort(words);
+                for (std::size_t i = 0; i < words.size(); ++i) {
+                    const auto [left, right] = words[i].second;
+                    EXPECT_TRUE(right - left > width || (left > -0.01 && right < width + 0.01)) << em << ' ' << width;
+                    if (i > 0 && words[i - 1].first == words[i].first) {
+                        EXPECT_GT(left, words[i - 1].second.second) << em << ' ' << width;
+                    }
+                }
+            }
+}
+
+TEST(ColorBar, ANarrowTitleKeepsItsUnit) {
+    const render::ColorBar bar{{nullptr, 0, 1}, "absolute mean curvature", "1/length"};
+    const auto items = bar_drawing(bar, 190).items;
+    const auto& title = std::get<render::Drawing::Text>(items.front()).text;
+    EXPECT_TRUE(title.starts_with("abs") && title.ends_with("…  [1/length]")) << title;
 }
 
 // ---- ticks ----------------------------------------------------------------------------------------------------------
