@@ -185,23 +185,22 @@ double ValueRange::position(double value) const {
     return (0.5 * value - 0.5 * low) / (0.5 * high - 0.5 * low);   // halves: the width may overflow
 }
 
+Frame frame_of(const Surface& surface, const View& view, const DrawOptions& options) {
+    if (options.frame) return *options.frame;
+    if (view.is_along_axis()) return frame_of(bounds_of(surface.positions, surface.triangles), options.width, options.height, options.fill);
+    return frame_of(surface.positions, surface.triangles, view, options.width, options.height, options.fill);
+}
+
 std::vector<Image> draw_views(const Surface& surface, std::span<const View> views, const DrawOptions& wanted) {
     const DrawOptions options = completed(surface, wanted);
     std::vector<View> along_axes;
     for (const View& view : views)
         if (view.is_along_axis()) along_axes.push_back(view);
     std::vector<Image> images;
-    if (!along_axes.empty()) {
-        const Frame shared = options.frame
-                                 ? *options.frame
-                                 : frame_of(bounds_of(surface.positions, surface.triangles), options.width, options.height, options.fill);
-        images = draw_framed(surface, along_axes, shared, options, 4);
-    }
+    if (!along_axes.empty()) images = draw_framed(surface, along_axes, frame_of(surface, along_axes.front(), options), options, 4);
     for (std::size_t i = 0; i < views.size(); ++i) {
         if (views[i].is_along_axis()) continue;
-        const Frame own = options.frame
-                              ? *options.frame
-                              : frame_of(surface.positions, surface.triangles, views[i], options.width, options.height, options.fill);
+        const Frame own = frame_of(surface, views[i], options);
         images.insert(images.begin() + static_cast<std::ptrdiff_t>(i), draw_framed(surface, views.subspan(i, 1), own, options, 16).front());
     }
     return images;

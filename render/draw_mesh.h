@@ -51,6 +51,9 @@ struct DrawOptions {
     int samples = 0;                             // per pixel: 1, 4 or 16; 0: 4 for views along the axes, else 16
 };
 
+/// Returns the frame in which draw_views() draws a view.
+Frame frame_of(const Surface& surface, const View& view, const DrawOptions& options);
+
 /// Large triangles cover each other so often that drawing them would take minutes or gigabytes.
 struct TooMuchOverdraw : std::runtime_error {
     TooMuchOverdraw() : std::runtime_error("too many large triangles lie over each other") {}

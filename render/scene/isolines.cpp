@@ -1,6 +1,6 @@
 // A picture of the numbers of the triangles tells which triangle each pixel sees. A point of an isoline is visible if the pixel sees its
-// own triangle or one that is not nearer to the viewer. Segments are cut where they are hidden and joined where they cross an edge of two
-// triangles.
+// own triangle, or another that is not nearer to the viewer. Segments are cut where they are hidden and joined where they cross an edge of
+// two triangles.
 #include "scene/isolines.h"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 
 #include "rounding.h"
@@ -38,8 +39,7 @@ struct Piece {
 class IsolineFinder {
 public:
     IsolineFinder(const Surface& surface, const View& view, DrawOptions options) : surface_(surface), spacing_(options.isoline_spacing) {
-        if (!options.frame)
-            options.frame = frame_of(surface.positions, surface.triangles, view, options.width, options.height, options.fill);
+        options.frame = frame_of(surface, view, options);
         for (const glm::dvec3& p : surface.positions) {
             const glm::dvec3 q = (p - options.frame->centre) * options.frame->pixels_per_unit;
             points_.emplace_back(0.5 * options.width + glm::dot(q, view.right()), 0.5 * options.height - glm::dot(q, view.up),
@@ -82,21 +82,22 @@ private:
         return false;
     }
 
-    /// True if the plane of another triangle lies in front of a point.
-    bool hides(int triangle, const glm::dvec3& p) const {
+    /// True if the plane of another triangle lies in front of a point. @param most  slope that enters the tolerance
+    bool hides(int triangle, const glm::dvec3& p, double most) const {
         const glm::dvec3 a = corner(triangle, 0), n = glm::cross(corner(triangle, 1) - a, corner(triangle, 2) - a);
         if (n.z == 0) return false;
         const double slope = std::hypot(n.x, n.y) / std::abs(n.z), depth = a.z - (n.x * (p.x - a.x) + n.y * (p.y - a.y)) / n.z;
-        return depth > p.z + tolerance + std::min(slope, steepest);
+        return depth > p.z + tolerance + std::min(slope, most);
     }
 
     bool is_visible(int triangle, const glm::dvec3& p) const {
         const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
         for (int v = y - 1; v <= y + 1; ++v)
             for (int u = x - 1; u <= x + 1; ++u)
-                if (const int seen = triangle_at(u, v); seen >= 0 && (seen == triangle || shares_vertex(seen, triangle))) return true;
+                if (const int seen = triangle_at(u, v); seen >= 0)
+                    if (seen == triangle || (shares_vertex(seen, triangle) && !hides(seen, p, INFINITY))) return true;
         const int seen = triangle_at(x, y);
-        return seen >= 0 && !hides(seen, p);
+        return seen >= 0 && !hides(seen, p, steepest);
     }
 
     /// Adds the visible pieces of all levels in a triangle. A vertex on a level counts as above it.
@@ -169,14 +170,20 @@ private:
         return lines;
     }
 
-    /// Leaves out points that lie between their neighbours.
+    /// Leaves out points that lie between those that are kept.
     static Line simplified(const Line& line) {
+        constexpr std::size_t longest = 64;   // points between two that are kept
         Line kept{line.front()};
-        for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-            const glm::dvec2 a = kept.back(), along = line[i + 1] - a, offset = line[i] - a;
+        for (std::size_t last = 0, i = 1; i + 1 < line.size(); ++i) {
+            const glm::dvec2 along = line[i + 1] - line[last];
             const double length = glm::length(along);
-            const bool between = glm::dot(offset, along) >= 0 && glm::dot(offset, along) <= length * length;
-            if (!between || std::abs(along.x * offset.y - along.y * offset.x) > straight * length) kept.push_back(line[i]);
+            const auto lies_between = [&](glm::dvec2 p) {
+                const glm::dvec2 offset = p - line[last];
+                return glm::dot(offset, along) >= 0 && glm::dot(offset, along) <= length * length &&
+                       std::abs(along.x * offset.y - along.y * offset.x) <= straight * length;
+            };
+            if (i - last < longest && std::ranges::all_of(std::span(line).subspan(last + 1, i - last), lies_between)) continue;
+            kept.push_back(line[last = i]);
         }
         kept.push_back(line.back());
         return kept;
