@@ -10,7 +10,6 @@
 #include "base/linux_only.h"
 #include "base/parallel.h"
 #include "mesh/disjoint_sets.h"
-#include "mesh/prefetch.h"
 
 namespace meshfolio {
 
@@ -51,16 +50,12 @@ Sides sides_at(const int* corner, int v) {
 /// True if v has three to eight triangles that form one closed fan and run the same way, as nearly all vertices have: a walk from each to
 /// the one with its `previous` as `next` meets them all. `render` of 776 k triangles takes 1.4 times as long without.
 bool is_umbrella(const TriangleMesh& mesh, const Incidence& vertex_faces, int v) {
-    constexpr int most = 8, ahead = 64;
+    constexpr int most = 8;
     const int triangles = vertex_faces.size(v);
     if (triangles < 3 || triangles > most) return false;   // two closed by each other are the same triangle
     const int* const faces = vertex_faces.begin(v);
-    const int* const last = vertex_faces.item.data() + vertex_faces.item.size() - 1;
     std::array<Sides, most> sides;
-    for (int i = 0; i < triangles; ++i) {
-        prefetch(corners_of(mesh, last - faces > ahead + i ? faces[i + ahead] : *last));   // triangles lie anywhere in memory
-        sides[at(i)] = sides_at(corners_of(mesh, faces[i]), v);
-    }
+    for (int i = 0; i < triangles; ++i) sides[at(i)] = sides_at(corners_of(mesh, faces[i]), v);
     int t = 0;
     for (int steps = 1; steps <= triangles; ++steps) {
         const int end = sides[at(t)].previous;

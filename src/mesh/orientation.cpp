@@ -14,7 +14,6 @@
 #include "base/at.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/nesting.h"
-#include "mesh/prefetch.h"
 #include "mesh/triangle_measures.h"
 
 namespace meshfolio {
@@ -244,7 +243,6 @@ Orientation orientation_of_manifold(const TriangleMesh& mesh, const MeshTopology
     for (int v = 0; v < mesh.vertex_count(); ++v)
         if (topology.on_boundary[at(v)] != 0) component_of(*topology.vertex_faces.begin(v)).closed = false;
     for (int t = 0, begun = 0; t < mesh.face_count(); ++t) {
-        prefetch_corners(mesh, t);
         Component& component = component_of(t);
         if (topology.component[at(t)] == begun) ++begun, component.origin = mesh.X.row(mesh.F(t, 0));
         if (component.closed) component.volume.add(six_volumes(mesh, t, component.origin));

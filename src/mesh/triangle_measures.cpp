@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "mesh/prefetch.h"
 
 namespace meshfolio {
 
@@ -94,10 +93,7 @@ CornerValues corner_angles(const TriangleMesh& mesh) {
 
 Vector face_areas(const TriangleMesh& mesh) {
     Vector A(mesh.face_count());
-    for_each_index(mesh.face_count(), [&](int t) {
-        prefetch_corners(mesh, t);
-        A[t] = 0.5 * length(area_vector(mesh, t));
-    });
+    for_each_index(mesh.face_count(), [&](int t) { A[t] = 0.5 * length(area_vector(mesh, t)); });
     return A;
 }
 
@@ -106,11 +102,7 @@ double surface_area(const TriangleMesh& mesh) { return face_areas(mesh).sum(); }
 double signed_volume(const TriangleMesh& mesh) { return signed_volume(mesh, bounding_box(mesh).centre()); }
 
 double signed_volume(const TriangleMesh& mesh, const Vector3& centre) {
-    const auto at_centre = [&](int t) {
-        prefetch_corners(mesh, t);
-        return six_volumes(mesh, t, centre);
-    };
-    return ordered_sum(mesh.face_count(), at_centre) / 6;
+    return ordered_sum(mesh.face_count(), [&](int t) { return six_volumes(mesh, t, centre); }) / 6;
 }
 
 double six_volumes(const TriangleMesh& mesh, int t, const Vector3& point) {

@@ -70,7 +70,7 @@ void explicit_ours(benchmark::State& state) {
     const OperatorWithMass whole = operator_with_mass(subject.laplacian);
     const ExplicitDiffusion diffusion(reordered(whole, morton_order(subject.mesh.X(whole.vertex, Eigen::all))));
     for (auto _ : state) {
-        FourColumns X = gathered(subject.mesh.X, diffusion.vertex()), next(X.rows());
+        FourColumns X = gathered(subject.mesh.X, diffusion.vertex()), next(X.rows(), 4);
         for (int t = 0; t < iterations(state); ++t) {
             diffusion.step(1e-12, X, next);
             std::swap(X, next);

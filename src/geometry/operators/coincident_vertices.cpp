@@ -7,7 +7,6 @@
 #include "base/parallel.h"
 #include "geometry/operators/triangle_shape.h"
 #include "mesh/disjoint_sets.h"
-#include "mesh/prefetch.h"
 
 namespace meshfolio {
 namespace {
@@ -37,7 +36,6 @@ std::vector<VertexCopy> coincident_vertices(const TriangleMesh& mesh, double lon
     const auto joined_in = per_block(mesh.face_count(), [&](int begin, int end) {
         std::vector<std::pair<int, int>> pairs;
         for (int t = begin; t < end; ++t) {
-            prefetch_corners(mesh, t);
             const Corners x{mesh.X.row(mesh.F(t, 0)), mesh.X.row(mesh.F(t, 1)), mesh.X.row(mesh.F(t, 2))};
             for_each_edge_without_length(x, longest_squared, [&](std::size_t k, std::size_t l) {
                 pairs.emplace_back(mesh.F(t, static_cast<int>(k)), mesh.F(t, static_cast<int>(l)));

@@ -11,21 +11,13 @@
 namespace meshfolio {
 
 FourColumns gathered(const Positions& X, const std::vector<int>& vertex) {
-    FourColumns rows(static_cast<Eigen::Index>(vertex.size()));
-    for_each_index(static_cast<int>(vertex.size()), [&](int i) {
-        const int v = vertex[at(i)];
-        double* const row = rows.row(i);
-        for (int c = 0; c < 3; ++c) row[c] = X(v, c);
-        row[3] = 0;
-    });
+    FourColumns rows(std::ssize(vertex), 4);
+    for_each_index(static_cast<int>(vertex.size()), [&](int i) { rows.row(i) << X.row(vertex[at(i)]), 0; });
     return rows;
 }
 
 void scatter(const FourColumns& rows, const std::vector<int>& vertex, Positions& X) {
-    for_each_index(static_cast<int>(vertex.size()), [&](int i) {
-        const int v = vertex[at(i)];
-        for (int c = 0; c < 3; ++c) X(v, c) = rows.row(i)[c];
-    });
+    for_each_index(static_cast<int>(vertex.size()), [&](int i) { X.row(vertex[at(i)]) = rows.row(i).head<3>(); });
 }
 
 bool explicit_rows(const DifferenceRows& L, double lambda, const FourColumns& X, int first, int last, double bound, FourColumns& Y) {
@@ -61,7 +53,7 @@ bool ExplicitDiffusion::step(double lambda, const FourColumns& X, FourColumns& Y
 }
 
 Positions ExplicitDiffusion::step(double lambda, const Positions& X) const {
-    FourColumns next(L_.rows());
+    FourColumns next(L_.rows(), 4);
     step(lambda, gathered(X, vertex_), next);
     Positions result = X;
     scatter(next, vertex_, result);

@@ -16,8 +16,6 @@
 namespace meshfolio {
 namespace {
 
-using Columns = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, FourColumns::width, Eigen::RowMajor>>;
-
 bool same_pattern(const SparseMatrix& A, const SparseMatrix& B) {
     return A.rows() == B.rows() && A.nonZeros() == B.nonZeros() &&
            std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.cols() + 1, B.outerIndexPtr()) &&
@@ -38,11 +36,10 @@ public:
     /// Replaces X by X', starting from X. Returns the number of iterations, summed over the coordinates. @throws SolverError if they do not
     /// end
     long long solve(FourColumns& X) const {
-        Columns columns(X.data(), X.rows(), FourColumns::width);
         long long iterations = 0;
         for (Eigen::Index c = 0; c < 3; ++c) {
-            const Vector y = root_.cwiseProduct(columns.col(c));
-            columns.col(c) = solver_.solveWithGuess(y, y).cwiseQuotient(root_);
+            const Vector y = root_.cwiseProduct(X.col(c));
+            X.col(c) = solver_.solveWithGuess(y, y).cwiseQuotient(root_);
             iterations += solver_.iterations();
             if (solver_.info() == Eigen::Success) continue;
             throw SolverError("implicit step: conjugate gradients did not end within " + std::to_string(most_iterations) + " iterations",
@@ -152,8 +149,7 @@ void ImplicitSolver::step(FourColumns& X) {
         s.factor->solve_in_place(X);
         return;
     }
-    Columns columns(X.data(), X.rows(), FourColumns::width);
-    columns.leftCols(3) = s.remote.solve(columns.leftCols(3));
+    X.leftCols(3) = s.remote.solve(X.leftCols(3));
 }
 
 Positions ImplicitSolver::step(const Positions& X) {

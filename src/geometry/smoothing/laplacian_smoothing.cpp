@@ -90,7 +90,7 @@ public:
         double largest = limit * limit;
         for (Eigen::Index i = 0; i < next_.rows(); ++i) {
             const int v = vertex()[std::size_t(i)];
-            const double distance = Eigen::Map<const Vector3>(next_.row(i)).squaredNorm();
+            const double distance = next_.row(i).head<3>().squaredNorm();
             if (!std::isfinite(distance)) {
                 if (not_finite < 0 || v < not_finite) not_finite = v;
             } else if (distance > largest || (distance == largest && v < farthest)) {
@@ -100,10 +100,8 @@ public:
         }
         return not_finite >= 0 ? not_finite : farthest;
     }
-    bool step_is_finite() const {
-        return (Eigen::Map<const Vector>(next_.data(), FourColumns::width * next_.rows()) * frame_.unit).allFinite();
-    }
-    void accept() { std::swap(X_, next_); }
+    bool step_is_finite() const { return (next_ * frame_.unit).allFinite(); }
+    void accept() { X_.swap(next_); }
 
     /// Returns the diffusion time of one step.
     double time_step() const {
@@ -117,7 +115,7 @@ public:
     Positions positions() const {
         Positions all = mesh_.X;
         for (std::size_t i = 0; i < vertex().size(); ++i)
-            all.row(vertex()[i]) = Eigen::Map<const Eigen::RowVector3d>(X_.row(static_cast<Eigen::Index>(i))) * frame_.unit + frame_.centre;
+            all.row(vertex()[i]) = X_.row(static_cast<Eigen::Index>(i)).head<3>() * frame_.unit + frame_.centre;
         spread(copies_, all);
         return all;
     }
@@ -136,15 +134,15 @@ private:
             limit_.look(whole);
         }
         X_ = gathered(current_.X, vertex());
-        next_ = FourColumns(X_.rows());
-        between_ = FourColumns(options_.scheme == SmoothingScheme::taubin ? X_.rows() : 0);
+        next_.resize(X_.rows(), 4);
+        between_.resize(options_.scheme == SmoothingScheme::taubin ? X_.rows() : 0, 4);
     }
 
     /// Computes the positions after the next step. @return true if all their coordinates are known to be finite and within ± `bound`
     bool advance(double bound) {
         switch (options_.scheme) {
             case SmoothingScheme::implicit_euler:
-                std::copy_n(X_.data(), FourColumns::width * X_.rows(), next_.data());
+                next_ = X_;
                 implicit_.step(next_);
                 return false;
             case SmoothingScheme::taubin:

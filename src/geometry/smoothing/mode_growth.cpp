@@ -24,13 +24,13 @@ ModeGrowth mode_growth(const LaplaceBeltrami& laplacian, const LargestEigenvalue
 
     // Only the mode of μ = 0 holds the constant part; without it no digits are lost to it.
     const Positions centred = X.rowwise() - (X.transpose() * laplacian.M / laplacian.M.sum()).transpose();
-    FourColumns Y = gathered(centred, diffusion.vertex()), next(Y.rows());
+    FourColumns Y = gathered(centred, diffusion.vertex()), next(Y.rows(), 4);
     const double start = amplitude(Y);
     if (!(start > 0)) throw MeshError("growth of a mode: the positions have none of it", "add it with seeded()");
     ModeGrowth growth{lambda, std::abs(1 - lambda * top.value), {1}};
     for (int t = 0; t < steps; ++t) {
         diffusion.step(lambda, Y, next);
-        std::swap(Y, next);
+        Y.swap(next);
         growth.factor.push_back(amplitude(Y) / start);
     }
     return growth;

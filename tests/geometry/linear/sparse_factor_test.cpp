@@ -187,7 +187,7 @@ TEST(OrderedFactor, SolvesWithEveryShiftInOneOrder) {
             DenseMatrix X = B;
             factor.solve_in_place(X);
             EXPECT_LT((S * X - sigma * X - B).norm(), 1e-10 * X.norm()) << sigma;
-            FourColumns rows(S.rows());
+            FourColumns rows(S.rows(), 4);
             for (Eigen::Index i = 0; i < S.rows(); ++i)
                 for (Eigen::Index c = 0; c < 4; ++c) rows.row(i)[c] = c < 3 ? B(i, c) : 0;
             factor.solve_in_place(rows);

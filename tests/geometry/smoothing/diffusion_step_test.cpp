@@ -16,7 +16,7 @@ TEST(ExplicitDiffusion, KeepsConstantsToTheLastBitAndReportsDivergence) {
     Positions constant(n, 3);
     constant.rowwise() = Eigen::RowVector3d(1.0 / 3, -7, 1e5);
     EXPECT_EQ(diffusion.step(0.1, constant), constant);
-    FourColumns X = gathered(constant, diffusion.vertex()), Y(n);
+    FourColumns X = gathered(constant, diffusion.vertex()), Y(n, 4);
     EXPECT_TRUE(diffusion.step(0.1, X, Y, 1e5));
     EXPECT_FALSE(diffusion.step(0.1, X, Y, 0.99e5));
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
