@@ -9,7 +9,6 @@
 #include <queue>
 #include <string>
 #include <tuple>
-#include <vector>
 
 #include "base/at.h"
 #include "base/errors.h"

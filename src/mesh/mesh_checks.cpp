@@ -1,8 +1,5 @@
 #include "mesh/mesh_checks.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <tuple>
 #include <utility>
 

@@ -3,10 +3,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <algorithm>
-#include <map>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <array>
-#include <string>
 
 #include "base/at.h"
 #include "base/errors.h"

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <vector>
 
 #include "base/at.h"
 #include "geometry/denoising/normal_filters.h"

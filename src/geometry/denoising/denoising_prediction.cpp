@@ -1,7 +1,5 @@
 #include "geometry/denoising/denoising_prediction.h"
 
-#include <cmath>
-
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "geometry/smoothing/implicit_solver.h"

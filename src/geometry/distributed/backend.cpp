@@ -1,8 +1,6 @@
 #include "geometry/distributed/backend.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 #include "base/errors.h"
 #include "geometry/distributed/ranks.h"

@@ -1,8 +1,5 @@
 #include "geometry/measures/closest_point.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include "base/at.h"

@@ -1,11 +1,5 @@
 #include "geometry/measures/hausdorff.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <span>
-
 #include "base/parallel.h"
 #include "base/parallel_tasks.h"
 #include "geometry/linear/special_values.h"

@@ -1,7 +1,6 @@
 #include "geometry/measures/mesh_error.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <string>
 

@@ -1,9 +1,6 @@
 #include "geometry/measures/mesh_facts.h"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "geometry/curvature/curvature.h"

@@ -2,10 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <vector>
 
 #include "geometry/linear/special_values.h"
 #include "geometry/measures/mesh_error.h"

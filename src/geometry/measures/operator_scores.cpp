@@ -1,8 +1,6 @@
 #include "geometry/measures/operator_scores.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 
 #include "base/at.h"
 #include "base/errors.h"

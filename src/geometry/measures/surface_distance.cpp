@@ -1,9 +1,5 @@
 #include "geometry/measures/surface_distance.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "base/at.h"

@@ -1,7 +1,5 @@
 #include "geometry/operators/cotangent_laplacian.h"
 
-#include <vector>
-
 #include "base/parallel.h"
 #include "geometry/operators/intrinsic_delaunay.h"
 #include "geometry/operators/triangle_shape.h"

@@ -1,8 +1,6 @@
 #include "geometry/operators/laplace_operator.h"
 
-#include <algorithm>
 #include <array>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/nearest_word.h"

@@ -2,10 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "base/at.h"
 #include "geometry/linear/special_values.h"

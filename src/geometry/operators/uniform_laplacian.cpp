@@ -1,7 +1,5 @@
 #include "geometry/operators/uniform_laplacian.h"
 
-#include <vector>
-
 #include "base/parallel.h"
 #include "geometry/operators/vertices_with_mass.h"
 

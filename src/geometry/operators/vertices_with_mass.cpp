@@ -1,7 +1,5 @@
 #include "geometry/operators/vertices_with_mass.h"
 
-#include <cmath>
-
 #include "base/at.h"
 #include "base/errors.h"
 #include "base/number_text.h"

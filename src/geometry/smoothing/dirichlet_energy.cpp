@@ -1,9 +1,5 @@
 #include "geometry/smoothing/dirichlet_energy.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "base/parallel.h"
 #include "geometry/linear/special_values.h"
 

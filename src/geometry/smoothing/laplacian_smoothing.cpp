@@ -1,9 +1,6 @@
 #include "geometry/smoothing/laplacian_smoothing.h"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
-#include <utility>
 
 #include "base/errors.h"
 #include "base/nearest_word.h"

@@ -1,7 +1,5 @@
 #include "geometry/smoothing/mode_growth.h"
 
-#include <cmath>
-
 #include "base/errors.h"
 #include "geometry/smoothing/diffusion_step.h"
 

@@ -1,7 +1,5 @@
 #include "geometry/smoothing/stability_certificate.h"
 
-#include <cmath>
-
 #include "base/errors.h"
 #include "geometry/spectrum/eigenvalue_enclosure.h"
 #include "geometry/spectrum/top_lanczos.h"

@@ -1,8 +1,5 @@
 #include "geometry/spectrum/definiteness.h"
 
-#include <cmath>
-#include <vector>
-
 #include "base/at.h"
 #include "geometry/linear/special_values.h"
 #include "geometry/spectrum/eigenvalue_enclosure.h"

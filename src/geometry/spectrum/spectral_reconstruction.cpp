@@ -1,7 +1,6 @@
 #include "geometry/spectrum/spectral_reconstruction.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/errors.h"

@@ -1,7 +1,5 @@
 #include "geometry/spectrum/stability.h"
 
-#include <cmath>
-
 #include "base/errors.h"
 #include "base/nearest_word.h"
 #include "base/number_text.h"

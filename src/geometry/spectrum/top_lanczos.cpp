@@ -1,11 +1,8 @@
 #include "geometry/spectrum/top_lanczos.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include "base/errors.h"
 #include "geometry/linear/dense_eigenpairs.h"

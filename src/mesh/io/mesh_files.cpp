@@ -1,7 +1,5 @@
 #include "mesh/io/mesh_files.h"
 
-#include <algorithm>
-
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/gunzipped.h"

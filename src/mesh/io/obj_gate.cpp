@@ -1,9 +1,5 @@
 #include "mesh/io/obj_gate.h"
 
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <span>
 #include <utility>
 
 #include "base/in_quotes.h"

@@ -1,8 +1,5 @@
 #include "mesh/io/ply_header.h"
 
-#include <algorithm>
-#include <limits>
-#include <optional>
 #include <set>
 #include <utility>
 

@@ -1,8 +1,6 @@
 #include "mesh/io/polygon_list.h"
 
 #include <charconv>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/at.h"

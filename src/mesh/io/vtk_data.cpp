@@ -1,9 +1,6 @@
 #include "mesh/io/vtk_data.h"
 
 #include <libdeflate.h>
-#include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>

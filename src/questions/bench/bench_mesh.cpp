@@ -1,10 +1,5 @@
 #include "questions/bench/bench_mesh.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-
 #include "geometry/curvature/analytic_surfaces.h"
 #include "geometry/curvature/curvature.h"
 #include "geometry/operators/cotangent_laplacian.h"

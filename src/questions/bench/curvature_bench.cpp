@@ -1,10 +1,7 @@
 #include "questions/bench/curvature_bench.h"
 
-#include <algorithm>
 #include <charconv>
-#include <iterator>
 #include <numeric>
-#include <stdexcept>
 
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/curvature.h"

@@ -1,7 +1,5 @@
 #include "questions/bench/defects.h"
 
-#include <array>
-
 #include "report/words.h"
 
 namespace meshfolio {

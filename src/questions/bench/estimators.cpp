@@ -1,9 +1,5 @@
 #include "questions/bench/estimators.h"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
 #include "geometry/curvature/corrected_curvature.h"
 #include "geometry/curvature/curvature.h"
 #include "geometry/curvature/jet_fit.h"

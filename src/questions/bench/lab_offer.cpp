@@ -1,6 +1,5 @@
 #include "questions/bench/lab_offer.h"
 
-#include <array>
 #include <charconv>
 
 #include "questions/bench/smoothing_study.h"

@@ -1,6 +1,4 @@
 #include <Eigen/Geometry>
-#include <iterator>
-#include <stdexcept>
 
 #include "geometry/curvature/curvature.h"
 #include "geometry/smoothing/stability_certificate.h"

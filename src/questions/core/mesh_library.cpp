@@ -2,11 +2,7 @@
 
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <exception>
-#include <map>
-#include <mutex>
-#include <optional>
 
 #include "base/errors.h"
 #include "base/sha256.h"

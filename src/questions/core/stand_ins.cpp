@@ -2,9 +2,6 @@
 
 #include "questions/core/mesh_roles.h"
 
-#include <algorithm>
-#include <array>
-
 namespace meshfolio {
 
 namespace {

@@ -1,4 +1,3 @@
-#include <iterator>
 
 #include "questions/bench/estimators.h"
 #include "questions/q3_cotangent/parts.h"

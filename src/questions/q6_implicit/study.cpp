@@ -1,7 +1,5 @@
 #include "questions/q6_implicit/study.h"
 
-#include <limits>
-
 #include "geometry/linear/sparse_factor.h"
 #include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/dirichlet_energy.h"

@@ -2,7 +2,6 @@
 
 #include <Spectra/SymEigsShiftSolver.h>
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>

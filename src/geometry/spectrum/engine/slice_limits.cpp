@@ -1,7 +1,5 @@
 #include "geometry/spectrum/engine/slice_limits.h"
 
-#include <algorithm>
-
 #include "base/errors.h"
 #include "base/parallel_tasks.h"
 #include "geometry/linear/special_values.h"

@@ -1,8 +1,5 @@
 #include "geometry/spectrum/engine/spectrum_modes.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/errors.h"
 #include "base/parallel_tasks.h"
 #include "geometry/linear/dense_eigenpairs.h"

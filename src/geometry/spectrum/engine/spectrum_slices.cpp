@@ -3,13 +3,9 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <mutex>
 #include <numeric>
-#include <optional>
-#include <string>
 
 #include "base/available_memory.h"
 #include "base/errors.h"

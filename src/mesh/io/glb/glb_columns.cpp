@@ -1,10 +1,5 @@
 #include "mesh/io/glb/glb_columns.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-
 #include "base/at.h"
 #include "base/joined.h"
 

@@ -1,8 +1,5 @@
 #include "mesh/io/glb/glb_document.h"
 
-#include <algorithm>
-#include <array>
-#include <limits>
 #include <map>
 
 #include "base/at.h"

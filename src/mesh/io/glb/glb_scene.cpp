@@ -1,10 +1,6 @@
 #include "mesh/io/glb/glb_scene.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
 #include <set>
 #include <utility>
 
