@@ -23,7 +23,6 @@ Answer answer(const MeshLibrary& library, const QuestionSettings& settings, cons
     add_words(section, words, "method");
     add_words(section, words, "shape", shape);
     add(section, damping_plot(*shapes));
-    add_gap_table(section, *shapes);
     add_words(section, words, "noise", noise);
     add(section, expected_plot(*noisy), expected_table(*noisy));
     add_words(section, words, "own_operator", noise);

@@ -9,16 +9,6 @@ std::string percent(double share) { return readable_percent(share, 2); }
 
 // ---- the shape
 
-/// Returns the largest gap of stable runs after some steps, over the motion of the implicit run, and its mesh.
-std::pair<double, std::string> largest_gap(const ModeStudies& studies, int steps) {
-    std::pair<double, std::string> largest;
-    for (const ModeStudy& study : studies)
-        for (const SchemeGap& gap : study.gaps)
-            if (gap.steps == steps && gap.lambda <= study.subject.critical && gap.share() > largest.first)
-                largest = {gap.share(), study.name()};
-    return largest;
-}
-
 // ---- noise
 
 /// Returns the deviation of a prediction from the measurement.
@@ -44,17 +34,8 @@ report::Facts shape_facts(const ModeStudies& studies) {
         worst = std::max(worst, largest_of(study.dampings, [&](const ModeDamping& d) { return d.deviation(study.eigenvalues); }));
     const ModeDamping& close = studies.front().dampings[1];
 
-    std::vector<int> counts;
-    for (const SchemeGap& each : studies.front().gaps) counts.push_back(each.steps);
-    counts = each_once(counts);
-    const auto [gap, gap_mesh] = counts.empty() ? std::pair(0.0, std::string()) : largest_gap(studies, counts.front());
-    const double last_gap = counts.size() < 2 ? 0 : largest_gap(studies, counts.back()).first;
-
     return list_of("laws"_a = (worst < law_tolerance), "worst"_a = readable(worst, 2), "first"_a = studies.front().name(),
-                   "steps"_a = close.steps, "left"_a = percent(std::abs(close.law(studies.front().subject.top.value))),
-                   "gap"_a = (gap > 0 ? percent(gap) : ""), "gap_steps"_a = counts.empty() ? 0 : counts.front(), "gap_mesh"_a = gap_mesh,
-                   "last_gap"_a = last_gap > 0 && last_gap < gap ? percent(last_gap) : "",
-                   "last_steps"_a = counts.empty() ? 0 : counts.back());
+                   "steps"_a = close.steps, "left"_a = percent(std::abs(close.law(studies.front().subject.top.value))));
 }
 
 report::Facts noise_facts(const PredictionStudies& studies) {

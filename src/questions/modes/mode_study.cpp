@@ -1,6 +1,5 @@
 #include "questions/modes/mode_study.h"
 
-#include "geometry/measures/mesh_error.h"
 #include "geometry/smoothing/diffusion_step.h"
 #include "geometry/spectrum/laplace_spectrum.h"
 
@@ -36,35 +35,6 @@ ModeDamping damping_of(const SmoothingSubject& subject, const Spectrum& modes, S
     return damping;
 }
 
-/// Computes the area-weighted rms distance over the box diagonal.
-double distance(const SmoothingSubject& subject, const Positions& A, const Positions& B) {
-    const Vector& M = subject.laplacian.M;
-    return std::sqrt(M.dot((A - B).rowwise().squaredNorm()) / M.sum()) / subject.diagonal;
-}
-
-Smoothed smoothed(const SmoothingSubject& subject, SmoothingScheme scheme, double lambda, int steps, ImplicitSolver& solver) {
-    return smooth(subject.mesh(), {.scheme = scheme, .lambda = lambda, .iterations = steps}, solver);
-}
-
-/// @param shape  Σ over x, y, z of the squared coefficients of the input, one a mode: of all modes, or empty
-SchemeGap gap_of(const ModeStudy& study, const Vector& shape, double lambda, int steps, ImplicitSolver& solver) {
-    const SmoothingSubject& subject = study.subject;
-    SchemeGap gap{lambda, steps};
-    const Positions X = smoothed(subject, SmoothingScheme::implicit_euler, lambda, steps, solver).X;
-    gap.motion = distance(subject, X, subject.mesh().X);
-    const Smoothed other = smoothed(subject, SmoothingScheme::explicit_euler, lambda, steps, solver);
-    gap.measured = other.blew_up ? undefined : distance(subject, X, other.X);
-    double square = 0;
-    for (Eigen::Index i = 0; i < shape.size(); ++i) {
-        const double mu = study.eigenvalues[i];
-        const double explicit_minus_implicit = damping_law(SmoothingScheme::explicit_euler, lambda, steps, mu) -
-                                               damping_law(SmoothingScheme::implicit_euler, lambda, steps, mu);
-        square += shape[i] * explicit_minus_implicit * explicit_minus_implicit;
-    }
-    gap.predicted = study.all ? std::sqrt(square / subject.laplacian.M.sum()) / subject.diagonal : undefined;
-    return gap;
-}
-
 }   // namespace
 
 double damping_law(SmoothingScheme scheme, double lambda, int steps, double mu) {
@@ -94,27 +64,12 @@ ModeStudy mode_study(SharedMesh source, const QuestionSettings& settings) {
         modes.eigenvectors.rightCols(1) = study.subject.top.mode;
     }
     study.eigenvalues = modes.eigenvalues;
-    study.rounding = epsilon * study.subject.mesh().X.cwiseAbs().maxCoeff() / study.subject.diagonal;
     constexpr int steps = 10;
     for (const double relative : {0.5, 0.95, 1.05})
         study.dampings.push_back(damping_of(study.subject, modes, SmoothingScheme::explicit_euler, relative, steps));
     for (const double relative : {0.5, 0.95, 10.0})
         study.dampings.push_back(damping_of(study.subject, modes, SmoothingScheme::implicit_euler, relative, steps));
 
-    Vector shape;
-    if (study.all) {
-        const Vector& M = study.subject.laplacian.M;
-        const Positions& X = study.subject.mesh().X;
-        const Positions near = X.rowwise() - X.row(0);   // far from the origin the offset would drown the modes in rounding
-        const Eigen::RowVector3d mean = M.transpose() * near / M.sum();
-        shape = (modes.eigenvectors.transpose() * (M.asDiagonal() * (near.rowwise() - mean))).rowwise().squaredNorm();
-    }
-    const std::vector<int> counts = settings.iterations.empty() ? std::vector{1, 10, 100} : each_once(settings.iterations);
-    ImplicitSolver solver;
-    for (const double lambda : steps_of(settings, study.subject.critical, {0.1, 0.5, 0.9})) {
-        for (const int count : counts)
-            if (count > 0) study.gaps.push_back(gap_of(study, shape, lambda, count, solver));
-    }
     return study;
 }
 

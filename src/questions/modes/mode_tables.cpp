@@ -1,5 +1,3 @@
-#include <span>
-
 #include "questions/modes/mode_study.h"
 
 namespace meshfolio::modes {
@@ -53,44 +51,12 @@ report::Plot damping_plot(const ModeStudies& studies) {
     return plot;
 }
 
-void add_gap_table(report::Section& section, const ModeStudies& studies) {
-    if (studies.front().gaps.empty()) return;
-    struct Row {
-        const ModeStudy& study;
-        std::span<const SchemeGap> gaps;   // of one step, at each count of iterations
-    };
-    std::vector<int> counts;   // the same at every step of every mesh
-    for (const SchemeGap& gap : studies.front().gaps)
-        if (gap.lambda == studies.front().gaps.front().lambda) counts.push_back(gap.steps);
-    std::vector<Row> rows;
-    for (const ModeStudy& study : studies)
-        for (std::size_t first = 0; first < study.gaps.size(); first += counts.size())
-            rows.push_back({study, std::span(study.gaps).subspan(first, counts.size())});
-    auto gaps = table("modes_gap", words.line("gap"), std::move(rows));
-    gaps.column("mesh", [](auto& r) { return r.study.name(); }).column("λ/λ_crit", [](auto& r) {
-        return r.gaps.front().lambda / r.study.subject.critical;
-    });
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        gaps.column(words.line("gap.motion", "steps"_a = counts[i]), {.unit = "% of box"}, [i](auto& r) { return 100 * r.gaps[i].motion; });
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        gaps.column(words.line("gap.share", "steps"_a = counts[i]), {.unit = "% of motion", .digits = 2},
-                    [i](auto& r) { return cell_of(100 * r.gaps[i].share()); });
-    add(section, gaps);
-}
-
 void add_shape_checks(report::Section& section, const ModeStudies& studies) {
     for (const ModeStudy& study : studies) {
-        double damping = 0, gap = 0;
-        int gaps = 0;
+        double damping = 0;
         for (const ModeDamping& d : study.dampings) damping = std::max(damping, d.deviation(study.eigenvalues));
-        for (const SchemeGap& g : study.gaps) {
-            if (!(g.lambda <= study.subject.critical && study.is_measurable(g))) continue;
-            gap = std::max(gap, std::abs(g.predicted / g.measured - 1));
-            ++gaps;
-        }
         add(section, check_at_most(words.line("check.damping", "modes"_a = study.eigenvalues.size(), "mesh"_a = study.name()),
                                    law_tolerance, damping));
-        if (gaps > 0) add(section, check_at_most(words.line("check.gap", "mesh"_a = study.name()), 1e-6, gap));
     }
 }
 

@@ -17,9 +17,7 @@ std::shared_ptr<const ModeStudies> mode_studies(const LibraryMeshes& meshes, con
                                                 report::Section& section);
 /// Plots the factors of the modes of the first mesh, by law and measured, at three steps.
 report::Plot damping_plot(const ModeStudies& studies);
-/// Adds a table that compares the results of the two schemes, one row per step of each mesh; none without steps.
-void add_gap_table(report::Section& section, const ModeStudies& studies);
-/// Adds the checks of dampings and gaps.
+/// Adds the checks of dampings.
 void add_shape_checks(report::Section& section, const ModeStudies& studies);
 /// Collects the facts of the words on the shape.
 report::Facts shape_facts(const ModeStudies& studies);

@@ -49,30 +49,6 @@ TEST(ModeStudy, MeasuresTheLowestModesAndTheTopOfALargerMesh) {
     for (const ModeDamping& d : study.dampings) EXPECT_LT(d.deviation(study.eigenvalues), 1e-9);
 }
 
-TEST(ModeStudy, TheGapIsPredictedAndOfSecondOrder) {
-    QuestionSettings settings = quick_settings();
-    const double critical = egg_study().subject.critical;
-    settings.lambda = {1e-3 * critical, 2e-3 * critical};
-    settings.iterations = {10};
-    const ModeStudy study = mode_study(library_mesh(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_gap"), settings);
-    ASSERT_EQ(study.gaps.size(), 2u);
-    for (const SchemeGap& gap : study.gaps) {
-        EXPECT_NEAR(gap.predicted / gap.measured, 1, 1e-6);
-    }
-    EXPECT_NEAR(study.gaps[1].measured / study.gaps[0].measured, 4, 0.1) << "λ²";
-    for (const SchemeGap& gap : egg_study().gaps) EXPECT_NEAR(gap.predicted / gap.measured, 1, 1e-6);
-}
-
-// Each further step makes the two results more alike, so the facts name the gap after the first step.
-TEST(ModeStudy, TheFactsNameTheGapAfterTheFirstStep) {
-    const ModeStudy& study = egg_study();
-    ASSERT_EQ(study.gaps.front().steps, 1);
-    double largest = 0;
-    for (const SchemeGap& gap : study.gaps) largest = std::max(largest, gap.share());
-    const report::Facts facts = shape_facts({study});
-    EXPECT_EQ(std::get<std::string>(std::ranges::find(facts, "gap", &report::Fact::name)->value), readable_percent(largest, 2));
-}
-
 TEST(ModesSection, IsWellFormedAndPassesItsChecks) {
     const Answer answer =
         chapter_of_id("modes").answer(library_of(ellipsoid_mesh(2, {1.5, 1, 0.8}), "egg_modes_section"), quick_settings(), no_progress);
