@@ -1,20 +1,16 @@
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/triangle_measures.h"
-#include "output/draw/figure_request.h"
 #include "run/arguments.h"
 #include "run/console.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/one_mesh/fields.h"
-#include "run/one_mesh/figure.h"
-#include "run/one_mesh/terminal_picture.h"
+#include "run/one_mesh/terminal_figure.h"
 
 namespace meshfolio::cli {
 
@@ -53,29 +49,12 @@ void add_files(output::FileGroup& files, const CompareFlags& options, const Prep
     if (!options.csv.empty()) print_to(files, options.csv, vertex_table(a, columns));
 }
 
-/// Returns a picture of both meshes in one frame, coloured by their distances to each other. Where it is too coarse for words, they are
-/// below it.
+/// Returns a picture of both meshes in one frame, coloured by their distances to each other.
 std::string picture_of_both(const PreparedMesh& a, const PreparedMesh& b, const SurfaceDistances& distances, const TerminalRoom& room) {
-    constexpr int oversampling = 8;                  // pixels of the figure for one of a coarse picture
-    constexpr double resolution = 96, inch = 25.4;   // [dpi], [mm]
     const double diagonal = bounding_box(a.mesh).diagonal();
-    const std::array fields{distance_field(distances.a_to_b.of_vertices, diagonal), distance_field(distances.b_to_a.of_vertices, diagonal)};
-    const output::ColorRange range =
-        output::robust_range({{"", "", nullptr, fields[0].values}, {"", "", nullptr, fields[1].values}}, "pale", "", "", fields[0].floor);
-    const bool words = !room.is_coarse();
-    const auto label = [&](const PreparedMesh& one) { return words ? std::filesystem::path(one.file).filename().string() : ""; };
-    const std::array meshes{FigureMesh{label(a), a, {fields[0]}}, FigureMesh{label(b), b, {fields[1]}}};
-    const int pixels = picture_pixels(room).first * (words ? 1 : oversampling);
-    FigureStyle style{.common_fit = true, .columns = 2, .width = std::clamp(pixels / resolution * inch, smallest_width, largest_width)};
-    style.resolution = resolution;
-    style.bars = words;
-    style.colormap = range.colormap;
-    style.range = {range.low, range.high};
-    if (!words) style.background.a = 0;
-    const std::string picture = terminal_picture(render::painted(figure_of(meshes, style)), room);
-    if (words) return picture;
-    return picture + "left A, right B; distance to the other from " + plain_text(range.low, 3) + " (pale) to " + plain_text(range.high, 3) +
-           " and more (dark blue)\n";
+    std::vector<FigureMesh> meshes{{"A: " + a.file, a, {distance_field(distances.a_to_b.of_vertices, diagonal)}},
+                                   {"B: " + b.file, b, {distance_field(distances.b_to_a.of_vertices, diagonal)}}};
+    return terminal_figure(std::move(meshes), {.common_fit = true}, room);
 }
 
 ExitCode run_compare(const CompareFlags& options) {
