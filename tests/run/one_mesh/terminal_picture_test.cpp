@@ -174,10 +174,10 @@ TEST(TerminalPicture, KittyGetsAPngInPartsOf4096) {
 TEST(TerminalPicture, ItermGetsOneInlinePng) {
     const Image image = random_image(400, 200, 4, false);
     const std::string text = terminal_picture(image, room_of(TerminalGraphics::iterm, 80, 24, 800, 480));
-    std::smatch found;
-    ASSERT_TRUE(std::regex_match(text, found, std::regex("\x1b\\]1337;File=inline=1;size=([0-9]+);width=40:([A-Za-z0-9+/=]+)\a\n")));
-    const std::string png = from_base64(found[2].str());
-    EXPECT_EQ(std::to_string(png.size()), found[1]);
+    const std::size_t colon = text.find(':');
+    const std::string png = from_base64(text.substr(colon + 1, text.size() - colon - 3));
+    EXPECT_EQ(text.substr(0, colon), "\x1b]1337;File=inline=1;size=" + std::to_string(png.size()) + ";width=40");
+    EXPECT_TRUE(text.ends_with("\a\n"));
     ASSERT_TRUE(render::decode_png(png));
 }
 
