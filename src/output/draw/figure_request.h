@@ -67,12 +67,14 @@ struct FigureRequest {
     const ColorRange* range_of(const Panel& panel) const { return panel.range ? &*panel.range : range ? &*range : nullptr; }
 };
 
+inline constexpr double usual_clip = 0.02;
+
 /// Returns the range between the percentiles clip and 1 − clip of the finite values of all panels, with clipped shares and a sample of at
 /// most 8192 values. A diverging map makes it symmetric about 0, up to 1.25 times the median at least, so that nearly equal values do not
 /// all get the colour of an end. "pale" makes it begin at 0 if its low end is not negative. It is at least `floor` wide, so that rounding
 /// noise gets one colour.
 ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, std::string quantity, std::string unit, double floor,
-                        double clip = 0.02);
+                        double clip = usual_clip, std::shared_ptr<const render::Colormap> own_map = {});
 
 /// Returns the finite values of all panels, panel after panel.
 std::vector<double> finite_values(const std::vector<Panel>& panels);

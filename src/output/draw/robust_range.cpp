@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "color/colormap.h"
+#include "output/draw/surface_of.h"
 
 namespace meshfolio::output {
 
@@ -46,8 +46,9 @@ void enter_clipped(ColorRange& range, const std::vector<double>& values) {
 }
 
 ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, std::string quantity, std::string unit, double floor,
-                        double clip) {
-    ColorRange range{std::move(colormap), 0, 0, std::move(quantity), std::move(unit), 0, 0};
+                        double clip, std::shared_ptr<const render::Colormap> own_map) {
+    ColorRange range{.colormap = std::move(colormap), .high = 0, .quantity = std::move(quantity), .unit = std::move(unit)};
+    range.own_map = std::move(own_map);
     std::vector<double> values = finite_values(panels);
     tbb::parallel_sort(values);
     // Interpolates between the neighbours of the value below which a share q lies.
@@ -58,8 +59,7 @@ ColorRange robust_range(const std::vector<Panel>& panels, std::string colormap, 
         return from + (place - static_cast<double>(below)) * (to - from);
     };
     if (!values.empty()) range.low = percentile(clip), range.high = percentile(1 - clip);
-    const auto map = std::ranges::find(render::colormap_list(), range.colormap, &render::Colormap::name);
-    const bool diverging = map != render::colormap_list().end() && map->kind == "diverging";
+    const bool diverging = colormap_of(range).kind == "diverging";
     const bool from_zero = range.colormap == "pale" && range.low >= 0;
     if (from_zero) range.low = 0;
     if (diverging) {

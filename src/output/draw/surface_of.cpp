@@ -45,15 +45,16 @@ bool fits_frame(const render::Bounds& bounds, const Positions& X) {
     return (frame.pixels_per_unit * (X.rowwise() - centre).array().abs() <= 0.5).all();
 }
 
-render::ValueRange value_range(const ColorRange& range) {
-    if (range.own_map) return {range.own_map.get(), range.low, range.high, range.logarithmic};
+const render::Colormap& colormap_of(const ColorRange& range) {
+    if (range.own_map) return *range.own_map;
+    if (const render::Colormap* map = render::find_colormap(range.colormap)) return *map;
     std::vector<std::string> known;
     for (const render::Colormap& map : render::colormap_list()) known.emplace_back(map.name);
-    if (std::ranges::find(known, range.colormap) == known.end())
-        throw UsageError("unknown colour map " + in_quotes(range.colormap),
-                         suggestion(range.colormap, known) + "known are " + meshfolio::joined(known, ", "));
-    return {&render::colormap_named(range.colormap), range.low, range.high, range.logarithmic};
+    throw UsageError("unknown colour map " + in_quotes(range.colormap),
+                     suggestion(range.colormap, known) + "known are " + meshfolio::joined(known, ", "));
 }
+
+render::ValueRange value_range(const ColorRange& range) { return {&colormap_of(range), range.low, range.high, range.logarithmic}; }
 
 std::vector<double> histogram_of(const std::vector<double>& values, const render::ValueRange& range) {
     if (!range.logarithmic) return histogram(values, range.low, range.high);

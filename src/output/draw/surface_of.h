@@ -24,8 +24,9 @@ render::Bounds bounds_of(const TriangleMesh& mesh);
 /// True if all positions are finite and inside the pictures along the axes that are framed on these bounds.
 bool fits_frame(const render::Bounds& bounds, const Positions& X);
 
-/// Returns a range for the renderer, with its colour map looked up by name.
-/// @throws UsageError with the known colour maps if the range's map is unknown
+/// Returns the colour map of a range. @throws UsageError with the known colour maps if the name is unknown
+const render::Colormap& colormap_of(const ColorRange& range);
+/// Returns a range for the renderer. @throws UsageError as colormap_of()
 render::ValueRange value_range(const ColorRange& range);
 
 /// Returns the histogram() of the values over the range, of their logarithms if it is logarithmic.

@@ -113,8 +113,8 @@ std::pair<double, double> value_limits(double low, double high, const std::strin
 std::optional<output::ColorRange> color_range(const std::vector<output::Panel>& panels, const Field& field, const ColorChoice& colors) {
     if (field.values.size() == 0) return {};
     const std::string& colormap = colors.colormap.empty() ? field.colormap : colors.colormap;
-    output::ColorRange range = output::robust_range(panels, colormap, field.quantity, field.unit, field.floor);
-    range.own_map = colors.own_map;
+    output::ColorRange range =
+        output::robust_range(panels, colormap, field.quantity, field.unit, field.floor, output::usual_clip, colors.own_map);
     if (colors.range) {
         std::tie(range.low, range.high) = *colors.range;
         output::enter_clipped(range, output::finite_values(panels));

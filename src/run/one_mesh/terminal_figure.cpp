@@ -10,7 +10,7 @@ namespace meshfolio::run {
 namespace {
 
 constexpr double resolution = 96;   // [dpi]
-constexpr int oversampling = 6;                         // pixels of the figure for one of a coarse picture
+constexpr int oversampling = 6;     // pixels of the figure for one of a coarse picture
 constexpr double text_points = 10;
 
 /// Returns the words of a figure as lines: title, names of the meshes, ranges of the colours.
