@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <numbers>
 
 #include "render/shapes.h"
 
@@ -17,8 +18,6 @@ using render_tests::Mesh;
 
 using Lines = std::vector<std::vector<glm::dvec2>>;
 
-const double pi = std::acos(-1.0);
-
 Lines lines_of(const Mesh& mesh, const View& view, double spacing, int side = 400) {
     return render::visible_isolines(mesh.surface(), view, {.width = side, .height = side, .isoline_spacing = spacing});
 }
@@ -28,7 +27,7 @@ template <class Value> Mesh sphere(int rings, const Value& value) {
     Mesh mesh;
     for (int i = 0; i <= rings; ++i)
         for (int j = 0; j < 2 * rings; ++j) {
-            const double theta = pi * i / rings, phi = pi * j / rings;
+            const double theta = std::numbers::pi * i / rings, phi = std::numbers::pi * j / rings;
             mesh.positions.push_back({std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)});
             mesh.values.push_back(value(mesh.positions.back()));
             const int a = (i - 1) * 2 * rings + j, b = (i - 1) * 2 * rings + (j + 1) % (2 * rings), c = a + 2 * rings, d = b + 2 * rings;
@@ -62,7 +61,7 @@ TEST(VisibleIsolines, OfHeightsOnASphereAreCirclesAndNoneOfTheBack) {
         std::vector<double> radii;
         for (const auto& line : lines) {
             EXPECT_EQ(line.front(), line.back()) << "a closed line";
-            radii.push_back(length_of(line) / (2 * pi));
+            radii.push_back(length_of(line) / (2 * std::numbers::pi));
             for (const glm::dvec2& p : points_on({line})) ASSERT_NEAR(glm::length(p - 200.0), radii.back(), rings == 60 ? 0.5 : 0.06);
         }
         std::ranges::sort(radii);
