@@ -89,7 +89,7 @@ TEST(VisibleIsolines, LieOnMultiplesOfTheSpacing) {
 // The places of the lines and of the pixels that the isolines of the picture change.
 TEST(VisibleIsolines, LieWhereThePictureHasThem) {
     const Mesh mesh = render_tests::pebble();
-    for (const char* name : {"+x", "-y", "hero"}) {
+    for (const char* name : {"+z", "-y", "hero"}) {   // from +x the lines are so dense that the picture fades them
         const View view = render::view_named(name);
         DrawOptions options{.width = 500, .height = 400, .range = {nullptr, -5000, 700}, .shading = false};
         const render::Image plain = render::draw_views(mesh.surface(), std::span(&view, 1), options).front();
