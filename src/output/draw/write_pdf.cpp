@@ -116,7 +116,6 @@ struct PdfContent {
     std::string operators = {};
     std::map<std::string, std::map<std::string, std::string>> resources = {};   // kind, name, object
     std::map<render::Weight, UsedFont> fonts = {};
-
     /// Returns the operators that set a colour. @param set  "rg" for areas, "RG" for lines
     std::string painting(Rgba color, const char* set) {
         const std::string opacity = "/a" + std::to_string(color.a), share = operands(color.a / 255.0);
