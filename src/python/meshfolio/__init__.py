@@ -31,7 +31,8 @@ from ._core import Error, InputError, Mesh, MeshError, MissingFileError, OutputE
 
 __all__ = [
     "Error", "InputError", "Mesh", "MeshError", "MissingFileError", "OutputError", "Picture", "SolverError", "Spectrum", "UsageError",
-    "compare", "curvature", "distances", "figure", "inspect", "laplacian", "load", "noise", "render", "sample", "save", "smooth", "spectrum",
+    "compare", "curvature", "distances", "figure", "inspect", "laplacian", "load", "noise", "render", "sample", "save", "smooth",
+    "spectrum",
 ]  # fmt: skip
 
 # Words of annotations; _arguments.KINDS says what each takes.
@@ -90,8 +91,8 @@ class _Attributes(dict):
 
 @worded
 def load(path: Path) -> Mesh:
-    """Returns the mesh of `path`, an OBJ, OFF, PLY, STL, VTP or GLB file, perhaps packed by gzip, with the values that the file holds for its
-    vertices in `attributes`. Raises MissingFileError, a FileNotFoundError, where there is no file."""
+    """Returns the mesh of `path`, an OBJ, OFF, PLY, STL, VTP or GLB file, perhaps packed by gzip. `attributes` are the values that the
+    file holds for its vertices. Raises MissingFileError, a FileNotFoundError, where there is no file."""
     return _core.load(path)
 
 
@@ -109,7 +110,9 @@ def save(mesh: MeshLike, path: Path) -> None:
 
 
 @worded
-def curvature(mesh: MeshLike, *, area: Area = "barycentric", operator: Operator = "cotan", jets: bool = False) -> Dict[str, NDArray[numpy.float64]]:
+def curvature(
+    mesh: MeshLike, *, area: Area = "barycentric", operator: Operator = "cotan", jets: bool = False
+) -> Dict[str, NDArray[numpy.float64]]:
     """Returns a dict of n float64 each, NaN where undefined: area [length^2], h_uniform [length], k_gauss [1/length^2], h_cotan and
     h_uniform_scaled [1/length].
 
@@ -192,7 +195,7 @@ class Picture(numpy.ndarray):
     @worded
     def save(self, path: Path) -> None:
         """Writes the PNG file `path`."""
-        _core.save_png(self, os.fsdecode(path))
+        _core.save_png(self, path)
 
 
 def _sight(camera, up, zoom):
@@ -212,11 +215,13 @@ def render(
     camera, else the six.
     camera: (azimuth, elevation) or (azimuth, elevation, roll) in degrees: from the front to the right, upwards, and anticlockwise.
     zoom: factor of the size in the picture. up: the axis x, y or z that points up; default: y, and for hero the likely one.
-    size: pixels of one view, N or (width, height). colormap: the name of one, or a file. range: (low, high) of the colours; default: robust.
+    size: pixels of one view, N or (width, height). colormap: a name, or a file. range: (low, high) of the colours; default: robust.
     isolines: lines where the value is a multiple of this; 0: none. edges: draw those of triangles. transparent: no background.
     """
-    picture = _core.draw(mesh, field, values, label, ",".join(views), _sight(camera, up, zoom), size, colormap, range, isolines, edges, transparent)
-    return picture.view(Picture)
+    sight = _sight(camera, up, zoom)
+    return _core.draw(
+        mesh, field, values, label, ",".join(views), sight, size, colormap, range, isolines, edges, transparent
+    ).view(Picture)  # fmt: skip
 
 
 @worded
@@ -292,7 +297,8 @@ def _mesh_html(mesh):
     words = f"{mesh.name}: {len(mesh.vertices)} vertices, {len(mesh.faces)} faces"
     words = html.escape("; ".join([words, *mesh.warnings]))
     picture = base64.b64encode(_mesh_png(mesh)).decode("ascii")
-    return f'<figure><img width="400" height="400" alt="{words}" src="data:image/png;base64,{picture}"><figcaption>{words}</figcaption></figure>'
+    image = f'<img width="400" height="400" alt="{words}" src="data:image/png;base64,{picture}">'
+    return f"<figure>{image}<figcaption>{words}</figcaption></figure>"
 
 
 _init.__name__, _copy.__name__ = "Mesh", "copy"

@@ -21,7 +21,9 @@ def shown(value):
     kind = type(value).__name__
     if isinstance(value, numpy.ndarray):
         return f"an array of shape {value.shape}"
-    return "None" if value is None else f"{kind} {reprlib.repr(value)}" if type(value).__module__ == "builtins" else f"an object of type {kind}"
+    if value is None:
+        return "None"
+    return f"{kind} {reprlib.repr(value)}" if type(value).__module__ == "builtins" else f"an object of type {kind}"
 
 
 # ---- meshes ----------------------------------------------------------------------------------------------------------------
@@ -140,6 +142,12 @@ def _truth(value):
     return bool(value)
 
 
+def _path(value):
+    if "\0" in os.fsdecode(value):
+        raise ValueError
+    return os.fsdecode(value)
+
+
 def _limits(value):
     low, high = value
     return _number(low), _number(high)
@@ -160,7 +168,7 @@ KINDS = {  # annotation of an argument: words for it, and a function that return
     "int": ("a whole number", _whole),
     "float": ("a number", _number),
     "bool": ("True or False", _truth),
-    "Path": ("a path", os.fspath),
+    "Path": ("a path", _path),
     "Limits": ("two numbers (low, high)", _limits),
     "Camera": ("(azimuth, elevation) or (azimuth, elevation, roll) in degrees", _camera),
     **dict.fromkeys(("Area", "Axis", "Fit", "NoiseUnit", "Operator", "Scheme", "StepUnit"), ("a word", _word)),
