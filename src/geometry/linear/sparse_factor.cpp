@@ -58,7 +58,7 @@ EliminationOrder::EliminationOrder(const SparseMatrix& A) {
     memory = bytes_per_entry * static_cast<double>(operations.nonzeros) + bytes_per_row * static_cast<double>(A.rows());
 }
 
-SparseMatrix EliminationOrder::apply(const SparseMatrix& A) const {
+SparseMatrix in_order(const SparseMatrix& A, const std::vector<int>& row) {
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> to_row(A.rows());
     std::copy(row.begin(), row.end(), to_row.indices().data());
     SparseMatrix ordered;

@@ -22,6 +22,9 @@ struct FactorOperations {
 /// every diagonal entry stored
 FactorOperations factor_operations(const SparseMatrix& S);
 
+/// Returns A with row and column row[i] moved to i; entries ascend in each column.
+SparseMatrix in_order(const SparseMatrix& A, const std::vector<int>& row);
+
 /// An elimination order that keeps the factor sparse, by approximate minimum degree (Amestoy, Davis & Duff 1996).
 struct EliminationOrder {
     /// @param A  its pattern counts: symmetric, both triangles and every diagonal entry stored
@@ -31,8 +34,7 @@ struct EliminationOrder {
     std::vector<int> row;   // row row[i] is eliminated at step i; neighbours on the surface are mostly near each other in this order
     FactorOperations operations;
     double memory = 0;   // a bound for making and keeping a factor [bytes]
-    /// Returns A with row and column row[i] moved to i.
-    SparseMatrix apply(const SparseMatrix& A) const;
+    SparseMatrix apply(const SparseMatrix& A) const { return in_order(A, row); }
 };
 
 /// LDLᵀ of S − σI in the order of the rows of S.

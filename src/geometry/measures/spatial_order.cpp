@@ -6,6 +6,7 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
+#include "geometry/linear/sparse_factor.h"
 
 namespace meshfolio {
 namespace {
@@ -42,38 +43,8 @@ std::vector<int> morton_order(const Positions& X) {
 }
 
 OperatorWithMass reordered(const OperatorWithMass& whole, const std::vector<int>& order) {
-    const int n = whole.size();
-    OperatorWithMass sorted;
-    sorted.all_vertices = whole.all_vertices;
-    sorted.copies = whole.copies;
-    sorted.M = whole.M(order);
-    sorted.vertex.resize(order.size());
-    std::vector<int> place(order.size());
-    for (int i = 0; i < n; ++i) {
-        const std::size_t old = at(order[at(i)]);
-        sorted.vertex[at(i)] = whole.vertex[old];
-        place[old] = i;
-    }
-    sorted.A.resize(n, n);
-    sorted.A.resizeNonZeros(whole.A.nonZeros());
-    int* const start = sorted.A.outerIndexPtr();
-    for (int j = 0; j < n; ++j) {
-        const int old = order[at(j)];
-        start[j + 1] = start[j] + whole.A.outerIndexPtr()[old + 1] - whole.A.outerIndexPtr()[old];
-    }
-    for_blocks(n, [&](int, int begin, int end) {
-        std::vector<std::pair<int, double>> column;
-        for (int j = begin; j < end; ++j) {
-            column.clear();
-            for (SparseMatrix::InnerIterator entry(whole.A, order[at(j)]); entry; ++entry)
-                column.emplace_back(place[std::size_t(entry.row())], entry.value());
-            std::sort(column.begin(), column.end());
-            for (std::size_t k = 0; k < column.size(); ++k) {
-                sorted.A.innerIndexPtr()[at(start[j]) + k] = column[k].first;
-                sorted.A.valuePtr()[at(start[j]) + k] = column[k].second;
-            }
-        }
-    });
+    OperatorWithMass sorted{in_order(whole.A, order), whole.M(order), whole.vertex, whole.all_vertices, whole.copies};
+    for (std::size_t i = 0; i < order.size(); ++i) sorted.vertex[i] = whole.vertex[at(order[i])];
     return sorted;
 }
 
