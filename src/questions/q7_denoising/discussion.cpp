@@ -120,6 +120,27 @@ void add_other_noise_facts(report::Facts& facts, const Grids& grids) {
                                "spills"_a = std::isfinite(spread) && spread > 0.1, "spill"_a = readable_percent(spread, 2)});
 }
 
+/// The rule that needs no clean mesh: its share of the best gain, and the number of cases where it fails or does harm.
+void add_rule_facts(report::Facts& facts, const Grids& grids) {
+    double sum = 0;
+    int all = 0, failed = 0, harmed = 0;
+    const Case* worst = nullptr;
+    const std::vector<Case> cases = cases_of(grids);
+    for (const Case& c : cases) {
+        const Stopped& stopped = c.part.stopped;
+        if (std::isnan(stopped.share())) continue;
+        sum += stopped.share(), ++all;
+        failed += stopped.fails() ? 1 : 0;
+        harmed += stopped.harms() ? 1 : 0;
+        if (!worst || stopped.gain < worst->part.stopped.gain) worst = &c;
+    }
+    const bool by_shape = harmed > 0 && worst->whole.fitted_to_clean > worst->whole.edges(worst->part);
+    facts.insert(facts.end(), {"rules"_a = all, "reached"_a = readable_percent(sum / std::max(all, 1), 2), "rule_fails"_a = failed,
+                               "rule_harms"_a = harmed, "middle"_a = readable(grids.front().middle_lambda(), 2),
+                               "mistaken"_a = by_shape ? worst->whole.name() : "",
+                               "mistaken_edges"_a = readable(worst ? worst->whole.fitted_to_clean : 0, 2)});
+}
+
 /// Counts of halved errors by the other measures, and another λ with nearly the largest gain at nearly the same λt.
 void add_measure_facts(report::Facts& facts, const Grids& grids) {
     const auto works_by = [cases = cases_of(grids)](const Measure& measure) {
@@ -170,7 +191,7 @@ report::Facts facts_of(const Grids& grids, const Reasons& reasons) {
     report::Facts facts;
     add_reason_facts(facts, reasons);
     for (const auto add_facts : {add_verdict_facts, add_sample_facts, add_strength_facts, add_state_facts, add_cost_facts,
-                                 add_other_noise_facts, add_measure_facts})
+                                 add_other_noise_facts, add_rule_facts, add_measure_facts})
         add_facts(facts, grids);
     return facts;
 }

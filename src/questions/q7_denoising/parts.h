@@ -32,7 +32,8 @@ const DenoisingGrid& grid_with_largest_gain(const Grids& grids);
 
 /// Returns a table with a row for each trial of each mesh: σ, best λt, gain by surface and its spread, volume, verdict.
 report::Table result_table(const Grids& grids);
-/// Returns a table with a row for each trial of each mesh: gain, λ and t by each of `measures`.
+/// Returns a table with a row for each trial of each mesh: gain, λ and t by each of `measures`, and the gain of a rule that needs no clean
+/// mesh (Stopped).
 report::Table measure_table(const Grids& grids);
 /// Returns a table with a row for the noisy trial pictured() of each mesh: error removed along and across the surface, angles of normals,
 /// and volume left.

@@ -2,6 +2,9 @@
 
 #include "base/parallel_tasks.h"
 #include "geometry/curvature/curvature.h"
+#include "geometry/denoising/denoising_prediction.h"
+#include "geometry/denoising/noise_level.h"
+#include "geometry/denoising/risk_estimate.h"
 #include "geometry/smoothing/laplacian_smoothing.h"
 #include "questions/bench/mesh_class.h"
 
@@ -59,6 +62,38 @@ SurfaceErrors errors_of(const DenoisingGrid& grid, const Positions& normals, con
     return errors;
 }
 
+/// A run from Y. Its difference along z from a run from Y + εz is the divergence in Stein's estimate.
+struct WatchedRun {
+    Positions z;                             // n × 3, random signs
+    std::vector<double> residual, along_z;   // |X − Y|², z · (X − Y), after t = 0, 1, … iterations
+    std::vector<double> shape;               // rms distance to the clean surface
+
+    void enter(const Positions& moved, double distance) {
+        residual.push_back(moved.squaredNorm());
+        along_z.push_back(z.cwiseProduct(moved).sum());
+        shape.push_back(distance);
+    }
+};
+
+/// Stops a run by Stein's estimate. @param run  at the step in the middle of the grid
+Stopped stopped_without_clean(const DenoisingGrid& grid, const NoisyTrial& trial, const WatchedRun& run, ImplicitSolver& solver) {
+    const TriangleMesh& noisy = trial.noisy;
+    const double sigma = noise_level(noisy, grid.clean->topology()).sigma, amount = 1e-4 * grid.mean_edge;
+    if (!(sigma > 0) || !(trial.found.noisy.shape > 0)) return {};
+    std::vector<double> divergence{3.0 * noisy.vertex_count()};
+    SmoothingOptions options = smoothing_by(grid, grid.middle_lambda(), static_cast<int>(run.along_z.size()) - 1);
+    options.after_step = [&](int t, const Positions& X) {
+        divergence.push_back((run.z.cwiseProduct(X - noisy.X).sum() - run.along_z[t]) / amount);
+        return true;
+    };
+    smooth(moved_to(noisy, noisy.X + amount * run.z), options, solver);
+    const auto vector = [&](const std::vector<double>& values) {
+        return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(divergence.size()));
+    };
+    const int best = RiskEstimate{vector(run.residual), vector(divergence), divergence[0]}.best(sigma);
+    return {best, run.shape[0] / run.shape[best], run.shape[0] / std::ranges::min(run.shape)};
+}
+
 /// Makes the noise of one level, and searches the best states. @param further  number of further seeds
 NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double relative, std::uint64_t seed, int further) {
     const TriangleMesh& clean = grid.clean->mesh();
@@ -69,11 +104,16 @@ NoisyTrial trial_of(const DenoisingGrid& grid, const Positions& normals, double 
     if (grid.clean->preflight().encloses_volume()) trial.clean_volume = signed_volume(clean);
     trial.noisy = moved_to(clean, with_gaussian_noise(clean.X, Vector3::Constant(trial.sigma), seed));
     const SearchInput input{clean, normals, {trial.noisy, topology}, grid.mean_edge};
-    trial.found = search_for_best(input, grid.lambdas, grid.iterations,
-                                  [&](const SearchState& state, const Positions&) { trial.states.push_back(state); });
+    WatchedRun middle{random_signs(clean.X.rows(), seed), {}, {}, {}};
+    middle.enter(Positions::Zero(clean.X.rows(), 3), shape_rms(clean, trial.noisy.X));
+    trial.found = search_for_best(input, grid.lambdas, grid.iterations, [&](const SearchState& state, const Positions& X) {
+        trial.states.push_back(state);
+        if (state.value == grid.middle_lambda()) middle.enter(X - trial.noisy.X, state.shape);
+    });
     trial.best = moved_to(clean, trial.found.X);
     ImplicitSolver solver;   // the triangles stay: one symbolic analysis for all
     trial.residual = errors_of(grid, normals, trial.best);
+    trial.stopped = stopped_without_clean(grid, trial, middle, solver);
     const SmoothingOptions best = smoothing_by(grid, trial.found.by_shape.value, trial.found.by_shape.step);
     for (int i = 1; trial.improved() && i <= further; ++i) {
         const auto other_seed = seed + static_cast<std::uint64_t>(i);
@@ -160,6 +200,7 @@ DenoisingGrid denoising_grid(SharedMesh source, const QuestionSettings& settings
     DenoisingTries tries = tries_of(settings, grid.mean_edge);
     grid.lambdas = tries.lambdas;
     grid.iterations = tries.iterations;
+    grid.fitted_to_clean = noise_level(clean, topology).sigma / grid.mean_edge;
     grid.on_feature = feature_vertices(clean, topology);
     grid.curved = most_curved(clean, topology);
     grid.feature_vertices = static_cast<int>(std::ranges::count(grid.on_feature, 1));

@@ -23,6 +23,17 @@ struct SurfaceErrors {
     double volume = NAN;          // over that of the clean mesh; NaN: open
 };
 
+/// A run stopped without the clean mesh: by Stein's estimate with a fitted σ, at the step in the middle of the grid.
+struct Stopped {
+    int step = 0;
+    double gain = NAN;   // by surface; NaN: no σ, or nothing to measure
+    double best = NAN;   // largest gain at any iteration of that run
+
+    double share() const { return gain / best; }
+    bool fails() const { return gain < helps; }
+    bool harms() const { return gain < 1; }
+};
+
 /// Noise of another kind, as strong as that of pictured(), in one run at its λ. Gains by surface.
 struct OtherNoise {
     NoiseKind kind{};
@@ -40,7 +51,8 @@ struct NoisyTrial {
     std::vector<SearchState> states;   // of all runs, λ by λ
     SearchResult found;
     SurfaceErrors residual, clean_loss;   // of `best`; of `clean_alike`
-    std::vector<double> further_gains;    // by surface, of further seeds at the best λ and t of this one
+    Stopped stopped;
+    std::vector<double> further_gains;   // by surface, of further seeds at the best λ and t of this one
 
     /// True if some step of some run is nearer to the clean surface than the noisy mesh is.
     bool improved() const { return found.by_shape.step > 0; }
@@ -69,9 +81,11 @@ struct DenoisingGrid {
     int feature_vertices = 0;
     std::vector<NoisyTrial> trials;        // ascending σ
     std::vector<OtherNoise> other_noise;   // along the normals, and on a tenth of the vertices; empty if pictured() has no gain
+    double fitted_to_clean = NAN;          // σ fitted to the clean mesh, whose shape is taken for noise [mean edges]
 
     const std::string& name() const { return clean->name; }
     double edges(const NoisyTrial& trial) const { return trial.sigma / mean_edge; }
+    double middle_lambda() const { return lambdas[lambdas.size() / 2]; }
     /// True if sharp edges stand out from the tessellation: at most half of the vertices are on some.
     bool has_features() const { return feature_vertices > 0 && 2 * feature_vertices <= clean->mesh().vertex_count(); }
     /// Returns the trial that figures show: the lowest noise with the distance to the surface halved, else the largest gain.

@@ -89,7 +89,7 @@ report::Table measure_table(const Grids& grids) {
             .column("λ", {.unit = "h̄²"}, [&](auto& c) { return cell_of(c.part.best_by(measure).value, better(c)); })
             .column("t", {.digits = 5}, [&](auto& c) { return cell_of(c.part.best_by(measure).step, better(c)); });
     }
-    return measured;
+    return measured.column("alone: gain", gain, [](auto& c) { return cell_of(c.part.stopped.gain); });
 }
 
 report::Table remains_table(const Grids& grids) {

@@ -124,6 +124,34 @@ TEST(DenoisingDiscussion, SaysWhereTheDistanceLeftIsLargest) {
     EXPECT_TRUE(has(spread({3, 1}, {2, 1}), "largest at the sharp edges of ball_told"));
 }
 
+// A rule that gains less than 1.1 counts as failing.
+TEST(DenoisingDiscussion, TheRuleWithoutTheCleanMeshFailsBelowTheGainOfVerdicts) {
+    DenoisingGrid grid = denoising_grid(ball, quick_settings());
+    const auto with = [&](double low, double high) {
+        grid.trials[0].stopped = {.step = 1, .gain = low, .best = 2};
+        grid.trials[1].stopped = {.step = 1, .gain = high, .best = 2};
+        return message(grid);
+    };
+    EXPECT_TRUE(has(with(2, 1), "reaches 75\u202f% of the best gain")) << with(2, 1);
+    EXPECT_TRUE(has(with(2, 1), "It fails, with a gain below 1.1, in 1 of 2 cases.")) << "stopping at once gains nothing: " << with(2, 1);
+    EXPECT_TRUE(has(with(1.09, 0.5), "in 2 of 2 cases, and does harm in 1")) << with(1.09, 0.5);
+    EXPECT_FALSE(has(with(1.1, 2), "It fails, with")) << with(1.1, 2);
+    grid.fitted_to_clean = 0.5 * grid.edges(grid.trials[1]);
+    EXPECT_FALSE(has(with(2, 0.5), "shape is taken for noise")) << "the noise is larger than that";
+    grid.fitted_to_clean *= 4;
+    EXPECT_TRUE(has(with(2, 0.5), "There shape is taken for noise")) << with(2, 0.5);
+    EXPECT_FALSE(has(with(NAN, NAN), "Without the clean mesh"));
+}
+
+TEST(DenoisingDiscussion, TheRuleStopsNearTheBestOnASmoothSurface) {
+    const DenoisingGrid grid = denoising_grid(library_mesh(icosphere(4), "ball_stopped"), quick_settings());
+    const NoisyTrial& trial = grid.trials.back();
+    ASSERT_GT(trial.stopped.step, 0);
+    EXPECT_FALSE(trial.stopped.fails());
+    EXPECT_LE(trial.stopped.share(), 1);
+    EXPECT_GT(trial.stopped.share(), 0.8) << "of the best of the same run";
+}
+
 TEST(DenoisingDiscussion, SaysIfMoreNoiseNeedsMoreSmoothing) {
     DenoisingGrid grid = denoising_grid(cube, quick_settings());
     const auto best_at = [&](NoisyTrial& trial, int step) { trial.found.by_shape.value = 0.1, trial.found.by_shape.step = step; };
