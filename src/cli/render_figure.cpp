@@ -19,8 +19,6 @@ using namespace run;
 
 namespace {
 
-constexpr int most_columns = 100;
-
 /// Returns {low, high} for the text "low,high" of --range. @throws UsageError for another text
 std::pair<double, double> value_limits_in(const std::string& text) {
     const std::size_t comma = text.find(',');

@@ -35,8 +35,6 @@
 
 namespace meshfolio::python {
 
-inline constexpr int most_columns = 100;   // of a figure
-
 /// Returns (N, N) for N, or (width, height). @throws UsageError unless both are whole numbers from 1 to run::largest_side
 inline std::pair<int, int> picture_size(const py::object& size) {
     std::pair<int, int> sides;
@@ -124,7 +122,7 @@ inline run::FigureStyle style_of(const py::dict& keywords) {
                            .isoline_spacing = run::number_not_negative("isolines", text("isolines")),
                            .edges = keywords["edges"].cast<bool>()};
     run::views_named(text("views"), style.sight);   // throws
-    if (is_given("columns")) style.columns = static_cast<int>(run::integer_between("columns", text("columns"), 1, most_columns));
+    if (is_given("columns")) style.columns = static_cast<int>(run::integer_between("columns", text("columns"), 1, run::most_columns));
     if (is_given("width_mm")) style.width = run::number_between("width_mm", text("width_mm"), run::smallest_width, run::largest_width);
     if (is_given("dpi")) style.resolution = run::number_between("dpi", text("dpi"), run::least_resolution, run::largest_resolution);
     return style;

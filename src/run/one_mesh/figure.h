@@ -15,6 +15,7 @@ namespace meshfolio::run {
 
 inline constexpr double smallest_width = 10, largest_width = 2000;          // of a figure [mm]
 inline constexpr double least_resolution = 36, largest_resolution = 2400;   // [dpi]
+inline constexpr int most_columns = 100;
 
 struct FigureStyle {
     std::vector<std::string> views = {};   // "+x" …, "hero"; empty: the camera of `sight`, else from three quarters
