@@ -10,8 +10,8 @@
 
 namespace meshfolio::run {
 
-/// The ways to show pictures in a terminal: by the graphics protocol of kitty, by the inline images of iTerm2, or by characters "▀" with two pixels
-/// each, in 24-bit colour or in the 256 colours of xterm.
+/// The ways to show pictures in a terminal: by the graphics protocol of kitty, by the inline images of iTerm2, or by characters "▀" with
+/// two pixels each, in 24-bit colour or in the 256 colours of xterm.
 enum class TerminalGraphics { kitty, iterm, true_colors, colors_256 };
 
 struct TerminalRoom {
