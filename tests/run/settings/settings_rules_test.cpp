@@ -16,7 +16,7 @@ using namespace meshfolio::run;
 namespace {
 
 /// Returns the messages without the name of the file: "12: problem; remedy".
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> lines_of_problems(const std::string& text) {
     constexpr std::string_view file = "my.toml:";
     std::vector<std::string> lines = testing_tools::problems_of(text);
     for (std::string& line : lines) {
@@ -211,7 +211,7 @@ std::vector<Rule> rules() {
 
 TEST(SettingsRules, EachTextHasExactlyTheseProblems) {
     for (const Rule& rule : rules()) {
-        const std::vector<std::string> lines = lines_of(rule.text);
+        const std::vector<std::string> lines = lines_of_problems(rule.text);
         std::string all;
         for (const std::string& line : lines) all += "\n  " + line;
         EXPECT_EQ(lines.size(), rule.lines.size()) << rule.name << all;
@@ -222,7 +222,7 @@ TEST(SettingsRules, EachTextHasExactlyTheseProblems) {
 
 TEST(SettingsRules, EveryProblemHasARemedy) {
     for (const Rule& rule : rules()) {
-        for (const std::string& line : lines_of(rule.text)) {
+        for (const std::string& line : lines_of_problems(rule.text)) {
             EXPECT_TRUE(line.find("; ") != std::string::npos || line.find("cannot be read") != std::string::npos)
                 << rule.name << ": " << line;
         }
@@ -286,7 +286,7 @@ TEST(SettingsRules, LimitsAgreeWithTheMessages) {
         {q4 + "noise = ", {{"0", "-0.0", "10"}, {"-5e-324", "10.000001", "-nan", "inf"}}},
     };
     for (const auto& [key, values] : keys) {
-        for (const std::string& good : values.first) EXPECT_EQ(lines_of(key + good).size(), 0u) << key << good;
-        for (const std::string& bad : values.second) EXPECT_EQ(lines_of(key + bad).size(), 1u) << key << bad;
+        for (const std::string& good : values.first) EXPECT_EQ(lines_of_problems(key + good).size(), 0u) << key << good;
+        for (const std::string& bad : values.second) EXPECT_EQ(lines_of_problems(key + bad).size(), 1u) << key << bad;
     }
 }
