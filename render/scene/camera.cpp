@@ -25,6 +25,8 @@ bool View::is_along_axis() const {
            std::max({std::abs(up.x), std::abs(up.y), std::abs(up.z)}) == 1;
 }
 
+bool is_name_of_six(std::string_view name) { return std::ranges::find(six_views, name, &View::name) != six_views.end(); }
+
 glm::dvec3 turned_to(Up up, const glm::dvec3& v) {
     return up == Up::x ? glm::dvec3(v.y, -v.x, v.z) : up == Up::z ? glm::dvec3(v.x, -v.z, v.y) : v;
 }

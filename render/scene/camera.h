@@ -32,6 +32,9 @@ inline constexpr std::array<View, 6> six_views{{
     {"-z", {0, 0, -1}, {0, 1, 0}},
 }};
 
+/// True for the name of one of the six views.
+bool is_name_of_six(std::string_view name);
+
 /// Returns the view "hero": from 35° to the right of +z (towards +x) and 22° above, with +y up.
 View three_quarter_view();
 

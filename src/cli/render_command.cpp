@@ -158,7 +158,7 @@ ExitCode run_render(const RenderFlags& options) {
 
 Command render_command(CLI::App& parent) {
     const auto options = std::make_shared<RenderFlags>();
-    CommandOptions app(parent, "render", "Pictures of a mesh from six directions, or one figure of meshes and fields");
+    CommandOptions app(parent, "render", "Six views of a mesh, or one figure of meshes and fields");
     app.required_texts("MESH", options->meshes, formats_read);
     app.text("--out DIR", options->out,
              "folder for +x.png … -z.png and sheet.png, whose paths are printed; default: a folder called as the mesh");
@@ -180,7 +180,7 @@ Command render_command(CLI::App& parent) {
     app.text("--range LOW,HIGH", options->range, "lo,hi of the colours; default: robust");
     app.text("--isolines", options->isolines, "lines where the value is a multiple of this");
     app.text("--glb FILE", options->glb, "also the mesh with its values and colours as binary glTF, to be turned in other programs");
-    app.text("--title TEXT", options->title, "of the sheet or the figure");
+    app.text("--title WORDS", options->title, "of the sheet or the figure");
     app.text("--background COLOUR", options->background, "white, none or #rrggbb");
     app.text("--width-mm MM", options->width, "width of a figure; default: 85 for one picture in a line, else 170");
     app.text("--dpi N", options->dpi, "pixels per inch of a figure; default: 300");

@@ -19,7 +19,7 @@ constexpr int flat_in_a_line = 3;
 
 /// True if labels are names of views, with their tripods.
 bool names_views(const FigureRequest& request) {
-    const auto is_view = [](const Panel& panel) { return !panel.view.empty(); };
+    const auto is_view = [](const Panel& panel) { return !panel.view.empty() && panel.label == panel.view; };
     return request.layout == Layout::six_views || std::ranges::any_of(request.panels, is_view);
 }
 

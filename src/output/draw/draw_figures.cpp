@@ -135,7 +135,7 @@ void draw_panel(FigureJob& job, std::size_t index, const std::filesystem::path& 
         return drawn_views(surface, views, options);
     };
     const std::vector<render::View> views = views_of(job, index);
-    const std::size_t large = views[0].is_along_axis() ? 0 : 1;
+    const std::size_t large = render::is_name_of_six(views[0].name) ? 0 : 1;
     const auto keep = [&](render::Image picture) { job.pictures[index].push_back(std::make_shared<render::Image>(std::move(picture))); };
     if (large > 0) keep(std::move(draw(std::span(views).first(large), job.three_quarters[index]).front()));
     if (!job.six.empty()) {
@@ -158,12 +158,12 @@ void enter_pictures(FigureJob& job, const render::FigureSheet& sheet, const rend
         panel.label = request.panels[p].label;
         if (request.panels[p].range) panel.legend = legend_of(small_bar_of(*request.panels[p].range));
         const std::vector<render::View> views = views_of(job, p);
-        if (views.size() == 1 && views[0].is_along_axis())
+        if (views.size() == 1 && render::is_name_of_six(views[0].name))
             panel.label += (panel.label.empty() ? "" : " ") + ("(" + flat_panel_note(views[0]) + ")");
         for (std::size_t i = 0; i < views.size(); ++i) {
             const render::FigureSheet::Picture& placed = sheet.pictures[next++];
             report::DrawnPicture& picture = panel.pictures.emplace_back();
-            picture.view = views[i].is_along_axis() ? std::string(views[i].name) : "";
+            picture.view = render::is_name_of_six(views[i].name) ? std::string(views[i].name) : "";
             picture.left = composed.left + placed.left;
             picture.top = composed.top + placed.top;
             picture.width = placed.image->width;

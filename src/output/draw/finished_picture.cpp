@@ -13,7 +13,7 @@ namespace meshfolio::output {
 
 void label_view(render::Image& picture, std::string_view view) {
     const int side = std::min(picture.width, picture.height);
-    if (side < 100 || view == render::three_quarter_view().name) return;
+    if (side < 100 || !render::is_name_of_six(view)) return;
     const double em = std::clamp(0.028 * side, 11.0, 36.0);
     const int width = static_cast<int>(render::view_label_width(view, em)), height = static_cast<int>(render::view_label_height(em));
     const int left = static_cast<int>(0.6 * em), right = picture.width - left - width;

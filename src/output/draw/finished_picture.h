@@ -10,7 +10,7 @@
 
 namespace meshfolio::output {
 
-/// Labels a picture with the name of its view ("+x") and its axes, in the corner where they hide least. Leaves three-quarter views ("hero")
+/// Labels a picture with the name of its view ("+x") and its axes, in the corner where they hide least. Leaves other views
 /// and pictures of less than 100 pixels as they are.
 void label_view(render::Image& picture, std::string_view view);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "base/number_text.h"
 #include "geometry/measures/surface_distance.h"
 #include "mesh/triangle_measures.h"
 #include "output/draw/draw_panel.h"
@@ -43,6 +44,9 @@ struct Blocks {
     }
 };
 
+/// Returns "−x" with a minus sign for "-x", other names as they are.
+std::string with_minus(const std::string& view) { return view.starts_with('-') ? "\u2212" + view.substr(1) : view; }
+
 /// Returns the request for one field of all meshes.
 output::FigureRequest request_of(std::span<const FigureMesh> meshes, std::size_t field, const FigureStyle& style, int columns) {
     output::FigureRequest request{.frame_panel = -1,
@@ -65,7 +69,7 @@ output::FigureRequest request_of(std::span<const FigureMesh> meshes, std::size_t
     for (const std::string& view : views) {
         for (output::Panel panel : once) {
             if (view != "hero" && view != "camera") panel.view = view;
-            if (views.size() > 1) panel.label = once.size() > 1 ? panel.label + ", " + view : view;
+            if (views.size() > 1) panel.label = once.size() > 1 ? panel.label + ", " + with_minus(view) : view;
             request.panels.push_back(std::move(panel));
         }
     }
@@ -99,9 +103,12 @@ std::vector<Field> fields_of(std::span<const PreparedMesh> meshes, const std::st
     if (name == "distance" && meshes.size() < 2)
         throw UsageError("the field distance needs another mesh", "name the mesh to which the distance is, and others");
     for (const PreparedMesh& mesh : meshes) {
-        const PreparedMesh& other = &mesh == meshes.data() ? meshes.back() : meshes.front();
-        if (name != "distance") fields.push_back(field_of(mesh, name));
-        else fields.push_back(distance_field(vertex_distances(mesh.mesh, other.mesh), bounding_box(meshes.front().mesh).diagonal()));
+        if (name != "distance") {
+            fields.push_back(field_of(mesh, name));
+            continue;
+        }
+        const PreparedMesh& other = meshes[&mesh == meshes.data() ? 1 : 0];
+        fields.push_back(distance_field(vertex_distances(mesh.mesh, other.mesh), bounding_box(meshes[0].mesh).diagonal()));
     }
     return fields;
 }
@@ -123,6 +130,10 @@ render::Drawing figure_of(std::span<const FigureMesh> meshes, const FigureStyle&
     const int width = static_cast<int>(std::lround(mm / mm_per_inch * style.resolution));
     blocks.gap = static_cast<int>(std::lround(em));
     blocks.width = (width - (blocks.in_a_line - 1) * blocks.gap) / blocks.in_a_line;
+    const std::int64_t cell = blocks.width / blocks.columns, pictures = std::int64_t{views} * fields * std::ssize(meshes);
+    if (cell * cell * pictures > largest_drawing)
+        throw UsageError("the figure would have " + readable_count(cell * cell * pictures) + " pixels",
+                         "take a smaller --width-mm or --dpi");
     output::DrawingLook look{.width = blocks.width,
                              .em = em,
                              .line = std::max(1.0, line_points * style.resolution / points_per_inch),
@@ -138,11 +149,7 @@ render::Drawing figure_of(std::span<const FigureMesh> meshes, const FigureStyle&
         }
         drawings.push_back(output::drawing_of(request_of(meshes, field, style, blocks.columns), look));
     }
-    render::Drawing whole = stacked(style, drawings, blocks, width, em);
-    if (std::int64_t{whole.width} * whole.height > largest_drawing)
-        throw UsageError("the figure would have " + std::to_string(whole.width) + " x " + std::to_string(whole.height) + " pixels",
-                         "take a smaller --width-mm or --dpi");
-    return whole;
+    return stacked(style, drawings, blocks, width, em);
 }
 
 std::optional<output::ColorRange> range_of(std::span<const FigureMesh> meshes, std::size_t field, const FigureStyle& style) {

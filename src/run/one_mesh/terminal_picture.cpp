@@ -77,7 +77,7 @@ std::string half_blocks(const Image& image, bool all_colors) {
             if (only_lower) std::swap(upper, lower);
             const std::string code = color_code('3', upper, all_colors) + ";" + color_code('4', lower, all_colors);
             if (code != last) text += "\x1b[" + code + "m";
-            text += nothing ? " " : only_lower ? "▄" : "▀";
+            text += nothing ? " " : only_lower ? "\u2584" : "\u2580";   // lower and upper half block
             last = code;
         }
         text += "\x1b[0m\n";

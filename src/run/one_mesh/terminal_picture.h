@@ -10,7 +10,7 @@
 
 namespace meshfolio::run {
 
-/// The ways to show pictures in a terminal: by the graphics protocol of kitty, by the inline images of iTerm2, or by characters "▀" with
+/// The ways to show pictures in a terminal: by the graphics protocol of kitty, by the inline images of iTerm2, or by half blocks with
 /// two pixels each, in 24-bit colour or in the 256 colours of xterm.
 enum class TerminalGraphics { kitty, iterm, true_colors, colors_256 };
 
