@@ -15,7 +15,7 @@ namespace render {
 
 namespace {
 
-void add_words(Drawing& drawing, const FigureSheet::Words& words, int left, int top, double em, Rgba ink) {
+void add_words(Drawing& drawing, const FigureSheet::Words& words, int left, int top, double em, Rgba ink, Up up) {
     const double middle = top + words.top + words.height / 2.0, width = words.width;
     if (words.bar) {
         const TextStyle style{0.95 * em, ink};
@@ -25,7 +25,7 @@ void add_words(Drawing& drawing, const FigureSheet::Words& words, int left, int 
         drawing.add_text(x, middle + 0.27 * style.size, text, style);
         add_small_bar(drawing, *words.bar, x + text_width(text, style) + between, middle, style.size, ink);
     } else if (words.is_centred) {
-        add_view_label(drawing, left + words.left + width / 2, middle, fit_text(words.text, width, {0.95 * em}), 0.95 * em, ink);
+        add_view_label(drawing, left + words.left + width / 2, middle, fit_text(words.text, width, {0.95 * em}), 0.95 * em, ink, up);
     } else {
         const TextStyle style{em, ink};
         drawing.add_text(left + words.left, middle + 0.3 * em, fit_text(words.text, width, style), style);
@@ -92,7 +92,7 @@ SheetDrawing drawing_of(const FigureSheet& sheet) {
     drawn.add_text(margin, margin + 1.05 * em, fit_text(sheet.title, body_width, large), large);
     drawn.add_text(margin, margin + title + 0.8 * em, fit_text(sheet.subtitle, body_width, small), small);
     for (const FigureSheet::Picture& p : sheet.pictures) drawn.items.emplace_back(Drawing::Picture{p.image, margin + p.left, top + p.top});
-    for (const FigureSheet::Words& words : sheet.words) add_words(drawn, words, margin, top, em, strong);
+    for (const FigureSheet::Words& words : sheet.words) add_words(drawn, words, margin, top, em, strong, sheet.up);
     if (sheet.color_bar) add_color_bar(drawn, *sheet.color_bar, margin, top + body_height + legend_gap, body_width, em, strong);
     return composed;
 }
@@ -111,7 +111,8 @@ Image compose(const ContactSheet& sheet) {
                        .color_bar = sheet.color_bar,
                        .em = grid.em,
                        .least_width = grid.width(),
-                       .background = sheet.background};
+                       .background = sheet.background,
+                       .up = sheet.up};
     for (std::size_t i = 0; i < sheet.pictures.size(); ++i) {
         const int place = static_cast<int>(place_of(sheet, i)), left = grid.left(place), top = grid.top(place);
         const Image& picture = sheet.pictures[i];

@@ -30,6 +30,7 @@ struct FigureSheet {
     int least_width = 0;   // of the body
     double margin = 1.2;   // around all [em]
     Rgba background{255, 255, 255, 255};
+    Up up = Up::y;   // of the named views
 };
 
 struct SheetDrawing {
@@ -48,6 +49,7 @@ struct ContactSheet {
     std::optional<ColorBar> color_bar = {};
     int cell = 0;   // largest side of a picture in the sheet [pixels]; 0: as it is
     Rgba background{255, 255, 255, 255};
+    Up up = Up::y;   // of the views
 };
 
 /// Draws a contact sheet; its size follows from its contents. @throws std::invalid_argument if the pictures differ in size or are empty

@@ -87,7 +87,9 @@ TickLabels tick_labels(const std::vector<double>& ticks) {
     for (const double t : ticks) mantissas.push_back(plain ? t : scaled(t, -exponent));
     const double step = mantissas.size() > 1 ? mantissas[1] - mantissas[0] : std::abs(mantissas[0]);
     int decimals = 0;   // as few as write every number exactly, up to rounding noise
-    const auto is_exact = [&](double m) { return std::abs(m - std::round(m / scaled(1, -decimals)) * scaled(1, -decimals)) < 1e-3 * step; };
+    const auto is_exact = [&](double m) {
+        return std::abs(m - std::round(m / scaled(1, -decimals)) * scaled(1, -decimals)) <= 1e-3 * step;
+    };
     while (decimals < 17 && !std::ranges::all_of(mantissas, is_exact)) ++decimals;
     for (const double m : mantissas) labels.text.push_back(fixed(m, decimals));
     if (plain) return labels;

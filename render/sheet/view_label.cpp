@@ -38,11 +38,6 @@ std::string shown_name(std::string_view name) {
     return name.starts_with('-') ? "\u2212" + std::string(name.substr(1)) : std::string(name);
 }
 
-const View* known_view(std::string_view name) {
-    const auto found = std::find_if(six_views.begin(), six_views.end(), [&](const View& v) { return v.name == name; });
-    return found == six_views.end() ? nullptr : &*found;
-}
-
 void add_letter(Drawing& drawing, glm::dvec2 middle, const Axis& axis, double em) {
     const double size = letter * em;
     drawing.add_text(middle.x, middle.y + 0.27 * size, std::string(axis.name), {size, axis.color, Align::centre, Weight::bold});
@@ -92,16 +87,16 @@ void add_tripod(Drawing& drawing, glm::dvec2 middle, const View& view, const Tri
 
 double view_label_width(std::string_view view, double em) {
     const double name = text_width(shown_name(view), {em});
-    return known_view(view) != nullptr ? name + (side + gap) * em : name;
+    return is_name_of_six(view) ? name + (side + gap) * em : name;
 }
 
 double view_label_height(double em) { return side * em; }
 
-void add_view_label(Drawing& drawing, double x, double y, std::string_view view, double em, Rgba ink) {
+void add_view_label(Drawing& drawing, double x, double y, std::string_view view, double em, Rgba ink, Up up) {
     double left = x - view_label_width(view, em) / 2;
-    if (const View* known = known_view(view)) {
+    if (is_name_of_six(view)) {
         const Tripod& axes = lab_of(ink).x > 50 ? light_axes : dark_axes;
-        add_tripod(drawing, {left + side * em / 2, y}, *known, axes, em);
+        add_tripod(drawing, {left + side * em / 2, y}, view_named(std::string(view), up), axes, em);
         left += (side + gap) * em;
     }
     drawing.add_text(left, y + 0.27 * em, shown_name(view), {em, ink});

@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "scene/sight.h"
 #include "sheet/drawing.h"
 
 namespace render {
@@ -14,6 +15,6 @@ double view_label_width(std::string_view view, double em);
 double view_label_height(double em);
 
 /// Adds a label with its middle at (x, y). Names other than "+x", "-x" … "-z" get no tripod; "hero" is written as "three-quarter view".
-void add_view_label(Drawing& drawing, double x, double y, std::string_view view, double em, Rgba ink);
+void add_view_label(Drawing& drawing, double x, double y, std::string_view view, double em, Rgba ink, Up up = Up::y);
 
 }   // namespace render

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -16,9 +17,12 @@ namespace meshfolio::cli {
 
 namespace {
 
+constexpr int rows_of_numbers = 24, least_rows = 16;   // below a picture in the terminal; of the picture
+
 struct CompareFlags {
     std::string a, b, csv, ply, html, accuracy = plain_text(default_accuracy);
     bool json = false, surfaces = false, terminal = false;
+    SightFlags sight;
 };
 
 std::string in_words(const std::vector<DifferenceLine>& lines) {
@@ -45,22 +49,25 @@ void add_files(output::FileGroup& files, const CompareFlags& options, const Prep
                const Difference& difference, const SurfaceDistances& distances) {
     const std::vector<VertexColumn> columns{{"distance", distances.a_to_b.of_vertices, ScalarType::float32}};
     if (!options.ply.empty()) add_mesh(files, options.ply, a.mesh, attributes_with(a, columns));
-    if (!options.html.empty()) files.add(options.html, difference_page(a, b, difference, distances));
+    if (!options.html.empty()) files.add(options.html, difference_page(a, b, difference, distances, sight_of(options.sight)));
     if (!options.csv.empty()) print_to(files, options.csv, vertex_table(a, columns));
 }
 
 /// Returns a picture of both meshes in one frame, coloured by their distances to each other.
-std::string picture_of_both(const PreparedMesh& a, const PreparedMesh& b, const SurfaceDistances& distances, const TerminalRoom& room) {
+std::string picture_of_both(const PreparedMesh& a, const PreparedMesh& b, const SurfaceDistances& distances, const render::Sight& sight,
+                            TerminalRoom room) {
     const double diagonal = bounding_box(a.mesh).diagonal();
     std::vector<FigureMesh> meshes{{"A: " + a.file, a, {distance_field(distances.a_to_b.of_vertices, diagonal)}},
                                    {"B: " + b.file, b, {distance_field(distances.b_to_a.of_vertices, diagonal)}}};
-    return terminal_figure(std::move(meshes), {.common_fit = true}, room);
+    room.size.rows = std::max(least_rows, room.size.rows - rows_of_numbers);
+    return terminal_figure(std::move(meshes), {.sight = sight, .common_fit = true}, room);
 }
 
 ExitCode run_compare(const CompareFlags& options) {
     if (options.json && options.csv == "-") throw UsageError("--json and --csv - both write to standard output", "name a file for --csv");
     if (options.terminal && (options.json || options.csv == "-"))
         throw UsageError("--terminal goes with neither --json nor --csv -", "take one of them");
+    sight_of(options.sight);   // throws
     const TerminalRoom room = options.terminal ? terminal_room() : TerminalRoom();
     check_read_once(options.a, options.b);
     check_output("--csv", options.csv, {".csv", "-"});
@@ -78,7 +85,7 @@ ExitCode run_compare(const CompareFlags& options) {
     if (options.terminal || !options.csv.empty() || !options.ply.empty() || !options.html.empty()) {
         const SurfaceDistances distances = difference.distances ? *difference.distances : surface_distances(a.mesh, b.mesh, most_accuracy);
         add_files(files, options, a, b, difference, distances);
-        if (options.terminal) picture = picture_of_both(a, b, distances, room);
+        if (options.terminal) picture = picture_of_both(a, b, distances, sight_of(options.sight), room);
     }
     files.publish();
     if (options.json) {
@@ -103,6 +110,7 @@ Command compare_command(CLI::App& parent) {
     app.text("--ply FILE", options->ply, "A, with this distance as a property of its vertices");
     app.text("--html FILE", options->html, "a page of both: pictures by one camera, distances, numbers");
     app.flag("--terminal", options->terminal, "show both in the terminal, coloured by their distances to each other");
+    add_sight_options(app, options->sight);
     app.footer("Example: meshfolio compare clean.ply denoised.ply --json");
     return {app, [options] { return run_compare(*options); }};
 }

@@ -6,6 +6,7 @@
 
 #include "base/in_quotes.h"
 #include "base/joined.h"
+#include "base/lower_case.h"
 #include "base/number_text.h"
 #include "base/parallel_tasks.h"
 #include "cli/commands.h"
@@ -63,11 +64,12 @@ std::string marked(std::string png) { return png.erase(png.size() - end_of_any).
 bool is_our_picture(const std::string& bytes) { return bytes.ends_with(end_of_ours); }
 
 /// Encodes and adds the pictures and the sheet, the sheet first, because it takes longest. Labels the views once the sheet is composed.
-void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::path>& paths, render::ContactSheet& sheet, bool bare) {
+void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::path>& paths, render::ContactSheet& sheet, bool bare,
+                  const render::Sight& sight) {
     const render::Image whole = composed(sheet, bare);
     for_each_task(1 + sheet.pictures.size(), [&](std::size_t task) {
         const render::Image& picture = task == 0 ? whole : sheet.pictures[task - 1];
-        if (task > 0 && !bare) output::label_view(sheet.pictures[task - 1], sheet.view_names[task - 1]);
+        if (task > 0 && !bare) output::label_view(sheet.pictures[task - 1], sheet.view_names[task - 1], sight);
         files.add(task == 0 ? paths.back() : paths[task - 1], marked(render::encode_png(picture)));
     });
 }
@@ -109,7 +111,7 @@ ExitCode run_views(const RenderFlags& options) {
     if (!options.glb.empty())
         files.add(options.glb, output::write_glb(prepared.mesh, field.values, drawn.range, output::ball_around(prepared.mesh)));
     for (const std::filesystem::path& path : paths) keep_others(path, is_our_picture);
-    add_pictures(files, paths, drawn.sheet, bare);
+    add_pictures(files, paths, drawn.sheet, bare, sight);
     files.publish();
     for (const std::filesystem::path& path : paths) print_path(path);
     return ExitCode::ok;
@@ -130,23 +132,29 @@ void check_flags(const RenderFlags& options) {
         throw UsageError("render - needs --out DIR, as standard input has no name for a folder", "give one, or -o FILE");
     for (const std::string& mesh : options.meshes)
         if (&mesh != &options.meshes.front()) check_read_once(options.meshes.front(), mesh);
-    const std::string ending = std::filesystem::path(options.out).extension().string();
-    if (contains({".png", ".pdf", ".svg", ".jpg", ".jpeg"}, ending))
+    const std::filesystem::path out(options.out);
+    if (contains({".png", ".pdf", ".svg", ".jpg", ".jpeg", ".gif", ".tif", ".tiff", ".eps", ".ps", ".webp"},
+                 lower_case_ending(out.has_filename() ? out : out.parent_path())))
         throw UsageError("--out is a folder, but " + in_quotes(options.out) + " is called like a picture", "name one figure with -o");
     if (!options.values.empty() && options.meshes.size() > 1) refuse("--values", "several meshes", "render each by itself");
     const bool has_values = !options.values.empty() || (options.field != "none" && options.field != "id");
     if (!options.isolines.empty() && !has_values) throw UsageError("--isolines needs values", "take --field or --values with it");
     if (views) {
         for (const auto& [name, is_given] : {std::pair{"--width-mm", !options.width.empty()}, std::pair{"--dpi", !options.dpi.empty()},
-                                             std::pair{"--columns", !options.columns.empty()}, std::pair{"--fit", !options.fit.empty()}})
+                                             std::pair{"--columns", !options.columns.empty()}, std::pair{"--fit", !options.fit.empty()},
+                                             std::pair{"--bar", options.bar != "on"}})
             if (is_given) throw UsageError(std::string(name) + " is for one figure", "name its file with -o");
         if (split(options.field, ',').size() > 1) throw UsageError("several fields make one figure", "name its file with -o");
         return;
     }
     for (const auto& [name, is_given] :
          {std::pair{"--out", !options.out.empty()}, std::pair{"--size", options.size != "1024"}, std::pair{"--plain", options.plain},
-          std::pair{"--glb", !options.glb.empty()}, std::pair{"--field id", contains(split(options.field, ','), "id")}})
-        if (is_given) refuse(name, options.terminal ? "--terminal" : "-o", "it is for the views of one mesh, in a folder");
+          std::pair{"--glb", !options.glb.empty()}, std::pair{"--field id", contains(split(options.field, ','), "id")},
+          std::pair{"--width-mm", options.terminal && !options.width.empty()},
+          std::pair{"--dpi", options.terminal && !options.dpi.empty()}})
+        if (is_given)
+            refuse(name, options.terminal ? "--terminal" : "-o",
+                   options.terminal ? "leave it out" : "it is for the views of one mesh, in a folder");
 }
 
 ExitCode run_render(const RenderFlags& options) {

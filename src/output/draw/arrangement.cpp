@@ -181,6 +181,7 @@ render::FigureSheet sheet_of(const FigureRequest& request, const std::vector<Pan
     render::FigureSheet sheet = Arranger(request, panels, em, cell).sheet();
     sheet.title = request.title;
     sheet.subtitle = request.subtitle;
+    sheet.up = request.sight.up.value_or(render::Up::y);
     if (!request.range) return sheet;
     render::DrawOptions options;
     options.isoline_spacing = request.isoline_spacing;

@@ -114,7 +114,7 @@ void draw_view_files(const FigureJob& job, std::size_t index, const std::filesys
         full_frame(request, index, has_six_views(request) ? nullptr : &job.three_quarters[index].view, options.width, options.height);
     std::vector<render::Image> views = drawn_views(surface_in(request, panel), directions, options);
     for_each_task(views.size(), [&](std::size_t i) {
-        label_view(views[i], directions[i].name);
+        label_view(views[i], directions[i].name, request.sight);
         write_file(folder / view_file(panel, directions[i]), render::encode_png(views[i]));
         views[i] = {};
     });

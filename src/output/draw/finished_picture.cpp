@@ -11,7 +11,7 @@
 
 namespace meshfolio::output {
 
-void label_view(render::Image& picture, std::string_view view) {
+void label_view(render::Image& picture, std::string_view view, const render::Sight& sight) {
     const int side = std::min(picture.width, picture.height);
     if (side < 100 || !render::is_name_of_six(view)) return;
     const double em = std::clamp(0.028 * side, 11.0, 36.0);
@@ -28,7 +28,7 @@ void label_view(render::Image& picture, std::string_view view) {
     const auto [x, y] = std::ranges::min({std::pair{left, bottom}, std::pair{right, bottom}, std::pair{left, top}, std::pair{right, top}},
                                          {}, hidden);   // the first on a tie
     render::Drawing label;
-    render::add_view_label(label, x + width / 2.0, y + height / 2.0, view, em, {90, 90, 100, 255});
+    render::add_view_label(label, x + width / 2.0, y + height / 2.0, view, em, {90, 90, 100, 255}, sight.up.value_or(render::Up::y));
     render::paint(picture, label);
 }
 

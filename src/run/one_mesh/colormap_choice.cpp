@@ -94,8 +94,10 @@ Table table_of_json(std::string_view text, const std::string& file) try {
     const auto parsed = nlohmann::json::parse(text);
     const nlohmann::json& map = parsed.is_array() ? parsed.at(0) : parsed;
     const std::string space = lower_case(map.value("ColorSpace", "RGB"));
-    const auto points = map.at("RGBPoints").get<std::vector<double>>();
-    const bool diverging = space == "diverging" && points.size() > 8;   // the middle is given, so that the curve to it is short
+    auto points = map.at("RGBPoints").get<std::vector<double>>();
+    const bool diverging = space == "diverging";
+    if (diverging && points.size() == 8)   // through the grey of Moreland (2009)
+        points.insert(points.begin() + 4, {(points[0] + points[4]) / 2, 0.865, 0.865, 0.865});
     Table table;
     table.in_lab = space == "lab" || space == "cielab" || space == "ciede2000" || diverging;
     if (!table.in_lab && space != "rgb")

@@ -8,6 +8,7 @@
 
 #include "geometry/measures/surface_distance.h"
 #include "run/one_mesh/fields.h"
+#include "scene/sight.h"
 
 namespace meshfolio::run {
 
@@ -40,7 +41,8 @@ Difference difference_of(const TriangleMesh& a, const TriangleMesh& b, bool as_s
 std::string difference_json(const Difference& difference);
 
 /// Returns the HTML page of `compare --html`: numbers, pictures and a histogram of distances.
-std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances);
+std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances,
+                            const render::Sight& sight = {});
 
 /// Returns the distance of each vertex to a surface as a field to draw, whose colours range over 1e-9 diagonals at least.
 /// @param diagonal  of the box of one of the meshes

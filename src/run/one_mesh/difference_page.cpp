@@ -29,11 +29,13 @@ constexpr int jpeg_quality = 85;
 std::string name_of(const PreparedMesh& prepared) { return report::safe_text(std::filesystem::path(prepared.file).filename().string()); }
 
 /// Draws both meshes from six sides as a JPEG. @param values  colour them by the distance to the other surface
-std::string pictures(const PreparedMesh& a, const PreparedMesh& b, const SurfaceDistances& distances, bool values) {
+std::string pictures(const PreparedMesh& a, const PreparedMesh& b, const SurfaceDistances& distances, const render::Sight& sight,
+                     bool values) {
     const double diagonal = bounding_box(a.mesh).diagonal();
     const auto field = [&](const DistancesTo& to) { return values ? distance_field(to.of_vertices, diagonal) : Field(); };
     const std::vector<FigureMesh> meshes{{name_of(a), a, {field(distances.a_to_b)}}, {name_of(b), b, {field(distances.b_to_a)}}};
-    const FigureStyle style{.views = {"+x", "-x", "+y", "-y", "+z", "-z"}, .common_fit = true, .columns = 4, .resolution = 210};
+    FigureStyle style{.views = {"+x", "-x", "+y", "-y", "+z", "-z"}, .sight = sight, .common_fit = true, .columns = 4, .resolution = 210};
+    if (sight.camera) style.views = {"camera"}, style.columns = 2;
     return render::encode_jpeg(render::painted(figure_of(meshes, style)), jpeg_quality);
 }
 
@@ -72,7 +74,8 @@ std::string change_text(double ratio) {
 
 }   // namespace
 
-std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances) {
+std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const Difference& difference, const SurfaceDistances& distances,
+                            const render::Sight& sight) {
     const double rms = value_of(difference, "rms"), max = value_of(difference, "max"), diagonal = value_of(difference, "box_diagonal");
     const std::string volume = change_text(value_of(difference, "volume_ratio")), area = change_text(value_of(difference, "area_ratio"));
     const bool differ = max > 1e-12 * diagonal;
@@ -93,7 +96,7 @@ std::string difference_page(const PreparedMesh& a, const PreparedMesh& b, const 
                          {"lines", report::list_of(difference.lines, line_view)},
                          {"differ", differ},
                          {"same_triangles", difference.same_triangles},
-                         {"picture", base64(pictures(a, b, distances, differ))},
+                         {"picture", base64(pictures(a, b, distances, sight, differ))},
                          {"has_histogram", differ && distances.hausdorff.distance > 0 && distances.a_to_b.areas.sum() > 0 &&
                                                distances.b_to_a.areas.sum() > 0},
                          {"histogram", report::svg_of(histogram(distances))}};

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <set>
 #include <utility>
 
 #include "base/errors.h"
@@ -26,6 +25,8 @@ constexpr double line_points = 0.5;                    // width of an isoline
 constexpr double em_of_font = 1.164;                   // from ascender to descender, over the size of the font
 constexpr double one_column = 85, two_columns = 170;   // of a journal [mm]
 constexpr int most_in_a_line = 4, views_in_a_line = 3;
+constexpr int most_parts = 20;                          // of a path in a label
+constexpr double narrowest_block = 40;                  // that bars are readable in [mm]
 constexpr std::int64_t largest_drawing = 200'000'000;   // pixels
 
 /// The arrangement of a figure: a block for each field, with the pictures of all meshes and views.
@@ -34,18 +35,21 @@ struct Blocks {
     int in_a_line = 1;        // blocks
     int gap = 0, width = 0;   // between blocks, of a block [pixels]
 
-    Blocks(int meshes, int views, int fields, int wanted) {
+    /// @param room  blocks that fit beside each other
+    Blocks(int meshes, int views, int fields, int wanted, int room) {
         const int pictures = meshes * views;
         const int most = wanted > 0 ? wanted : meshes > 1 ? most_in_a_line : views > 1 ? views_in_a_line : most_in_a_line;
         const int lines = (pictures + most - 1) / most;
         columns = wanted > 0 ? std::min(wanted, pictures) : (pictures + lines - 1) / lines;   // fills the lines about equally
         if (wanted == 0 && meshes > 1 && views > 1) columns = std::max(meshes, columns / meshes * meshes);
-        in_a_line = std::clamp(pictures == 1 ? most / columns : wanted / columns, 1, fields);
+        in_a_line = std::clamp(wanted > 0 ? wanted / columns : pictures == 1 ? room : 1, 1, fields);
     }
 };
 
-/// Returns "−x" with a minus sign for "-x", other names as they are.
-std::string with_minus(const std::string& view) { return view.starts_with('-') ? "\u2212" + view.substr(1) : view; }
+/// Returns the name of a view for people.
+std::string label_of(const std::string& view) {
+    return view.starts_with('-') ? "\u2212" + view.substr(1) : view == "hero" ? "three-quarter view" : view;
+}
 
 /// Returns the request for one field of all meshes.
 output::FigureRequest request_of(std::span<const FigureMesh> meshes, std::size_t field, const FigureStyle& style, int columns) {
@@ -69,7 +73,7 @@ output::FigureRequest request_of(std::span<const FigureMesh> meshes, std::size_t
     for (const std::string& view : views) {
         for (output::Panel panel : once) {
             if (view != "hero" && view != "camera") panel.view = view;
-            if (views.size() > 1) panel.label = once.size() > 1 ? panel.label + ", " + with_minus(view) : view;
+            if (views.size() > 1) panel.label = once.size() > 1 ? panel.label + ", " + label_of(view) : view;
             request.panels.push_back(std::move(panel));
         }
     }
@@ -114,17 +118,31 @@ std::vector<Field> fields_of(std::span<const PreparedMesh> meshes, const std::st
 }
 
 std::vector<std::string> labels_of(std::span<const PreparedMesh> meshes) {
-    std::multiset<std::string> names;
-    const auto name_of = [](const PreparedMesh& mesh) { return std::filesystem::path(mesh.file).filename().string(); };
-    for (const PreparedMesh& mesh : meshes) names.insert(name_of(mesh));
+    // Returns the last `parts` parts of a path.
+    const auto end_of = [](std::filesystem::path path, int parts) {
+        std::filesystem::path end = path.filename();
+        for (; parts > 1 && path.has_parent_path() && path.parent_path() != path; --parts)
+            if (path = path.parent_path(); path.has_filename()) end = path.filename() / end;
+        return end.string();
+    };
     std::vector<std::string> labels;
-    for (const PreparedMesh& mesh : meshes) labels.push_back(names.count(name_of(mesh)) > 1 ? mesh.file : name_of(mesh));
+    for (const PreparedMesh& mesh : meshes) {
+        const auto is_like_another = [&](int parts) {
+            return std::ranges::any_of(meshes, [&](const PreparedMesh& other) {
+                return other.file != mesh.file && end_of(other.file, parts) == end_of(mesh.file, parts);
+            });
+        };
+        int parts = 1;
+        while (parts < most_parts && is_like_another(parts)) ++parts;
+        labels.push_back(end_of(mesh.file, parts));
+    }
     return labels;
 }
 
 render::Drawing figure_of(std::span<const FigureMesh> meshes, const FigureStyle& style) {
     const auto views = static_cast<int>(std::max<std::size_t>(1, style.views.size())), fields = static_cast<int>(meshes[0].fields.size());
-    Blocks blocks(static_cast<int>(meshes.size()), views, fields, style.columns);
+    const double room = (style.width > 0 ? style.width : two_columns) / narrowest_block;
+    Blocks blocks(static_cast<int>(meshes.size()), views, fields, style.columns, static_cast<int>(room));
     const double em = style.text_size * em_of_font * style.resolution / points_per_inch;
     const double mm = style.width > 0 ? style.width : blocks.columns * blocks.in_a_line == 1 ? one_column : two_columns;
     const int width = static_cast<int>(std::lround(mm / mm_per_inch * style.resolution));

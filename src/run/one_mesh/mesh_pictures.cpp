@@ -150,6 +150,7 @@ MeshPictures draw_pictures(const PreparedMesh& prepared, const Field& field, con
     render::ContactSheet& sheet = drawn.sheet;
     sheet.background = draw.background;
     sheet.title = request.title;
+    sheet.up = request.sight.up.value_or(render::Up::y);
     if (std::max(draw.width, draw.height) > largest_cell) sheet.cell = largest_cell;
     if (drawn.range) sheet.color_bar = output::color_bar_of(*drawn.range, field.values.array().isNaN().any(), draw);
     sheet.subtitle = counts_of(prepared) + leave_out_dense_edges(prepared, draw);

@@ -257,6 +257,7 @@ TEST(ValueRange, EqualRatiosAreEquallyFarApartOnALogarithmicScale) {
 TEST(TickLabels, AllHaveTheSameDecimals) {
     EXPECT_EQ(render::tick_labels({-0.5, -0.25, 0, 0.25}).text, (std::vector<std::string>{"\u22120.50", "\u22120.25", "0.00", "0.25"}));
     EXPECT_EQ(render::tick_labels({0, 200, 400}).text, (std::vector<std::string>{"0", "200", "400"}));
+    EXPECT_EQ(render::tick_labels({0}).text, std::vector<std::string>{"0"});
 }
 
 TEST(TickLabels, SmallAndLargeNumbersShareAPowerOfTen) {

@@ -131,3 +131,19 @@ TEST(ViewLabel, OtherNamesGetNoTripod) {
     for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(inked(image, axis).empty());
     EXPECT_GT(render::view_label_width("+x", em), render::view_label_width("front", em)) << "though the name is shorter";
 }
+
+// The arrow of the axis that is up points up, so that the label differs from that of the same view with y up.
+TEST(ViewLabel, ShowsTheAxisThatIsUp) {
+    const auto arrow_of_z = [](render::Up up) {
+        render::Drawing drawing{.width = 200, .height = 100};
+        render::add_view_label(drawing, 100, 50, "+x", 20, {0, 0, 0, 255}, up);
+        for (const render::Drawing::Item& item : drawing.items)
+            if (const auto* path = std::get_if<render::Drawing::Path>(&item);
+                path != nullptr && path->color == render::Rgba{40, 85, 190, 255})
+                return path->points[1] - path->points[0];
+        return glm::dvec2(0);
+    };
+    EXPECT_LT(arrow_of_z(render::Up::y).x, 0) << "from +x, z points to the left";
+    EXPECT_LT(arrow_of_z(render::Up::z).y, 0) << "y is down: z points up";
+    EXPECT_NEAR(arrow_of_z(render::Up::z).x, 0, 1e-12);
+}
