@@ -79,6 +79,7 @@ TEST_F(ColormapFile, RowsOfEachFormAreTheSameMap) {
           "# a map\n% of MATLAB\n\n0\t0\t1\n1 1 1 # white\n  1  0  0\n", "\xef\xbb\xbfr,g,b\n0, 0, 1\n1, 1, 1\n1, 0, 0\n"})
         EXPECT_EQ(read(text).own_map->stops, expected) << text;
     EXPECT_EQ(read("0,0,1\n1,1,1\n1,0,0\n").own_map->kind, "diverging");
+    EXPECT_EQ(read(R"({"ColorSpace": "Diverging", "RGBPoints": [0, 0, 0, 1, 1, 1, 0, 0]})").own_map->kind, "diverging") << "through grey";
     EXPECT_EQ(read("0,0,1\n1,1,1\n1,0,0\n").name, file);
 }
 
@@ -147,7 +148,6 @@ TEST_F(ColormapFile, IsRefusedWithItsLine) {
         {R"({"RGBPoints": [0, 0, 0, 0, 1, 1, 1]})", "RGBPoints is not a list of x, r, g, b"},
         {R"({"ColorSpace": 3, "RGBPoints": []})", "no colour map with a list RGBPoints"},
         {R"({"ColorSpace": "HSV", "RGBPoints": [0, 0, 0, 0, 1, 1, 1, 1]})", "its ColorSpace 'hsv' is not known"},
-        {R"({"ColorSpace": "Diverging", "RGBPoints": [0, 0, 0, 1, 1, 1, 0, 0]})", "its ColorSpace 'diverging' is not known"},
         {std::string(5000, '['), ":1: it is not JSON"},
     };
     for (const auto& [text, words] : refused) {
@@ -169,7 +169,7 @@ TEST_F(ColormapFile, HasUpTo4096Rows) {
 
 TEST_F(ColormapFile, DamagedIsReadOrRefusedInOneLine) {
     int refused = 0, taken = 0;
-    for (const char* whole : {"t,r,g,b\n0,0,0,1\n0.5,1,1,1\n1,1,0,0\n", R"({"ColorSpace": "Lab", "RGBPoints": [0, 0, 0, 1, 1, 1, 0, 0]})"})
+    for (const char* whole : {"0,0,0,1\n1,1,0,0\n", R"({"RGBPoints":[0,0,0,1,1,1,0,0]})"})
         testing_tools::for_each_damage(whole, [&](const std::string& damaged) {
             write_file(file, damaged);
             try {
