@@ -9,7 +9,6 @@
 #include "base/terminal.h"
 #include "build_info.h"
 #include "questions/core/chapter.h"
-#include "questions/core/experiment.h"
 #include "run/arguments.h"
 
 namespace meshfolio::cli {

@@ -19,10 +19,7 @@ nlohmann::ordered_json everything() {
         json[kind].push_back({{"name", name}, {"description", description}});
     };
     for (const Chapter* chapter : chapter_list())
-        add(chapter->is_question() ? "questions"
-            : chapter->on_request  ? "on_request"
-                                   : "supporting",
-            chapter->id, chapter->title() + ": " + chapter->asked());
+        add(chapter->is_question() ? "questions" : "supporting", chapter->id, chapter->title() + ": " + chapter->asked());
     for (const MeshRole& role : mesh_role_list()) {
         const std::string asked(role.asked);
         add("meshes", role.role, (asked.empty() ? "" : asked + ", bundled stand-in ") + std::string(role.bundled));

@@ -143,21 +143,7 @@ struct Figure {
     bool operator==(const Figure&) const = default;
 };
 
-/// A numbered text that others refer to: "Claim A.3".
-struct Entry {
-    std::string id;
-    Text title;
-    std::vector<Text> paragraphs;
-    bool operator==(const Entry&) const = default;
-};
-
-struct EntryList {
-    std::string kind;   // "Claim"
-    std::vector<Entry> entries;
-    bool operator==(const EntryList&) const = default;
-};
-
-using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Diagram, Figure, EntryList>;
+using Block = std::variant<Heading, Paragraph, BulletList, Formula, Table, Plot, Map, Diagram, Figure>;
 
 // ---- sections and the document --------------------------------------------------------------------------------------
 

@@ -34,7 +34,7 @@ Numbering::Numbering(const Document& document, const std::vector<CitedWork>& wor
         const Section& section = document.sections[s];
         status_[section.id] = section.status;
         add(section.id, is_question(section.id) ? "Question " : "Section ", numbers[s]);
-        int figures = 0, tables = 0, equations = 0, entries = 0;
+        int figures = 0, tables = 0, equations = 0;
         const auto next = [&](int& count) { return numbers[s] + "." + std::to_string(++count); };
         for (const Block& block : section.blocks) {
             if (const auto* figure = std::get_if<Figure>(&block)) add(figure->id, "Figure ", next(figures));
@@ -44,8 +44,6 @@ Numbering::Numbering(const Document& document, const std::vector<CitedWork>& wor
             if (const auto* table = std::get_if<Table>(&block); table && !table->file_only) add(table->id, "Table ", next(tables));
             const auto* formula = std::get_if<Formula>(&block);
             if (formula && !formula->id.empty()) add(formula->id, "Equation ", "(" + next(equations) + ")");
-            if (const auto* list = std::get_if<EntryList>(&block))
-                for (const Entry& entry : list->entries) add(entry.id, safe_text(list->kind) + " ", next(entries));
         }
     }
     for (std::size_t i = 0; i < works.size(); ++i) {

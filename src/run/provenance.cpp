@@ -29,7 +29,7 @@ namespace {
 std::vector<submission::CitingSection> index_of_sections() {
     std::vector<submission::CitingSection> index;
     char letter = 'A';
-    for (const Chapter* chapter : chapters_of({})) {
+    for (const Chapter* chapter : chapter_list()) {
         std::string label = chapter->is_question() ? "Q" + std::string(chapter->id.substr(1)) : std::string(1, letter++);
         index.push_back({std::move(label), chapter->title(), chapter->cited_code()});
     }

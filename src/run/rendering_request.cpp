@@ -105,8 +105,7 @@ report::Document merged_head(const Parts& parts) {
         }
     }
     auto& settings = head.provenance.settings;
-    const bool with_earlier = settings.contains("experiments") || settings["earlier"] == "yes";
-    settings["only"] = meshfolio::joined(sections_in_order(ids, with_earlier), ", ");
+    settings["only"] = meshfolio::joined(sections_in_order(ids), ", ");
     std::erase_if(settings, [](const auto& setting) { return setting.second.empty(); });
     return head;
 }

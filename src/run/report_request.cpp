@@ -62,7 +62,7 @@ std::string difference_to(const StoredReport& earlier, const std::set<std::strin
             if (auto input = now.meshes.input_of(lookup, now.settings.base)) found_now.push_back(std::move(*input));
         for (const report::Input& input : section.inputs) {
             const auto is_same = [&](const report::Input& one) {
-                return one.file == input.file && one.sha256 == input.sha256 && (one.stand_in == input.stand_in || chapter.on_request);
+                return one.file == input.file && one.sha256 == input.sha256 && one.stand_in == input.stand_in;
             };
             if (std::ranges::none_of(found_now, is_same)) return "another " + input.file;
         }
@@ -103,7 +103,7 @@ report::Document head_of(const Computation& now) {
     if (!now.kept.empty()) {
         std::vector<std::string> ids = asked_ids(settings);
         ids.insert(ids.end(), now.kept.begin(), now.kept.end());
-        settings.only = sections_in_order(ids, wants_earlier(settings));
+        settings.only = sections_in_order(ids);
     }
     report::Document head;
     head.title = settings.title;
@@ -168,9 +168,7 @@ ReportRequest report_request(const ReportFlags& flags) {
     request.expected_seconds = now->plan.seconds();
     if (!flags.only.empty() && !flags.alone && flags.part.empty()) request.notes.push_back(keep_sections(*now));
     request.head = head_of(*now);
-    ReportSettings all = now->settings;
-    all.only.insert(all.only.end(), now->kept.begin(), now->kept.end());
-    for (const Chapter* chapter : chapters_of(all)) request.ids.emplace_back(chapter->id);
+    request.ids = section_ids();
     if (!flags.no_cache) request.store = cache_for_report();
     if (request.store) request.cache = std::make_shared<const SectionCache>(*request.store, now->settings, now->meshes);
     request.sources = sources_of(now, request.cache);

@@ -7,7 +7,6 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "questions/core/section_tools.h"
-#include "questions/core/stand_ins.h"
 #include "report/words.h"
 #include "run/arguments.h"
 #include "run/console.h"
@@ -44,12 +43,6 @@ std::vector<MeshLookup> meshes_read_by(const Chapter& chapter, const ReportSetti
     for (const std::string& path : question.meshes) meshes.push_back({.by = By::file, .path = path});
     if (question.meshes.empty())
         for (const std::string_view role : chapter.roles) meshes.push_back({.by = By::role, .name = std::string(role)});
-    if (!chapter.on_request) return meshes;
-    for (const StandIn& original : stand_in_list()) meshes.push_back({.by = By::in_data, .path = original.file});
-    for (const auto* experiments : {&question.experiments, &question.bundled_experiments})
-        for (const Experiment& experiment : *experiments)
-            for (const OriginalMesh& mesh : experiment.meshes)
-                meshes.push_back({.by = By::original, .name = mesh.name, .path = mesh.file, .stand_in = mesh.stand_in});
     return meshes;
 }
 

@@ -93,10 +93,10 @@ def main():
     parser.add_argument("meshes", nargs="+")
     options = parser.parse_args()
     listed = json.loads(subprocess.run([options.program, "list", "--json"], capture_output=True, check=True).stdout)
-    sections = [s for s in options.only.split(",") if s] or [entry["name"] for entry in listed["questions"] + listed["supporting"] + listed["on_request"]]
+    sections = [s for s in options.only.split(",") if s] or [entry["name"] for entry in listed["questions"] + listed["supporting"]]
     if options.check:
         return check(options, sections)
-    exploring = {entry["name"] for entry in listed["supporting"] + listed["on_request"]} - {"certificates"}
+    exploring = {entry["name"] for entry in listed["supporting"]} - {"certificates"}
     kept = json.loads(options.keep.read_text()) if options.keep.exists() else {}
 
     def sample(mesh, section, small, fails=False):

@@ -33,8 +33,6 @@ def runs(meshes):
     commands = {"report": ["report", *quiet], "report-quick": ["report", "--quick", *quiet],
                 "report-torus": ["report", DATA / "torus.obj", "--quick", *quiet], "verify": ["verify", "--quick", "--out", "{out}/truth"],
                 "laboratory": ["report", "--config", "laboratory", "--quick", "--only", "stability,modes,methods", *quiet]}
-    for number in range(4):
-        commands[f"report-s{number}"] = ["report", "--config", f"s{number}", "--only", "reproductions", "--quick", *quiet]
     own = [DATA / "creature.obj", DATA / "fandisk_noisy.obj", DATA / "plane.obj"]
     if meshes:
         commands["report-coursework"] = ["report", "--data", meshes / "coursework", *quiet]

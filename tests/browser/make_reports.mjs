@@ -13,9 +13,9 @@ function run(...words) {
 
 mkdirSync(folder, { recursive: true });
 const report = ["report", "--quick", "--size", "160", "--pdf", "off"];
-run(...report, "--config", "earlier", "--views-files", "--out", path.join(folder, "quick"));
+run(...report, "--views-files", "--out", path.join(folder, "quick"));
 
 const mesh = path.join(folder, `<img src=x onerror=alert(3)>&"'.obj`), settings = path.join(folder, "hostile.toml");
 run("sample", "torus", "-o", mesh);
 writeFileSync(settings, `[report]\ntitle = '''${hostile}'''\nauthor = '''${hostile}'''\n`);
-run(...report, mesh, "--only", "q1,q5,claims", "--config", settings, "--out", path.join(folder, "hostile"));
+run(...report, mesh, "--only", "q1,q5,methods", "--config", settings, "--out", path.join(folder, "hostile"));

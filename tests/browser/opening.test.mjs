@@ -92,7 +92,7 @@ test("a link into the other volume lands where it is seen", async () => {
 });
 
 test("the contents list follows the scroll and shows the parts of what is read", async () => {
-    for (const [page, id] of [[report, "q1"], [report, "q5"], [appendix, "truth"], [appendix, "claims"], [appendix, "all-checks"]]) {
+    for (const [page, id] of [[report, "q1"], [report, "q5"], [appendix, "truth"], [appendix, "methods"], [appendix, "all-checks"]]) {
         await page.evaluate((name) => document.getElementById(name).scrollIntoView(), id);
         await page.waitForFunction((name) => document.querySelector(".contents .current > a")?.hash === `#${name}`, id);
         const seen = await page.$$eval(".contents a", (links) => ({

@@ -18,7 +18,6 @@ from program import PROGRAM, run, sample, temporary_folder
 TITLE = "<script>alert(1)</script>\"'&amp;| `code` ](javascript:alert(2)) {{author}} ]]> --> \u202eturned \u2066 %s \\x $x$ <b onclick=x>"
 AUTHOR = "=cmd()|' /C calc'!A0"
 COURSE = "![x](http://example.org/x.png) <https://example.org> www.example.org # - + * _a_ **b**"
-SAID = "\u001b[31mred\u0007\u009b\n# heading\n\n<img src=x onerror=alert(3)>\t|a|b| \u2028 {{{style}}}"
 MESHES = ["<script>alert(4)<", "\x1b[2J\x9b\n\r\t", "\"'&|`](javascript:alert(5))", "=1+1,\"\n", "\u202eabc", "--help", "{{title}}%n", b"\xff\xfe\xed\xa0\x80", "![x](y)"]
 RAW = re.compile("[\0-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
@@ -29,15 +28,6 @@ author = %s
 course = %s
 [render]
 size = 16
-[original]
-%s = { file = %s, stand_in = "sphere.obj" }
-[[experiment]]
-row = 7
-from = %s
-name = %s
-kind = "forms"
-said = %s
-lost = %s
 """
 
 
@@ -87,8 +77,8 @@ class HostileNames(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = temporary_folder(cls)
         plain = ["mesh%d" % i for i in range(len(MESHES))]
-        cls.plain = cls.report("plain", plain, "Title", "Author", "Course", "Said")
-        cls.hostile = cls.report("hostile", MESHES, TITLE, AUTHOR, COURSE, SAID)
+        cls.plain = cls.report("plain", plain, "Title", "Author", "Course")
+        cls.hostile = cls.report("hostile", MESHES, TITLE, AUTHOR, COURSE)
         cls.out = cls.folder / "hostile" / "out"
         cls.results = json.loads((cls.out / "results.json").read_text(), parse_constant=cls.refuse, object_pairs_hook=cls.unique)
 
@@ -102,8 +92,8 @@ class HostileNames(unittest.TestCase):
         return dict(pairs)
 
     @classmethod
-    def report(cls, name, meshes, title, author, course, said):
-        """Makes a report of a question and an experiment, and a report of a question that fails for its mesh."""
+    def report(cls, name, meshes, title, author, course):
+        """Makes a report of a question and a section of the appendix, and a report of a question that fails for its mesh."""
         folder = cls.folder / name
         folder.mkdir()
         good = sample(folder, "sphere").read_bytes()
@@ -113,10 +103,10 @@ class HostileNames(unittest.TestCase):
             with open(path, "wb") as file:
                 file.write(good)
             paths.append(path)
-        words = [json.dumps(w) for w in (title, author, course, said, said, said, said, said, said)]
+        words = [json.dumps(w) for w in (title, author, course)]
         (folder / "my.toml").write_text(SETTINGS % tuple(words))
         environment = {**os.environ, "XDG_CACHE_HOME": str(folder / "cache"), "MESHFOLIO_PDF": "auto"}
-        command = [PROGRAM, "report", "--quick", "--time", "600", "--config", folder / "my.toml", "--out", folder / "out", "--only", "q1,reproductions", "--", *paths]
+        command = [PROGRAM, "report", "--quick", "--time", "600", "--config", folder / "my.toml", "--out", folder / "out", "--only", "q1,methods", "--", *paths]
         done = subprocess.run(command, env=environment, capture_output=True, timeout=280)
         assert done.returncode in (0, 1), done.stderr
         for path in paths:
@@ -133,7 +123,7 @@ class HostileNames(unittest.TestCase):
 
     def test_the_pages(self):
         inside = ("#", "data:image/", "images/", "meshes/", "models/", "tables/", "src.txt", "results.json", "https://doi.org/", "report.")
-        for file, title, words in (("index.html", TITLE, (TITLE, AUTHOR, COURSE)), ("appendix.html", "Appendix to " + TITLE, (TITLE, AUTHOR, COURSE, SAID))):
+        for file, title, words in (("index.html", TITLE, (TITLE, AUTHOR, COURSE)), ("appendix.html", "Appendix to " + TITLE, (TITLE, AUTHOR, COURSE))):
             page, plain = self.page("hostile", page=file), self.page("plain", page=file)
             unknown = {mark for mark in page.markup - plain.markup if mark[0] not in MATHEMATICS}   # names may have letters that look like a formula
             self.assertEqual(unknown, set(), "elements and attributes that came from data")

@@ -340,9 +340,9 @@ class Bombs(Hostile):
             self.judge(2, *command, "--templates", "mine", says=r"report\.html: is a link that leads out")
 
     def test_folders_named_like_what_is_bundled(self):
-        for name in ("s0", "bunny", "cow.obj"):
+        for name in ("laboratory", "bunny", "cow.obj"):
             (self.folder / name).mkdir()
-        self.judge(0, "report", "--config", "s0", "--plan")
+        self.judge(0, "report", "--config", "laboratory", "--plan")
 
 
 class Numbers(Hostile):

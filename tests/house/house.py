@@ -28,7 +28,6 @@ FEATURES = {
     "measures of meshes": ["src/geometry/measures"],
     "seven questions": ["src/questions/q*"],
     "supporting chapters": [f"src/questions/{name}" for name in ("truth", "stability", "modes", "methods", "operators", "certificates")],
-    "earlier reports": ["src/questions/reproductions", "src/questions/claims"],
     "studies that chapters share": ["src/questions/bench", "src/questions/core"],
     "document and its writers": ["src/report/*.*", "src/report/page", "src/report/json", "src/report/svg", "src/report/markdown", "src/report/batch"],
     "PDF": ["src/report/pdf"],
@@ -104,14 +103,14 @@ def chapters():
 
 
 def check_chapter_names():
-    """A chapter is named in one file outside its folder: chapter_list.cpp. The chapters about earlier reports name those they are about."""
+    """A chapter is named in one file outside its folder: chapter_list.cpp."""
     code_only = {p: re.sub(r"//.*", "", text) for p, text in TEXT.items()}
     for folder, name in chapters():
         quoted = rf'"{name}"' if re.fullmatch(r"q\d+", name) else rf'(?:of_id\(|section_of\(|== )"{name}"'   # other names are words, too
         pattern = re.compile(rf'{quoted}|"{name}_|\b{folder}::|"questions/{folder}/')
         for path, text in code_only.items():
             relative = path.relative_to(ROOT).as_posix()
-            if relative.startswith((f"src/questions/{folder}/", "src/questions/claims/", "src/questions/reproductions/")):
+            if relative.startswith(f"src/questions/{folder}/"):
                 continue
             found = pattern.search(text)
             if found:

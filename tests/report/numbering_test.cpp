@@ -32,8 +32,6 @@ TEST(Numbering, PlotsMapsAndFiguresShareOneCount) {
     EXPECT_EQ(numbering.resolve("q1_errors").label, "Table 1.1");
     EXPECT_EQ(numbering.resolve("q1_long").label, "Table 1.2");
     EXPECT_EQ(numbering.resolve("q1_eq").label, "Equation (1.1)");
-    EXPECT_EQ(numbering.resolve("q1_claim_two").label, "Claim 1.2");
-    EXPECT_EQ(numbering.resolve("q1_claim_two").anchor, "q1_claim_two");
     EXPECT_EQ(numbering.resolve("q1").label, "Question 1");
     EXPECT_EQ(numbering.resolve("ground_truth").label, "Section A");
 }

@@ -31,12 +31,12 @@ Table long_table() {
     return table;
 }
 
-/// Sorted and filtered by its readers; its first column refers to entries.
+/// Sorted and filtered by its readers; its first column refers to tables.
 Table ledger() {
-    Table table{"q1_ledger", "Two claims.", {{"no."}, {"verdict"}, {"number", "%"}}, {}};
+    Table table{"q1_ledger", "Two findings.", {{"no."}, {"verdict"}, {"number", "%"}}, {}};
     table.columns[0].reference = table.columns[1].filter = true;
     table.sortable = true;
-    table.rows = {{std::string("q1_claim_one"), std::string("holds"), 0.25}, {std::string("q1_claim_two"), std::string("refuted"), Cell()}};
+    table.rows = {{std::string("q1_errors"), std::string("holds"), 0.25}, {std::string("q1_counts"), std::string("refuted"), Cell()}};
     return table;
 }
 
@@ -46,12 +46,6 @@ Table counts() {
     table.sortable = true;
     table.rows = {{5.0, 0.5}, {15.0, 0.75}};
     return table;
-}
-
-EntryList claims() {
-    return {"Claim",
-            {{"q1_claim_one", text("S0: it is so."), {text("True if it is."), text("It is, see ", ref("q1_errors"), ".")}},
-             {"q1_claim_two", text("S1: it is not."), {text("It is.")}}}};
 }
 
 Plot error_plot() {
@@ -149,7 +143,6 @@ Section answered() {
                 error_map(),
                 ledger(),
                 counts(),
-                claims(),
                 Figure{"q1_before_after", "Before and after.", "A plane before and after, which moved by 1 %."},
                 angle_diagram()};
     s.checks = {check_near("Gauss–Bonnet: Σ deficit / 2π on sphere", 2, 2 + 1e-13, 1e-10),
@@ -267,7 +260,6 @@ Document hostile_document() {
     Table table{"q1_hostile_table", hostile, {{hostile, hostile}, {"x", "", 3}}, {{hostile, 1.0}}};
     table.sortable = table.columns[0].filter = true;
     s.blocks.push_back(table);
-    s.blocks.push_back(EntryList{hostile, {{"q1_hostile_entry", text(hostile), {text(hostile)}}}});
     s.blocks.push_back(Plot{"q1_hostile_plot",
                             hostile,
                             hostile,

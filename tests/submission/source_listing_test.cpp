@@ -145,7 +145,7 @@ TEST(SourceTree, HoldsEachFileOnceAndTheMeshesToo) {
     std::set<std::string> paths;
     for (const SourceFile& file : source_tree()) EXPECT_TRUE(paths.insert(file.path).second) << file.path;
     for (const char* path :
-         {"CMakeLists.txt", "build-report", "LICENSE", "data/cube.obj", "data/report.toml", "data/reports/s0.toml",
+         {"CMakeLists.txt", "build-report", "LICENSE", "data/cube.obj", "data/report.toml", "data/reports/laboratory.toml",
           "render/scene/image.cpp", "src/main.cpp", "templates/report.html", "tests/setup.sh", "src/submission/NOTICES.md"})
         EXPECT_TRUE(paths.contains(path)) << path;
     for (const std::string& path : paths) EXPECT_FALSE(path.starts_with("build/") || path.starts_with("/")) << path;

@@ -13,13 +13,6 @@ namespace {
 
 constexpr int all_modes_up_to = 700;   // vertices; on larger meshes the "large value" of k is 300
 
-/// Computes the lowest k modes; none if negative or missing weights leave the operator without a spectrum.
-Spectrum modes_if_any(const LaplaceBeltrami& laplacian, int k) try {
-    return smallest_eigenpairs(laplacian, k);
-} catch (const SolverError&) {
-    return {};
-}
-
 /// Returns the first vertices of an order, as many as hold `share` of its area.
 std::vector<int> first_share(const std::vector<int>& order, const Vector& M, double share) {
     double whole = 0, sum = 0;
@@ -145,39 +138,8 @@ double weyl_eigenvalue(const SpectralStudy& study, int k) {
     return weyl_eigenvalue(k, surface_area(study.mesh()), boundary);
 }
 
-double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r) {
-    const Positions& X = study.mesh().X;
-    const Vector& M = study.laplacian.M;
-    const Vector3 centroid = (X.transpose() * M) / M.sum();
-    const Vector from_centre = (X.rowwise() - centroid.transpose()).rowwise().norm();
-    std::vector<int> order(X.rows());
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::stable_sort(order, std::greater(), [&](int v) { return r.distance[v]; });
-    const std::size_t worst = std::max<std::size_t>(1, order.size() / 20);
-    double sum = 0;
-    for (std::size_t i = 0; i < worst; ++i) sum += from_centre[order[i]];
-    return sum / static_cast<double>(worst) / (from_centre.dot(M) / M.sum());
-}
-
 double largest_parseval_gap(const SpectralStudy& study) {
     return largest_of(study.reconstructions, [](auto& r) { return std::abs(r.predicted_rms - r.difference.area_weighted_rms); });
-}
-
-std::vector<MistakeErrors> mistake_study(const SpectralStudy& study, bool quick) {
-    const int most = std::min(study.modes(), study.spectrum.dense ? 150 : quick ? 30 : 60);
-    std::vector<int> counts;
-    for (const int k : {5, 10, 15, 30, 60, 150}) counts.push_back(std::min(k, most));
-    const Positions& X = study.mesh().X;
-    const Vector& M = study.laplacian.M;
-    const LaplaceBeltrami other = laplace_operator(study.mesh(), OperatorKind::edge_normalised);
-    const Spectrum edge_normalised = modes_if_any(other, most);
-    return each_of(each_once(counts), [&](const int k) {
-        const bool known = edge_normalised.eigenvalues.size() >= k;
-        return MistakeErrors{k, vertex_rms(X, reconstruct(study.spectrum, M, X, k)),
-                             vertex_rms(X, reconstruct_unmapped(study.spectrum, M, X, k)),
-                             vertex_rms(X, reconstruct_unweighted(study.spectrum, M, X, k)),
-                             known ? vertex_rms(X, reconstruct(edge_normalised, other.M, X, k)) : undefined};
-    });
 }
 
 LimbStudy limb_study(const SpectralStudy& study) {

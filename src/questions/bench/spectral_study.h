@@ -71,21 +71,8 @@ double weyl_eigenvalue(double k, double area, double boundary);
 /// Predicts the k-th eigenvalue of the mesh by Weyl's law with its area and the length of its boundary. [1/length²]
 double weyl_eigenvalue(const SpectralStudy& study, int k);
 
-/// Returns the mean distance from the centroid of the worst-placed 5 % of the vertices, over that of all (weighted by area).
-double remoteness_of_worst(const SpectralStudy& study, const Reconstruction& r);
-
 /// Returns the largest |predicted − measured rms| of the reconstructions. [length]
 double largest_parseval_gap(const SpectralStudy& study);
-
-// ---- mistakes -------------------------------------------------------------------------------------------------------------
-
-/// Rms errors over the vertices of the right reconstruction and of three wrong ones (spectral_mistakes.h). [length]
-struct MistakeErrors {
-    int k = 0;
-    double right = 0, unmapped = 0, unweighted = 0, edge_normalised = 0;   // the last NaN if its operator has fewer modes
-};
-/// Measures the errors for k = 5, 10, 15, 30, 60 and 150, cut to the computed modes and to 150 (60, quick: 30 unless the solver is dense).
-std::vector<MistakeErrors> mistake_study(const SpectralStudy& study, bool quick);
 
 // ---- thin parts -----------------------------------------------------------------------------------------------------------
 

@@ -79,7 +79,6 @@ struct Chapter {
     const LabOffer* lab = nullptr;   // its panel of the live laboratory; null: none
     /// Values that `batch` takes: the key of each, and the column of this chapter's tables (or the table) that has it, without the id.
     std::vector<std::pair<std::string_view, std::string_view>> batch = {};
-    bool on_request = false;         // about earlier reports: only in a report that asks for it
     bool never_left_out = false;     // also where the time is short; true of every question
     bool verifies_program = false;   // `meshfolio verify` runs it
 
@@ -92,11 +91,11 @@ struct Chapter {
     std::vector<report::CodeReference> cited_code() const;
 };
 
-/// Returns all chapters in the order of the report, chapters on request last. A new chapter is a folder and a line of chapter_list.cpp.
+/// Returns all chapters in the order of the report. A new chapter is a folder and a line of chapter_list.cpp.
 std::span<const Chapter* const> chapter_list();
 /// Returns the chapter with this id. @throws std::logic_error if there is none
 const Chapter& chapter_of_id(std::string_view id);
-/// Returns the ids of chapter_list(), in its order: "q1", … "claims".
+/// Returns the ids of chapter_list(), in its order: "q1", … "certificates".
 std::vector<std::string> section_ids();
 
 }   // namespace meshfolio

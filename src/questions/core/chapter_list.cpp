@@ -17,9 +17,7 @@
     chapter(modes) \
     chapter(methods) \
     chapter(operators) \
-    chapter(certificates) \
-    chapter(reproductions) \
-    chapter(claims)
+    chapter(certificates)
 // clang-format on
 
 namespace meshfolio {

@@ -101,36 +101,14 @@ FoundMesh MeshFinder::found_file(const fs::path& path, const fs::path& base) con
     return {{}, role->bundled, std::string(role->bundled), name, input_of(name, stand_in ? path.string() : "", role->bundled, stand_in)};
 }
 
-FoundMesh MeshFinder::found_original(const MeshLookup& lookup, const fs::path& base) const {
-    std::vector<fs::path> candidates;
-    if (!lookup.path.empty()) {
-        candidates.push_back(base / lookup.path);
-        for (const fs::path& folder : folders_) candidates.push_back(folder / lookup.path);
-        for (const fs::path& folder : folders_) candidates.push_back(folder / lookup.path.filename());
-    }
-    const auto path = first_that_exists(candidates);
-    const std::string file = path ? path->filename().string() : lookup.stand_in;
-    const std::string asked = lookup.path.empty() ? lookup.name : lookup.path.generic_string();
-    return {path, lookup.stand_in, file, short_name(file), input_of(lookup.name, asked, file, !path)};
-}
-
-std::optional<FoundMesh> MeshFinder::found_in_data(const fs::path& file) const {
-    const auto path = in_folders(folders_, file);
-    if (!path) return {};
-    const std::string name = name_of(file);
-    return FoundMesh{path, {}, file.string(), name, input_of(name, file.string(), file)};
-}
-
 FoundMesh MeshFinder::found_own(const fs::path& path) const {
     return {path, {}, path.filename().string(), name_of(path), input_of(own_role, "", path)};
 }
 
-std::optional<FoundMesh> MeshFinder::found(const MeshLookup& lookup, const fs::path& base) const {
+FoundMesh MeshFinder::found(const MeshLookup& lookup, const fs::path& base) const {
     switch (lookup.by) {
         case MeshLookup::By::role: return found_role(role_named(lookup.name));
         case MeshLookup::By::file: return found_file(lookup.path, base);
-        case MeshLookup::By::original: return found_original(lookup, base);
-        case MeshLookup::By::in_data: return found_in_data(lookup.path);
         default: return found_own(lookup.path);
     }
 }

@@ -19,11 +19,10 @@ struct MeshRole;
 
 /// A request for a mesh, before its file is known.
 struct MeshLookup {
-    enum class By { role, file, original, in_data, own };
+    enum class By { role, file, own };
     By by = By::role;
-    std::string name = {};             // of the role or the original
+    std::string name = {};             // of the role
     std::filesystem::path path = {};   // as in the settings
-    std::string stand_in = {};         // bundled, for an original
     auto operator<=>(const MeshLookup&) const = default;
 };
 
@@ -46,9 +45,9 @@ public:
                const std::vector<std::filesystem::path>& listed);
 
     const std::vector<std::filesystem::path>& own() const { return own_; }
-    /// Returns the file of a mesh; nothing for By::in_data if no data folder has it. @param base  folder of relative paths for By::file and
-    /// By::original @throws InputError if a By::file is nowhere; UsageError for an unknown role
-    std::optional<FoundMesh> found(const MeshLookup& lookup, const std::filesystem::path& base) const;
+    /// Returns the file of a mesh. @param base  folder of relative paths for By::file
+    /// @throws InputError if a By::file is nowhere; UsageError for an unknown role
+    FoundMesh found(const MeshLookup& lookup, const std::filesystem::path& base) const;
 
 private:
     std::vector<std::filesystem::path> folders_, own_;
@@ -57,8 +56,6 @@ private:
     std::string name_of(const std::filesystem::path& path) const;
     FoundMesh found_role(const MeshRole& role) const;
     FoundMesh found_file(const std::filesystem::path& path, const std::filesystem::path& base) const;
-    FoundMesh found_original(const MeshLookup& lookup, const std::filesystem::path& base) const;
-    std::optional<FoundMesh> found_in_data(const std::filesystem::path& file) const;
     FoundMesh found_own(const std::filesystem::path& path) const;
 };
 

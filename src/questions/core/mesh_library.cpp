@@ -97,7 +97,7 @@ MeshLibrary::MeshLibrary(std::vector<fs::path> data_folders, std::vector<fs::pat
 
 SharedMesh MeshLibrary::loaded(const MeshLookup& lookup, const fs::path& base) const {
     const auto mesh = whole(lookup, base);
-    return mesh && most_vertices_ > 0 ? shelf_->decimated_to(most_vertices_, mesh) : mesh;
+    return most_vertices_ > 0 ? shelf_->decimated_to(most_vertices_, mesh) : mesh;
 }
 
 SharedMesh MeshLibrary::whole(const MeshLookup& lookup, const fs::path& base) const {
@@ -115,18 +115,17 @@ SharedMesh MeshLibrary::whole(const MeshLookup& lookup, const fs::path& base) co
 }
 
 SharedMesh MeshLibrary::read(const MeshLookup& lookup, const fs::path& base) const {
-    const std::optional<FoundMesh> where = finder_.found(lookup, base);
-    if (!where) return nullptr;
+    const FoundMesh where = finder_.found(lookup, base);
     std::string from_file;
-    const std::string_view bytes = where->bytes(from_file);
+    const std::string_view bytes = where.bytes(from_file);
     auto mesh = std::make_shared<LibraryMesh>();
     // The ending of the file decides the format; the label may be a role's path.
-    mesh->prepared = std::make_shared<const PreparedMesh>(prepare_mesh(parse_mesh(bytes, where->label)));
-    mesh->input = where->input;
+    mesh->prepared = std::make_shared<const PreparedMesh>(prepare_mesh(parse_mesh(bytes, where.label)));
+    mesh->input = where.input;
     mesh->input.sha256 = sha256(bytes);
     mesh->input.vertices = mesh->prepared->mesh.vertex_count();
     mesh->input.triangles = mesh->prepared->mesh.face_count();
-    mesh->name = where->name;
+    mesh->name = where.name;
     return mesh;
 }
 
@@ -140,13 +139,6 @@ SharedMesh MeshLibrary::role(const std::string& name) const {
 SharedMesh MeshLibrary::file(const fs::path& path, const fs::path& base) const {
     return loaded({.by = MeshLookup::By::file, .path = path}, base);
 }
-
-SharedMesh MeshLibrary::original(const std::string& name, const fs::path& path, const std::string& stand_in, const fs::path& base) const {
-    if (!finder_.own().empty()) return own_meshes().front();
-    return loaded({.by = MeshLookup::By::original, .name = name, .path = path, .stand_in = stand_in}, base);
-}
-
-SharedMesh MeshLibrary::in_data(const fs::path& file) const { return loaded({.by = MeshLookup::By::in_data, .path = file}, {}); }
 
 LibraryMeshes MeshLibrary::own_meshes() const {
     LibraryMeshes meshes;
@@ -177,23 +169,21 @@ MeshLibrary MeshLibrary::offering(std::vector<std::string_view> roles) const {
 }
 
 std::optional<report::Input> MeshLibrary::input_of(const MeshLookup& lookup, const fs::path& base) const try {
-    std::optional<FoundMesh> where = finder_.found(lookup, base);
-    if (!where) return {};
-    where->input.sha256 = shelf_->digest(*where);
-    return std::move(where->input);
+    FoundMesh where = finder_.found(lookup, base);
+    where.input.sha256 = shelf_->digest(where);
+    return std::move(where.input);
 } catch (const Error&) {
     return {};
 }
 
 std::string MeshLibrary::identity_of(const MeshLookup& lookup, const fs::path& base) const try {
-    const std::optional<FoundMesh> where = finder_.found(lookup, base);
-    if (!where) return "none";
-    const report::Input& input = where->input;
+    const FoundMesh where = finder_.found(lookup, base);
+    const report::Input& input = where.input;
     std::string words;
-    for (const std::string& word : {where->name, where->label, input.role, input.asked, input.file, std::string(where->bundled_file)})
+    for (const std::string& word : {where.name, where.label, input.role, input.asked, input.file, std::string(where.bundled_file)})
         words += std::to_string(word.size()) + ":" + word;
     words += input.stand_in ? "stand-in " : "itself ";
-    return words + shelf_->digest(*where);
+    return words + shelf_->digest(where);
 } catch (const Error& error) {
     return std::string("error ") + error.what();
 }

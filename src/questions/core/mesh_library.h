@@ -78,14 +78,6 @@ public:
     /// @throws InputError if it is nowhere or unusable
     SharedMesh file(const std::filesystem::path& path, const std::filesystem::path& base) const;
 
-    /// Returns a mesh of an earlier report: `path` relative to `base`, then by its whole path in a data folder, then by its bare name; else
-    /// the bundled mesh `stand_in`. With an empty path, of a lost mesh, `stand_in` is taken. The user's first own mesh replaces every
-    /// original.
-    SharedMesh original(const std::string& name, const std::filesystem::path& path, const std::string& stand_in,
-                        const std::filesystem::path& base) const;
-    /// Returns a mesh from the data folders, by its whole path or its bare name; null if none has it. @throws InputError if it is unusable
-    SharedMesh in_data(const std::filesystem::path& file) const;
-
     bool has_own_meshes() const { return !finder_.own().empty(); }
     /// Returns the user's own meshes (`report MY.obj …`), which replace every list of roles. @throws InputError, MeshError
     LibraryMeshes own_meshes() const;
@@ -102,8 +94,8 @@ public:
     const auto& once(const std::string& key, const auto& make) const { return values_->value(key, make); }
     /// Returns the input that a lookup finds now, without the counts of the mesh; nothing if the mesh cannot be had.
     std::optional<report::Input> input_of(const MeshLookup& lookup, const std::filesystem::path& base) const;
-    /// Returns a text that is equal for equal meshes alone: names, role and SHA-256 of the bytes; "none" if no data folder has it; else the
-    /// error why it cannot be read. The mesh is not prepared.
+    /// Returns a text that is equal for equal meshes alone: names, role and SHA-256 of the bytes; else the error why it cannot be read. The
+    /// mesh is not prepared.
     std::string identity_of(const MeshLookup& lookup, const std::filesystem::path& base) const;
 
 private:

@@ -151,10 +151,6 @@ std::string span_of(const std::string& low, const std::string& high) {
     return low == high ? low : report::Words("figures").line("span", "low"_a = low, "high"_a = high);
 }
 
-report::Text said_of(const Names& meshes, const report::Words& words, std::string_view key) {
-    return meshes.empty() ? report::Text() : words.say(key, "meshes"_a = listed(meshes));
-}
-
 std::string counted(int n, std::string_view singular, std::string_view plural) {
     const std::string many = plural.empty() ? std::string(singular) + "s" : std::string(plural);
     return readable_count(n) + " " + (n == 1 ? std::string(singular) : many);

@@ -181,9 +181,6 @@ std::string joined(const Names& parts, std::string_view separator = "; ");
 /// Returns "0.3 to 0.9", or "0.3" if both are alike.
 std::string span_of(const std::string& low, const std::string& high);
 
-/// Returns the message `key` with the listed names for {{meshes}}; empty if there are no names.
-report::Text said_of(const Names& meshes, const report::Words& words, std::string_view key);
-
 /// Returns the number with its noun: "1 mesh", "4 meshes", "40 962 vertices". @param plural  empty: `singular` with an s
 std::string counted(int n, std::string_view singular, std::string_view plural = "");
 

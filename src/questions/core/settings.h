@@ -11,8 +11,6 @@
 
 namespace meshfolio {
 
-struct Experiment;   // experiment.h; needed to make settings, not to read them
-
 /// The settings of one question; empty lists mean the question's own choice.
 struct QuestionSettings {
     std::vector<std::string> meshes;   // paths as in the settings file; empty: the question's roles
@@ -25,9 +23,6 @@ struct QuestionSettings {
     bool quick = false;              // small settings for a first look
     bool laboratory = false;         // the whole grid where the report itself takes a part that fits its budget
     std::string colormap = "pale";   // for unsigned quantities
-    /// Experiments of the settings file, else the brief bundled ones (quick: the first); and all bundled ones.
-    std::vector<Experiment> experiments, bundled_experiments;
-    bool own_experiments = false;   // they come from the settings file
 };
 
 /// Limits of settings; messages about a value beyond a limit name it.
@@ -41,6 +36,11 @@ inline constexpr long long largest_threads = 1024;   // 0: all
 inline constexpr long long largest_list = 100;       // values of one list
 inline constexpr long long longest_text = 200;       // bytes of a title or author
 }   // namespace limits
+
+/// Returns the text of a settings file of data/reports as compiled in, by its name without ending; empty if there is none.
+std::string_view bundled_report_text(const std::string& name);
+/// Returns the names that bundled_report_text() knows, sorted.
+std::vector<std::string> bundled_report_names();
 
 /// Returns the default settings: the text of data/report.toml as compiled in.
 std::string_view default_settings_text();

@@ -101,8 +101,8 @@ void add_error_maps(report::Section& section, const Planes& planes) {
 
 report::Table certificate_table(const Studies& studies) {
     return table("stability_certificates", words.line("certificates"), parts_within(studies, &StabilityStudy::limits))
-        .column("mesh", [](auto& r) { return r.whole.name(); })
-        .column("operator", [](auto& r) { return r.part.name; })
+        .column("mesh", {.filter = true}, [](auto& r) { return r.whole.name(); })
+        .column("operator", {.filter = true}, [](auto& r) { return r.part.name; })
         .column("stable up to λ", {.unit = "length², rounded down", .digits = 10, .rounding = Rounding::down},
                 [](auto& r) { return r.part.certificate.lambda_low(); })
         .column("unstable beyond λ", {.unit = "length², rounded up", .digits = 10, .rounding = Rounding::up},

@@ -40,20 +40,13 @@ struct FigureEntry {
     DrawnFigure drawn;
 };
 
-/// One entry of an EntryList, with the kind of the list.
-struct NumberedEntry {
-    std::string kind;
-    Entry entry;
-};
-
 /// A block as `blocks` stores it: short ones whole, the others by their ids.
 struct BlockEntry {
-    enum class Kind { heading, paragraph, list, formula, table, plot, map, diagram, figure, entries } kind = Kind::heading;
+    enum class Kind { heading, paragraph, list, formula, table, plot, map, diagram, figure } kind = Kind::heading;
     std::string title;         // heading
     Text text;                 // paragraph
     std::vector<Text> items;   // list
     std::string name, id;      // formula; id also of a table, plot, map, diagram or figure
-    std::vector<std::string> ids;
 };
 
 /// A panel of a map, its values row by row.
@@ -110,7 +103,6 @@ struct SectionEntry {
     std::vector<Map> maps;
     std::vector<Diagram> diagrams;
     std::vector<FigureEntry> figures;
-    std::vector<NumberedEntry> entries;
     std::vector<BlockEntry> blocks;
     std::vector<CheckEntry> checks;
     std::optional<std::vector<Timing>> timings;   // none: written without them
@@ -153,8 +145,8 @@ inline constexpr std::array<const char*, 3> names_of(Check::Kind) { return {"nea
 inline constexpr std::array<const char*, 3> names_of(Check::Status) { return {"passed", "failed", "undecided"}; }
 inline constexpr std::array<const char*, 3> names_of(Status) { return {"ok", "failed", "skipped"}; }
 inline constexpr std::array<const char*, 6> names_of(Run::Kind) { return {"plain", "strong", "emphasis", "code", "math", "reference"}; }
-inline constexpr std::array<const char*, 10> names_of(BlockEntry::Kind) {
-    return {"heading", "paragraph", "list", "formula", "table", "plot", "map", "diagram", "figure", "entries"};
+inline constexpr std::array<const char*, 9> names_of(BlockEntry::Kind) {
+    return {"heading", "paragraph", "list", "formula", "table", "plot", "map", "diagram", "figure"};
 }
 
 }   // namespace meshfolio::report

@@ -56,20 +56,6 @@ void describe(auto& fields, part_of<Table> auto& table) {
 
 // ---- parts of sections --------------------------------------------------------------------------------------------------
 
-void describe(auto& fields, part_of<NumberedEntry> auto& numbered) {
-    const auto plain_paragraphs = [&] {
-        std::vector<std::string> words;
-        for (const Text& paragraph : numbered.entry.paragraphs) words.push_back(plain(paragraph));
-        return words;
-    };
-    fields("id", numbered.entry.id);
-    fields("kind", numbered.kind, "its name in references: \"Claim\"");
-    fields("title_runs", numbered.entry.title);
-    fields("paragraph_runs", numbered.entry.paragraphs);
-    fields.derived("title", [&] { return plain(numbered.entry.title); });
-    fields.derived("paragraphs", plain_paragraphs);
-}
-
 void describe(auto& fields, part_of<BlockEntry> auto& block) {
     fields("kind", block.kind);
     switch (block.kind) {
@@ -77,7 +63,6 @@ void describe(auto& fields, part_of<BlockEntry> auto& block) {
         case BlockEntry::Kind::paragraph: return fields("text", block.text);
         case BlockEntry::Kind::list: return fields("items", block.items);
         case BlockEntry::Kind::formula: fields("name", block.name, "in formulas.json"); return fields.optional("id", block.id, {});
-        case BlockEntry::Kind::entries: fields("title", block.title); return fields("ids", block.ids);
         default: return fields("id", block.id);
     }
 }
@@ -151,7 +136,6 @@ void describe(auto& fields, part_of<SectionEntry> auto& entry) {
     fields("maps", entry.maps, "values over a plane, in panels on common axes");
     fields.optional("diagrams", entry.diagrams, {}, "the geometry behind a formula, y upwards; absent where there are none");
     fields("figures", entry.figures);
-    fields.optional("entries", entry.entries, {}, "numbered texts that tables refer to by their ids; absent where there are none");
     fields(
         "checks", entry.checks,
         "near: |measured - expected| <= tolerance; at_most: measured <= expected + tolerance; at_least: measured >= expected - tolerance; "

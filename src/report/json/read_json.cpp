@@ -16,7 +16,6 @@ namespace {
 constexpr int deepest_json = 64;   // three times the depth of our own
 
 const std::string& id_of(const FigureEntry& part) { return part.figure.id; }
-const std::string& id_of(const NumberedEntry& part) { return part.entry.id; }
 const std::string& id_of(const auto& part) { return part.id; }
 
 /// Calls visit(key, list) for each list of parts that blocks refer to.
@@ -26,7 +25,6 @@ template <class Visit> void for_each_list(auto& section, const Visit& visit) {
     visit("maps", section.maps);
     visit("diagrams", section.diagrams);
     visit("figures", section.figures);
-    visit("entries", section.entries);
 }
 
 /// Adds the ids of a section and its parts to `ids`.
@@ -80,27 +78,15 @@ private:
         if (block.kind == Kind::plot) return next(entry_.plots, block.id, place);
         if (block.kind == Kind::map) return next(entry_.maps, block.id, place);
         if (block.kind == Kind::diagram) return next(entry_.diagrams, block.id, place);
-        if (block.kind == Kind::figure) {
-            FigureEntry entry = next(entry_.figures, block.id, place);
-            if (entry.is_drawn) drawn_[block.id] = std::move(entry.drawn);
-            return std::move(entry.figure);
-        }
-        EntryList list{std::move(block.title), {}};
-        for (const std::string& id : block.ids) {
-            NumberedEntry entry = next(entry_.entries, id, place);
-            require_next(entry.kind == list.kind, id, place);
-            list.entries.push_back(std::move(entry.entry));
-        }
-        return list;
-    }
-
-    static void require_next(bool is_next, const std::string& id, const JsonPlace& place) {
-        if (!is_next) throw JsonProblem(place, "refers to '" + id + "', which is not the next of its list", "take a whole results.json");
+        FigureEntry entry = next(entry_.figures, block.id, place);
+        if (entry.is_drawn) drawn_[block.id] = std::move(entry.drawn);
+        return std::move(entry.figure);
     }
 
     template <class Part> Part next(std::vector<Part>& parts, const std::string& id, const JsonPlace& place) {
         std::size_t& used = used_[&parts];
-        require_next(used < parts.size() && id_of(parts[used]) == id, id, place);
+        if (used >= parts.size() || id_of(parts[used]) != id)
+            throw JsonProblem(place, "refers to '" + id + "', which is not the next of its list", "take a whole results.json");
         return std::move(parts[used++]);
     }
 };

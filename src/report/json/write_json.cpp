@@ -45,13 +45,6 @@ void add_block(SectionEntry& entry, const Block& block, const DrawnFigures& draw
         place.id = figure->id;
         entry.figures.push_back(entry_of(*figure, drawn));
     }
-    if (const auto* list = std::get_if<EntryList>(&block)) {
-        place.title = list->kind;
-        for (const Entry& one : list->entries) {
-            place.ids.push_back(one.id);
-            entry.entries.push_back({list->kind, one});
-        }
-    }
 }
 
 SectionEntry entry_of(const Section& section, const DrawnFigures& drawn, bool with_timings) {

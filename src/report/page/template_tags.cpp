@@ -33,8 +33,7 @@ Document specimen(const Templates& templates) {
                       table,
                       Plot{.id = "plot", .markers = {{.label = "marker"}}},
                       Figure{"figure", "", ""},
-                      Figure{"matrix", "", ""},
-                      EntryList{"Entry", {{"entry", {}, {{}}}}}};
+                      Figure{"matrix", "", ""}};
     Document document;
     document.provenance.libraries = document.provenance.settings = {{"", ""}};
     document.sections = {section};

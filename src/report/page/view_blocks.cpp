@@ -238,14 +238,6 @@ json block_view(const Block& block, const std::string& section_number, int& head
         view = drawing_view(*diagram, context);
     } else if (const auto* figure = std::get_if<Figure>(&block)) {
         view = figure_view(*figure, context);
-    } else if (const auto* entries = std::get_if<EntryList>(&block)) {
-        const auto one = [&](const Entry& entry) {
-            return view_of({{"id", "anchor", safe_text(entry.id)},
-                            {"label", "\"Claim A.3\"", context.numbering.resolve(entry.id).label},
-                            {"title", "in short", text(entry.title)},
-                            {"paragraphs", "in full", list_of(entry.paragraphs, text)}});
-        };
-        view = view_of({{"entries", "of a list of numbered texts", list_of(entries->entries, one)}});
     }
     const bool is_plot =
         std::holds_alternative<Plot>(block) || std::holds_alternative<Map>(block) || std::holds_alternative<Diagram>(block);
@@ -255,8 +247,7 @@ json block_view(const Block& block, const std::string& section_number, int& head
                  {"is_formula", "displayed equation: mathml, tex, plain", std::holds_alternative<Formula>(block)},
                  {"is_table", "table: columns, rows", std::holds_alternative<Table>(block)},
                  {"is_plot", "plot, map or diagram: svg", is_plot},
-                 {"is_figure", "pictures of meshes: source, groups", std::holds_alternative<Figure>(block)},
-                 {"is_entry_list", "numbered texts: entries", std::holds_alternative<EntryList>(block)}});
+                 {"is_figure", "pictures of meshes: source, groups", std::holds_alternative<Figure>(block)}});
     return view;
 }
 

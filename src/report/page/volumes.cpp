@@ -50,7 +50,6 @@ void mark_elsewhere(const Document& document, Volume volume, const std::string& 
                 if constexpr (requires { one.id; }) numbering.place_elsewhere(one.id, page);
             };
             std::visit(place, block);
-            if (const auto* list = std::get_if<EntryList>(&block)) std::ranges::for_each(list->entries, place);
         }
     }
 }
@@ -67,11 +66,6 @@ std::set<std::string> works_cited_in(const Document& document, Volume volume, co
         for (const Block& block : blocks_in(section, volume)) {
             if (const auto* paragraph = std::get_if<Paragraph>(&block)) look_through(paragraph->text);
             if (const auto* bullets = std::get_if<BulletList>(&block)) std::ranges::for_each(bullets->items, look_through);
-            const auto* list = std::get_if<EntryList>(&block);
-            for (const Entry& entry : list != nullptr ? list->entries : std::vector<Entry>()) {
-                look_through(entry.title);
-                std::ranges::for_each(entry.paragraphs, look_through);
-            }
         }
     }
     return cited;

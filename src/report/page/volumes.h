@@ -35,7 +35,7 @@ const Figure* cover_figure(const Document& document, const DrawnFigures& figures
 /// @param page  file of the volume other than `volume`; empty: no links
 void mark_elsewhere(const Document& document, Volume volume, const std::string& page, Numbering& numbering);
 
-/// Returns the ids of the works that answers, paragraphs, lists or entries of the volume cite.
+/// Returns the ids of the works that answers, paragraphs or lists of the volume cite.
 std::set<std::string> works_cited_in(const Document& document, Volume volume, const std::vector<CitedWork>& works);
 
 }   // namespace meshfolio::report

@@ -78,7 +78,7 @@ std::vector<PlannedMesh> meshes_of(const Chapter& chapter, const QuestionSetting
 template <class MeshesOf> Plan started(const ReportSettings& settings, bool alone, const MeshesOf& meshes_of_section) {
     Plan plan;
     plan.printed = settings.pdf != "off";
-    for (const Chapter* chapter : chapters_of(settings)) {
+    for (const Chapter* chapter : chapter_list()) {
         if (alone && !is_asked_for(settings, chapter->id)) continue;
         const QuestionSettings asked = question_settings(settings, std::string(chapter->id));
         PlannedSection section{chapter, meshes_of_section(*chapter, asked), chapter->cost.work_of(asked, false),

@@ -12,7 +12,6 @@
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
 #include "questions/core/mesh_roles.h"
-#include "questions/core/stand_ins.h"
 #include "report/writers.h"
 #include "run/arguments.h"
 #include "run/settings/setting_list.h"
@@ -132,31 +131,15 @@ void take_flags(ReportSettings& settings, const ReportFlags& flags, Problems& pr
     settings.pdf = "off";
 }
 
-/// Returns the experiments of data/reports, parsed once.
-const std::vector<Experiment>& bundled_experiments() {
-    static const std::vector<Experiment> experiments = [] {
-        std::vector<Experiment> all;
-        for (const std::string& name : bundled_report_names()) {
-            const std::vector<Experiment> some = parse_settings(bundled_report_text(name), name + ".toml").experiments;
-            all.insert(all.end(), some.begin(), some.end());
-        }
-        return all;
-    }();
-    return experiments;
-}
-
 /// Returns every file and folder that the report may read.
 std::set<std::filesystem::path> inputs_of(const ReportSettings& settings, const std::string& config) {
     std::set<std::filesystem::path> inputs = {config, settings.templates, settings.page.file.value_or("")};
     inputs.insert(settings.meshes.begin(), settings.meshes.end());
     inputs.insert(settings.data.begin(), settings.data.end());
     std::vector<std::filesystem::path> meshes = listed_meshes(settings);   // beside the settings file, or in a data folder
-    for (const Experiment& experiment : settings.experiments.empty() ? bundled_experiments() : settings.experiments)
-        for (const OriginalMesh& mesh : experiment.meshes) meshes.emplace_back(mesh.file);
     for (const std::filesystem::path& mesh : meshes)
         if (!mesh.empty()) inputs.insert(settings.base / mesh);
     for (const MeshRole& role : mesh_role_list()) meshes.emplace_back(role.asked);
-    for (const StandIn& original : stand_in_list()) meshes.emplace_back(original.file);
     for (const std::filesystem::path& folder : settings.data) {
         for (const std::filesystem::path& mesh : meshes)
             if (!mesh.empty()) inputs.insert({folder / mesh, folder / mesh.filename()});
@@ -178,19 +161,8 @@ void require_inputs_outside(const ReportSettings& settings, const std::string& c
 
 }   // namespace
 
-bool wants_earlier(const ReportSettings& settings) { return settings.earlier || !settings.experiments.empty(); }
-
-std::vector<const Chapter*> chapters_of(const ReportSettings& settings) {
-    std::vector<const Chapter*> chapters;
-    std::ranges::copy_if(chapter_list(), std::back_inserter(chapters), [&](const Chapter* chapter) {
-        return !chapter->on_request || wants_earlier(settings) || contains(settings.only, std::string(chapter->id));
-    });
-    return chapters;
-}
-
 bool is_asked_for(const ReportSettings& settings, std::string_view id) {
-    if (!settings.only.empty()) return contains(settings.only, std::string(id));
-    return !chapter_of_id(id).on_request || wants_earlier(settings);
+    return settings.only.empty() || contains(settings.only, std::string(id));
 }
 
 ReportSettings report_settings(const ReportFlags& flags) {
@@ -210,7 +182,7 @@ ReportSettings report_settings(const ReportFlags& flags) {
     problems.collect([&] { report::Templates(settings.templates); });   // checks the folder
     require_inputs_outside(settings, flags.config, problems);
     problems.raise();
-    settings.only = sections_in_order(settings.only, wants_earlier(settings));
+    settings.only = sections_in_order(settings.only);
     return settings;
 }
 
@@ -234,7 +206,7 @@ QuestionSettings question_settings(const ReportSettings& settings, const std::st
     QuestionSettings question;
     const QuestionTable& table = table_of(settings, id);
     // Naming all members makes the compiler report a new one.
-    auto& [meshes, base, k, lambda, iterations, noise, seed, quick, laboratory, colormap, experiments, bundled, own] = question;
+    auto& [meshes, base, k, lambda, iterations, noise, seed, quick, laboratory, colormap] = question;
     if (settings.meshes.empty()) meshes = table.meshes;   // meshes on the command line replace those of the file
     base = settings.base;
     k = table.k;
@@ -245,13 +217,6 @@ QuestionSettings question_settings(const ReportSettings& settings, const std::st
     quick = effort_of(settings, id).small;
     laboratory = settings.laboratory;
     colormap = settings.colormap;
-    if (!chapter_of_id(id).on_request) return question;
-    bundled = bundled_experiments();
-    experiments = settings.experiments;
-    own = !experiments.empty();
-    if (own) return question;
-    std::ranges::copy_if(bundled, std::back_inserter(experiments), &Experiment::brief);
-    if (quick && experiments.size() > 1) experiments.resize(1);
     return question;
 }
 
@@ -261,13 +226,9 @@ std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings)
     return meshes;
 }
 
-std::vector<std::string> sections_in_order(const std::vector<std::string>& ids, bool with_earlier) {
-    std::vector<std::string> all, some;
-    for (const Chapter* chapter : chapter_list()) {
-        const std::string id(chapter->id);
-        if (!chapter->on_request || with_earlier) all.push_back(id);
-        if (contains(ids, id)) some.push_back(id);
-    }
+std::vector<std::string> sections_in_order(const std::vector<std::string>& ids) {
+    std::vector<std::string> all = section_ids(), some;
+    std::ranges::copy_if(all, std::back_inserter(some), [&](const std::string& id) { return contains(ids, id); });
     return some == all ? std::vector<std::string>() : some;
 }
 

@@ -17,7 +17,6 @@
 
 #include "base/errors.h"
 #include "questions/core/chapter.h"
-#include "questions/core/experiment.h"
 #include "questions/core/settings.h"
 #include "run/arguments.h"
 
@@ -94,17 +93,14 @@ struct ReportSettings {
     bool view_files = false;    // also write every view of every figure as a file
     bool sheets_only = false;   // write no view as a file, even if the assignment asks for it
     bool quick = false, laboratory = false, fail_fast = false, timings = true;
-    bool earlier = false;                             // also the chapters on request
     std::optional<double> time;                       // seconds on two cores for the report; none: the default
     std::map<std::string, Effort> efforts;            // by id; none: `quick` decides
-    std::vector<std::string> only;                    // ids; empty: all of chapters_of()
+    std::vector<std::string> only;                    // ids; empty: all
     std::map<std::string, QuestionTable> questions;   // by id
-    std::vector<Experiment> experiments;              // of earlier reports; empty: the brief ones of the bundled files
-    std::string experiments_digest;                   // SHA-256 of the settings file
     std::filesystem::path base;                       // folder of the settings file, to which its meshes are relative
 };
 
-/// Parses a settings file over `before`. Its questions, experiments and sections replace the earlier ones, even by none.
+/// Parses a settings file over `before`. Its questions and sections replace the earlier ones, even by none.
 /// @param file  its name in messages; paths are relative to its folder
 /// @throws SettingsErrors
 ReportSettings parse_settings(std::string_view text, const std::string& file, ReportSettings before = {});
@@ -134,21 +130,14 @@ QuestionSettings question_settings(const ReportSettings& settings, const std::st
 /// Returns the meshes that [[question]] tables name, sorted by the id of the table; a mesh named twice is listed twice.
 std::vector<std::filesystem::path> listed_meshes(const ReportSettings& settings);
 
-/// True if the settings ask for the chapters on request, by `earlier` or by experiments of their own.
-bool wants_earlier(const ReportSettings& settings);
-
-/// Returns the chapters of the report, in their order. A chapter on request is among them if wants_earlier(), or if `only` names it.
-std::vector<const Chapter*> chapters_of(const ReportSettings& settings);
-
-/// True if the report has the chapter and `only` does not leave it out.
+/// True if `only` does not leave the chapter out.
 bool is_asked_for(const ReportSettings& settings, std::string_view id);
 
 /// Returns name → value of every setting that shapes the results, without threads and paths, for the provenance.
 std::map<std::string, std::string> described(const ReportSettings& settings);
 
 /// Returns `ids` in the order of the report, unknown ones left out; nothing if they are all sections.
-/// @param with_earlier  all sections include the chapters on request
-std::vector<std::string> sections_in_order(const std::vector<std::string>& ids, bool with_earlier);
+std::vector<std::string> sections_in_order(const std::vector<std::string>& ids);
 
 /// Returns the values, as texts, of every setting that the answer to a question depends on, each after the number of its texts, for the key
 /// of the cache. The meshes are identified elsewhere in the key.

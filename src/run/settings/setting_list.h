@@ -43,8 +43,7 @@ template <class Settings, class Visit>
 requires std::same_as<std::remove_const_t<Settings>, ReportSettings>
 void for_each_setting(Settings& settings, Visit visit) {
     auto& [meshes, data, out, templates, page, pdf, pdf_browser, title, author, course, colormap, size, sight, threads, seed, view_files,
-           sheets_only, quick, laboratory, fail_fast, timings, earlier, time, efforts, only, questions, experiments, experiments_digest,
-           base] = settings;
+           sheets_only, quick, laboratory, fail_fast, timings, time, efforts, only, questions, base] = settings;
     visit(Setting{.table = "[render]",
                   .key = "size",
                   .flag = "--size",
@@ -73,7 +72,6 @@ void for_each_setting(Settings& settings, Visit visit) {
     visit(Setting{.flag = "--no-timings"}, timings);
     visit(Setting{.key = "seed", .shapes_answers = true, .most = largest_seed}, seed);
     visit(Setting{.key = "laboratory", .name = "laboratory", .shapes_answers = true}, laboratory);
-    visit(Setting{.key = "earlier", .name = "earlier"}, earlier);
     visit(Setting{.table = "[report]", .key = "title"}, title);
     visit(Setting{.table = "[report]", .key = "author", .flag = "--author"}, author);
     visit(Setting{.table = "[report]", .key = "course"}, course);
@@ -81,7 +79,7 @@ void for_each_setting(Settings& settings, Visit visit) {
     visit(Setting{.table = "[report]", .key = "sections", .flag = "--only", .name = "only", .choices = section_ids}, only);
     visit(Setting{.table = "[render]", .key = "colormap", .name = "colormap", .shapes_answers = true, .choices = colormap_names}, colormap);
     // Not single settings.
-    static_cast<void>(std::tie(efforts, questions, experiments, experiments_digest, base));
+    static_cast<void>(std::tie(efforts, questions, base));
 }
 
 /// Calls visit(setting, value) for each setting of a [[question]].

@@ -9,7 +9,6 @@
 #include "base/joined.h"
 #include "base/nearest_word.h"
 #include "base/number_text.h"
-#include "base/sha256.h"
 #include "output/publish/folder_system.h"
 #include "report/page/template_render.h"
 #include "report/writers.h"
@@ -41,7 +40,7 @@ public:
     Reader(const toml::table& root, ReportSettings& settings, Problems& problems) : root_(root), settings_(settings), problems_(problems) {}
 
     void read() {
-        read_table("", root_, {"report", "render", "question", "original", "experiment"});
+        read_table("", root_, {"report", "render", "question"});
         for (const std::string name : {"report", "render"}) {
             const toml::node* node = root_.get(name);
             if (node != nullptr && !node->is_table()) problems_.add(*node, name + " is not a table", "write [" + name + "]");
@@ -49,7 +48,6 @@ public:
         }
         if (const toml::node* node = root_.get("question"))
             for_each_table(*node, "question", problems_, [&](const toml::table& table) { read_question(table); });
-        settings_.experiments = read_experiments(root_, problems_);
     }
 
 private:
@@ -211,7 +209,6 @@ ReportSettings parse_settings(std::string_view text, const std::string& file, Re
     settings.questions.clear();
     settings.only.clear();
     settings.base = fs::path(file).parent_path();
-    settings.experiments_digest = sha256(text);
     if (const auto root = parsed_toml(text, file, problems)) Reader(*root, settings, problems).read();
     problems.raise();
     return settings;

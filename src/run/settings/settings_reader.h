@@ -82,10 +82,6 @@ std::optional<toml::table> parsed_toml(std::string_view text, const std::string&
 void for_each_table(const toml::node& node, const std::string& name, Problems& problems,
                     const std::function<void(const toml::table&)>& read);
 
-/// Reads the experiments of earlier reports, in the order of the file; [original] describes the meshes that they name. Errors go to
-/// `problems`.
-std::vector<Experiment> read_experiments(const toml::table& root, Problems& problems);
-
 /// Reads the values of one table. Missing and wrong values are returned as nothing; wrong ones become problems.
 class TableReader {
 public:

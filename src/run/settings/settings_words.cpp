@@ -53,7 +53,6 @@ std::map<std::string, std::string> described(const ReportSettings& settings) {
     for (const auto& [id, table] : settings.questions) for_each_setting(table, enter_as(id + " "));
     for (const auto& [id, effort] : settings.efforts)
         if (words_of(effort) != words_of(Effort{.small = settings.quick})) values[id + effort_suffix] = words_of(effort).front();
-    if (!settings.experiments.empty()) values["experiments"] = settings.experiments_digest;
     return values;
 }
 
@@ -68,8 +67,6 @@ std::vector<std::string> identity_of(const ReportSettings& settings, const std::
     for_each_setting(settings, add);
     identity.push_back(words_of(effort_of(settings, question)).front());
     for_each_setting(table_of(settings, question), add);
-    // The bundled experiments are a part of the program.
-    if (chapter_of_id(question).on_request && !settings.experiments.empty()) identity.push_back(settings.experiments_digest);
     return identity;
 }
 

@@ -87,29 +87,6 @@ TEST(SpectralStudy, WavelengthsOfTheSphere) {
     EXPECT_NEAR(wavelength(study, 9), 2 * M_PI / std::sqrt(6), 0.02);
 }
 
-TEST(SpectralStudy, RemotenessIsAboveOneForErrorsFarOut) {
-    const SpectralStudy study = spectral_study_on(ellipsoid_mesh(2, {4, 1, 1}), "cigar", {5});
-    Reconstruction r = study.reconstructions.front();
-    r.distance = study.mesh().X.rowwise().norm();
-    EXPECT_GT(remoteness_of_worst(study, r), 1.5);
-    r.distance = (-study.mesh().X.rowwise().norm().array()).matrix();
-    EXPECT_LT(remoteness_of_worst(study, r), 0.7);
-    const SpectralStudy ball = spectral_study_on(icosphere(2), "ball_remote", {5});
-    EXPECT_NEAR(remoteness_of_worst(ball, ball.reconstructions.front()), 1, 1e-9);
-}
-
-TEST(MistakeStudy, TheRightErrorEqualsThatOfTheReconstructions) {
-    const SpectralStudy study = spectral_study_on(ellipsoid_mesh(3, {1.7, 1.1, 0.6}), "egg_mistakes", {5, 15, 30});
-    const std::vector<MistakeErrors> mistakes = mistake_study(study, true);
-    for (const Reconstruction& r : study.reconstructions) {
-        const auto at = std::ranges::find(mistakes, r.k, &MistakeErrors::k);
-        ASSERT_NE(at, mistakes.end());
-        EXPECT_NEAR(at->right, r.difference.rms, 1e-12);
-        EXPECT_GT(at->unmapped, at->right);
-        EXPECT_GT(at->unweighted, 10 * at->right);
-    }
-}
-
 // A ring loses its girth with too few modes.
 TEST(LimbStudy, ThinTubesNeedTheModesAroundThem) {
     TriangleMesh mesh = torus_mesh(96, 24, 1, 0.1);

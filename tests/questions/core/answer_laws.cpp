@@ -24,12 +24,6 @@ std::string prose_of(const report::Section& section) {
         if (const auto* plot = std::get_if<report::Plot>(&block)) prose += "\n" + plot->caption + "\n" + plot->alt;
         if (const auto* map = std::get_if<report::Map>(&block)) prose += "\n" + map->caption + "\n" + map->alt;
         if (const auto* diagram = std::get_if<report::Diagram>(&block)) prose += "\n" + diagram->caption + "\n" + diagram->alt;
-        if (const auto* list = std::get_if<report::EntryList>(&block)) {
-            for (const report::Entry& entry : list->entries) {
-                prose += "\n" + report::plain(entry.title);
-                for (const report::Text& paragraph : entry.paragraphs) prose += "\n" + report::plain(paragraph);
-            }
-        }
     }
     return prose;
 }
@@ -153,13 +147,6 @@ void expect_well_formed(const Answer& answer) {
             }
         };
         if (const auto* paragraph = std::get_if<report::Paragraph>(&block)) enter_references(paragraph->text);
-        if (const auto* list = std::get_if<report::EntryList>(&block)) {
-            for (const report::Entry& entry : list->entries) {
-                enter(entry.id);
-                enter_references(entry.title);
-                for (const report::Text& text : entry.paragraphs) enter_references(text);
-            }
-        }
     }
     std::set<std::string> requested, panels;
     for (const output::FigureRequest& request : answer.figures) {

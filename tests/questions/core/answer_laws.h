@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "questions/core/chapter.h"
-#include "questions/core/experiment.h"
 #include "shared_meshes.h"
 
 namespace meshfolio::testing_tools {

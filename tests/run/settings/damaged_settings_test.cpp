@@ -24,16 +24,6 @@ id = "q4"
 mesh = ["torus"]
 lambda = 1e-3
 output = "modes"
-[original]
-cow = { stand_in = "creature.obj" }
-[[experiment]]
-row = 29
-from = "S"
-name = 'n'
-kind = "smoothing"
-mesh = "cow"
-lambda = 1e-3
-iterations = 4
 )";
     EXPECT_NO_THROW(parse_settings(text, "s.toml"));
     int refused = 0;

@@ -193,12 +193,9 @@ TEST(ReportSettings, InputsOfSettingsInTheFolderThatIsReplacedAreRefused) {
         }
         return false;
     };
-    const std::string experiment =
-        "[[experiment]]\nrow = 7\nfrom = \"S0\"\nname = \"x\"\nkind = \"smoothing\"\nmesh = \"mine\"\nlambda = 1\niterations = 1";
     EXPECT_FALSE(refused("[[question]]\nid = \"q5\"\nmesh = \"my.obj\""));
     EXPECT_TRUE(refused("[[question]]\nid = \"q5\"\nmesh = \"out/my.obj\""));
     EXPECT_TRUE(refused("[report]\ntemplate = \"out/page.html\""));
-    EXPECT_TRUE(refused("[original]\nmine = { file = \"out/my.obj\", stand_in = \"torus.obj\" }\n" + experiment));
     flags.config = (out / "my.toml").string();
     write_file(flags.config, "");
     EXPECT_THROW(report_settings(flags), UsageError);

@@ -175,15 +175,6 @@ std::vector<Rule> rules() {
         {"no template", "[report]\ntemplate = \"none.html\"", {"2: [report] template cannot be read: none.html: cannot open the file"}},
         {"folder for a template", "[report]\ntemplate = \"/\"", {"2: [report] template cannot be read: /: is a folder"}},
         {"template with NUL", "[report]\ntemplate = \"/etc/passwd\\u0000x\"", {"2: [report] template cannot be read: "}},
-        // experiments
-        {"words of an experiment",
-         "[[experiment]]\nrow = 7\nfrom = \"S\"\nname = \"n\"\nkind = \"forms\"\narea = [\"voronoy\", \"mixd\"]\n",
-         {"6: [[experiment]] area: 'voronoy' is unknown; did you mean 'voronoi'?",
-          "6: [[experiment]] area: 'mixd' is unknown; did you mean 'mixed'?", "6: [[experiment]] area has no meaning for kind 'forms'"}},
-        {"[experiment]",
-         "[experiment]\nrow = 7",
-         {"1: experiment is not a list of tables", "1: [[experiment]] has no from", "1: [[experiment]] has no name",
-          "1: [[experiment]] has no kind"}},
         // TOML itself
         {"same key twice", "seed = 1\nseed = 2", {"2: "}},
         {"no value", "seed = 1\nthreads = \n", {"2: "}},
