@@ -1,28 +1,29 @@
 -- Draws and measures meshes in documents of Pandoc (2.17 and later) and Quarto, by the program meshfolio:
 --   pandoc --lua-filter meshfolio.lua scan.md -o scan.html
 --
--- ```{.meshfolio #fig-h caption="Mean curvature" echo=true}     One command a line; quotes as in a shell, but no shell and no variables.
--- render scan.ply --field h-cotan                               A command yields a figure, a table, or a file for later blocks.
+-- ```{.meshfolio #fig-h caption="Mean curvature"}     Lines are commands of the program, with quotes as in a shell, but run by no shell.
+-- render scan.ply --field h-cotan                     Each yields a figure, a table, or a file for later blocks in <document>_files.
 -- ```
--- The scan has `inspect scan.ply boundary_loops`{.meshfolio} holes and a volume of `inspect scan.ply volume`{.meshfolio digits=3}.
+-- @fig-h shows the `inspect scan.ply boundary_loops`{.meshfolio} holes; the volume is `inspect scan.ply volume`{.meshfolio digits=3}.
 --
--- Outputs are in <document>_files. A command runs again only if it, its inputs or the program changed (SHA-1, as Pandoc has no SHA-256).
+-- A command runs again only if it, the contents of its inputs, or the program changed (SHA-1; Pandoc computes no SHA-256).
 local COMMANDS = "render inspect curvature spectrum smooth noise compare sample show"
 local FLAGS = "json jets rebuild adaptive surfaces terminal edges plain list keep-reached h help"   -- options without a value
 local WRITES = "o output out csv ply plot glb vectors html junit"                                     -- options that name outputs
 local READS = "values colormap trace"                                                                 -- options that may name inputs
-local FILTER_KEYS = "meshes data errors allow-outside echo digits rows size"   -- keys of the metadata; all others are options of render
-local WHOLE_TABLE, DIGITS = 40, 4                                              -- rows and digits that are shown unless rows= and digits= say others
+local FILTER_KEYS = "meshes data errors allow-outside echo digits rows size"   -- of the metadata; other keys are options of render
+local MOST_ROWS, DIGITS = 40, 4                                                -- of a table, of a number, unless rows= and digits= are given
 local stringify, join, sha1 = pandoc.utils.stringify, pandoc.path.join, pandoc.utils.sha1
-local program = os.getenv("MESHFOLIO") or "meshfolio"   -- not from the document, which could name any other
+local program = os.getenv("MESHFOLIO") or "meshfolio"   -- never from the document, which could name any program
 local document = quarto and quarto.doc.input_file or PANDOC_STATE.input_files[1] or "document.md"
-local folder = pandoc.path.directory(document)
-local function below(root, name) return root == "." and name or join{root, name} end
-local files = below(folder, pandoc.path.split_extension(pandoc.path.filename(document)) .. "_files")
-local is_latex = FORMAT == "latex" or FORMAT == "beamer"
-local settings, sources, digests, real_paths, identity = {meshes = {}, render = {}}, {}, {}, {}, nil
+local folder, is_latex = pandoc.path.directory(document), FORMAT == "latex" or FORMAT == "beamer"
+local settings, render_options, meshes, sources, digests, checked, numbers, identity = {}, {}, {}, {}, {}, {}, {}, nil
 
+local function below(root, name) return (root == "." or pandoc.path.is_absolute(name)) and name or join{root, name} end
+local files = below(folder, pandoc.path.split_extension(pandoc.path.filename(document)) .. "_files")
 local function has(words, word) return (" " .. words .. " "):find(" " .. word .. " ", 1, true) ~= nil end
+local function option_of(element, name) return element.attributes[name] or settings[name] end
+local function refuse(message, line) error({message = message, line = line}, 0) end
 
 local function contents(path)
   local file = io.open(path, "rb")
@@ -31,90 +32,76 @@ local function contents(path)
   return text
 end
 
---- Gives up a block, because of the line `line` of its text, counted from 0.
-local function refuse(message, line) error({message = message, line = line}, 0) end
-
---- Splits a text into commands {words…, line=, text=}, with the quotes of a POSIX shell and none of its other powers.
+--- Splits a text into commands {words…, text=, line= from 0}, with the quotes and escapes of a POSIX shell and none of its other powers.
 local function commands_of(text)
-  local commands, command, word, at, line = {}, {line = 0, first = 1}, nil, 1, 0
-  local function end_word()
-    if word then table.insert(command, word) end
-    word = nil
-  end
-  local function end_command(last)
-    end_word()
-    command.text = text:sub(command.first, last)
-    if #command > 0 then table.insert(commands, command) end
-    command = {line = line, first = last + 2}
-  end
+  local commands, command, word, at = {}, nil, nil, 1
+  local function line() return select(2, text:sub(1, at):gsub("\n", "")) end
+  text = text .. "\n"
   while at <= #text do
     local char, last = text:sub(at, at), at
-    local following = text:sub(at + 1, at + 1)
-    if char == "\n" then
-      line = line + 1
-      end_command(at - 1)
-    elseif char == "#" and #command == 0 and not word then
-      last = (text:find("\n", at, true) or #text + 1) - 1
-    elseif char:match("%s") then
-      end_word()
-    elseif char == "'" or char == '"' then
-      last = at + 1
-      while text:sub(last, last) ~= char do
-        if last > #text then refuse("the quote " .. char .. " is not closed; close it", command.line) end
-        last = last + (char == '"' and text:sub(last, last) == "\\" and 2 or 1)
+    if char:match("%s") then
+      if word then table.insert(command, word) end
+      word = nil
+      if char == "\n" and command then
+        command.text = text:sub(command.first, at - 1)
+        table.insert(commands, command)
+        command = nil
       end
-      local inner = text:sub(at + 1, last - 1)
-      line = line + select(2, inner:gsub("\n", ""))
-      word = (word or "") .. (char == "'" and inner or inner:gsub("\\\n", ""):gsub('\\([\\"$`])', "%1"))
-    elseif char == "\\" then
+    elseif text:match("^\\\n", at) then
       last = at + 1
-      if following == "\n" then line = line + 1 else word = (word or "") .. following end
-    elseif char:match("[;|&`]") or (char:match("[<>]") and not word) then
-      refuse("'" .. char .. "' means nothing without a shell; write one command a line, or quote it as part of a name", line)
+    elseif char == "#" and not command then
+      last = text:find("\n", at, true) - 1
+    elseif char:match("[;|&`]") or char:match("[<>]") and not word then
+      refuse("'" .. char .. "' means nothing without a shell; write one command a line, or quote it as part of a name", line())
     else
-      word = (word or "") .. char
+      command, word = command or {line = line(), first = at}, word or ""
+      if char == "'" or char == '"' then
+        last = at + 1
+        while text:sub(last, last) ~= char do
+          if last > #text then refuse("a quote " .. char .. " is not closed; close it", line()) end
+          last = last + (char == '"' and text:sub(last, last) == "\\" and 2 or 1)
+        end
+        local inner = text:sub(at + 1, last - 1)
+        char = char == "'" and inner or inner:gsub("\\\n", ""):gsub('\\([\\"$`])', "%1")
+      elseif char == "\\" then
+        last, char = at + 1, text:sub(at + 1, at + 1)
+      end
+      word = word .. char
     end
     at = last + 1
   end
-  end_command(#text)
   return commands
 end
 
---- Returns the absolute path without symbolic links; the path itself where the system has no such readlink.
+--- Returns the path without symbolic links; the path itself where the system has no such readlink.
 local function real(path)
-  if not real_paths[path] then
-    local ok, out = pcall(pandoc.pipe, "readlink", {"-m", "--", path}, "")
-    real_paths[path] = ok and out:gsub("\n$", "") or path
-  end
-  return real_paths[path]
+  local ok, out = pcall(pandoc.pipe, "readlink", {"-m", "--", path}, "")
+  return ok and out:gsub("\n$", "") or path
 end
 
-local function leaves(name)
-  return pandoc.path.is_absolute(name) or ("/" .. name:gsub("\\", "/") .. "/"):find("/../", 1, true) ~= nil
-end
+local function leaves(name) return pandoc.path.is_absolute(name) or ("/" .. name:gsub("\\", "/") .. "/"):find("/../", 1, true) end
 
---- Returns the path of a name in a folder. Refuses names that leave it, also by a symbolic link, unless the metadata allows it.
+--- Returns the path of a name in a folder. Refuses a name that leaves it, also by a symbolic link, unless the metadata allows that.
 local function inside(root, name)
-  local path = pandoc.path.is_absolute(name) and name or below(root, name)
-  if settings.anywhere then return path end
-  if leaves(name) or (contents(path) or root == files) and real(path):find(real(root):gsub("/$", "") .. "/", 1, true) ~= 1 then
-    refuse("'" .. name .. "' leads out of " .. root .. "; use files inside it, or set allow-outside in the metadata")
+  local path = below(root, name)
+  if checked[path] or settings["allow-outside"] == "true" then return path end
+  if leaves(name) or (root == files or contents(path)) and real(path):find(real(root):gsub("/$", "") .. "/", 1, true) ~= 1 then
+    refuse("'" .. name .. "' leads out of '" .. root .. "'; use files in there, or set allow-outside in the metadata")
   end
+  checked[path] = contents(path) ~= nil
   return path
 end
 
---- Returns the SHA-1 of a file, or of the results in the folder of a report; nil if there is none.
+--- Returns the digest of a file, or of the results in the folder of a report; nil if there is none.
 local function digest(path)
-  if not digests[path] then
-    local bytes = contents(path) or contents(join{path, "results.json"})
-    digests[path] = bytes and sha1(bytes)
-  end
+  local bytes = not digests[path] and (contents(path) or contents(join{path, "results.json"}))
+  if bytes then digests[path] = sha1(bytes) end
   return digests[path]
 end
 
---- Returns the path of an input: the first name and folder that has it.
+--- Returns the path of an input: the first of its names in the first folder that has it.
 local function input(name)
-  for _, known in ipairs(settings.meshes[name] or {name}) do
+  for _, known in ipairs(meshes[name] or {name}) do
     for _, root in ipairs(settings.folders) do
       local path = inside(root, known)
       if digest(path) then return path end
@@ -122,300 +109,230 @@ local function input(name)
   end
 end
 
---- Returns the words of a command as {option=, value=}, without option for those that stand alone.
-local function arguments_of(command)
-  local arguments, at = {}, 2
-  while at <= #command do
-    local word = command[at]
-    local option, value = word:match("^%-%-([%w-]+)=(.*)$")
-    if not option then
-      option = word:match("^%-%-([%w-]+)$") or word:match("^%-(%a)")
-      value = word:match("^%-%a(.+)$")
-      if not option then value = word elseif not value and not has(FLAGS, option) then at, value = at + 1, command[at + 1] end
-    end
-    table.insert(arguments, {option = option, value = value})
-    at = at + 1
-  end
-  return arguments
-end
-
---- Returns the words for the program, in which inputs and outputs are paths, the outputs, and the digests of the inputs.
+--- Returns the words for the program, with paths of inputs and outputs; the digests of inputs; the outputs; the set of options.
 local function prepare(command)
-  local name, words, outputs, key, given = command[1], {command[1]}, {}, {}, {}
-  local files_left = (name == "render" or name == "compare") and math.huge or name == "sample" and 0 or 1
-  local function path_of(option, value)
+  local name, words, inputs, outputs, given, at = command[1], {command[1]}, {}, {}, {}, 2
+  local inputs_left = has("render compare", name) and math.huge or name == "sample" and 0 or 1   -- words without option that name inputs
+  if not has(COMMANDS, name) then refuse("'" .. name .. "' cannot be run here; the commands are " .. COMMANDS:gsub(" ", ", ")) end
+  local function translated(option, value)
     local file, column = value, ""
-    if option == "values" then file, column = value:match("^(.-)(:?[^:]*)$") end
+    if option == "values" and value:find(":") then file, column = value:match("^(.*)(:.*)$") end
     if option and has(WRITES, option) and value ~= "-" then
       table.insert(outputs, inside(files, value))
       return outputs[#outputs]
-    elseif option and has(READS, option) or not option and files_left > 0 then
+    elseif option and has(READS, option) or not option and inputs_left > 0 then
       local path = input(file)
-      files_left = files_left - (option and 0 or 1)
-      if path then table.insert(key, digest(path)) return path .. column end
-      if not option then refuse("no file '" .. file .. "' in " .. table.concat(settings.folders, ", ") .. "; check its name") end
+      if path then table.insert(inputs, digest(path)) end
+      inputs_left = inputs_left - (option and 0 or 1)
+      if path or not option then
+        return (path or refuse("there is no '" .. file .. "' in " .. table.concat(settings.folders, ", ") .. "; check its name")) .. column
+      end
     end
-    if option ~= "title" and leaves(value) then refuse("'" .. value .. "' is a path, which --" .. (option or "") .. " cannot have here") end
-    return value
+    return (option == "title" or not leaves(value)) and value or refuse("'" .. value .. "' is a path where none may be; take it out")
   end
-  for _, argument in ipairs(arguments_of(command)) do
-    local option, value = argument.option, argument.value and path_of(argument.option, argument.value)
+  while at <= #command do
+    local option, value = command[at]:match("^%-%-([%w-]+)=?(.*)$")
+    if not option then option, value = command[at]:match("^%-(%a)(.*)$") end
+    if option and value == "" and not has(FLAGS, option) then at, value = at + 1, command[at + 1] or "" end
     given[option or ""] = true
-    if option and #option > 1 then table.insert(words, "--" .. option .. (value and "=" .. value or ""))
-    elseif option then table.insert(words, "-" .. option) end
-    if value and not (option and #option > 1) then table.insert(words, value) end
+    local dashes = not option and "" or #option > 1 and "--" .. option .. (value ~= "" and "=" or "") or "-" .. option
+    value = translated(option, option and value or command[at])
+    table.insert(words, dashes .. value)
+    at = at + 1
   end
   given.o = given.o or given.output
-  if name == "sample" and not given.o then refuse("sample needs -o FILE; name the mesh") end
-  if given.reconstruct and not given.out then refuse("--reconstruct needs --out FOLDER; name one") end
-  if name == "render" and not given.out then
-    for _, option in ipairs(settings.render) do
-      if not given[option.name] then table.insert(words, option.word) end
-    end
-  end
-  return words, outputs, key, name == "render" and not given.o and not given.out
+  if name == "sample" and not given.o or given.reconstruct and not given.out then refuse("name the output by -o or --out") end
+  return words, inputs, outputs, given
 end
 
-local function make_folder(path)
-  if pandoc.system.make_directory then pandoc.system.make_directory(path, true) else pandoc.pipe("mkdir", {"-p", "--", path}, "") end
-end
-
+--- Runs the program. Returns true and what it printed, or false and the reason.
 local function call(words)
-  local environment = pandoc.system.environment()
+  local environment, ok, printed = pandoc.system.environment(), nil, nil
   environment.MESHFOLIO_ERRORS = "stdout"   -- Pandoc gives no standard error
-  local ok, printed
   pandoc.system.with_environment(environment, function() ok, printed = pcall(pandoc.pipe, program, words, "") end)
-  return ok, printed
+  return ok, ok and printed or type(printed) == "table" and printed.output:gsub("^meshfolio: ", ""):gsub("\n$", "") or tostring(printed)
 end
 
---- Runs a command, or takes its result from the cache. Returns what it printed, and its outputs.
+--- Runs a command unless its result is in the cache. Returns what it printed, and its outputs. @param stem  of the name of a figure
 local function run(command, stem)
-  if not has(COMMANDS, command[1]) then refuse("'" .. command[1] .. "' cannot be run here; the commands are " .. COMMANDS:gsub(" ", ", ")) end
+  local words, inputs, outputs, given = prepare(command)
+  local draws = command[1] == "render" and not given.out
+  for _, option in ipairs(draws and render_options or {}) do
+    if not given[option.name] then table.insert(words, option.word) end
+  end
   if not identity then
     local ok, version = call{"version", "--build"}
-    if not ok then refuse("the program '" .. program .. "' cannot be run; install it, or name it in the variable MESHFOLIO") end
-    identity = version
+    identity = ok and version or refuse("the program '" .. program .. "' does not run; install it, or name it in the variable MESHFOLIO")
   end
-  local words, outputs, inputs, makes_figure = prepare(command)
-  local said = identity .. table.concat(inputs, " ") .. "\n" .. table.concat(words, "\0")
-  if makes_figure then
-    table.insert(outputs, join{files, (stem or "render-" .. sha1(said):sub(1, 10)) .. (is_latex and ".pdf" or ".png")})
-    table.insert(words, "-o")
-    table.insert(words, outputs[#outputs])
+  local key = identity .. table.concat(inputs, " ") .. "\0" .. table.concat(words, "\0")
+  if draws and not given.o then
+    table.insert(outputs, join{files, (stem or "render-" .. sha1(key):sub(1, 10)) .. (is_latex and ".pdf" or ".png")})
+    table.insert(words, "--output=" .. outputs[#outputs])
   end
-  local record = join{files, "cache", sha1(said .. "\0" .. table.concat(outputs, "\0"))}
-  local function digests_of_outputs()
+  local function state()   -- of the outputs
     local all = {}
-    for i, path in ipairs(outputs) do
-      digests[path] = nil
-      all[i] = digest(path) or "none"
-    end
+    for i, path in ipairs(outputs) do all[i] = digest(path) or "none" end
     return table.concat(all, " ") .. "\n"
   end
-  local kept, made = contents(record), digests_of_outputs()
-  if kept and kept:sub(1, #made) == made then return kept:sub(#made + 1), outputs end
-  make_folder(join{files, "cache"})
-  for _, path in ipairs(outputs) do make_folder(pandoc.path.directory(path)) end
-  local ok, printed = call(words)
-  if not ok then
-    refuse(type(printed) == "table" and printed.output ~= "" and printed.output:gsub("^meshfolio: ", ""):gsub("\n$", "") or "the command failed: " .. tostring(printed))
+  local record = join{files, "cache", sha1(key .. "\0" .. table.concat(outputs, "\0"))}
+  local kept, now = contents(record) or "", state()
+  if kept:sub(1, #now) == now then return kept:sub(#now + 1), outputs end
+  for _, path in ipairs{record, table.unpack(outputs)} do
+    local parent = pandoc.path.directory(path)
+    if pandoc.system.make_directory then pandoc.system.make_directory(parent, true) else pandoc.pipe("mkdir", {"-p", "--", parent}, "") end
   end
+  local ok, printed = call(words)
   digests = {}
+  if not ok then refuse(printed) end
   local file = io.open(record, "wb")
-  file:write(digests_of_outputs(), printed)
+  file:write(state(), printed)
   file:close()
   return printed, outputs
 end
 
---- Returns a number in the form that people read, or nil for other words and for whole numbers of which no digits are asked.
-local function rounded(word, digits)
-  local value = not word:find("[xXnN]") and tonumber(word)
-  if not value then return nil end
-  if word:match("^%-?%d+$") and not digits then return (word:gsub("-", "−")) end
-  local text = string.format("%." .. math.max(1, math.min(tonumber(digits) or DIGITS, 17)) .. "g", value)
-  local mantissa, exponent = text:match("^(.-)e(.*)$")
-  if exponent and tonumber(exponent) > 0 and tonumber(exponent) < 7 then text, exponent = string.format("%.0f", tonumber(text)), nil end
-  if not exponent then return (text:gsub("-", "−")) end
-  return (mantissa:gsub("-", "−")) .. " × 10", (tostring(math.tointeger(tonumber(exponent))):gsub("-", "−"))
+--- Returns a filter that rounds numbers for people, whole ones only if digits are given.
+local function rounding(element)
+  local digits = tonumber(option_of(element, "digits"))
+  return {Str = function(str)
+    local open, number, close = str.text:match("^(%(?)([-+]?[%d.]+[eE]?[-+]?%d*)([,;)]*)$")
+    if not tonumber(number) or not (digits or number:find("[.eE]")) then return nil end
+    local shown = string.format("%." .. (digits or DIGITS) .. "g", number)
+    local mantissa, power = shown:match("^(.*)e(.*)$")
+    power = math.tointeger(power)
+    if power and power > 0 and power < 7 then shown, power = string.format("%.0f", shown), nil end
+    shown = open .. (power and mantissa .. " × 10" or shown):gsub("-", "−")
+    return power and {pandoc.Str(shown), pandoc.Superscript(tostring(power):gsub("-", "−")), pandoc.Str(close)} or pandoc.Str(shown .. close)
+  end}
 end
 
---- Returns words as inlines, numbers rounded.
-local function inlines_of(text, digits)
-  local inlines = pandoc.List()
-  for word in text:gmatch("%S+") do
-    local number, exponent = rounded(word, digits)
-    if #inlines > 0 then inlines:insert(pandoc.Space()) end
-    inlines:insert(pandoc.Str(number or word))
-    if exponent then inlines:insert(pandoc.Superscript(exponent)) end
-  end
-  return inlines
-end
-
---- Returns rows of texts as a table. Columns of numbers are aligned to the right, long lines wrapped.
-local function table_of(head, rows, options)
-  local aligns, widths, longest, total = {}, {}, {}, 0
-  local limit, cells = tonumber(options.rows) or WHOLE_TABLE, {}
-  for i, row in ipairs(rows) do
-    if i > limit then table.insert(cells, {{pandoc.Plain{pandoc.Str("… " .. #rows - limit .. " more")}}}) break end
-    cells[i] = {}
-    for j, text in ipairs(row) do
-      cells[i][j] = {pandoc.Plain(inlines_of(text, options.digits))}
-      longest[j] = math.max(longest[j] or 1, #stringify(cells[i][j]))
-      aligns[j] = (text == "" or rounded(text)) and (aligns[j] or "AlignRight") or "AlignLeft"
+--- Returns CSV as a table. Columns of numbers are aligned to the right, long lines wrapped.
+local function table_of(csv, has_head, element)
+  local simple = pandoc.utils.to_simple_table(pandoc.walk_block(pandoc.read(csv, "csv").blocks[1], rounding(element)))
+  local most, all, total, widths = tonumber(option_of(element, "rows")) or MOST_ROWS, #simple.rows, 0, {}
+  for i = all, most + 1, -1 do simple.rows[i] = nil end
+  for j, title in ipairs(simple.header) do
+    local numeric
+    title = stringify(title):gsub("_", " ")
+    widths[j] = #title
+    for _, row in ipairs(simple.rows) do
+      local text = stringify(row[j])
+      widths[j] = math.max(widths[j], utf8.len(text))
+      numeric = numeric ~= false and text:match("^[%d.,()%s−×]*$") ~= nil
     end
+    simple.header[j], simple.aligns[j], total = {pandoc.Plain(title)}, numeric and "AlignRight" or "AlignLeft", total + widths[j]
   end
-  for j = 1, #longest do
-    local title = head and (head[j] or ""):gsub("_", " ") or ""
-    longest[j], total = math.max(longest[j], #title), total + math.max(longest[j], #title)
-    if head then head[j] = {pandoc.Plain(inlines_of(title))} end
-  end
-  for j = 1, #longest do widths[j] = total > 80 and longest[j] / total or 0 end
-  for _, row in ipairs(cells) do
-    for j = #row + 1, #longest do row[j] = {} end
-  end
-  return pandoc.utils.from_simple_table(pandoc.SimpleTable({}, aligns, widths, head or {}, cells))
+  for j, width in ipairs(widths) do simple.widths[j] = total > 80 and width / total or 0 end
+  if not has_head then simple.header = {} end
+  return {pandoc.utils.from_simple_table(simple), all > most and pandoc.Para("… and " .. all - most .. " more rows") or nil}
 end
 
---- Returns what a command printed as blocks: CSV and columns parted by two blanks as tables, other lines as paragraphs.
-local function blocks_of(text, options)
-  local blocks, rows = pandoc.List(), {}
-  if text:match("^[^\n]-,[^\n]*\n") and not text:match("^[^\n]*  ") then
-    local csv = pandoc.utils.to_simple_table(pandoc.read(text, "csv").blocks[1])
-    local function texts(cells)
-      local row = {}
-      for i, cell in ipairs(cells) do row[i] = stringify(cell) end
-      return row
-    end
-    for i, row in ipairs(csv.rows) do rows[i] = texts(row) end
-    return pandoc.List{table_of(texts(csv.header), rows, options)}
-  end
-  local function end_table()
-    if #rows > 0 then blocks:insert(table_of(nil, rows, options)) end
-    rows = {}
-  end
-  for line in text:gmatch("[^\n]+") do
-    local row = {}
-    for cell in (line .. "  "):gmatch("(.-)%s%s+") do table.insert(row, cell) end
-    if #row > 1 then
-      row[1] = row[1]:gsub("_", " ")
-      table.insert(rows, row)
+--- Returns what a command printed as blocks: CSV, and columns parted by two blanks, as tables; other lines as paragraphs.
+local function blocks_of(text, element)
+  if text:match("^[^\n]*,[^ \n]*\n") then return table_of(text, true, element) end
+  local blocks, csv = pandoc.List(), ""
+  for line in (text .. "\n"):gmatch("(.-)\n") do
+    local cells = line:gsub('"', '""'):gsub("%s%s+", '","')
+    if cells:find('","', 1, true) then
+      csv = csv .. '"' .. cells:gsub("^[^,]*", function(name) return (name:gsub("_", " ")) end) .. '"\n'
     else
-      end_table()
-      blocks:insert(pandoc.Para(inlines_of(line, options.digits)))
+      if csv ~= "" then blocks:extend(table_of('"","",""\n' .. csv, false, element)) end
+      if line ~= "" then blocks:insert(pandoc.walk_block(pandoc.Para(line), rounding(element))) end
+      csv = ""
     end
   end
-  end_table()
   return blocks
 end
 
---- Returns an image of a file for the document that is written, whose pictures may have to be named from its own folder.
-local function image_of(path, caption, attributes)
-  local shown, written = path, pandoc.path.directory(PANDOC_STATE.output_file or "x")
+--- Returns an image, named from the folder of the document that is written. In pages it is as wide as the file says.
+local function image_of(path, caption, given)
+  local written, shown, width = pandoc.path.directory(PANDOC_STATE.output_file or "x"), path, given.width
   if written ~= "." and not is_latex then
     shown = pandoc.path.make_relative(path, written, true)
     pandoc.mediabag.insert(shown, nil, contents(path))   -- for writers that embed pictures
   end
-  local bytes = FORMAT:match("html") and path:match("%.png$") and not attributes.width and contents(path) or ""
+  local bytes = FORMAT:match("html") and path:match("%.png$") and contents(path) or ""
   local per_metre = bytes:match("pHYs(....)")
-  if per_metre then
-    local pixels = (">I4"):unpack(bytes, 17)
-    attributes.width = string.format("%.0fmm", pixels / (">I4"):unpack(per_metre) * 1000)
-  end
-  return pandoc.Image(caption, shown, "", pandoc.Attr("", {}, attributes))
+  if per_metre and not width then width = math.floor((">I4"):unpack(bytes, 17) / (">I4"):unpack(per_metre) * 1000 + 0.5) .. "mm" end
+  return pandoc.Image(caption, shown, "", {"", {}, {width = width, height = given.height, alt = given.alt}})
 end
 
---- Returns the figure of a block: an image or several above one caption.
+--- Returns the figure of a block: an image, or several above one caption.
 local function figure_of(paths, block, caption)
-  local images = pandoc.List()
-  for _, path in ipairs(paths) do
-    local attributes = {width = block.attributes.width, height = block.attributes.height, alt = block.attributes.alt}
-    images:insert(image_of(path, #paths == 1 and #caption > 0 and caption or inlines_of(attributes.alt or block.text), attributes))
+  local id, single, images = block.identifier, #paths == 1, pandoc.List()
+  for i, path in ipairs(paths) do
+    images[i] = image_of(path, single and #caption > 0 and caption or block.attributes.alt or block.text, block.attributes)
   end
-  if #caption == 0 then return pandoc.Div({pandoc.Para(images)}, {block.identifier}) end
-  if pandoc.Figure then return pandoc.Figure({pandoc.Plain(images)}, {long = {pandoc.Plain(caption)}}, {block.identifier}) end
-  if #paths == 1 then
-    images[1].title, images[1].identifier = "fig:", block.identifier
+  if #caption == 0 then return pandoc.Div({pandoc.Para(images)}, {id}) end
+  if pandoc.Figure then return pandoc.Figure({pandoc.Plain(images)}, {long = {pandoc.Plain(caption)}}, {id}) end
+  if single then
+    images[1].title, images[1].identifier = "fig:", id   -- a figure of Pandoc 2
     return pandoc.Para(images)
+  elseif is_latex then
+    local function raw(text) return pandoc.List{pandoc.RawInline("latex", text)} end
+    return pandoc.Para(raw("\\begin{figure}\n\\centering\n") .. images .. raw("\n\\caption{") .. caption .. raw("}\\label{" .. id .. "}\n\\end{figure}"))
   end
-  if not is_latex then return pandoc.Div({pandoc.Para(images), pandoc.Para(caption)}, {block.identifier, {"figure"}}) end
-  local function raw(text) return pandoc.RawInline("latex", text) end
-  images:insert(1, raw("\\begin{figure}\n\\centering\n"))
-  images:insert(raw("\n\\caption{"))
-  images:extend(caption)
-  images:insert(raw("}\\label{" .. block.identifier .. "}\n\\end{figure}"))
-  return pandoc.Para(images)
+  return pandoc.Div({pandoc.Para(images), pandoc.Para(caption)}, {id, {"figure"}})
 end
 
---- Returns "scan.md:12" for a line of a text of the document, which is searched from the last find on.
-local function place(text, line)
-  local name = document
-  for _, source in ipairs(sources) do
-    local first = source.text:find(text, source.from, true) or source.text:find(text, 1, true)
-    if first then
-      source.from = first + 1
-      return source.name .. ":" .. select(2, source.text:sub(1, first - 1):gsub("\n", "")) + 1 + (line or 0)
+--- Returns the blocks that the commands of a block yield.
+local function yield(block)
+  local blocks, pictures, echo = pandoc.List(), {}, {}
+  local caption = pandoc.utils.blocks_to_inlines(pandoc.read(block.attributes.caption or "", "markdown").blocks)
+  local kind, number = block.identifier:match("^%a+"), numbers[block.identifier]
+  if number and not is_latex then caption = pandoc.List{pandoc.Str(number .. ":"), pandoc.Space()} .. caption end
+  for _, command in ipairs(commands_of(block.text)) do
+    local stem = block.identifier ~= "" and block.identifier:gsub("[^%w_-]", "-") .. (#pictures > 0 and "-" .. #pictures + 1 or "")
+    local ok, printed, outputs = pcall(run, command, stem)
+    if not ok then error(type(printed) == "table" and {message = printed.message, line = command.line} or printed, 0) end
+    table.insert(echo, "meshfolio " .. command.text)
+    local named = printed:match("([^\n]+)\n$") or ""   -- a picture that `show` names, or the sheet of `render --out`
+    if named:match("%.[ps][nvd][gf]$") and contents(named) then
+      printed = ""
+      if named ~= outputs[#outputs] then outputs = {named} end
     end
+    for _, path in ipairs(outputs) do
+      if path:match("%.[ps][nvd][gf]$") then table.insert(pictures, path) end
+    end
+    blocks:extend(blocks_of(printed, block))
   end
-  local top = text:match("^%s*([^\n]+)\n")
-  return top and place(top, line) or document
+  if #pictures > 0 then
+    blocks:insert(figure_of(pictures, block, caption))
+  elseif #blocks > 0 then
+    if blocks[1].t == "Table" and #caption > 0 and not quarto then
+      if is_latex then caption:insert(pandoc.RawInline("latex", "\\label{" .. block.identifier .. "}")) end
+      blocks[1].caption.long = {pandoc.Plain(caption)}
+    elseif #caption > 0 then
+      blocks:insert(pandoc.Para(caption))
+    end
+    blocks = pandoc.List{pandoc.Div(blocks, {block.identifier})}
+  end
+  if option_of(block, "echo") == "true" then blocks:insert(1, pandoc.CodeBlock(table.concat(echo, "\n"), {"", {"sh"}})) end
+  return blocks
 end
 
---- Returns work(), or nil and the message of a failure with its place, if failures are shown; else ends Pandoc.
+--- Returns work(element), or nil and the message of its failure with file and line. Ends Pandoc unless failures are shown.
 local function attempt(element, work)
-  local here = place(element.text, 0)
-  local ok, result = pcall(work)
-  if ok then return result end
-  if type(result) ~= "table" then error(result, 0) end
-  local file, first = here:match("^(.*):(%d+)$")
-  local message = (file and file .. ":" .. math.tointeger(first) + (result.line or 0) or here) .. ": " .. result.message
-  if (element.attributes.errors or settings.errors) == "show" then return nil, message end
+  local file, line = document, nil
+  for _, source in ipairs(sources) do
+    local text, first = element.text, element.text:match("%S[^\n]*") or " "
+    local at = source.text:find(text, source.from, true) or source.text:find(text, 1, true) or source.text:find(first, source.from, true)
+    if at and not line then file, line, source.from = source.name, select(2, source.text:sub(1, at):gsub("\n", "")) + 1, at + 1 end
+  end
+  local ok, result = pcall(work, element)
+  if ok then return result elseif type(result) ~= "table" then error(result, 0) end
+  local message = file .. (line and ":" .. math.tointeger(line + (result.line or 0)) or "") .. ": " .. result.message
+  if option_of(element, "errors") == "show" then return nil, message end
   io.stderr:write("meshfolio: ", message, "\n")
   os.exit(83)
 end
 
-local function error_box(message)
-  local text = pandoc.Strong{pandoc.Str(message)}
-  local lines = pandoc.Para(is_latex and {pandoc.RawInline("latex", "{\\color{red}"), text, pandoc.RawInline("latex", "}")} or {text})
-  return pandoc.Div({lines}, {"", {"meshfolio-error"}, {style = "border: 2px solid #b00020; color: #b00020; padding: 0.3em 0.8em"}})
-end
-
-local function block_of(block)
-  local options, blocks, pictures, echo = block.attributes, pandoc.List(), {}, {}
-  local caption = pandoc.utils.blocks_to_inlines(pandoc.read(options.caption or "", "markdown").blocks)
-  for _, command in ipairs(commands_of(block.text)) do
-    local stem = block.identifier ~= "" and block.identifier:gsub("[^%w_-]", "-") .. (#pictures > 0 and "-" .. #pictures + 1 or "")
-    local ok, printed, outputs = pcall(run, command, stem)
-    if not ok then
-      if type(printed) == "table" then printed.line = printed.line or command.line end
-      error(printed, 0)
-    end
-    table.insert(echo, "meshfolio " .. command.text)
-    local seen = #pictures
-    for _, path in ipairs(outputs) do
-      printed = ("\n" .. printed):gsub("\n" .. path:gsub("%p", "%%%0") .. "\n", "\n"):gsub("^\n", "")
-      if path:match("%.png$") or path:match("%.svg$") or path:match("%.pdf$") then table.insert(pictures, path) end
-    end
-    local last = printed:match("([^\n]+)\n$")
-    if last and last:match("%.[ps][nvd][gf]$") and contents(last) then
-      table.insert(pictures, last)
-    else
-      blocks:extend(blocks_of(printed, options))
-    end
-  end
-  if #pictures > 0 then
-    blocks:insert(figure_of(pictures, block, caption))
-  elseif #blocks > 0 and blocks[1].t == "Table" then
-    if quarto then blocks:insert(pandoc.Para(caption)) else blocks[1].caption.long = {pandoc.Plain(caption)} end
-    blocks = {pandoc.Div(blocks, {block.identifier})}
-  end
-  if (options.echo or tostring(settings.echo)) == "true" then table.insert(blocks, 1, pandoc.CodeBlock(table.concat(echo, "\n"), {"", {"sh"}})) end
-  return blocks
-end
-
 local function CodeBlock(block)
   if not block.classes:includes("meshfolio") then return nil end
-  local blocks, message = attempt(block, function() return block_of(block) end)
-  return blocks or error_box(message)
+  local blocks, message = attempt(block, yield)
+  if blocks then return blocks end
+  local text = pandoc.List{pandoc.Strong(message)}
+  if is_latex then text = pandoc.List{pandoc.RawInline("latex", "\\color{red}")} .. text end
+  return pandoc.Div(pandoc.Para{pandoc.Span(text)}, {"", {"meshfolio-error"}, {style = "border: 2px solid; color: #b00020; padding: 0 1em"}})
 end
 
 local function Code(code)
@@ -423,30 +340,49 @@ local function Code(code)
   local inlines, message = attempt(code, function()
     local commands = commands_of(code.text)
     local printed = #commands == 1 and run(commands[1]) or refuse("write one command here")
-    return inlines_of(printed:gsub("%s+$", ""), code.attributes.digits)
+    return pandoc.walk_block(pandoc.Plain(printed:gsub("%s+$", "")), rounding(code)).content
   end)
-  return inlines or pandoc.Strong{pandoc.Str(message)}
+  return inlines or pandoc.Strong(message)
 end
 
-local function Meta(meta)
-  local given = meta.meshfolio or {}
+--- Returns links in place of @fig-h, for all ids of blocks with captions. Quarto has its own.
+local function Cite(cite)
+  local links = pandoc.List()
+  for _, citation in ipairs(cite.citations) do
+    local text = numbers[citation.id]
+    if not text then return nil end
+    if #links > 0 then links:extend{pandoc.Str(","), pandoc.Space()} end
+    if is_latex then text = {pandoc.Str(text:match("%a+")), pandoc.RawInline("latex", "~\\ref{" .. citation.id .. "}")} end
+    links:insert(pandoc.Link(text, "#" .. citation.id))
+  end
+  return links
+end
+
+--- Reads the settings and the sources of the document, and numbers its figures and tables.
+local function Pandoc(doc)
+  local given, counts = doc.meta.meshfolio or {}, {Figure = 0, Table = 0}
   for name, value in pairs(given) do
     if name == "meshes" then
-      for mesh, list in pairs(value) do settings.meshes[mesh] = commands_of(stringify(list))[1] end
-    elseif not has(FILTER_KEYS, name) then
-      table.insert(settings.render, {name = name, word = "--" .. name .. (value == true and "" or "=" .. stringify(value))})
+      for mesh, names in pairs(value) do meshes[mesh] = commands_of(stringify(names))[1] end
+    elseif has(FILTER_KEYS, name) then
+      settings[name] = type(value) == "boolean" and tostring(value) or stringify(value)
+    else
+      table.insert(render_options, {name = name, word = "--" .. name .. (value == true and "" or "=" .. stringify(value))})
     end
   end
-  table.sort(settings.render, function(a, b) return a.name < b.name end)
-  if given.size then table.insert(settings.render, {name = "dpi", word = "--dpi=" .. math.floor(tonumber(stringify(given.size)) * 25.4 / 85)}) end
-  settings.echo, settings.anywhere = given.echo, given["allow-outside"] == true
-  settings.errors = given.errors and stringify(given.errors)
-  local data = meta.data or given.data
-  if data then settings.data = meta.data and stringify(data) or below(folder, stringify(data)) end
-  settings.folders = settings.data and {files, settings.data, folder} or {files, folder}
-  for _, name in ipairs(quarto and {document} or PANDOC_STATE.input_files) do
-    table.insert(sources, {name = name, text = (contents(name) or ""):gsub("\r\n", "\n"), from = 1})
+  table.sort(render_options, function(a, b) return a.name < b.name end)
+  if settings.size then table.insert(render_options, {name = "dpi", word = "--dpi=" .. settings.size * 254 // 850}) end   -- of 85 mm
+  local data = doc.meta.data and stringify(doc.meta.data) or settings.data and below(folder, settings.data)
+  settings.folders = data and {files, data, folder} or {files, folder}
+  for i, name in ipairs(quarto and {document} or PANDOC_STATE.input_files) do
+    sources[i] = {name = name, text = (contents(name) or ""):gsub("\r\n", "\n"), from = 1}
   end
+  pandoc.walk_block(pandoc.Div(doc.blocks), {CodeBlock = function(block)
+    local kind = ({fig = "Figure", tbl = "Table"})[block.identifier:match("^(%a+)%-")]
+    if quarto or not kind or not block.attributes.caption or not block.classes:includes("meshfolio") then return end
+    counts[kind] = counts[kind] + 1
+    numbers[block.identifier] = kind .. " " .. counts[kind]
+  end})
 end
 
-return {{Meta = Meta}, {traverse = "topdown", CodeBlock = CodeBlock, Code = Code}}
+return {{Pandoc = Pandoc}, {traverse = "topdown", CodeBlock = CodeBlock, Code = Code, Cite = Cite}}
