@@ -23,6 +23,8 @@ local function below(root, name) return (root == "." or pandoc.path.is_absolute(
 local files = below(folder, pandoc.path.split_extension(pandoc.path.filename(document)) .. "_files")
 local function has(words, word) return (" " .. words .. " "):find(" " .. word .. " ", 1, true) ~= nil end
 local function option_of(element, name) return element.attributes[name] or settings[name] end
+local function lines_before(text, at) return select(2, text:sub(1, at - 1):gsub("\n", "")) end
+local function leaves(name) return pandoc.path.is_absolute(name) or ("/" .. name:gsub("\\", "/") .. "/"):find("/../", 1, true) end
 local function refuse(message, line) error({message = message, line = line}, 0) end
 
 local function contents(path)
@@ -35,60 +37,50 @@ end
 --- Splits a text into commands {words…, text=, line= from 0}, with the quotes and escapes of a POSIX shell and none of its other powers.
 local function commands_of(text)
   local commands, command, word, at = {}, nil, nil, 1
-  local function line() return select(2, text:sub(1, at):gsub("\n", "")) end
   text = text .. "\n"
   while at <= #text do
     local char, last = text:sub(at, at), at
     if char:match("%s") then
       if word then table.insert(command, word) end
-      word = nil
-      if char == "\n" and command then
-        command.text = text:sub(command.first, at - 1)
-        table.insert(commands, command)
-        command = nil
-      end
+      if char == "\n" and command then command.text = text:sub(command.first, at - 1) end
+      command, word = char ~= "\n" and command or nil, nil
     elseif text:match("^\\\n", at) then
       last = at + 1
     elseif char == "#" and not command then
       last = text:find("\n", at, true) - 1
     elseif char:match("[;|&`]") or char:match("[<>]") and not word then
-      refuse("'" .. char .. "' means nothing without a shell; write one command a line, or quote it as part of a name", line())
+      refuse("'" .. char .. "' means nothing without a shell; write one command a line, or quote a name", lines_before(text, at))
     else
-      command, word = command or {line = line(), first = at}, word or ""
-      if char == "'" or char == '"' then
-        last = at + 1
-        while text:sub(last, last) ~= char do
-          if last > #text then refuse("a quote " .. char .. " is not closed; close it", line()) end
-          last = last + (char == '"' and text:sub(last, last) == "\\" and 2 or 1)
-        end
+      if not command then
+        command = {first = at, line = lines_before(text, at)}
+        table.insert(commands, command)
+      end
+      if char == "\\" then
+        last, char = at + 1, text:sub(at + 1, at + 1)
+      elseif char == "'" or char == '"' then
+        repeat last = text:find(char, last + 1, true) or refuse("a quote is not closed; close it", lines_before(text, at))
+        until char == "'" or #text:sub(at, last - 1):match("\\*$") % 2 == 0
         local inner = text:sub(at + 1, last - 1)
         char = char == "'" and inner or inner:gsub("\\\n", ""):gsub('\\([\\"$`])', "%1")
-      elseif char == "\\" then
-        last, char = at + 1, text:sub(at + 1, at + 1)
       end
-      word = word .. char
+      word = (word or "") .. char
     end
     at = last + 1
   end
   return commands
 end
 
---- Returns the path without symbolic links; the path itself where the system has no such readlink.
-local function real(path)
-  local ok, out = pcall(pandoc.pipe, "readlink", {"-m", "--", path}, "")
-  return ok and out:gsub("\n$", "") or path
-end
-
-local function leaves(name) return pandoc.path.is_absolute(name) or ("/" .. name:gsub("\\", "/") .. "/"):find("/../", 1, true) end
-
 --- Returns the path of a name in a folder. Refuses a name that leaves it, also by a symbolic link, unless the metadata allows that.
 local function inside(root, name)
   local path = below(root, name)
-  if checked[path] or settings["allow-outside"] == "true" then return path end
-  if leaves(name) or (root == files or contents(path)) and real(path):find(real(root):gsub("/$", "") .. "/", 1, true) ~= 1 then
+  local function real(link)   -- the link itself where the system has no such readlink
+    local ok, out = pcall(pandoc.pipe, "readlink", {"-m", "--", link}, "")
+    return ok and out:gsub("/?\n$", "/") or link .. "/"
+  end
+  if not (checked[path] or settings["allow-outside"] == "true") and (leaves(name) or real(path):find(real(root), 1, true) ~= 1) then
     refuse("'" .. name .. "' leads out of '" .. root .. "'; use files in there, or set allow-outside in the metadata")
   end
-  checked[path] = contents(path) ~= nil
+  checked[path] = true
   return path
 end
 
@@ -103,42 +95,35 @@ end
 local function input(name)
   for _, known in ipairs(meshes[name] or {name}) do
     for _, root in ipairs(settings.folders) do
-      local path = inside(root, known)
-      if digest(path) then return path end
+      if leaves(known) or digest(below(root, known)) then return inside(root, known) end
     end
   end
 end
 
 --- Returns the words for the program, with paths of inputs and outputs; the digests of inputs; the outputs; the set of options.
 local function prepare(command)
-  local name, words, inputs, outputs, given, at = command[1], {command[1]}, {}, {}, {}, 2
+  local name, words, inputs, outputs, given, at = command[1], pandoc.List{command[1]}, {}, pandoc.List(), {}, 2
   local inputs_left = has("render compare", name) and math.huge or name == "sample" and 0 or 1   -- words without option that name inputs
   if not has(COMMANDS, name) then refuse("'" .. name .. "' cannot be run here; the commands are " .. COMMANDS:gsub(" ", ", ")) end
-  local function translated(option, value)
-    local file, column = value, ""
-    if option == "values" and value:find(":") then file, column = value:match("^(.*)(:.*)$") end
-    if option and has(WRITES, option) and value ~= "-" then
-      table.insert(outputs, inside(files, value))
-      return outputs[#outputs]
-    elseif option and has(READS, option) or not option and inputs_left > 0 then
-      local path = input(file)
-      if path then table.insert(inputs, digest(path)) end
-      inputs_left = inputs_left - (option and 0 or 1)
-      if path or not option then
-        return (path or refuse("there is no '" .. file .. "' in " .. table.concat(settings.folders, ", ") .. "; check its name")) .. column
-      end
-    end
-    return (option == "title" or not leaves(value)) and value or refuse("'" .. value .. "' is a path where none may be; take it out")
-  end
   while at <= #command do
     local option, value = command[at]:match("^%-%-([%w-]+)=?(.*)$")
     if not option then option, value = command[at]:match("^%-(%a)(.*)$") end
-    if option and value == "" and not has(FLAGS, option) then at, value = at + 1, command[at + 1] or "" end
-    given[option or ""] = true
-    local dashes = not option and "" or #option > 1 and "--" .. option .. (value ~= "" and "=" or "") or "-" .. option
-    value = translated(option, option and value or command[at])
-    table.insert(words, dashes .. value)
-    at = at + 1
+    if not option then option, value = "", command[at] end
+    if value == "" and not has(FLAGS, option) then at, value = at + 1, command[at + 1] or "" end
+    local file, column = value:match(option == "values" and "^(.+)(:.*)$" or "^(.*)()$")
+    local path = has(WRITES, option) and value ~= "-" and inside(files, value)
+    if path then
+      outputs:insert(path)
+    elseif has(READS, option) or option == "" and inputs_left > 0 then
+      path, inputs_left = input(file or value), inputs_left - (option == "" and 1 or 0)
+      if path then table.insert(inputs, digest(path)) end
+      if option == "" and not path then refuse("there is no '" .. value .. "' in " .. table.concat(settings.folders, ", ") .. "; check its name") end
+    elseif option ~= "title" and leaves(value) then
+      refuse("'" .. value .. "' is a path where none may be; take it out")
+    end
+    words:insert((#option < 2 and option:gsub(".", "-%0") or "--" .. option .. (value ~= "" and "=" or "")) ..
+                 (path and path .. (option == "values" and column or "") or value))
+    at, given[option] = at + 1, true
   end
   given.o = given.o or given.output
   if name == "sample" and not given.o or given.reconstruct and not given.out then refuse("name the output by -o or --out") end
@@ -158,7 +143,7 @@ local function run(command, stem)
   local words, inputs, outputs, given = prepare(command)
   local draws = command[1] == "render" and not given.out
   for _, option in ipairs(draws and render_options or {}) do
-    if not given[option.name] then table.insert(words, option.word) end
+    if not given[option.name] then words:insert(option.word) end
   end
   if not identity then
     local ok, version = call{"version", "--build"}
@@ -166,15 +151,11 @@ local function run(command, stem)
   end
   local key = identity .. table.concat(inputs, " ") .. "\0" .. table.concat(words, "\0")
   if draws and not given.o then
-    table.insert(outputs, join{files, (stem or "render-" .. sha1(key):sub(1, 10)) .. (is_latex and ".pdf" or ".png")})
-    table.insert(words, "--output=" .. outputs[#outputs])
+    outputs:insert(inside(files, (stem or "render-" .. sha1(key):sub(1, 10)) .. (is_latex and ".pdf" or ".png")))
+    words:insert("--output=" .. outputs[#outputs])
   end
-  local function state()   -- of the outputs
-    local all = {}
-    for i, path in ipairs(outputs) do all[i] = digest(path) or "none" end
-    return table.concat(all, " ") .. "\n"
-  end
-  local record = join{files, "cache", sha1(key .. "\0" .. table.concat(outputs, "\0"))}
+  local record = inside(files, join{"cache", sha1(key .. "\0" .. table.concat(outputs, "\0"))})
+  local function state() return table.concat(outputs:map(function(path) return digest(path) or "none" end), " ") .. "\n" end
   local kept, now = contents(record) or "", state()
   if kept:sub(1, #now) == now then return kept:sub(#now + 1), outputs end
   for _, path in ipairs{record, table.unpack(outputs)} do
@@ -183,17 +164,16 @@ local function run(command, stem)
   end
   local ok, printed = call(words)
   digests = {}
-  if not ok then refuse(printed) end
-  local file = io.open(record, "wb")
+  local file = io.open(ok and record or refuse(printed), "wb")
   file:write(state(), printed)
   file:close()
   return printed, outputs
 end
 
---- Returns a filter that rounds numbers for people, whole ones only if digits are given.
-local function rounding(element)
+--- Returns an element whose numbers are rounded for people, whole ones only if digits are given.
+local function rounded(content, element)
   local digits = tonumber(option_of(element, "digits"))
-  return {Str = function(str)
+  return pandoc.walk_block(content, {Str = function(str)
     local open, number, close = str.text:match("^(%(?)([-+]?[%d.]+[eE]?[-+]?%d*)([,;)]*)$")
     if not tonumber(number) or not (digits or number:find("[.eE]")) then return nil end
     local shown = string.format("%." .. (digits or DIGITS) .. "g", number)
@@ -202,24 +182,20 @@ local function rounding(element)
     if power and power > 0 and power < 7 then shown, power = string.format("%.0f", shown), nil end
     shown = open .. (power and mantissa .. " × 10" or shown):gsub("-", "−")
     return power and {pandoc.Str(shown), pandoc.Superscript(tostring(power):gsub("-", "−")), pandoc.Str(close)} or pandoc.Str(shown .. close)
-  end}
+  end})
 end
 
 --- Returns CSV as a table. Columns of numbers are aligned to the right, long lines wrapped.
 local function table_of(csv, has_head, element)
-  local simple = pandoc.utils.to_simple_table(pandoc.walk_block(pandoc.read(csv, "csv").blocks[1], rounding(element)))
-  local most, all, total, widths = tonumber(option_of(element, "rows")) or MOST_ROWS, #simple.rows, 0, {}
+  local simple = pandoc.utils.to_simple_table(rounded(pandoc.read(csv, "csv").blocks[1], element))
+  local most, all, widths, total = tonumber(option_of(element, "rows")) or MOST_ROWS, #simple.rows, {}, 0
   for i = all, most + 1, -1 do simple.rows[i] = nil end
   for j, title in ipairs(simple.header) do
-    local numeric
-    title = stringify(title):gsub("_", " ")
-    widths[j] = #title
-    for _, row in ipairs(simple.rows) do
-      local text = stringify(row[j])
-      widths[j] = math.max(widths[j], utf8.len(text))
-      numeric = numeric ~= false and text:match("^[%d.,()%s−×]*$") ~= nil
-    end
-    simple.header[j], simple.aligns[j], total = {pandoc.Plain(title)}, numeric and "AlignRight" or "AlignLeft", total + widths[j]
+    local texts, name = pandoc.List(simple.rows):map(function(row) return stringify(row[j]) end), stringify(title):gsub("_", " ")
+    local is_text = texts:find_if(function(text) return not text:match("^[%d.,()%s−×]*$") end)
+    simple.header[j], simple.aligns[j] = {pandoc.Plain(name)}, is_text and "AlignLeft" or "AlignRight"
+    widths[j] = math.max(#name, table.unpack(texts:map(function(text) return utf8.len(text) end)))
+    total = total + widths[j]
   end
   for j, width in ipairs(widths) do simple.widths[j] = total > 80 and width / total or 0 end
   if not has_head then simple.header = {} end
@@ -229,15 +205,15 @@ end
 --- Returns what a command printed as blocks: CSV, and columns parted by two blanks, as tables; other lines as paragraphs.
 local function blocks_of(text, element)
   if text:match("^[^\n]*,[^ \n]*\n") then return table_of(text, true, element) end
-  local blocks, csv = pandoc.List(), ""
+  local blocks, rows, commas = pandoc.List(), "", ""
   for line in (text .. "\n"):gmatch("(.-)\n") do
-    local cells = line:gsub('"', '""'):gsub("%s%s+", '","')
-    if cells:find('","', 1, true) then
-      csv = csv .. '"' .. cells:gsub("^[^,]*", function(name) return (name:gsub("_", " ")) end) .. '"\n'
+    local cells, gaps = line:gsub('"', '""'):gsub("%s%s+", '","')
+    if gaps > 0 then
+      rows, commas = rows .. '"' .. cells:gsub("_", " ") .. '"\n', gaps > #commas and (","):rep(gaps) or commas
     else
-      if csv ~= "" then blocks:extend(table_of('"","",""\n' .. csv, false, element)) end
-      if line ~= "" then blocks:insert(pandoc.walk_block(pandoc.Para(line), rounding(element))) end
-      csv = ""
+      if rows ~= "" then blocks:extend(table_of(commas .. "\n" .. rows, false, element)) end
+      if line ~= "" then blocks:insert(rounded(pandoc.Para(line), element)) end
+      rows = ""
     end
   end
   return blocks
@@ -258,53 +234,42 @@ end
 
 --- Returns the figure of a block: an image, or several above one caption.
 local function figure_of(paths, block, caption)
-  local id, single, images = block.identifier, #paths == 1, pandoc.List()
-  for i, path in ipairs(paths) do
-    images[i] = image_of(path, single and #caption > 0 and caption or block.attributes.alt or block.text, block.attributes)
-  end
+  local id, images = block.identifier, paths:map(function(path)
+    return image_of(path, #paths == 1 and #caption > 0 and caption or block.attributes.alt or block.text, block.attributes)
+  end)
+  local function raw(text) return pandoc.List{pandoc.RawInline("latex", text)} end
   if #caption == 0 then return pandoc.Div({pandoc.Para(images)}, {id}) end
   if pandoc.Figure then return pandoc.Figure({pandoc.Plain(images)}, {long = {pandoc.Plain(caption)}}, {id}) end
-  if single then
+  if #paths > 1 and not is_latex then return pandoc.Div({pandoc.Para(images), pandoc.Para(caption)}, {id, {"figure"}}) end
+  if #paths > 1 then
+    images = raw("\\begin{figure}\n\\centering\n") .. images .. raw("\n\\caption{") .. caption .. raw("}\\label{" .. id .. "}\n\\end{figure}")
+  else
     images[1].title, images[1].identifier = "fig:", id   -- a figure of Pandoc 2
-    return pandoc.Para(images)
-  elseif is_latex then
-    local function raw(text) return pandoc.List{pandoc.RawInline("latex", text)} end
-    return pandoc.Para(raw("\\begin{figure}\n\\centering\n") .. images .. raw("\n\\caption{") .. caption .. raw("}\\label{" .. id .. "}\n\\end{figure}"))
   end
-  return pandoc.Div({pandoc.Para(images), pandoc.Para(caption)}, {id, {"figure"}})
+  return pandoc.Para(images)
 end
 
 --- Returns the blocks that the commands of a block yield.
 local function yield(block)
-  local blocks, pictures, echo = pandoc.List(), {}, {}
+  local id, blocks, pictures, echo = block.identifier, pandoc.List(), pandoc.List(), {}
   local caption = pandoc.utils.blocks_to_inlines(pandoc.read(block.attributes.caption or "", "markdown").blocks)
-  local kind, number = block.identifier:match("^%a+"), numbers[block.identifier]
-  if number and not is_latex then caption = pandoc.List{pandoc.Str(number .. ":"), pandoc.Space()} .. caption end
-  for _, command in ipairs(commands_of(block.text)) do
-    local stem = block.identifier ~= "" and block.identifier:gsub("[^%w_-]", "-") .. (#pictures > 0 and "-" .. #pictures + 1 or "")
-    local ok, printed, outputs = pcall(run, command, stem)
+  if numbers[id] and not is_latex then caption = pandoc.Inlines(numbers[id] .. ": ") .. caption end
+  for i, command in ipairs(commands_of(block.text)) do
+    local ok, printed, outputs = pcall(run, command, id ~= "" and id:gsub("[^%w_-]", "-") .. (#pictures > 0 and "-" .. i or ""))
     if not ok then error(type(printed) == "table" and {message = printed.message, line = command.line} or printed, 0) end
-    table.insert(echo, "meshfolio " .. command.text)
+    local function is_picture(path) return path:match("%.png$") or path:match("%.svg$") or path:match("%.pdf$") end
     local named = printed:match("([^\n]+)\n$") or ""   -- a picture that `show` names, or the sheet of `render --out`
-    if named:match("%.[ps][nvd][gf]$") and contents(named) then
-      printed = ""
-      if named ~= outputs[#outputs] then outputs = {named} end
-    end
-    for _, path in ipairs(outputs) do
-      if path:match("%.[ps][nvd][gf]$") then table.insert(pictures, path) end
-    end
+    if is_picture(named) and contents(named) then printed, outputs = "", pandoc.List(outputs):includes(named) and outputs or {named} end
+    pictures:extend(pandoc.List(outputs):filter(is_picture))
     blocks:extend(blocks_of(printed, block))
+    echo[i] = "meshfolio " .. command.text
   end
   if #pictures > 0 then
     blocks:insert(figure_of(pictures, block, caption))
   elseif #blocks > 0 then
-    if blocks[1].t == "Table" and #caption > 0 and not quarto then
-      if is_latex then caption:insert(pandoc.RawInline("latex", "\\label{" .. block.identifier .. "}")) end
-      blocks[1].caption.long = {pandoc.Plain(caption)}
-    elseif #caption > 0 then
-      blocks:insert(pandoc.Para(caption))
-    end
-    blocks = pandoc.List{pandoc.Div(blocks, {block.identifier})}
+    if is_latex and id ~= "" then caption:insert(pandoc.RawInline("latex", "\\label{" .. id .. "}")) end
+    if blocks[1].t == "Table" and not quarto then blocks[1].caption.long = {pandoc.Plain(caption)} else blocks:insert(pandoc.Para(caption)) end
+    blocks = pandoc.List{pandoc.Div(blocks, {id})}
   end
   if option_of(block, "echo") == "true" then blocks:insert(1, pandoc.CodeBlock(table.concat(echo, "\n"), {"", {"sh"}})) end
   return blocks
@@ -312,15 +277,14 @@ end
 
 --- Returns work(element), or nil and the message of its failure with file and line. Ends Pandoc unless failures are shown.
 local function attempt(element, work)
-  local file, line = document, nil
+  local where, text, first = document, element.text, element.text:match("%S[^\n]*") or " "
   for _, source in ipairs(sources) do
-    local text, first = element.text, element.text:match("%S[^\n]*") or " "
     local at = source.text:find(text, source.from, true) or source.text:find(text, 1, true) or source.text:find(first, source.from, true)
-    if at and not line then file, line, source.from = source.name, select(2, source.text:sub(1, at):gsub("\n", "")) + 1, at + 1 end
+    if at then where, source.from = function(line) return source.name .. ":" .. lines_before(source.text, at) + 1 + (line or 0) end, at + 1 break end
   end
   local ok, result = pcall(work, element)
-  if ok then return result elseif type(result) ~= "table" then error(result, 0) end
-  local message = file .. (line and ":" .. math.tointeger(line + (result.line or 0)) or "") .. ": " .. result.message
+  if ok or type(result) ~= "table" then return ok and result or error(result, 0) end
+  local message = (where == document and document or where(result.line)) .. ": " .. result.message
   if option_of(element, "errors") == "show" then return nil, message end
   io.stderr:write("meshfolio: ", message, "\n")
   os.exit(83)
@@ -330,8 +294,7 @@ local function CodeBlock(block)
   if not block.classes:includes("meshfolio") then return nil end
   local blocks, message = attempt(block, yield)
   if blocks then return blocks end
-  local text = pandoc.List{pandoc.Strong(message)}
-  if is_latex then text = pandoc.List{pandoc.RawInline("latex", "\\color{red}")} .. text end
+  local text = is_latex and {pandoc.RawInline("latex", "\\color{red}"), pandoc.Strong(message)} or {pandoc.Strong(message)}
   return pandoc.Div(pandoc.Para{pandoc.Span(text)}, {"", {"meshfolio-error"}, {style = "border: 2px solid; color: #b00020; padding: 0 1em"}})
 end
 
@@ -340,28 +303,27 @@ local function Code(code)
   local inlines, message = attempt(code, function()
     local commands = commands_of(code.text)
     local printed = #commands == 1 and run(commands[1]) or refuse("write one command here")
-    return pandoc.walk_block(pandoc.Plain(printed:gsub("%s+$", "")), rounding(code)).content
+    return rounded(pandoc.Plain((printed:gsub("%s+$", ""))), code).content
   end)
   return inlines or pandoc.Strong(message)
 end
 
---- Returns links in place of @fig-h, for all ids of blocks with captions. Quarto has its own.
+--- Returns links in place of @fig-h, for ids of blocks with captions. Quarto has its own.
 local function Cite(cite)
   local links = pandoc.List()
   for _, citation in ipairs(cite.citations) do
     local text = numbers[citation.id]
     if not text then return nil end
-    if #links > 0 then links:extend{pandoc.Str(","), pandoc.Space()} end
     if is_latex then text = {pandoc.Str(text:match("%a+")), pandoc.RawInline("latex", "~\\ref{" .. citation.id .. "}")} end
-    links:insert(pandoc.Link(text, "#" .. citation.id))
+    links:extend{pandoc.Str(#links > 0 and ", " or ""), pandoc.Link(text, "#" .. citation.id)}
   end
   return links
 end
 
 --- Reads the settings and the sources of the document, and numbers its figures and tables.
 local function Pandoc(doc)
-  local given, counts = doc.meta.meshfolio or {}, {Figure = 0, Table = 0}
-  for name, value in pairs(given) do
+  local counts = {Figure = 0, Table = 0}
+  for name, value in pairs(doc.meta.meshfolio or {}) do
     if name == "meshes" then
       for mesh, names in pairs(value) do meshes[mesh] = commands_of(stringify(names))[1] end
     elseif has(FILTER_KEYS, name) then
