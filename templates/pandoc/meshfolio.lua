@@ -9,11 +9,10 @@
 -- A command runs again only if it, the contents of its inputs, or the program changed (SHA-1; Pandoc computes no SHA-256).
 local COMMANDS = "render inspect curvature spectrum smooth noise compare sample show"
 local FLAGS = "json jets rebuild adaptive surfaces terminal edges plain list keep-reached h help"   -- options without a value
-local WRITES = "o output out csv ply plot glb vectors html junit"                                     -- options that name outputs
-local READS = "values colormap trace"                                                                 -- options that may name inputs
-local FILTER_KEYS = "meshes data errors allow-outside echo digits rows size"   -- of the metadata; other keys are options of render
-local MOST_ROWS, DIGITS = 40, 4                                                -- of a table, of a number, unless rows= and digits= are given
-local stringify, join, sha1 = pandoc.utils.stringify, pandoc.path.join, pandoc.utils.sha1
+local WRITES, READS = "o output out csv ply plot glb vectors html junit", "values colormap trace"   -- options that name outputs and inputs
+local FILTER_KEYS = "meshes data errors allow-outside echo digits size"   -- of the metadata; other keys are options of render
+local MOST_ROWS, DIGITS = 40, 4                                           -- of a table, of a number, unless rows= and digits= are given
+local stringify, join, sha1, List = pandoc.utils.stringify, pandoc.path.join, pandoc.utils.sha1, pandoc.List
 local program = os.getenv("MESHFOLIO") or "meshfolio"   -- never from the document, which could name any program
 local document = quarto and quarto.doc.input_file or PANDOC_STATE.input_files[1] or "document.md"
 local folder, is_latex = pandoc.path.directory(document), FORMAT == "latex" or FORMAT == "beamer"
@@ -22,9 +21,9 @@ local settings, render_options, meshes, sources, digests, checked, numbers, iden
 local function below(root, name) return (root == "." or pandoc.path.is_absolute(name)) and name or join{root, name} end
 local files = below(folder, pandoc.path.split_extension(pandoc.path.filename(document)) .. "_files")
 local function has(words, word) return (" " .. words .. " "):find(" " .. word .. " ", 1, true) ~= nil end
+local function leaves(name) return pandoc.path.is_absolute(name) or ("/" .. name:gsub("\\", "/") .. "/"):find("/../", 1, true) end
 local function option_of(element, name) return element.attributes[name] or settings[name] end
 local function lines_before(text, at) return select(2, text:sub(1, at - 1):gsub("\n", "")) end
-local function leaves(name) return pandoc.path.is_absolute(name) or ("/" .. name:gsub("\\", "/") .. "/"):find("/../", 1, true) end
 local function refuse(message, line) error({message = message, line = line}, 0) end
 
 local function contents(path)
@@ -41,7 +40,7 @@ local function commands_of(text)
   while at <= #text do
     local char, last = text:sub(at, at), at
     if char:match("%s") then
-      if word then table.insert(command, word) end
+      if word then command:insert(word) end
       if char == "\n" and command then command.text = text:sub(command.first, at - 1) end
       command, word = char ~= "\n" and command or nil, nil
     elseif text:match("^\\\n", at) then
@@ -51,10 +50,8 @@ local function commands_of(text)
     elseif char:match("[;|&`]") or char:match("[<>]") and not word then
       refuse("'" .. char .. "' means nothing without a shell; write one command a line, or quote a name", lines_before(text, at))
     else
-      if not command then
-        command = {first = at, line = lines_before(text, at)}
-        table.insert(commands, command)
-      end
+      command = command or List{}
+      if #command == 0 and not word then command.first, command.line, commands[#commands + 1] = at, lines_before(text, at), command end
       if char == "\\" then
         last, char = at + 1, text:sub(at + 1, at + 1)
       elseif char == "'" or char == '"' then
@@ -87,7 +84,7 @@ end
 --- Returns the digest of a file, or of the results in the folder of a report; nil if there is none.
 local function digest(path)
   local bytes = not digests[path] and (contents(path) or contents(join{path, "results.json"}))
-  if bytes then digests[path] = sha1(bytes) end
+  digests[path] = bytes and sha1(bytes) or digests[path]
   return digests[path]
 end
 
@@ -102,7 +99,7 @@ end
 
 --- Returns the words for the program, with paths of inputs and outputs; the digests of inputs; the outputs; the set of options.
 local function prepare(command)
-  local name, words, inputs, outputs, given, at = command[1], pandoc.List{command[1]}, {}, pandoc.List(), {}, 2
+  local name, words, inputs, outputs, given, at = command[1], List{command[1]}, List{}, List{}, {}, 2
   local inputs_left = has("render compare", name) and math.huge or name == "sample" and 0 or 1   -- words without option that name inputs
   if not has(COMMANDS, name) then refuse("'" .. name .. "' cannot be run here; the commands are " .. COMMANDS:gsub(" ", ", ")) end
   while at <= #command do
@@ -116,7 +113,7 @@ local function prepare(command)
       outputs:insert(path)
     elseif has(READS, option) or option == "" and inputs_left > 0 then
       path, inputs_left = input(file or value), inputs_left - (option == "" and 1 or 0)
-      if path then table.insert(inputs, digest(path)) end
+      if path then inputs:insert(digest(path)) end
       if option == "" and not path then refuse("there is no '" .. value .. "' in " .. table.concat(settings.folders, ", ") .. "; check its name") end
     elseif option ~= "title" and leaves(value) then
       refuse("'" .. value .. "' is a path where none may be; take it out")
@@ -180,32 +177,43 @@ local function rounded(content, element)
     local mantissa, power = shown:match("^(.*)e(.*)$")
     power = math.tointeger(power)
     if power and power > 0 and power < 7 then shown, power = string.format("%.0f", shown), nil end
+    if is_latex then
+      return pandoc.RawInline("latex", open .. "$" .. (power and mantissa .. "\\times10^{" .. power .. "}" or shown) .. "$" .. close)
+    end
     shown = open .. (power and mantissa .. " × 10" or shown):gsub("-", "−")
     return power and {pandoc.Str(shown), pandoc.Superscript(tostring(power):gsub("-", "−")), pandoc.Str(close)} or pandoc.Str(shown .. close)
   end})
 end
 
---- Returns CSV as a table. Columns of numbers are aligned to the right, long lines wrapped.
+--- Returns CSV as a table. Columns of numbers are aligned to the right; the longest column is wrapped if all are too long for a line.
 local function table_of(csv, has_head, element)
-  local simple = pandoc.utils.to_simple_table(rounded(pandoc.read(csv, "csv").blocks[1], element))
-  local most, all, widths, total = tonumber(option_of(element, "rows")) or MOST_ROWS, #simple.rows, {}, 0
-  for i = all, most + 1, -1 do simple.rows[i] = nil end
-  for j, title in ipairs(simple.header) do
-    local texts, name = pandoc.List(simple.rows):map(function(row) return stringify(row[j]) end), stringify(title):gsub("_", " ")
-    local is_text = texts:find_if(function(text) return not text:match("^[%d.,()%s−×]*$") end)
-    simple.header[j], simple.aligns[j] = {pandoc.Plain(name)}, is_text and "AlignLeft" or "AlignRight"
-    widths[j] = math.max(#name, table.unpack(texts:map(function(text) return utf8.len(text) end)))
-    total = total + widths[j]
+  local simple, wanted = pandoc.utils.to_simple_table(rounded(pandoc.read(csv, "csv").blocks[1], element)), element.attributes.columns
+  local all, most, aligns, widths, total, longest = #simple.rows, tonumber(element.attributes.rows), List{}, List{}, 0, 1
+  local names = List(simple.header):map(function(title) return stringify(title) end)
+  local chosen = names:map(function(_, i) return i end)
+  if wanted then
+    chosen = commands_of(wanted:gsub(",", " "))[1]:map(function(name) return select(2, names:find(name)) or refuse("there is no column '" .. name .. "'") end)
   end
-  for j, width in ipairs(widths) do simple.widths[j] = total > 80 and width / total or 0 end
-  if not has_head then simple.header = {} end
-  return {pandoc.utils.from_simple_table(simple), all > most and pandoc.Para("… and " .. all - most .. " more rows") or nil}
+  local rows = List{table.unpack(simple.rows, 1, math.min(all, most or MOST_ROWS))}:map(function(row)
+    return chosen:map(function(i) return row[i] end)
+  end)
+  for j, i in ipairs(chosen) do
+    local texts = rows:map(function(row) return stringify(row[j]) end)
+    aligns[j] = texts:find_if(function(text) return not text:match("^[%d.,()%s−×]*$") end) and "AlignLeft" or "AlignRight"
+    widths[j] = math.max(#names[i], table.unpack(texts:map(function(text) return utf8.len(text) end))) + 2
+    total, longest = total + widths[j], widths[j] > widths[longest] and j or longest
+  end
+  widths[longest] = math.max(widths[longest] + 80 - total, 30)
+  widths = widths:map(function(width) return total > 80 and width / math.max(80, total) or 0 end)
+  local head = has_head and chosen:map(function(i) return {pandoc.Plain((names[i]:gsub("_", " ")))} end) or {}
+  local shown = pandoc.utils.from_simple_table(pandoc.SimpleTable({}, aligns, widths, head, rows))
+  return {shown, #rows < all and not most and pandoc.Para("… and " .. all - #rows .. " more rows") or nil}
 end
 
 --- Returns what a command printed as blocks: CSV, and columns parted by two blanks, as tables; other lines as paragraphs.
 local function blocks_of(text, element)
   if text:match("^[^\n]*,[^ \n]*\n") then return table_of(text, true, element) end
-  local blocks, rows, commas = pandoc.List(), "", ""
+  local blocks, rows, commas = List{}, "", ""
   for line in (text .. "\n"):gmatch("(.-)\n") do
     local cells, gaps = line:gsub('"', '""'):gsub("%s%s+", '","')
     if gaps > 0 then
@@ -234,33 +242,43 @@ end
 
 --- Returns the figure of a block: an image, or several above one caption.
 local function figure_of(paths, block, caption)
-  local id, images = block.identifier, paths:map(function(path)
-    return image_of(path, #paths == 1 and #caption > 0 and caption or block.attributes.alt or block.text, block.attributes)
-  end)
-  local function raw(text) return pandoc.List{pandoc.RawInline("latex", text)} end
+  local id, images = block.identifier, List{}
+  local function raw(text) return List{pandoc.RawInline("latex", text)} end
+  for i, path in ipairs(paths) do
+    local alt = #paths == 1 and #caption > 0 and caption or block.attributes.alt or block.text
+    images:extend{image_of(path, alt, block.attributes), i < #paths and pandoc.Space() or nil}
+  end
   if #caption == 0 then return pandoc.Div({pandoc.Para(images)}, {id}) end
   if pandoc.Figure then return pandoc.Figure({pandoc.Plain(images)}, {long = {pandoc.Plain(caption)}}, {id}) end
-  if #paths > 1 and not is_latex then return pandoc.Div({pandoc.Para(images), pandoc.Para(caption)}, {id, {"figure"}}) end
-  if #paths > 1 then
+  if #paths == 1 then
+    images[1].title, images[1].identifier = "fig:", id   -- a figure of Pandoc 2
+  elseif is_latex then
     images = raw("\\begin{figure}\n\\centering\n") .. images .. raw("\n\\caption{") .. caption .. raw("}\\label{" .. id .. "}\n\\end{figure}")
   else
-    images[1].title, images[1].identifier = "fig:", id   -- a figure of Pandoc 2
+    return pandoc.Div({pandoc.Para(images), pandoc.Para(caption)}, {id, {"figure"}})
   end
   return pandoc.Para(images)
 end
 
+--- Returns the inlines that one command in running text yields.
+local function inlines_of(code)
+  local commands = commands_of(code.text)
+  local printed = #commands == 1 and run(commands[1]) or refuse("write one command here")
+  return rounded(pandoc.Plain((printed:gsub("%s+$", ""))), code).content
+end
+
 --- Returns the blocks that the commands of a block yield.
-local function yield(block)
-  local id, blocks, pictures, echo = block.identifier, pandoc.List(), pandoc.List(), {}
+local function blocks_of_commands(block)
+  local id, blocks, pictures, echo = block.identifier, List{}, List{}, {}
   local caption = pandoc.utils.blocks_to_inlines(pandoc.read(block.attributes.caption or "", "markdown").blocks)
+  local function is_picture(path) return path:match("%.png$") or path:match("%.svg$") or path:match("%.pdf$") end
   if numbers[id] and not is_latex then caption = pandoc.Inlines(numbers[id] .. ": ") .. caption end
   for i, command in ipairs(commands_of(block.text)) do
     local ok, printed, outputs = pcall(run, command, id ~= "" and id:gsub("[^%w_-]", "-") .. (#pictures > 0 and "-" .. i or ""))
     if not ok then error(type(printed) == "table" and {message = printed.message, line = command.line} or printed, 0) end
-    local function is_picture(path) return path:match("%.png$") or path:match("%.svg$") or path:match("%.pdf$") end
     local named = printed:match("([^\n]+)\n$") or ""   -- a picture that `show` names, or the sheet of `render --out`
-    if is_picture(named) and contents(named) then printed, outputs = "", pandoc.List(outputs):includes(named) and outputs or {named} end
-    pictures:extend(pandoc.List(outputs):filter(is_picture))
+    if is_picture(named) and contents(named) then printed, outputs = "", outputs:includes(named) and outputs or {named} end
+    pictures:extend(List(outputs):filter(is_picture))
     blocks:extend(blocks_of(printed, block))
     echo[i] = "meshfolio " .. command.text
   end
@@ -269,48 +287,35 @@ local function yield(block)
   elseif #blocks > 0 then
     if is_latex and id ~= "" then caption:insert(pandoc.RawInline("latex", "\\label{" .. id .. "}")) end
     if blocks[1].t == "Table" and not quarto then blocks[1].caption.long = {pandoc.Plain(caption)} else blocks:insert(pandoc.Para(caption)) end
-    blocks = pandoc.List{pandoc.Div(blocks, {id})}
+    blocks = List{pandoc.Div(blocks, {id})}
   end
   if option_of(block, "echo") == "true" then blocks:insert(1, pandoc.CodeBlock(table.concat(echo, "\n"), {"", {"sh"}})) end
   return blocks
 end
 
---- Returns work(element), or nil and the message of its failure with file and line. Ends Pandoc unless failures are shown.
-local function attempt(element, work)
-  local where, text, first = document, element.text, element.text:match("%S[^\n]*") or " "
+--- Replaces code by what its commands yield. A failure ends Pandoc with file and line, or becomes a red box.
+local function replaced(element)
+  if not element.classes:includes("meshfolio") then return nil end
+  local file, line, first = document, nil, element.text:match("%S[^\n]*") or " "
   for _, source in ipairs(sources) do
-    local at = source.text:find(text, source.from, true) or source.text:find(text, 1, true) or source.text:find(first, source.from, true)
-    if at then where, source.from = function(line) return source.name .. ":" .. lines_before(source.text, at) + 1 + (line or 0) end, at + 1 break end
+    local at = source.text:find(element.text, source.from, true) or source.text:find(element.text, 1, true) or source.text:find(first, 1, true)
+    if at and not line then file, line, source.from = source.name, lines_before(source.text, at) + 1, at + 1 end
   end
-  local ok, result = pcall(work, element)
+  local ok, result = pcall(element.t == "Code" and inlines_of or blocks_of_commands, element)
   if ok or type(result) ~= "table" then return ok and result or error(result, 0) end
-  local message = (where == document and document or where(result.line)) .. ": " .. result.message
-  if option_of(element, "errors") == "show" then return nil, message end
-  io.stderr:write("meshfolio: ", message, "\n")
-  os.exit(83)
-end
-
-local function CodeBlock(block)
-  if not block.classes:includes("meshfolio") then return nil end
-  local blocks, message = attempt(block, yield)
-  if blocks then return blocks end
-  local text = is_latex and {pandoc.RawInline("latex", "\\color{red}"), pandoc.Strong(message)} or {pandoc.Strong(message)}
-  return pandoc.Div(pandoc.Para{pandoc.Span(text)}, {"", {"meshfolio-error"}, {style = "border: 2px solid; color: #b00020; padding: 0 1em"}})
-end
-
-local function Code(code)
-  if not code.classes:includes("meshfolio") then return nil end
-  local inlines, message = attempt(code, function()
-    local commands = commands_of(code.text)
-    local printed = #commands == 1 and run(commands[1]) or refuse("write one command here")
-    return rounded(pandoc.Plain((printed:gsub("%s+$", ""))), code).content
-  end)
-  return inlines or pandoc.Strong(message)
+  local message = file .. ":" .. (line and line + (result.line or 0) .. ":" or "") .. " " .. result.message
+  if option_of(element, "errors") ~= "show" then
+    io.stderr:write("meshfolio: ", message, "\n")
+    os.exit(83)
+  end
+  local text = List{is_latex and pandoc.RawInline("latex", "\\color{red}") or pandoc.Str(""), pandoc.Strong(message)}
+  local box = pandoc.Span(text, {"", {"meshfolio-error"}, {style = "border: 2px solid; color: #b00020; padding: 0.2em 0.5em"}})
+  return element.t == "Code" and box or pandoc.Para{box}
 end
 
 --- Returns links in place of @fig-h, for ids of blocks with captions. Quarto has its own.
 local function Cite(cite)
-  local links = pandoc.List()
+  local links = List{}
   for _, citation in ipairs(cite.citations) do
     local text = numbers[citation.id]
     if not text then return nil end
@@ -324,18 +329,15 @@ end
 local function Pandoc(doc)
   local counts = {Figure = 0, Table = 0}
   for name, value in pairs(doc.meta.meshfolio or {}) do
-    if name == "meshes" then
-      for mesh, names in pairs(value) do meshes[mesh] = commands_of(stringify(names))[1] end
-    elseif has(FILTER_KEYS, name) then
-      settings[name] = type(value) == "boolean" and tostring(value) or stringify(value)
-    else
-      table.insert(render_options, {name = name, word = "--" .. name .. (value == true and "" or "=" .. stringify(value))})
-    end
+    local text = name ~= "meshes" and (type(value) == "boolean" and tostring(value) or stringify(value))
+    for mesh, names in pairs(text and {} or value) do meshes[mesh] = commands_of(stringify(names))[1] end
+    if has(FILTER_KEYS, name) then settings[name] = text
+    else table.insert(render_options, {name = name, word = "--" .. name .. (text == "true" and "" or "=" .. text)}) end
   end
   table.sort(render_options, function(a, b) return a.name < b.name end)
   if settings.size then table.insert(render_options, {name = "dpi", word = "--dpi=" .. settings.size * 254 // 850}) end   -- of 85 mm
   local data = doc.meta.data and stringify(doc.meta.data) or settings.data and below(folder, settings.data)
-  settings.folders = data and {files, data, folder} or {files, folder}
+  settings.folders = List{files, data or folder, data and folder}
   for i, name in ipairs(quarto and {document} or PANDOC_STATE.input_files) do
     sources[i] = {name = name, text = (contents(name) or ""):gsub("\r\n", "\n"), from = 1}
   end
@@ -347,4 +349,4 @@ local function Pandoc(doc)
   end})
 end
 
-return {{Pandoc = Pandoc}, {traverse = "topdown", CodeBlock = CodeBlock, Code = Code, Cite = Cite}}
+return {{Pandoc = Pandoc}, {traverse = "topdown", CodeBlock = replaced, Code = replaced, Cite = Cite}}
