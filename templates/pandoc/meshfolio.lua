@@ -11,7 +11,7 @@ local COMMANDS = "render inspect curvature spectrum smooth noise compare sample 
 local FLAGS = "json jets rebuild adaptive surfaces terminal edges plain list keep-reached h help"   -- options without a value
 local WRITES, READS = "o output out csv ply plot glb vectors html junit", "values colormap trace"   -- options that name outputs and inputs
 local FILTER_KEYS = "meshes data errors allow-outside echo digits size"   -- of the metadata; other keys are options of render
-local MOST_ROWS, DIGITS = 40, 4                                           -- of a table, of a number, unless rows= and digits= are given
+local MOST_ROWS, DIGITS, LINE = 40, 4, 72   -- of a table, of a number, unless rows= and digits= are given; characters
 local stringify, join, sha1, List = pandoc.utils.stringify, pandoc.path.join, pandoc.utils.sha1, pandoc.List
 local program = os.getenv("MESHFOLIO") or "meshfolio"   -- never from the document, which could name any program
 local document = quarto and quarto.doc.input_file or PANDOC_STATE.input_files[1] or "document.md"
@@ -70,11 +70,13 @@ end
 --- Returns the path of a name in a folder. Refuses a name that leaves it, also by a symbolic link, unless the metadata allows that.
 local function inside(root, name)
   local path = below(root, name)
+  if checked[path] or settings["allow-outside"] == "true" then return path end
   local function real(link)   -- the link itself where the system has no such readlink
     local ok, out = pcall(pandoc.pipe, "readlink", {"-m", "--", link}, "")
     return ok and out:gsub("/?\n$", "/") or link .. "/"
   end
-  if not (checked[path] or settings["allow-outside"] == "true") and (leaves(name) or real(path):find(real(root), 1, true) ~= 1) then
+  local top = root == files and real(folder) .. pandoc.path.filename(files) .. "/" or real(root)
+  if leaves(name) or real(path):find(top, 1, true) ~= 1 then
     refuse("'" .. name .. "' leads out of '" .. root .. "'; use files in there, or set allow-outside in the metadata")
   end
   checked[path] = true
@@ -92,7 +94,7 @@ end
 local function input(name)
   for _, known in ipairs(meshes[name] or {name}) do
     for _, root in ipairs(settings.folders) do
-      if leaves(known) or digest(below(root, known)) then return inside(root, known) end
+      if leaves(known) and settings["allow-outside"] ~= "true" or digest(below(root, known)) then return inside(root, known) end
     end
   end
 end
@@ -203,8 +205,8 @@ local function table_of(csv, has_head, element)
     widths[j] = math.max(#names[i], table.unpack(texts:map(function(text) return utf8.len(text) end))) + 2
     total, longest = total + widths[j], widths[j] > widths[longest] and j or longest
   end
-  widths[longest] = math.max(widths[longest] + 80 - total, 30)
-  widths = widths:map(function(width) return total > 80 and width / math.max(80, total) or 0 end)
+  widths[longest] = math.max(widths[longest] + LINE - total, 30)
+  widths = widths:map(function(width) return total > LINE and width / math.max(LINE, total) or 0 end)
   local head = has_head and chosen:map(function(i) return {pandoc.Plain((names[i]:gsub("_", " ")))} end) or {}
   local shown = pandoc.utils.from_simple_table(pandoc.SimpleTable({}, aligns, widths, head, rows))
   return {shown, #rows < all and not most and pandoc.Para("… and " .. all - #rows .. " more rows") or nil}
@@ -234,6 +236,7 @@ local function image_of(path, caption, given)
     shown = pandoc.path.make_relative(path, written, true)
     pandoc.mediabag.insert(shown, nil, contents(path))   -- for writers that embed pictures
   end
+  shown = shown:gsub("[%%#?]", function(char) return ("%%%02X"):format(char:byte()) end)
   local bytes = FORMAT:match("html") and path:match("%.png$") and contents(path) or ""
   local per_metre = bytes:match("pHYs(....)")
   if per_metre and not width then width = math.floor((">I4"):unpack(bytes, 17) / (">I4"):unpack(per_metre) * 1000 + 0.5) .. "mm" end
@@ -330,12 +333,14 @@ local function Pandoc(doc)
   local counts = {Figure = 0, Table = 0}
   for name, value in pairs(doc.meta.meshfolio or {}) do
     local text = name ~= "meshes" and (type(value) == "boolean" and tostring(value) or stringify(value))
-    for mesh, names in pairs(text and {} or value) do meshes[mesh] = commands_of(stringify(names))[1] end
+    for mesh, names in pairs(text and {} or value) do   -- words, or a list
+      meshes[mesh] = pandoc.utils.type(names) == "List" and names:map(function(item) return stringify(item) end) or commands_of(stringify(names))[1]
+    end
     if has(FILTER_KEYS, name) then settings[name] = text
     else table.insert(render_options, {name = name, word = "--" .. name .. (text == "true" and "" or "=" .. text)}) end
   end
   table.sort(render_options, function(a, b) return a.name < b.name end)
-  if settings.size then table.insert(render_options, {name = "dpi", word = "--dpi=" .. settings.size * 254 // 850}) end   -- of 85 mm
+  if settings.size then table.insert(render_options, {name = "dpi", word = ("--dpi=%.0f"):format(settings.size / 85 * 25.4)}) end   -- of 85 mm
   local data = doc.meta.data and stringify(doc.meta.data) or settings.data and below(folder, settings.data)
   settings.folders = List{files, data or folder, data and folder}
   for i, name in ipairs(quarto and {document} or PANDOC_STATE.input_files) do
