@@ -1,30 +1,27 @@
--- Draws and measures meshes in documents of Pandoc (2.17 and later) and Quarto, by the program meshfolio:
---   pandoc --lua-filter meshfolio.lua scan.md -o scan.html
+-- Draws and measures meshes in documents of Pandoc (2.17 and later) and Quarto:  pandoc --lua-filter meshfolio.lua scan.md -o scan.html
 --
--- ```{.meshfolio #fig-h caption="Mean curvature"}     Lines are commands of the program, with quotes as in a shell, but run by no shell.
+-- ```{.meshfolio #fig-h caption="Mean curvature"}     Lines are commands of meshfolio, with quotes as in a shell, but run by no shell.
 -- render scan.ply --field h-cotan                     Each yields a figure, a table, or a file for later blocks in <document>_files.
 -- ```
 -- @fig-h shows the `inspect scan.ply boundary_loops`{.meshfolio} holes; the volume is `inspect scan.ply volume`{.meshfolio digits=3}.
 --
 -- A command runs again only if it, the contents of its inputs, or the program changed (SHA-1; Pandoc computes no SHA-256).
 local COMMANDS = "render inspect curvature spectrum smooth noise compare sample show"
-local FLAGS = "json jets rebuild adaptive surfaces terminal edges plain list keep-reached h help"   -- options without a value
-local WRITES, READS = "o output out csv ply plot glb vectors html junit", "values colormap trace"   -- options that name outputs and inputs
-local FILTER_KEYS = "meshes data errors allow-outside echo digits size"   -- of the metadata; other keys are options of render
-local MOST_ROWS, DIGITS, LINE = 40, 4, 72   -- of a table, of a number, unless rows= and digits= are given; characters
+local WRITES = "o output out csv ply plot glb vectors html junit"          -- options that name outputs
+local FILTER_KEYS = "meshes data errors allow-outside echo digits size"    -- of the metadata; other keys are options of render
+local MOST_ROWS, DIGITS, LINE = 40, 4, 72   -- of a table, of a number, unless rows= and digits= are given; characters of a line
 local stringify, join, sha1, List = pandoc.utils.stringify, pandoc.path.join, pandoc.utils.sha1, pandoc.List
 local program = os.getenv("MESHFOLIO") or "meshfolio"   -- never from the document, which could name any program
 local document = quarto and quarto.doc.input_file or PANDOC_STATE.input_files[1] or "document.md"
 local folder, is_latex = pandoc.path.directory(document), FORMAT == "latex" or FORMAT == "beamer"
-local settings, render_options, meshes, sources, digests, checked, numbers, identity = {}, {}, {}, {}, {}, {}, {}, nil
+local files = pandoc.path.normalize(join{folder, pandoc.path.split_extension(pandoc.path.filename(document)) .. "_files"})
+local settings, render_options, meshes, folders, sources, numbers = {}, {}, {}, {".", ".."}, {}, {}
+local digests, checked, line_of_block, identity = {}, {}, 0, nil
 
-local function below(root, name) return (root == "." or pandoc.path.is_absolute(name)) and name or join{root, name} end
-local files = below(folder, pandoc.path.split_extension(pandoc.path.filename(document)) .. "_files")
 local function has(words, word) return (" " .. words .. " "):find(" " .. word .. " ", 1, true) ~= nil end
-local function leaves(name) return pandoc.path.is_absolute(name) or ("/" .. name:gsub("\\", "/") .. "/"):find("/../", 1, true) end
 local function option_of(element, name) return element.attributes[name] or settings[name] end
 local function lines_before(text, at) return select(2, text:sub(1, at - 1):gsub("\n", "")) end
-local function refuse(message, line) error({message = message, line = line}, 0) end
+local function refuse(message) error({message = message}, 0) end
 
 local function contents(path)
   local file = io.open(path, "rb")
@@ -39,6 +36,7 @@ local function commands_of(text)
   text = text .. "\n"
   while at <= #text do
     local char, last = text:sub(at, at), at
+    line_of_block = lines_before(text, at)
     if char:match("%s") then
       if word then command:insert(word) end
       if char == "\n" and command then command.text = text:sub(command.first, at - 1) end
@@ -48,14 +46,16 @@ local function commands_of(text)
     elseif char == "#" and not command then
       last = text:find("\n", at, true) - 1
     elseif char:match("[;|&`]") or char:match("[<>]") and not word then
-      refuse("'" .. char .. "' means nothing without a shell; write one command a line, or quote a name", lines_before(text, at))
+      refuse("'" .. char .. "' means nothing without a shell; write one command a line, or quote a name")
     else
-      command = command or List{}
-      if #command == 0 and not word then command.first, command.line, commands[#commands + 1] = at, lines_before(text, at), command end
+      if not command then
+        command = List{}
+        command.first, command.line, commands[#commands + 1] = at, line_of_block, command
+      end
       if char == "\\" then
         last, char = at + 1, text:sub(at + 1, at + 1)
       elseif char == "'" or char == '"' then
-        repeat last = text:find(char, last + 1, true) or refuse("a quote is not closed; close it", lines_before(text, at))
+        repeat last = text:find(char, last + 1, true) or refuse("a quote is not closed; close it")
         until char == "'" or #text:sub(at, last - 1):match("\\*$") % 2 == 0
         local inner = text:sub(at + 1, last - 1)
         char = char == "'" and inner or inner:gsub("\\\n", ""):gsub('\\([\\"$`])', "%1")
@@ -67,17 +67,21 @@ local function commands_of(text)
   return commands
 end
 
---- Returns the path of a name in a folder. Refuses a name that leaves it, also by a symbolic link, unless the metadata allows that.
+--- Returns a path without symbolic links; the path itself where the system has no such readlink.
+local function real(path)
+  local ok, out = pcall(pandoc.pipe, "readlink", {"-m", "--", path}, "")
+  return ok and out:gsub("/?\n$", "/") or path .. "/"
+end
+
+local function leaves(name)
+  return not settings.anywhere and (pandoc.path.is_absolute(name) or ("/" .. name:gsub("\\", "/") .. "/"):find("/../", 1, true) ~= nil)
+end
+
+--- Returns the path of a name in a folder. Refuses a name that leaves it, also by a link, unless the metadata allows that.
 local function inside(root, name)
-  local path = below(root, name)
-  if checked[path] or settings["allow-outside"] == "true" then return path end
-  local function real(link)   -- the link itself where the system has no such readlink
-    local ok, out = pcall(pandoc.pipe, "readlink", {"-m", "--", link}, "")
-    return ok and out:gsub("/?\n$", "/") or link .. "/"
-  end
-  local top = root == files and real(folder) .. pandoc.path.filename(files) .. "/" or real(root)
-  if leaves(name) or real(path):find(top, 1, true) ~= 1 then
-    refuse("'" .. name .. "' leads out of '" .. root .. "'; use files in there, or set allow-outside in the metadata")
+  local path = pandoc.path.normalize(join{root, name})
+  if leaves(name) or not (checked[path] or settings.anywhere or real(path):find(real(root), 1, true) == 1) then
+    refuse("'" .. name .. "' leads out of the folders of the document; use files in there, or set allow-outside in the metadata")
   end
   checked[path] = true
   return path
@@ -90,42 +94,37 @@ local function digest(path)
   return digests[path]
 end
 
---- Returns the path of an input: the first of its names in the first folder that has it.
+--- Returns the path of an input, the first of its names in the first folder that has it, or nothing.
 local function input(name)
   for _, known in ipairs(meshes[name] or {name}) do
-    for _, root in ipairs(settings.folders) do
-      if leaves(known) and settings["allow-outside"] ~= "true" or digest(below(root, known)) then return inside(root, known) end
+    for _, root in ipairs(folders) do
+      if leaves(known) or digest(join{root, known}) then return inside(root, known) end
     end
   end
 end
 
---- Returns the words for the program, with paths of inputs and outputs; the digests of inputs; the outputs; the set of options.
+--- Returns the words for the program, in which inputs are paths; the digests of inputs; the outputs; the set of options.
 local function prepare(command)
-  local name, words, inputs, outputs, given, at = command[1], List{command[1]}, List{}, List{}, {}, 2
-  local inputs_left = has("render compare", name) and math.huge or name == "sample" and 0 or 1   -- words without option that name inputs
-  if not has(COMMANDS, name) then refuse("'" .. name .. "' cannot be run here; the commands are " .. COMMANDS:gsub(" ", ", ")) end
-  while at <= #command do
-    local option, value = command[at]:match("^%-%-([%w-]+)=?(.*)$")
-    if not option then option, value = command[at]:match("^%-(%a)(.*)$") end
-    if not option then option, value = "", command[at] end
-    if value == "" and not has(FLAGS, option) then at, value = at + 1, command[at + 1] or "" end
-    local file, column = value:match(option == "values" and "^(.+)(:.*)$" or "^(.*)()$")
-    local path = has(WRITES, option) and value ~= "-" and inside(files, value)
-    if path then
-      outputs:insert(path)
-    elseif has(READS, option) or option == "" and inputs_left > 0 then
-      path, inputs_left = input(file or value), inputs_left - (option == "" and 1 or 0)
+  local words, inputs, outputs, given = List{command[1]}, List{}, List{}, {}
+  if not has(COMMANDS, command[1]) then refuse("'" .. command[1] .. "' cannot be run here; the commands are " .. COMMANDS:gsub(" ", ", ")) end
+  for i = 2, #command do
+    local word, option, value = command[i], command[i]:match("^%-%-([%w-]+)=(.*)$")
+    if not option then option, value = command[i - 1]:match("^%-%-?(%a[%w-]*)$") or "", word end
+    given[option], given[word:match("^%-%-?([%w-]+)") or ""] = true, true
+    if word:match("^%-%a.") then
+      refuse("'" .. word .. "' is not an option; write a blank behind '" .. word:sub(1, 2) .. "'")
+    elseif has(WRITES, option) and value ~= "-" then
+      value = inside(".", value)
+      outputs:insert(value)
+    elseif option ~= "title" then
+      local name, column = value, ""
+      if option == "values" then name, column = value:match("^(.-)(:?[^:]*)$") end
+      local path = input(name)
       if path then inputs:insert(digest(path)) end
-      if option == "" and not path then refuse("there is no '" .. value .. "' in " .. table.concat(settings.folders, ", ") .. "; check its name") end
-    elseif option ~= "title" and leaves(value) then
-      refuse("'" .. value .. "' is a path where none may be; take it out")
+      value = path and path .. column or value
     end
-    words:insert((#option < 2 and option:gsub(".", "-%0") or "--" .. option .. (value ~= "" and "=" or "")) ..
-                 (path and path .. (option == "values" and column or "") or value))
-    at, given[option] = at + 1, true
+    words:insert(word:match("^%-%-[%w-]+=") and "--" .. option .. "=" .. value or value)
   end
-  given.o = given.o or given.output
-  if name == "sample" and not given.o or given.reconstruct and not given.out then refuse("name the output by -o or --out") end
   return words, inputs, outputs, given
 end
 
@@ -137,36 +136,51 @@ local function call(words)
   return ok, ok and printed or type(printed) == "table" and printed.output:gsub("^meshfolio: ", ""):gsub("\n$", "") or tostring(printed)
 end
 
---- Runs a command unless its result is in the cache. Returns what it printed, and its outputs. @param stem  of the name of a figure
-local function run(command, stem)
+local function make_folder(path)
+  if pandoc.system.make_directory then pandoc.system.make_directory(path, true) else pandoc.pipe("mkdir", {"-p", "--", path}, "") end
+end
+
+--- Runs a command in the folder of the files, unless its result is in the cache. Returns what it printed, and the pictures that it made.
+local function run_here(command, stem)
   local words, inputs, outputs, given = prepare(command)
   local draws = command[1] == "render" and not given.out
   for _, option in ipairs(draws and render_options or {}) do
     if not given[option.name] then words:insert(option.word) end
   end
-  if not identity then
-    local ok, version = call{"version", "--build"}
-    identity = ok and version or refuse("the program '" .. program .. "' does not run; install it, or name it in the variable MESHFOLIO")
-  end
   local key = identity .. table.concat(inputs, " ") .. "\0" .. table.concat(words, "\0")
-  if draws and not given.o then
-    outputs:insert(inside(files, (stem or "render-" .. sha1(key):sub(1, 10)) .. (is_latex and ".pdf" or ".png")))
+  if draws and not (given.o or given.output) then
+    outputs:insert(inside(".", stem:gsub("[^%w_-]", "-") .. "-" .. sha1(key):sub(1, 8) .. (is_latex and ".pdf" or ".png")))
     words:insert("--output=" .. outputs[#outputs])
   end
-  local record = inside(files, join{"cache", sha1(key .. "\0" .. table.concat(outputs, "\0"))})
+  local record = inside(".", join{"cache", sha1(key .. "\0" .. table.concat(outputs, "\0"))})
   local function state() return table.concat(outputs:map(function(path) return digest(path) or "none" end), " ") .. "\n" end
   local kept, now = contents(record) or "", state()
-  if kept:sub(1, #now) == now then return kept:sub(#now + 1), outputs end
-  for _, path in ipairs{record, table.unpack(outputs)} do
-    local parent = pandoc.path.directory(path)
-    if pandoc.system.make_directory then pandoc.system.make_directory(parent, true) else pandoc.pipe("mkdir", {"-p", "--", parent}, "") end
+  local ok, printed = true, kept:sub(#now + 1)
+  if kept:sub(1, #now) ~= now then
+    for _, path in ipairs{record, table.unpack(outputs)} do make_folder(pandoc.path.directory(path)) end
+    ok, printed = call(words)
+    digests = {}
+    local file = io.open(ok and record or refuse(printed), "wb")
+    file:write(state(), printed)
+    file:close()
   end
-  local ok, printed = call(words)
-  digests = {}
-  local file = io.open(ok and record or refuse(printed), "wb")
-  file:write(state(), printed)
-  file:close()
-  return printed, outputs
+  local named = printed:match("([^\n]+)\n$") or ""   -- a picture that `show` names, or the sheet of `render --out`
+  if not outputs:includes(named) and contents(named) then outputs = List{named} end
+  return outputs:includes(named) and "" or printed, outputs:filter(function(path) return path:match("%.[ps][nvd][gf]$") end)
+end
+
+local function run(command, stem)
+  local ok, printed, pictures
+  line_of_block = command.line
+  if not identity then
+    ok, identity = call{"version", "--build"}
+    if not ok then refuse("the program '" .. program .. "' does not run; install it, or name it in the variable MESHFOLIO") end
+    make_folder(files)
+    if real(files) ~= real(folder) .. pandoc.path.filename(files) .. "/" then refuse("'" .. files .. "' is a link; remove it") end
+  end
+  pandoc.system.with_working_directory(files, function() ok, printed, pictures = pcall(run_here, command, stem) end)
+  if not ok then error(printed, 0) end
+  return printed, pictures:map(function(path) return pandoc.path.normalize(join{files, path}) end)
 end
 
 --- Returns an element whose numbers are rounded for people, whole ones only if digits are given.
@@ -178,38 +192,25 @@ local function rounded(content, element)
     local shown = string.format("%." .. (digits or DIGITS) .. "g", number)
     local mantissa, power = shown:match("^(.*)e(.*)$")
     power = math.tointeger(power)
-    if power and power > 0 and power < 7 then shown, power = string.format("%.0f", shown), nil end
-    if is_latex then
-      return pandoc.RawInline("latex", open .. "$" .. (power and mantissa .. "\\times10^{" .. power .. "}" or shown) .. "$" .. close)
-    end
-    shown = open .. (power and mantissa .. " × 10" or shown):gsub("-", "−")
-    return power and {pandoc.Str(shown), pandoc.Superscript(tostring(power):gsub("-", "−")), pandoc.Str(close)} or pandoc.Str(shown .. close)
+    if not power or power > 0 and power < 7 then return pandoc.Str(open .. (power and ("%.0f"):format(shown) or shown) .. close) end
+    return {pandoc.Str(open), pandoc.Math("InlineMath", mantissa .. "\\times10^{" .. power .. "}"), pandoc.Str(close)}
   end})
 end
 
---- Returns CSV as a table. Columns of numbers are aligned to the right; the longest column is wrapped if all are too long for a line.
+--- Returns CSV as a table. Columns of numbers are aligned to the right, long lines wrapped.
 local function table_of(csv, has_head, element)
-  local simple, wanted = pandoc.utils.to_simple_table(rounded(pandoc.read(csv, "csv").blocks[1], element)), element.attributes.columns
-  local all, most, aligns, widths, total, longest = #simple.rows, tonumber(element.attributes.rows), List{}, List{}, 0, 1
-  local names = List(simple.header):map(function(title) return stringify(title) end)
-  local chosen = names:map(function(_, i) return i end)
-  if wanted then
-    chosen = commands_of(wanted:gsub(",", " "))[1]:map(function(name) return select(2, names:find(name)) or refuse("there is no column '" .. name .. "'") end)
+  local simple, widths, total = pandoc.utils.to_simple_table(rounded(pandoc.read(csv, "csv").blocks[1], element)), {}, 0
+  local all, most = #simple.rows, tonumber(element.attributes.rows)
+  simple.rows = List{table.unpack(simple.rows, 1, math.min(all, most or MOST_ROWS))}
+  for j, title in ipairs(simple.header) do
+    local name, texts = stringify(title), simple.rows:map(function(row) return stringify(row[j]) end)
+    local is_text = texts:find_if(function(text) return not text:match("^[%d.,()%s+-]*$") and not text:match("times10") end)
+    simple.aligns[j], widths[j] = is_text and "AlignLeft" or "AlignRight", math.max(#name, table.unpack(texts:map(function(text) return #text end))) + 2
+    simple.header[j], total = {pandoc.Plain((name:gsub("_", " ")))}, total + widths[j]
   end
-  local rows = List{table.unpack(simple.rows, 1, math.min(all, most or MOST_ROWS))}:map(function(row)
-    return chosen:map(function(i) return row[i] end)
-  end)
-  for j, i in ipairs(chosen) do
-    local texts = rows:map(function(row) return stringify(row[j]) end)
-    aligns[j] = texts:find_if(function(text) return not text:match("^[%d.,()%s−×]*$") end) and "AlignLeft" or "AlignRight"
-    widths[j] = math.max(#names[i], table.unpack(texts:map(function(text) return utf8.len(text) end))) + 2
-    total, longest = total + widths[j], widths[j] > widths[longest] and j or longest
-  end
-  widths[longest] = math.max(widths[longest] + LINE - total, 30)
-  widths = widths:map(function(width) return total > LINE and width / math.max(LINE, total) or 0 end)
-  local head = has_head and chosen:map(function(i) return {pandoc.Plain((names[i]:gsub("_", " ")))} end) or {}
-  local shown = pandoc.utils.from_simple_table(pandoc.SimpleTable({}, aligns, widths, head, rows))
-  return {shown, #rows < all and not most and pandoc.Para("… and " .. all - #rows .. " more rows") or nil}
+  for j, width in ipairs(widths) do simple.widths[j] = total > LINE and width / total or 0 end
+  if not has_head then simple.header = {} end
+  return {pandoc.utils.from_simple_table(simple), all > (most or MOST_ROWS) and not most and pandoc.Para("… of " .. all .. " rows") or nil}
 end
 
 --- Returns what a command printed as blocks: CSV, and columns parted by two blanks, as tables; other lines as paragraphs.
@@ -229,44 +230,33 @@ local function blocks_of(text, element)
   return blocks
 end
 
---- Returns an image, named from the folder of the document that is written. In pages it is as wide as the file says.
+--- Returns an image, named from the folder of the document that is written.
 local function image_of(path, caption, given)
-  local written, shown, width = pandoc.path.directory(PANDOC_STATE.output_file or "x"), path, given.width
+  local written, shown = pandoc.path.directory(PANDOC_STATE.output_file or "x"), path
   if written ~= "." and not is_latex then
     shown = pandoc.path.make_relative(path, written, true)
     pandoc.mediabag.insert(shown, nil, contents(path))   -- for writers that embed pictures
   end
   shown = shown:gsub("[%%#?]", function(char) return ("%%%02X"):format(char:byte()) end)
-  local bytes = FORMAT:match("html") and path:match("%.png$") and contents(path) or ""
-  local per_metre = bytes:match("pHYs(....)")
-  if per_metre and not width then width = math.floor((">I4"):unpack(bytes, 17) / (">I4"):unpack(per_metre) * 1000 + 0.5) .. "mm" end
-  return pandoc.Image(caption, shown, "", {"", {}, {width = width, height = given.height, alt = given.alt}})
+  return pandoc.Image(caption, shown, "", {"", {}, {width = given.width, height = given.height, alt = given.alt}})
 end
 
 --- Returns the figure of a block: an image, or several above one caption.
 local function figure_of(paths, block, caption)
-  local id, images = block.identifier, List{}
-  local function raw(text) return List{pandoc.RawInline("latex", text)} end
-  for i, path in ipairs(paths) do
-    local alt = #paths == 1 and #caption > 0 and caption or block.attributes.alt or block.text
-    images:extend{image_of(path, alt, block.attributes), i < #paths and pandoc.Space() or nil}
-  end
-  if #caption == 0 then return pandoc.Div({pandoc.Para(images)}, {id}) end
+  local id, single, images = block.identifier, #paths == 1, List{}
+  local alt = single and #caption > 0 and caption or block.attributes.alt or block.text
+  for _, path in ipairs(paths) do images:extend{image_of(path, alt, block.attributes), not single and pandoc.Space() or nil} end
+  if #caption == 0 then return pandoc.Div(pandoc.Para(images), {id}) end
   if pandoc.Figure then return pandoc.Figure({pandoc.Plain(images)}, {long = {pandoc.Plain(caption)}}, {id}) end
-  if #paths == 1 then
-    images[1].title, images[1].identifier = "fig:", id   -- a figure of Pandoc 2
-  elseif is_latex then
-    images = raw("\\begin{figure}\n\\centering\n") .. images .. raw("\n\\caption{") .. caption .. raw("}\\label{" .. id .. "}\n\\end{figure}")
-  else
-    return pandoc.Div({pandoc.Para(images), pandoc.Para(caption)}, {id, {"figure"}})
-  end
-  return pandoc.Para(images)
+  if single then images[1].title, images[1].identifier = "fig:", id return pandoc.Para(images) end   -- a figure of Pandoc 2
+  if is_latex then caption:insert(1, pandoc.RawInline("latex", "\\refstepcounter{figure}\\label{" .. id .. "}Figure~\\thefigure: ")) end
+  return pandoc.Div({pandoc.Para(images), pandoc.Para(caption)}, {id, {"figure"}})
 end
 
 --- Returns the inlines that one command in running text yields.
 local function inlines_of(code)
   local commands = commands_of(code.text)
-  local printed = #commands == 1 and run(commands[1]) or refuse("write one command here")
+  local printed = #commands == 1 and run(commands[1], "render") or refuse("write one command here")
   return rounded(pandoc.Plain((printed:gsub("%s+$", ""))), code).content
 end
 
@@ -274,14 +264,10 @@ end
 local function blocks_of_commands(block)
   local id, blocks, pictures, echo = block.identifier, List{}, List{}, {}
   local caption = pandoc.utils.blocks_to_inlines(pandoc.read(block.attributes.caption or "", "markdown").blocks)
-  local function is_picture(path) return path:match("%.png$") or path:match("%.svg$") or path:match("%.pdf$") end
   if numbers[id] and not is_latex then caption = pandoc.Inlines(numbers[id] .. ": ") .. caption end
   for i, command in ipairs(commands_of(block.text)) do
-    local ok, printed, outputs = pcall(run, command, id ~= "" and id:gsub("[^%w_-]", "-") .. (#pictures > 0 and "-" .. i or ""))
-    if not ok then error(type(printed) == "table" and {message = printed.message, line = command.line} or printed, 0) end
-    local named = printed:match("([^\n]+)\n$") or ""   -- a picture that `show` names, or the sheet of `render --out`
-    if is_picture(named) and contents(named) then printed, outputs = "", outputs:includes(named) and outputs or {named} end
-    pictures:extend(List(outputs):filter(is_picture))
+    local printed, made = run(command, id ~= "" and id or "render")
+    pictures:extend(made)
     blocks:extend(blocks_of(printed, block))
     echo[i] = "meshfolio " .. command.text
   end
@@ -306,7 +292,7 @@ local function replaced(element)
   end
   local ok, result = pcall(element.t == "Code" and inlines_of or blocks_of_commands, element)
   if ok or type(result) ~= "table" then return ok and result or error(result, 0) end
-  local message = file .. ":" .. (line and line + (result.line or 0) .. ":" or "") .. " " .. result.message
+  local message = file .. ":" .. (line and line + line_of_block .. ":" or "") .. " " .. result.message
   if option_of(element, "errors") ~= "show" then
     io.stderr:write("meshfolio: ", message, "\n")
     os.exit(83)
@@ -341,8 +327,9 @@ local function Pandoc(doc)
   end
   table.sort(render_options, function(a, b) return a.name < b.name end)
   if settings.size then table.insert(render_options, {name = "dpi", word = ("--dpi=%.0f"):format(settings.size / 85 * 25.4)}) end   -- of 85 mm
-  local data = doc.meta.data and stringify(doc.meta.data) or settings.data and below(folder, settings.data)
-  settings.folders = List{files, data or folder, data and folder}
+  settings.anywhere = settings["allow-outside"] == "true"
+  local data = doc.meta.data and stringify(doc.meta.data) or settings.data and join{folder, settings.data}
+  if data then table.insert(folders, 2, join{pandoc.system.get_working_directory(), data}) end
   for i, name in ipairs(quarto and {document} or PANDOC_STATE.input_files) do
     sources[i] = {name = name, text = (contents(name) or ""):gsub("\r\n", "\n"), from = 1}
   end
