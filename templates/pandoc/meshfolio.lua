@@ -6,7 +6,6 @@
 local COMMANDS = "render inspect curvature spectrum smooth noise compare sample show"
 local WRITES = "o output out csv ply plot glb vectors html junit"         -- options that name outputs
 local FILTER_KEYS = "meshes data errors allow-outside echo digits size"   -- of the metadata; other keys are options of render
-local KINDS = {fig = "Figure ", tbl = "Table "}                           -- that ids begin with; Quarto numbers them itself
 local MOST_ROWS, DIGITS, LINE = 40, 4, 72   -- of a table, of a number, unless rows= and digits= are given; characters of a line
 local stringify, sha1, List, path = pandoc.utils.stringify, pandoc.utils.sha1, pandoc.List, pandoc.path
 local program = os.getenv("MESHFOLIO") or "meshfolio"   -- never from the document, which could name any program
@@ -27,8 +26,7 @@ local function contents(name)   -- nil without such a file, or for a folder
   if file then file:close() end
   return text
 end
---- Splits a text into commands {words…, line= from 0}, with the quotes and escapes of a POSIX shell and none of its other powers.
-local function commands_of(text)
+local function commands_of(text)   -- splits it into {words…, line= from 0}, with quotes and escapes of a POSIX shell, without its other powers
   local commands, command, is_open, at = List{}, nil, false, 1
   local function take(pattern)   -- returns what matches here, and goes behind it
     local found, behind = text:match("^" .. pattern .. "()", at)
@@ -65,8 +63,7 @@ local function real(name)   -- without symbolic links; as it is where the system
   local ok, out = pcall(pandoc.pipe, "readlink", {"-m", "--", name}, "")
   return ok and out:gsub("/?\n$", "/") or name .. "/"
 end
---- Returns the path of an output, or of an input in the first folder that has it, or nothing. Refuses a name that leads out of the folder.
-local function place(name, is_output)
+local function place(name, is_output)   -- path of an output, or of an input in the first folder that has it; nothing may lead out of a folder
   local is_free = settings["allow-outside"] == "true"
   local leaves = not is_free and (path.is_absolute(name) or ("/" .. name:gsub("\\", "/") .. "/"):find("/../", 1, true))
   for _, root in ipairs(folders) do
@@ -111,17 +108,21 @@ local function run(command, stem)   -- unless it, its inputs (by SHA-1) and the 
     outputs:insert(place(stem:gsub("[^%w_-]", "-") .. "-" .. sha1(key):sub(1, 8) .. (is_latex and ".pdf" or ".png"), true))
     words:extend{"-o", outputs[#outputs]}
   end
+  local function is_picture(name) return name:match("%.png$") or name:match("%.svg$") or name:match("%.pdf$") end
+  local pictures = outputs:filter(is_picture)   -- else the one that is printed last, by `show` or `render --out`
   local record = place("cache", true) .. "/" .. sha1(key .. table.concat(outputs, "\0"))
-  local function state() return table.concat(outputs:map(function(name) return digest(name) or "none" end), " ") .. "\n" end
-  local kept, now = contents(record) or "", state()
-  local printed = kept:sub(#now + 1)
-  if kept:sub(1, #now) ~= now then
-    printed, digests = call(words), {}
-    io.open(record, "wb"):write(state(), printed):close()
+  local function state(printed)   -- digests of all files that were written
+    for line in printed:gmatch("[^\n]+") do outputs:insert(contents(line) and not outputs:includes(line) and line or nil) end
+    return table.concat(outputs:map(function(name) return digest(name) or "none" end), " ") .. "\n"
   end
-  local named = printed:match("([^\n]+)\n$")   -- a picture that `show` names, or the sheet of `render --out`
-  if named and contents(named) then outputs, printed = outputs:includes(named) and outputs or List{named}, "" end
-  return printed, outputs:filter(function(name) return name:match("%.[ps][nvd][gf]$") end)
+  local kept = contents(record) or ""
+  local printed = kept:match("\n(.*)$") or ""
+  if state(printed) .. printed ~= kept then
+    printed, digests = call(words), {}
+    io.open(record, "wb"):write(state(printed), printed):close()
+  end
+  printed = printed:gsub("[^\n]+\n", function(line) return contents(line:sub(1, -2)) and "" end)
+  return printed, pictures[1] and pictures or List{outputs[#outputs]}:filter(is_picture)
 end
 local function rounded(content, element)   -- rounds numbers for people, whole ones only if digits are given
   local digits = tonumber(option_of(element, "digits"))
@@ -164,18 +165,17 @@ local function blocks_of(text, element)   -- makes CSV, and columns parted by tw
   return blocks
 end
 local function figure_of(pictures, block, caption)   -- an image, or several above one caption
-  local id, is_figure, given = {block.identifier}, #pictures == 1 and caption[1], block.attributes
+  local id, given, is_figure = block.identifier, block.attributes, #pictures == 1 and caption[1]
+  local alt, title = is_figure and caption or given.alt or block.text, is_figure and "fig:" or ""
   local images = pictures:map(function(name)
     local shown = path.normalize(path.join{shown_files, name})
     pandoc.mediabag.insert(shown, nil, contents(name))   -- for writers that embed pictures
     shown = shown:gsub("[%%#?]", function(char) return ("%%%02X"):format(char:byte()) end)
-    local image = pandoc.Image(is_figure and caption or given.alt or block.text, shown, is_figure and "fig:" or "")
-    image.attr = {is_figure and id[1] or "", {}, {width = given.width, height = given.height, alt = given.alt}}
-    return image
+    return pandoc.Image(alt, shown, title, {is_figure and id or "", {}, {width = given.width, height = given.height, alt = given.alt}})
   end)
-  if pandoc.Figure and caption[1] then return pandoc.Figure({pandoc.Plain(images)}, {long = {pandoc.Plain(caption)}}, id) end
+  if pandoc.Figure and caption[1] then return pandoc.Figure({pandoc.Plain(images)}, {long = {pandoc.Plain(caption)}}, {id}) end
   if is_latex and not is_figure then caption:insert(1, pandoc.RawInline("latex", "\\refstepcounter{figure}Figure \\thefigure: ")) end
-  return is_figure and pandoc.Para(images) or pandoc.Div({pandoc.Para(images), caption[1] and pandoc.Para(caption) or nil}, id)
+  return is_figure and pandoc.Para(images) or pandoc.Div({pandoc.Para(images), caption[1] and pandoc.Para(caption) or nil}, {id})
 end
 local function blocks_of_commands(block)   -- returns what the commands of a block yield
   local id, blocks, pictures = block.identifier, List{}, List{}
@@ -199,8 +199,7 @@ local function inlines_of_command(code)   -- returns what a command in running t
   local printed = run(commands_of(code.text)[1] or refuse("write a command here"), "render")
   return rounded(pandoc.Plain((printed:gsub("%s+$", ""))), code).content
 end
---- Replaces code by what its commands yield. A failure ends Pandoc with file and line, or becomes a red box.
-local function replaced(element)
+local function replaced(element)   -- code by what its commands yield; a failure ends Pandoc with file and line, or becomes a red box
   if not element.classes:includes("meshfolio") then return nil end
   local where, line = document, nil
   for _, source in ipairs(sources) do
@@ -230,14 +229,15 @@ function Pandoc(doc)
   end
   if settings.size then options:insert(("--dpi=%.0f"):format(settings.size / 85 * 25.4)) end   -- pixels of 85 mm
   options:sort()
-  local data = doc.meta.data and stringify(doc.meta.data) or settings.data and path.join{folder, settings.data}
-  if data then folders:insert(2, path.join{pandoc.system.get_working_directory(), data}) end
+  local function add_folder(name) folders:insert(2, path.join{pandoc.system.get_working_directory(), name}) end
+  if settings.data then add_folder(path.join{folder, settings.data}) end
+  if doc.meta.data then add_folder(stringify(doc.meta.data)) end
   for i, name in ipairs(quarto and {document} or PANDOC_STATE.input_files) do
     sources[i] = {name = name, text = (contents(name) or ""):gsub("\r\n", "\n"), from = 1}
     is_used = is_used or sources[i].text:find(".meshfolio", 1, true)
   end
   doc:walk{CodeBlock = function(block)
-    local kind = block.classes:includes("meshfolio") and KINDS[block.identifier:match("^(%a+)%-")]
+    local kind = block.classes:includes("meshfolio") and ({fig = "Figure ", tbl = "Table "})[block.identifier:match("^(%a+)%-")]
     counts[kind or ""] = (counts[kind or ""] or 0) + 1
     numbers[block.identifier] = kind and not quarto and kind .. counts[kind] or nil
   end}
