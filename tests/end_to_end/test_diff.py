@@ -1,0 +1,104 @@
+"""`diff` of reports, of files results.json, and of batches."""
+
+import json
+import shutil
+import unittest
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+from in_folder import InFolder
+
+QUICK = ('--quick', '--size', '64', '--pdf', 'off', '--no-timings')
+
+
+class Diff(InFolder):
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+
+    def report(self, out, *words):
+        self.succeed('report', self.mesh, '--only', 'q1', *QUICK, '--out', out, *words)
+        return self.folder / out
+
+    def setUp(self):
+        super().setUp()
+        self.mesh = self.sample('cube8')
+
+    def diff(self, code, *words):
+        done = self.run_program('diff', *words)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stdout
+
+    def test_a_report_equals_itself(self):
+        self.report('a')
+        text = self.diff(0, 'a', 'a')
+        self.assertRegex(text, r'^no change in \d+ checks, \d+ numbers of \d+ tables, \d+ pictures')
+        self.assertEqual(json.loads(self.diff(0, 'a/results.json', 'a', '--json'))['changes'], [])
+
+    def test_every_planted_change_is_found(self):
+        new = self.report('old') and self.folder / 'new'
+        shutil.copytree(self.folder / 'old', new)
+        results = json.loads((new / 'results.json').read_text())
+        question = results['questions'][0]
+        table = next(t for t in question['tables'] if len(t['rows']) > 1 and isinstance(t['rows'][0][-1], float))
+        table['rows'][0][-1] = table['rows'][0][-1] * 1.5 + 1
+        check = next(c for c in question['checks'] if c['status'] == 'passed')
+        check.update(status='failed', passed=False)
+        results['provenance']['settings']['size'] = '17 × 17'
+        (new / 'results.json').write_text(json.dumps(results))
+        picture = next(new.glob('images/*_sheet.png'))
+        self.succeed('render', self.mesh, '-o', 'other.png')
+        shutil.copy(self.folder / 'other.png', picture)
+        changes = json.loads(self.diff(1, 'old', 'new', '--json', '--junit', 'j.xml', '--html', 'p.html'))['changes']
+        self.assertEqual([change['kind'] for change in changes], ['setting', 'check', 'number', 'picture'])
+        self.assertEqual(changes[1]['id'], check['id'])
+        self.assertEqual((changes[2]['id'], changes[2]['after']), (table['id'], repr(table['rows'][0][-1])))
+        self.assertEqual(changes[3]['id'], f'images/{picture.name}')
+        text = self.diff(1, 'old', 'new')
+        for part in ('checks, worst first', check['id'], table['id'], picture.name, '4 changes in'):
+            self.assertIn(part, text)
+        failures = ET.parse(self.folder / 'j.xml').findall('.//failure')
+        self.assertEqual(len(failures), 4)
+        page = (self.folder / 'p.html').read_text()
+        ET.fromstring(page.replace('<!DOCTYPE html>', ''))
+        self.assertEqual(page.count('type="range"'), 1)
+        self.assertEqual(self.diff(1, 'new', 'old').count('undecided'), 0)
+
+    def test_a_tolerance_lets_small_changes_pass(self):
+        old = self.report('old')
+        results = json.loads((old / 'results.json').read_text())
+        for table in results['questions'][0]['tables']:
+            for row in table['rows']:
+                if isinstance(row[-1], float):
+                    row[-1] *= 1 + 1e-7
+        self.write('new.json', json.dumps(results))
+        self.assertEqual(json.loads(self.diff(0, 'old', 'new.json', '--tolerance', '1e-6', '--json'))['changes'], [])
+        self.assertNotEqual(json.loads(self.diff(1, 'old', 'new.json', '--json'))['changes'], [])
+
+    def test_meshes_by_their_distance(self):
+        for out, lam in (('old', '0.01'), ('new', '0.02')):
+            self.write('s.toml', f'[[question]]\nid = "q6"\nlambda = {lam}\niterations = 2\n')
+            self.succeed('report', self.mesh, '--only', 'q6', '--config', 's.toml', *QUICK, '--out', out)
+        changes = json.loads(self.diff(1, 'old', 'new', '--json'))['changes']
+        kinds = {change['kind'] for change in changes}
+        self.assertTrue(kinds & {'mesh', 'presence'}, kinds)
+
+    def test_batches_are_compared_mesh_by_mesh(self):
+        other = self.sample('sphere')
+        for out, meshes in (('old', [self.mesh, other]), ('new', [self.mesh])):
+            self.succeed('batch', *meshes, '--only', 'q1', *QUICK, '--out', out)
+        changes = json.loads(self.diff(1, 'old', 'new', '--json'))['changes']
+        self.assertEqual([(c['kind'], c['id'], c['before'], c['after']) for c in changes], [('presence', 'sphere', 'there', None)])
+        self.diff(3, 'old', 'old/cube8')
+
+    def test_what_is_no_report_is_refused(self):
+        self.write('x.json', '{}')
+        self.diff(3, 'x.json', 'x.json')
+        self.diff(3, 'missing', 'missing')
+        self.diff(2, 'x.json', 'x.json', '--tolerance', '-1')
+        self.diff(2, 'x.json', 'x.json', '--html', 'a.txt')
+
+
+if __name__ == '__main__':
+    unittest.main()
