@@ -13,22 +13,19 @@ QUICK = ('--quick', '--size', '64', '--pdf', 'off', '--no-timings')
 
 class Diff(InFolder):
 
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-
-    def report(self, out, *words):
-        self.succeed('report', self.mesh, '--only', 'q1', *QUICK, '--out', out, *words)
-        return self.folder / out
-
     def setUp(self):
         super().setUp()
+        self.folder = Path(self.folder)
         self.mesh = self.sample('cube8')
 
-    def diff(self, code, *words):
-        done = self.run_program('diff', *words)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done.stdout
+    def report(self, out):
+        self.succeed('report', self.mesh, '--only', 'q1', *QUICK, '--out', out)
+        return self.folder / out
+
+    def diff(self, expected, *words):
+        code, out, err = self.run_here('diff', *words)
+        self.assertEqual(code, expected, err)
+        return out
 
     def test_a_report_equals_itself(self):
         self.report('a')
@@ -37,8 +34,8 @@ class Diff(InFolder):
         self.assertEqual(json.loads(self.diff(0, 'a/results.json', 'a', '--json'))['changes'], [])
 
     def test_every_planted_change_is_found(self):
-        new = self.report('old') and self.folder / 'new'
-        shutil.copytree(self.folder / 'old', new)
+        new = self.folder / 'new'
+        shutil.copytree(self.report('old'), new)
         results = json.loads((new / 'results.json').read_text())
         question = results['questions'][0]
         table = next(t for t in question['tables'] if len(t['rows']) > 1 and isinstance(t['rows'][0][-1], float))
