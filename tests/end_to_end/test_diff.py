@@ -1,12 +1,15 @@
 """`diff` of reports, of files results.json, and of batches."""
 
 import json
+import os
 import shutil
+import subprocess
 import unittest
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
 from in_folder import InFolder
+from program import PROGRAM, SOURCE
 
 QUICK = ('--quick', '--size', '64', '--pdf', 'off', '--no-timings')
 
@@ -95,6 +98,33 @@ class Diff(InFolder):
         self.diff(3, 'missing', 'missing')
         self.diff(2, 'x.json', 'x.json', '--tolerance', '-1')
         self.diff(2, 'x.json', 'x.json', '--html', 'a.txt')
+
+
+class Baseline(InFolder):
+    """The step of .github/actions/compare that compares the report of a pull request with that of the target branch."""
+
+    def summary(self, old, new, said='### Meshes that change'):
+        self.write('summary.md', said + '\n')
+        os.makedirs(self.path('out'), exist_ok=True)
+        subprocess.run([SOURCE / '.github/actions/compare/baseline.sh'], cwd=self.folder, check=True,
+                       env={**os.environ, 'PROGRAM': PROGRAM, 'OLD': old, 'NEW': new, 'SUMMARY': 'summary.md', 'OUT': 'out', 'CHANGED': '2',
+                            'GITHUB_OUTPUT': self.path('outputs')})
+        return Path(self.path('summary.md')).read_text(), Path(self.path('outputs')).read_text().splitlines()[-1]
+
+    def test_the_summary_says_what_changed(self):
+        mesh = self.sample('cube8')
+        for out, size in (('old', '64'), ('new', '65')):
+            self.succeed('report', mesh, '--only', 'q1', '--quick', '--pdf', 'off', '--no-timings', '--size', size, '--out', out)
+        text, changed = self.summary('old', 'new')
+        self.assertTrue(text.startswith('### Meshes that change\n'))
+        self.assertIn('size: 64 × 64 -> 65 × 65', text)
+        self.assertEqual(changed, 'changed=3')
+        self.assertTrue(Path(self.path('out/changes.html')).stat().st_size > 1000)
+        text, changed = self.summary('old', 'old')
+        self.assertIn('no change in', text)
+        self.assertEqual(changed, 'changed=2')
+        text, changed = self.summary('old', 'gone')
+        self.assertIn('cannot be compared: `meshfolio: ', text)
 
 
 if __name__ == '__main__':
