@@ -7,11 +7,11 @@ build_packages="cmake g++ ninja-build pkg-config libeigen3-dev libspectra-dev li
     fonts-dejavu-core python3-fonttools python3-brotli chromium-headless-shell"
 # For the Python module and its tests.
 python_packages="pybind11-dev python3-dev python3-numpy python3-scipy python3-nbclient python3-ipykernel python3-matplotlib"
-test_packages="$clang_format libgtest-dev libgmp-dev libembree-dev python3 libvalijson-dev libxml2-utils pandoc poppler-utils qpdf
+test_packages="$clang_format libgtest-dev libgmp-dev libembree-dev python3 libvalijson-dev libxml2-utils pandoc weasyprint poppler-utils qpdf
     strace faketime locales $python_packages"
 command -v npm >/dev/null || test_packages="$test_packages nodejs npm"   # Debian's npm conflicts with a Node.js from another source
 # Some distributions do not have these (apt has no Chromium on Ubuntu). The program is built without them.
-optional_packages="chromium-headless-shell $clang_format libembree-dev nodejs npm
+optional_packages="chromium-headless-shell $clang_format libembree-dev nodejs npm weasyprint
     $python_packages"
 
 # apt_install NAMES…: installs as root or by sudo. Returns 1 if neither is possible.

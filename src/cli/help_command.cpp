@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/help_formats.h"
 #include "run/console.h"
+#include "run/provenance.h"
 
 namespace meshfolio::cli {
 
@@ -28,9 +29,11 @@ Command help_command(CLI::App& parent) {
 }
 
 Command version_command(CLI::App& parent) {
-    const CommandOptions app(parent, "version", "The version of the program");
-    return {app, [] {
-                print(std::string("meshfolio ") + build_info::version + "\n");
+    const auto build = std::make_shared<bool>(false);
+    CommandOptions app(parent, "version", "The version of the program");
+    app.flag("--build", *build, "also a digest of the program, its libraries and the processor, which changes when results may");
+    return {app, [build] {
+                print(std::string("meshfolio ") + build_info::version + (*build ? " " + program_identity() : "") + "\n");
                 return ExitCode::ok;
             }};
 }

@@ -79,12 +79,12 @@ namespace {
 /// Prints one line with its first word in colour, wrapped on a terminal.
 void print_line(const std::string& line, Ink ink, bool with_numbers) {
     constexpr std::string_view program = "meshfolio:";
+    // A filter of Pandoc reads only standard output.
+    const int to = ink == Ink::red && environment("MESHFOLIO_ERRORS") == "stdout" ? STDOUT_FILENO : STDERR_FILENO;
     make_room_on_terminal();
-    const std::string rest = for_terminal(std::string(program) + " " + printable(line), STDERR_FILENO).substr(program.size());
+    const std::string rest = for_terminal(std::string(program) + " " + printable(line), to).substr(program.size());
     try {
-        write_all(STDERR_FILENO,
-                  inked(ink, std::string(program), STDERR_FILENO) + (with_numbers ? with_bold_numbers(rest, STDERR_FILENO) : rest) + "\n",
-                  "standard error");
+        write_all(to, inked(ink, std::string(program), to) + (with_numbers ? with_bold_numbers(rest, to) : rest) + "\n", "messages");
     } catch (const OutputError&) {
         // Standard error is gone: there is nowhere to report it.
     }
