@@ -238,10 +238,10 @@ inline constexpr const char* not_asked_for = "not asked for";
 struct Section {
     std::string id;   // "q1"
     std::string title;
-    std::string asked;        // the question in one sentence
-    std::string number = {};  // of a question in the report, "3" or "3b"; empty: that of its id
-    double points = 0;        // that a question gives; 0: none
-    std::string intro = {};   // Markdown of the teacher (own_blocks() in words.h), shown in place of `asked`
+    std::string asked;         // the question in one sentence
+    std::string number = {};   // of a question in the report, "3" or "3b"; empty: that of its id
+    double points = 0;         // that a question gives; 0: none
+    std::string intro = {};    // Markdown of the teacher (own_blocks() in words.h), shown in place of `asked`
     Status status = Status::ok;
     std::string failure;   // one line, when failed
     std::string extent;    // for the opening table: "H and K on 4 meshes, …"
@@ -294,7 +294,7 @@ struct Document {
     Provenance provenance;
     std::vector<Section> sections;   // questions in order of their numbers, then the others
     std::vector<OwnPage> pages = {};
-    std::vector<Timing> timings;     // of the run as a whole
+    std::vector<Timing> timings;   // of the run as a whole
     bool operator==(const Document&) const = default;
 };
 

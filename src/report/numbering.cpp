@@ -27,7 +27,9 @@ std::vector<std::string> section_numbers(const Document& document) {
     std::vector<std::string> numbers;
     char letter = 'A';
     for (const Section& section : document.sections)
-        numbers.push_back(!is_shown(section) ? "" : is_question(section.id) ? safe_text(question_number(section.id, section.number)) : std::string(1, letter++));
+        numbers.push_back(!is_shown(section)        ? ""
+                          : is_question(section.id) ? safe_text(question_number(section.id, section.number))
+                                                    : std::string(1, letter++));
     return numbers;
 }
 

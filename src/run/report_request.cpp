@@ -6,6 +6,7 @@
 #include "base/available_memory.h"
 #include "base/file_bytes.h"
 #include "base/number_text.h"
+#include "questions/core/section_tools.h"
 #include "report/words.h"
 #include "run/arguments.h"
 #include "run/chapter_runner.h"

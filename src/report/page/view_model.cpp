@@ -139,7 +139,8 @@ json section_view(const Section& section, const std::string& number, const ViewC
     json view = section_head(section, number, context);
     if (is_further) view["id"] = further_id(section);
     int headings_of_intro = 0;   // none: own_blocks() makes no heading
-    json intro = list_of(own_blocks(section.intro), [&](const Block& block) { return block_view(block, number, headings_of_intro, context); });
+    json intro =
+        list_of(own_blocks(section.intro), [&](const Block& block) { return block_view(block, number, headings_of_intro, context); });
     enter(view, {{"asked", "the question in one sentence", prose_view(section.asked)},
                  {"has_asked", "there is one", !section.asked.empty() && intro.empty()},
                  {"intro", "the teacher's introduction in place of the sentence, as `blocks`", std::move(intro)},
@@ -285,6 +286,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
         if (has_section(section, options.volume)) sections.push_back(section_view(section, numbers[s], context));
     }
     add_pages("");
+    const bool has_supporting = std::ranges::any_of(document.sections, [](const Section& section) { return is_shown(section) && !is_question(section.id); });
     json score = score_view(total);
     enter(score, {{"is_complete", "the lists of checks hold those that passed, too", options.passed_checks},
                   {"lists_checks", "some check is listed", options.passed_checks || total.passed < total.total()}});
@@ -300,6 +302,7 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
                  {"other_page", "file of the other volume", url_path(options.other_page)},
                  {"has_paper", "it is printed as well", options.paper},
                  {"paper", "the file that is printed", pdf_file(options.volume)},
+                 {"has_supporting", "there are sections that are no questions", has_supporting},
                  {"has_source", "the report has src.txt, and citations have lines", cites_source(document)},
                  {"series", "a figure of the first question with a laboratory; false: none", series_view(document, context)},
                  {"cover", "picture of the first page; false: none", cover == nullptr ? json(false) : cover_view(*cover, context)},

@@ -75,10 +75,11 @@ bool is_complete(const report::Document& document, const ReportSettings& setting
 
 bool is_the_same(const StoredReport& report, const BatchMesh& mesh, const std::string& sha256, const ReportSettings& settings) {
     const report::Input* input = input_with(report.document, sha256);
-    if (input == nullptr || report.timings != settings.timings || report::cites_source(report.document) != has_source(settings)) return false;
+    if (input == nullptr || report.timings != settings.timings || report::cites_source(report.document) != has_source(settings))
+        return false;
     const ReportSettings own = settings_on(mesh, std::max<double>(input->vertices, 0.5 * input->triangles), settings);
-    return difference(report.document.provenance, provenance_of(described(own), own.seed)).empty() && has_the_words_of(report.document, own) &&
-           is_complete(report.document, own);
+    return difference(report.document.provenance, provenance_of(described(own), own.seed)).empty() &&
+           has_the_words_of(report.document, own) && is_complete(report.document, own);
 }
 
 }   // namespace

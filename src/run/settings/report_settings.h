@@ -87,7 +87,7 @@ struct ReportSettings {
     std::vector<std::filesystem::path> meshes, data;
     std::filesystem::path out = "out", templates;
     PageTemplate page;
-    std::string pdf = "auto", pdf_browser;   // auto, require or off; name or path of the browser, empty: the first that is found
+    std::string pdf = "auto", pdf_browser;         // auto, require or off; name or path of the browser, empty: the first that is found
     std::string title, author, course, colormap;   // an empty title names the user's own meshes
     std::optional<bool> source;                    // write src.txt; none: unless the user gives own meshes
     ViewSize size;
@@ -113,8 +113,8 @@ ReportSettings parse_settings(std::string_view text, const std::string& file, Re
 /// Parses the settings file of this name, or else the bundled one of data/reports. @throws SettingsErrors, also if there is neither
 ReportSettings read_settings(const std::string& config, ReportSettings before = {});
 
-/// Returns the settings of a run: defaults, environment, settings file, flags, each over the ones before. A report on own meshes has neither
-/// the title nor the course of the defaults. @param own_meshes  true: also if the flags name none
+/// Returns the settings of a run: defaults, environment, settings file, flags, each over the ones before. A report on own meshes has
+/// neither the title nor the course of the defaults. @param own_meshes  true: also if the flags name none
 /// @throws SettingsErrors, UsageError
 ReportSettings report_settings(const ReportFlags& flags, bool own_meshes = false);
 

@@ -25,8 +25,8 @@ struct Setting {
     long long least = 0, most = 0;   // of integers
     double smallest = 0;             // of other numbers
     double largest = 0;
-    bool is_above_zero = false;      // 0 itself is refused
-    const char* unsaid = "";         // the value that the provenance leaves out
+    bool is_above_zero = false;   // 0 itself is refused
+    const char* unsaid = "";      // the value that the provenance leaves out
     std::vector<std::string> (*choices)() = nullptr;
     enum class Text { line, title, number, markdown } text = Text::line;   // of texts without choices; a title is not blank
 };
@@ -64,7 +64,15 @@ void for_each_setting(Settings& settings, Visit visit) {
           size);
     visit(Setting{.table = "[render]", .key = "camera", .flag = "--camera", .name = "camera", .shapes_answers = true}, sight.camera);
     visit(Setting{.table = "[render]", .key = "up", .flag = "--up", .name = "up", .shapes_answers = true, .choices = axis_names}, sight.up);
-    visit(Setting{.table = "[render]", .key = "zoom", .flag = "--zoom", .name = "zoom", .shapes_answers = true, .smallest = smallest_zoom, .largest = largest_zoom, .unsaid = "1"}, sight.zoom);
+    visit(Setting{.table = "[render]",
+                  .key = "zoom",
+                  .flag = "--zoom",
+                  .name = "zoom",
+                  .shapes_answers = true,
+                  .smallest = smallest_zoom,
+                  .largest = largest_zoom,
+                  .unsaid = "1"},
+          sight.zoom);
     visit(Setting{.table = "[render]", .key = "view_files", .flag = "--views-files", .name = "view files", .shapes_answers = true},
           view_files);
     visit(Setting{.flag = "--sheets-only", .name = "sheets only", .shapes_answers = true}, sheets_only);

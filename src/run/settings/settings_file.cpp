@@ -42,7 +42,7 @@ public:
     Reader(const toml::table& root, ReportSettings& settings, Problems& problems) : root_(root), settings_(settings), problems_(problems) {}
 
     void read() {
-        read_table("", root_, {"report", "render", "question", "page", "item"});   // items are of `mark`
+        read_table("", root_, {"report", "render", "question", "page", "item"});   // items, like `title`, are of `mark`
         for (const std::string name : {"report", "render"}) {
             const toml::node* node = root_.get(name);
             if (node != nullptr && !node->is_table()) problems_.add(*node, name + " is not a table", "write [" + name + "]");
@@ -63,7 +63,9 @@ private:
     std::map<std::string, long> output_lines_, number_lines_;   // output name, number of a question → line
 
     void read_table(const std::string& name, const toml::table& table, const std::vector<std::string>& tables = {}) {
-        const TableReader reader(table, name, keys_of<ReportSettings>(name), problems_, tables);
+        std::vector<std::string> known = keys_of<ReportSettings>(name);
+        if (name.empty()) known.emplace_back("title");
+        const TableReader reader(table, name, known, problems_, tables);
         for_each_setting(settings_, [&](const Setting& setting, auto& value) {
             if (setting.table == name) take_if_given(reader, setting, value);
         });
