@@ -32,7 +32,7 @@ const CommandGroup groups[] = {
     {"Make a report", {report_command, batch_command, lab_command, merge_command, submit_command}},
     {"Work on a mesh",
      {inspect_command, render_command, curvature_command, spectrum_command, smooth_command, noise_command, sample_command}},
-    {"Check and mark", {compare_command, mark_command, verify_command}},
+    {"Check and mark", {compare_command, diff_command, mark_command, verify_command}},
     {"Set up", {doctor_command, list_command, templates_command, cache_command, help_command, version_command}}};
 
 /// Returns the words of the command line, with the command `help` if there are none, and `report` before options.

@@ -10,7 +10,10 @@ Command mark_command(CLI::App& parent) {
     flags->out = "marks";
     CommandOptions app(parent, "mark", "Students' meshes and numbers compared with the right answers");
     app.required_texts("SUBMISSION", flags->submissions, "a student's folder or zip; several for a class");
-    app.text("--rubric FILE", flags->rubric, "the items to mark (TOML); default: the bundled data/rubric.toml, which documents every key");
+    app.text(
+        "--rubric FILE", flags->rubric,
+        "the items to mark (TOML, perhaps in one file with the settings of the sheet), or bundled settings by name; default: the bundled "
+        "data/rubric.toml, which documents every key");
     app.text("--out DIR", flags->out, "folder of the marks, replaced as a whole; all its students must be marked again");
     app.text("--templates DIR", flags->templates, "folder of templates that replace those of the same name");
     app.footer(

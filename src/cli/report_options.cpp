@@ -6,10 +6,13 @@
 namespace meshfolio::cli {
 
 void add_paper_options(CommandOptions& app, ReportFlags& flags) {
+    app.text("--title TEXT", flags.title, "title of the report; default: that of the settings, for own meshes their names");
+    app.text("--course NAME", flags.course, "course that the report is for; default: that of the settings, for own meshes none");
     app.text("--author NAME", flags.author, "author of the work");
     app.text("--config SETTINGS", flags.config,
              "settings file (TOML; data/report.toml documents every key), else the bundled settings of that name");
     app.text("--templates DIR", flags.templates, "folder of templates that replace those of the same name; links may not lead out of it");
+    app.flag("--no-source", flags.no_source, "without src.txt, the source of the program; default for own meshes and in batch");
     app.text("--pdf auto|require|off", flags.pdf,
              "report.pdf and appendix.pdf: auto, where an engine is there (the default of report); require; or off");
     app.text("--pdf-browser FILE", flags.pdf_browser, "the browser that prints, by name or path; default: the first that is found");

@@ -115,6 +115,12 @@ Check within_rounding(Check check, double rounding) {
     return undecided(std::move(check), "rounding alone may move it by " + plain_text(rounding, 2));
 }
 
+bool cites_source(const Document& document) {
+    return std::ranges::any_of(document.sections, [](const Section& section) {
+        return std::ranges::any_of(section.code, [](const CodeReference& code) { return code.line > 0; });
+    });
+}
+
 Score& Score::operator+=(const Score& other) {
     passed += other.passed;
     failed += other.failed;

@@ -232,10 +232,16 @@ std::map<std::string, std::string> texts_of(const Parameters& parameters);
 
 enum class Status { ok, failed, skipped };
 
+/// The extent of a skipped section that the user did not ask for. Pages leave it out; results.json has it.
+inline constexpr const char* not_asked_for = "not asked for";
+
 struct Section {
     std::string id;   // "q1"
     std::string title;
-    std::string asked;   // the question in one sentence
+    std::string asked;         // the question in one sentence
+    std::string number = {};   // of a question in the report, "3" or "3b"; empty: that of its id
+    double points = 0;         // that a question gives; 0: none
+    std::string intro = {};    // Markdown of the teacher (own_blocks() in words.h), shown in place of `asked`
     Status status = Status::ok;
     std::string failure;   // one line, when failed
     std::string extent;    // for the opening table: "H and K on 4 meshes, …"
@@ -253,6 +259,9 @@ struct Section {
     std::vector<Timing> timings;
     bool operator==(const Section&) const = default;
 };
+
+/// True unless the section was skipped because the user did not ask for it.
+inline bool is_shown(const Section& section) { return section.status != Status::skipped || section.extent != not_asked_for; }
 
 /// Returns an id for each column of a table, unique in the document, from the id of the table and the name: "q5_limits-lambda-crit".
 std::vector<std::string> column_ids(const Table& table);
@@ -272,12 +281,24 @@ struct Provenance {
     bool operator==(const Provenance&) const = default;
 };
 
+/// A page of the user's own text, between the questions.
+struct OwnPage {
+    std::string title;
+    std::string text;     // Markdown, as Section::intro
+    std::string before;   // id of the question that follows; empty: after the last
+    bool operator==(const OwnPage&) const = default;
+};
+
 struct Document {
     std::string title, author, course;
     Provenance provenance;
-    std::vector<Section> sections;   // in order of the questions
-    std::vector<Timing> timings;     // of the run as a whole
+    std::vector<Section> sections;   // questions in order of their numbers, then the others
+    std::vector<OwnPage> pages = {};
+    std::vector<Timing> timings;   // of the run as a whole
     bool operator==(const Document&) const = default;
 };
+
+/// True if a citation has its line, so that the report has src.txt.
+bool cites_source(const Document& document);
 
 }   // namespace meshfolio::report

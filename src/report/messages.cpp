@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "base/lower_case.h"
 #include "base/number_text.h"
+#include "report/numbering.h"
 #include "report/words.h"
 
 namespace meshfolio::report {
@@ -13,7 +14,7 @@ namespace meshfolio::report {
 namespace {
 
 std::string trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+    const std::size_t first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
     return first == std::string_view::npos ? "" : std::string(text.substr(first, last - first + 1));
 }
 
@@ -173,6 +174,36 @@ std::vector<Message> messages_of(std::string_view text, const std::string& file)
 Text running_text(std::string_view paragraph, const Facts& facts) { return Reader(paragraph, facts, true).text(); }
 
 std::string running_line(std::string_view paragraph, const Facts& facts) { return plain(Reader(paragraph, facts, false).text()); }
+
+std::vector<Block> own_blocks(std::string_view text) {
+    std::string lines = "## own\n";   // the text in the format of the words
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string line = trimmed(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::size_t hashes = std::min(line.find_first_not_of('#'), line.size());
+        const std::size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());
+        if (hashes > 0 && line.substr(hashes).starts_with(' ')) line = "\n**" + trimmed(std::string_view(line).substr(hashes)) + "**\n";
+        if (digits > 0 && line.substr(digits).starts_with(". ")) line = "\n" + line;
+        if (line.starts_with("* ")) line[0] = '-';
+        if (line.starts_with("$$")) {
+            if (!line.ends_with("$$") || line.size() < 5) throw std::logic_error("'" + line + "' lacks $$");
+            line = "\n" + line.substr(1, line.size() - 2) + "\n";
+        }
+        lines += line + "\n";
+    }
+    std::vector<Block> blocks = blocks_of(messages_of(lines, "").front(), {});
+    const auto require_questions = [](const Text& words) {
+        for (const Run& run : words)
+            if (run.kind == Run::Kind::reference && !is_question(run.content))
+                throw std::logic_error("[[" + run.content + "]] is no question: write [[q5]], say");
+    };
+    for (const Block& block : blocks) {
+        if (const auto* paragraph = std::get_if<Paragraph>(&block)) require_questions(paragraph->text);
+        if (const auto* list = std::get_if<BulletList>(&block)) std::ranges::for_each(list->items, require_questions);
+    }
+    return blocks;
+}
 
 std::vector<std::string> facts_in(const Message& message) {
     std::set<std::string> names;

@@ -1,5 +1,6 @@
 #include "report/numbering.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "report/escape.h"
@@ -20,12 +21,26 @@ std::string_view question_of(std::string_view id) {
 
 bool is_question(std::string_view section_id) { return !section_id.empty() && question_of(section_id) == section_id; }
 
+std::string question_number(const std::string& id, const std::string& own) { return own.empty() ? id.substr(1) : own; }
+
 std::vector<std::string> section_numbers(const Document& document) {
     std::vector<std::string> numbers;
     char letter = 'A';
     for (const Section& section : document.sections)
-        numbers.push_back(is_question(section.id) ? section.id.substr(1) : std::string(1, letter++));
+        numbers.push_back(!is_shown(section)        ? ""
+                          : is_question(section.id) ? safe_text(question_number(section.id, section.number))
+                                                    : std::string(1, letter++));
     return numbers;
+}
+
+std::string own_page_id(std::size_t place) { return "page-" + std::to_string(place + 1); }
+
+void sort_by_number(Document& document) {
+    std::ranges::stable_sort(document.sections, {}, [](const Section& section) {
+        if (!is_question(section.id)) return std::pair(std::string::npos, std::string());
+        const std::string number = question_number(section.id, section.number);
+        return std::pair(std::min(number.find_first_not_of("0123456789"), number.size()), number);   // more digits, larger number
+    });
 }
 
 Numbering::Numbering(const Document& document, const std::vector<CitedWork>& works) {
@@ -33,7 +48,8 @@ Numbering::Numbering(const Document& document, const std::vector<CitedWork>& wor
     for (std::size_t s = 0; s < document.sections.size(); ++s) {
         const Section& section = document.sections[s];
         status_[section.id] = section.status;
-        add(section.id, is_question(section.id) ? "Question " : "Section ", numbers[s]);
+        if (is_shown(section)) add(section.id, is_question(section.id) ? "Question " : "Section ", numbers[s]);
+        else references_[section.id] = {"", "“" + safe_text(section.title) + "” (not in this report)", "", false, "", false};
         int figures = 0, tables = 0, equations = 0;
         const auto next = [&](int& count) { return numbers[s] + "." + std::to_string(++count); };
         for (const Block& block : section.blocks) {
@@ -46,6 +62,7 @@ Numbering::Numbering(const Document& document, const std::vector<CitedWork>& wor
             if (formula && !formula->id.empty()) add(formula->id, "Equation ", "(" + next(equations) + ")");
         }
     }
+    for (std::size_t p = 0; p < document.pages.size(); ++p) add(own_page_id(p), document.pages[p].title, "");
     for (std::size_t i = 0; i < works.size(); ++i) {
         add(works[i].id, "", "[" + std::to_string(i + 1) + "]");
         references_[works[i].id].anchor = "ref-" + works[i].id;

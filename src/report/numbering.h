@@ -17,6 +17,7 @@ struct Reference {
     std::string anchor;       // of the element in the page; empty: there is none
     bool elsewhere = false;   // in the other volume,
     std::string page = {};    // in this file; empty: without a link
+    bool is_shown = true;     // false: its section is in neither volume
 };
 
 class Numbering {
@@ -27,7 +28,7 @@ public:
 
     /// Returns number, label and link of a figure, table, plot, map, diagram, formula, entry, section or cited work. A part of a section
     /// that failed or was skipped, or of a missing question, has the reference of its section, so that one failure does not break other
-    /// sections.
+    /// sections. A section that is not shown has its title as label, without a link.
     /// @throws std::logic_error with an id that nothing has
     Reference resolve(const std::string& id) const;
 
@@ -42,7 +43,14 @@ private:
 
 /// True for ids such as "q4"; all other sections support the answers.
 bool is_question(std::string_view section_id);
-/// Returns the number of each section, in their order: "1" for "q1", letters from "A" for sections that are no question.
+/// Returns the number of each section, in their order: that of the section, else "1" for "q1", letters from "A" for sections that are no
+/// question; empty for sections that are not shown.
 std::vector<std::string> section_numbers(const Document& document);
+/// Returns the number of a question: its own, or that of its id if that is empty.
+std::string question_number(const std::string& id, const std::string& own);
+/// Returns the id of a page of the user's own by its place among them: "page-1".
+std::string own_page_id(std::size_t place);
+/// Sorts the questions by their numbers, "2" before "10" before "10b"; other sections stay behind them.
+void sort_by_number(Document& document);
 
 }   // namespace meshfolio::report

@@ -101,6 +101,10 @@ Text running_text(std::string_view paragraph, const Facts& facts);
 std::string running_line(std::string_view paragraph, const Facts& facts);
 /// Returns a message as headings, formulas, lists and paragraphs in their order, with facts in place of {{…}}.
 std::vector<Block> blocks_of(const Message& message, const Facts& facts);
+/// Returns a text of the user's as paragraphs and lists. It is Markdown as above: headings become strong paragraphs, "* " begins an item
+/// and "1. " a paragraph, $$…$$ is mathematics, and [[q5]] refers to a question. There are no facts.
+/// @throws std::logic_error for a mark that is not closed, a fact, or a reference to anything but a question
+std::vector<Block> own_blocks(std::string_view text);
 /// Returns the names of facts and sections of a message, each once, sorted.
 std::vector<std::string> facts_in(const Message& message);
 

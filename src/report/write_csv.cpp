@@ -44,8 +44,8 @@ std::string field(const Cell& cell) {
     return "";
 }
 
-/// Returns entry i; empty beyond the end.
-std::string value_at(const std::vector<double>& values, std::size_t i) { return i < values.size() ? exact_text(values[i]) : ""; }
+/// Returns entry i; an empty cell beyond the end.
+Cell value_at(const std::vector<double>& values, std::size_t i) { return i < values.size() ? Cell(values[i]) : Cell(); }
 
 }   // namespace
 
@@ -63,38 +63,34 @@ std::string write_csv(const Table& table) {
     return csv;
 }
 
-std::string write_csv(const Plot& plot) {
-    bool with_band = false, with_panels = false;
-    for (const Series& series : plot.series) {
-        with_band = with_band || !series.y_low.empty();
-        with_panels = with_panels || !series.panel.empty();
-    }
-    std::string csv = std::string(with_panels ? "panel," : "") + "series," + field(plot.x_label) + "," + field(plot.y_label) +
-                      (with_band ? ",low,high\n" : "\n");
+Table table_of(const Plot& plot) {
+    const bool with_band = std::ranges::any_of(plot.series, [](const Series& series) { return !series.y_low.empty(); });
+    const bool with_panels = std::ranges::any_of(plot.series, [](const Series& series) { return !series.panel.empty(); });
+    Table table{.id = plot.id};
+    if (with_panels) table.columns.push_back({"panel"});
+    for (const std::string& name : {std::string("series"), plot.x_label, plot.y_label}) table.columns.push_back({name});
+    if (with_band) table.columns.insert(table.columns.end(), {{"low"}, {"high"}});
     for (const Series& series : plot.series) {
         for (std::size_t i = 0; i < series.x.size(); ++i) {
-            csv += (with_panels ? field(series.panel) + "," : "") + field(series.name) + "," + exact_text(series.x[i]) + "," +
-                   value_at(series.y, i);
-            if (with_band) csv += "," + value_at(series.y_low, i) + "," + value_at(series.y_high, i);
-            csv += '\n';
+            std::vector<Cell>& row = table.rows.emplace_back();
+            if (with_panels) row.emplace_back(series.panel);
+            row.insert(row.end(), {series.name, series.x[i], value_at(series.y, i)});
+            if (with_band) row.insert(row.end(), {value_at(series.y_low, i), value_at(series.y_high, i)});
         }
     }
-    return csv;
+    return table;
 }
 
-std::string write_csv(const Map& map) {
-    std::string csv = "panel,series," + field(map.x_label) + "," + field(map.y_label) + "," + field(map.value_label) + "\n";
+Table table_of(const Map& map) {
+    Table table{.id = map.id, .columns = {{"panel"}, {"series"}, {map.x_label}, {map.y_label}, {map.value_label}}};
     for (const Map::Panel& panel : map.panels) {
-        for (std::size_t i = 0; i < panel.values.size() && i < map.x.size() * map.y.size(); ++i) {
-            csv += field(panel.title) + ",cells," + exact_text(map.x[i % map.x.size()]) + "," + exact_text(map.y[i / map.x.size()]) + "," +
-                   exact_text(panel.values[i]) + "\n";
-        }
-        for (const Series& line : panel.lines) {
+        for (std::size_t i = 0; i < panel.values.size() && i < map.x.size() * map.y.size(); ++i)
+            table.rows.push_back({panel.title, "cells", map.x[i % map.x.size()], map.y[i / map.x.size()], panel.values[i]});
+        for (const Series& line : panel.lines)
             for (std::size_t i = 0; i < line.x.size(); ++i)
-                csv += field(panel.title) + "," + field(line.name) + "," + exact_text(line.x[i]) + "," + value_at(line.y, i) + ",\n";
-        }
+                table.rows.push_back({panel.title, line.name, line.x[i], value_at(line.y, i), Cell()});
     }
-    return csv;
+    return table;
 }
 
 }   // namespace meshfolio::report

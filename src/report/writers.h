@@ -98,11 +98,11 @@ const std::string& results_schema();
 /// Returns a table as CSV (RFC 4180, LF line ends): header `name [unit]`, exact numbers, empty undefined cells, texts on one line and no
 /// formulas.
 std::string write_csv(const Table& table);
-/// Returns a plot as CSV, a row for each point: panel if there are panels, series, x, y, and the band if there is one.
-std::string write_csv(const Plot& plot);
-/// Returns a map as CSV: panel, series ("cells" or a line), x, y, value; a row for each cell, then for each point of a line, without a
+/// Returns the data of a plot, a row for each point: panel if there are panels, series, x, y, and the band if there is one.
+Table table_of(const Plot& plot);
+/// Returns the data of a map: panel, series ("cells" or a line), x, y, value; a row for each cell, then for each point of a line, without a
 /// value.
-std::string write_csv(const Map& map);
+Table table_of(const Map& map);
 
 /// Return a drawing as inline SVG, readable in grey, with colours of the page (currentColor and CSS variables).
 std::string svg_of(const Plot& plot);

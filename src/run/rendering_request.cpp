@@ -79,6 +79,7 @@ void require_alike(const Parts& parts) {
             const std::string &own = part->document.*words, &other = first.document.*words;
             if (found.empty() && own != other) found = std::string(name) + " '" + own + "', and not '" + other + "'";
         }
+        if (found.empty() && part->document.pages != first.document.pages) found = "other pages of text";
         if (!found.empty()) throw InputError({part->file}, "was made with " + found + " as " + first.file, "make the parts alike");
         for (const Section& section : part->document.sections) {
             const StoredReport& taken = part_with(parts, section.id);
@@ -122,17 +123,19 @@ std::vector<report::Lab> merged_labs(const Parts& parts) {
     return labs;
 }
 
-/// Takes title, author, course and page from the flags and the settings file; the other settings of the file have no use here.
+/// Takes title, author, course, pages and design from the flags and the settings file; enter_words() takes the words of questions.
 void take_words(const ReportFlags& flags, ReportRequest& request, ReportSettings& settings) {
     ReportSettings words;
     words.title = request.head.title;
     words.author = request.head.author;
     words.course = request.head.course;
+    words.pages = request.head.pages;
     if (!flags.config.empty()) words = read_settings(flags.config, words);
-    if (!flags.author.empty()) words.author = flags.author;
-    request.head.title = words.title;
-    request.head.author = words.author;
-    request.head.course = words.course;
+    report::Document head = head_of(words);
+    request.head.title = flags.title.empty() ? head.title : flags.title;
+    request.head.author = flags.author.empty() ? head.author : flags.author;
+    request.head.course = flags.course.empty() ? head.course : flags.course;
+    request.head.pages = std::move(head.pages);
     if (words.page.file) request.templates.replace("report.html", *words.page.file);
     settings.page = words.page;
 }
@@ -178,7 +181,7 @@ ReportRequest rendering_request(const ReportFlags& flags) {
         const StoredReport& part = part_with(parts, id);
         return part.section(*section_in(part, id), folder);
     }};
-    request.source_text = [parts] { return parts.front()->bytes_of("src.txt").value_or(""); };
+    if (!flags.no_source) request.source_text = [parts] { return parts.front()->bytes_of("src.txt").value_or(""); };
     request.labs = [parts](const std::vector<ReportSection>&) { return merged_labs(parts); };
     return request;
 }

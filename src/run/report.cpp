@@ -69,7 +69,11 @@ Sections gather(const ReportRequest& request, const fs::path& folder, ProgressDi
 report::Document assembled(const ReportRequest& request, const Sections& sections) {
     report::Document document = request.head;
     for (const ReportSection& section : sections) document.sections.push_back(section.answer.section);
-    if (!request.renders_again && request.source_text) submission::cite(document, own_source());
+    enter_words(document, *request.settings, request.renders_again);
+    if (request.cites_source) submission::cite(document, own_source());
+    if (!request.source_text)
+        for (report::Section& section : document.sections)
+            for (report::CodeReference& code : section.code) code.line = 0;
     return document;
 }
 

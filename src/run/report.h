@@ -35,7 +35,8 @@ struct ReportRequest {
     std::vector<Source> sources = {};      // the first that has a section gives it
     std::vector<std::string> notes = {};   // warnings to be shown at the end
 
-    bool renders_again = false;                      // nothing is computed: citations, timings and source are those of the stored report
+    bool renders_again = false;                      // nothing is computed: the timings are those of the stored report
+    bool cites_source = false;                       // citations get the lines of this program's source, else they keep theirs
     double expected_seconds = 0;                     // of the computation; 0: not known
     std::function<std::string()> source_text = {};   // of src.txt; empty: none
     std::function<std::vector<report::Lab>(const std::vector<ReportSection>&)> labs = {};   // of the page; empty: none

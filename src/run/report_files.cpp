@@ -27,7 +27,7 @@ void add_junit(const std::string& file, std::string_view text, const output::Pub
 
 /// Writes the data of a plot or a map to tables/<id>.csv, and its picture to images/<id>.svg.
 template <class Drawing> void write_drawing(const Drawing& drawing, const fs::path& folder) {
-    write_file(folder / "tables" / (drawing.id + ".csv"), report::write_csv(drawing));
+    write_file(folder / "tables" / (drawing.id + ".csv"), report::write_csv(report::table_of(drawing)));
     write_file(folder / "images" / (drawing.id + ".svg"), report::svg_on_white(report::svg_of(drawing)));
 }
 

@@ -6,6 +6,7 @@
 #include "base/available_memory.h"
 #include "base/file_bytes.h"
 #include "base/number_text.h"
+#include "questions/core/section_tools.h"
 #include "report/words.h"
 #include "run/arguments.h"
 #include "run/chapter_runner.h"
@@ -105,10 +106,7 @@ report::Document head_of(const Computation& now) {
         ids.insert(ids.end(), now.kept.begin(), now.kept.end());
         settings.only = sections_in_order(ids);
     }
-    report::Document head;
-    head.title = settings.title;
-    head.author = settings.author;
-    head.course = settings.course;
+    report::Document head = head_of(settings);
     head.provenance = provenance_of(described(settings), settings.seed);
     for (const std::string& id : now.kept) {
         const std::string effort = id + effort_suffix;
@@ -129,7 +127,7 @@ std::vector<Source> sources_of(const std::shared_ptr<Computation>& now, const st
             section.answer.section.timings.clear();   // of that run
             return section;
         }
-        if (!is_asked_for(now->settings, id)) return ReportSection{{skipped_section(id, "not asked for")}};
+        if (!is_asked_for(now->settings, id)) return ReportSection{{skipped_section(id, report::not_asked_for)}};
         if (effort_of(now->settings, std::string(id)).left_out) return ReportSection{{skipped_section(id, left_out_to_fit())}};
         return {};
     };
@@ -172,7 +170,8 @@ ReportRequest report_request(const ReportFlags& flags) {
     if (!flags.no_cache) request.store = cache_for_report();
     if (request.store) request.cache = std::make_shared<const SectionCache>(*request.store, now->settings, now->meshes);
     request.sources = sources_of(now, request.cache);
-    request.source_text = [] { return own_source().text(); };
+    if (has_source(now->settings)) request.source_text = [] { return own_source().text(); };
+    request.cites_source = has_source(now->settings);
     if (now->settings.page.design == "report" && !report::viewer_program().empty())
         request.labs = [now, store = request.store](const std::vector<ReportSection>& sections) {
             return report_labs(sections, now->meshes, now->settings, store.get());

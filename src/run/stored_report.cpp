@@ -20,8 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t largest_results = std::uintmax_t{256} << 20;   // bytes
-constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;        // bytes
+constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;   // bytes
 
 }   // namespace
 

@@ -18,6 +18,7 @@
 namespace meshfolio::run {
 
 inline constexpr const char* results_file = "results.json";
+inline constexpr std::uintmax_t largest_results = std::uintmax_t{256} << 20;   // bytes
 
 /// A section of the report that is being made.
 struct ReportSection {

@@ -22,7 +22,7 @@ void require_questions(const report::Document& document, const std::string& file
                               id + (failed       ? " failed: " + printable(question->failure)
                                     : is_missing ? " is missing"
                                                  : " is skipped"),
-                              "answer all questions: meshfolio report without --only");
+                              "answer all questions: meshfolio report without --only; or name the settings of another sheet with --config");
     }
 }
 
@@ -55,19 +55,6 @@ std::vector<std::string> warnings_of(const report::Document& document) {
     return warnings;
 }
 
-/// Returns the author to submit under. @param named  by the report @param asked  on the command line
-std::string author_of(const std::string& named, const std::string& asked, const std::string& remedy) {
-    constexpr std::size_t longest = 200;   // bytes, as in the settings
-    if (asked.empty() && named.empty()) throw UsageError("the report names no author", "give --author NAME");
-    if (!asked.empty() && !named.empty() && asked != named)
-        throw UsageError("the report names '" + printable(named) + "' as its author, not '" + printable(asked) + "'", remedy);
-    std::string author = asked.empty() ? named : asked;
-    if (author.size() > longest || printable(author) != author)
-        throw UsageError("the author's name is longer than " + std::to_string(longest) + " bytes, or not on one line",
-                         "give a shorter name on one line with --author");
-    return author;
-}
-
 }   // namespace
 
 ReadyReport require_ready(const ReportFolder& report, const SourceListing& listing, const SubmissionOptions& options) {
@@ -79,21 +66,20 @@ ReadyReport require_ready(const ReportFolder& report, const SourceListing& listi
     };
     const std::string file = name("results.json"), &results = required("results.json", renew);
     for (const char* page : {"index.html", "appendix.html"}) required(page, renew);
-    if (required("src.txt", renew) != listing.text())
-        throw InputError({name("src.txt")}, "is not the source of this program: the report is of another version", renew);
     ReadyReport ready{report::read_json(results, file).document, {}, {}};
+    const bool has_source = report::cites_source(ready.document);
+    if (has_source && required("src.txt", renew) != listing.text())
+        throw InputError({name("src.txt")}, "is not the source of this program: the report is of another version", renew);
     require_questions(ready.document, file, options.questions);
-    require_citations(ready.document, file, listing);
+    if (has_source) require_citations(ready.document, file, listing);
     for (const char* paper : {"report.pdf", "appendix.pdf"}) {
         if (options.pdf && !required(paper, "print it with meshfolio report --pdf require, or take --without-pdf").starts_with("%PDF-"))
             throw InputError({name(paper)}, "is no PDF", renew);
     }
-    const std::string folder = report.path.string(), &named = ready.document.author;
-    const std::string remedy =
-        "meshfolio report --from " + folder + "/results.json --out " + folder + " --author NAME puts another on the report";
-    ready.author = author_of(named, options.author, remedy);
+    ready.author = options.author.empty() ? ready.document.author : options.author;
+    if (ready.author.empty()) throw UsageError("the report names no author", "give --author NAME");
+    ready.is_complete = has_source && ready.author == ready.document.author;
     ready.warnings = warnings_of(ready.document);
-    if (named.empty()) ready.warnings.push_back("the name is in INSTRUCTIONS.md alone: the report names nobody; " + remedy);
     return ready;
 }
 

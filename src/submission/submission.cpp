@@ -22,6 +22,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* archive_file = "submission.zip";
+constexpr std::string_view packages_script = "tests/setup.sh";   // which build-report needs too
 
 /// The files of the archive: path → bytes.
 using Contents = std::map<std::string, std::string_view>;
@@ -66,17 +67,17 @@ std::string zip_of(const Contents& contents) {
 }
 
 /// Renders templates/instructions.md: the contents of the archive, its build, and the place of each answer.
-std::string instructions(const ReadyReport& ready, const SourceListing& listing, const std::vector<SourceFile>& tree,
-                         const SubmissionOptions& options) {
-    const auto setup = std::ranges::find(tree, "tests/setup.sh", &SourceFile::path);
-    json citations = json::array();
-    for (const CitingSection& section : listing.index()) {
-        for (const report::CodeReference& code : section.code) {
-            citations.push_back(
-                {{"section", section.label}, {"line", std::to_string(code.line)}, {"function", code.function}, {"file", code.file}});
-        }
-    }
+std::string instructions(const ReadyReport& ready, const std::vector<SourceFile>& tree, const SubmissionOptions& options) {
+    const auto setup = std::ranges::find(tree, packages_script, &SourceFile::path);
     const report::Document& document = ready.document;
+    const std::vector<std::string> numbers = report::section_numbers(document);
+    json citations = json::array();
+    for (std::size_t s = 0; s < numbers.size(); ++s) {
+        const std::string label = (report::is_question(document.sections[s].id) ? "Q" : "") + numbers[s];
+        for (const report::CodeReference& code : document.sections[s].code)
+            citations.push_back(
+                {{"section", label}, {"line", std::to_string(code.line)}, {"function", code.function}, {"file", code.file}});
+    }
     const std::string& commit = document.provenance.commit;
     const bool has_own_meshes = std::ranges::any_of(document.sections, [](const report::Section& section) {
         return report::is_question(section.id) &&
@@ -91,7 +92,8 @@ std::string instructions(const ReadyReport& ready, const SourceListing& listing,
                         {"has_commit", !commit.empty() && commit != "unknown"},
                         {"has_pdf", options.pdf},
                         {"has_images", options.images},
-                        {"has_own_meshes", has_own_meshes},
+                        {"has_tests", options.tests},
+                        {"has_own_meshes", has_own_meshes || document.provenance.settings.contains("meshes")},
                         {"packages", joined(build_packages(setup == tree.end() ? std::string_view() : setup->bytes), " ")},
                         {"citations", citations}};
     return report::render(report::Templates(), "instructions.md", model, report::markdown_escape);
@@ -113,6 +115,8 @@ Submission pack(const ReportFolder& report, const SourceListing& listing, const 
     for (const auto& [path, bytes] : report.files)
         if (is_packed(path, options)) contents[path] = bytes;
     for (const SourceFile& file : tree) {   // our own scripts are its only executables
+        const bool is_test = file.path == "run-tests" || (file.path.starts_with("tests/") && file.path != packages_script);
+        if (is_test && !options.tests) continue;
         const std::string kind = is_script(file.bytes) ? "" : program_kind(file.bytes), problem = path_problem(file.path);
         if (!kind.empty() || !problem.empty()) {
             throw InputError({"source/" + file.path}, kind.empty() ? problem : "is " + kind,
@@ -122,7 +126,7 @@ Submission pack(const ReportFolder& report, const SourceListing& listing, const 
     }
     contents["LICENSE"] = contents.at("source/LICENSE");
     contents["NOTICES.md"] = contents.at("source/src/submission/NOTICES.md");
-    const std::string how_to = instructions(ready, listing, tree, options);
+    const std::string how_to = instructions(ready, tree, options);
     contents["INSTRUCTIONS.md"] = how_to;
     std::string manifest;   // for sha256sum -c
     for (const auto& [path, bytes] : contents) manifest += sha256(bytes) + "  " + path + "\n";

@@ -13,9 +13,10 @@
 namespace meshfolio::submission {
 
 struct SubmissionOptions {
-    std::string author;                   // empty: the author that the report names
+    std::string author;                   // of the submission; empty: the author that the report names
     bool pdf = true;                      // report.pdf and appendix.pdf are required and packed
     bool images = false;                  // images/ is packed, and the Markdown, which shows them
+    bool tests = true;                    // the tests are packed with the source
     std::vector<std::string> questions;   // ids that must be answered
 };
 
@@ -24,11 +25,12 @@ struct ReadyReport {
     report::Document document;
     std::string author;
     std::vector<std::string> warnings;   // problems that do not prevent a submission
+    bool is_complete = true;             // false: it lacks the author's name or src.txt, and is to be rendered again
 };
 
 /// Checks a report and reads its results.json.
 /// @throws SubmissionError if a question is missing, skipped or failed, or a citation does not resolve; InputError if a file is missing
-/// or was written by another version; UsageError if no author is known, or `options` name another than the report
+/// or was written by another version; UsageError if no author is known
 ReadyReport require_ready(const ReportFolder& report, const SourceListing& listing, const SubmissionOptions& options);
 
 struct Submission {

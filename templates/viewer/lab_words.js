@@ -41,7 +41,7 @@ export function notesOf({ name, vertices, modes, hasAllModes, isDecimated, sourc
         details: [
             hasAllModes ? "" : "What finer modes hold is cut off before any filter: this is a truncation, and a step beyond λ_crit cannot be seen to blow up.",
             hasAllModes ? `λ_crit = 2/μ_max = ${short(critical)} length², the limit of explicit steps. Mean edge h̄ = ${short(meanEdge)} length.` : "",
-            `Filters use the cotangent operator of the mesh${hasNoise ? " before the noise. Question 7 denoises with the “noisy mesh's operator”; the spectrum shows its result in the modes of the clean mesh" : ""}.`,
+            `Filters use the cotangent operator of the mesh${hasNoise ? " before the noise. The report denoises with the “noisy mesh's operator”; the spectrum shows its result in the modes of the clean mesh" : ""}.`,
             hasNoise ? "Gain: how many times smaller the error is than that of the noisy mesh. Three errors: distance to the clean surface, rms to the vertices' own places, and angle to the clean normals." : "",
             "In the spectrum 1 is the largest coefficient before, and a filter that changes nothing. The shortest wave is the mode of μ_max; a negative factor flips it.",
             "Mean curvature is coloured 0 at the border, where it is not defined.",

@@ -34,6 +34,7 @@ def setUpModule():
     global MADE
     MADE = quick_report(KEPT.name)[1]
     shutil.copytree(MADE, REPORT)
+    assert run("report", "--from", REPORT / "results.json", "--out", REPORT, "--author", AUTHOR).returncode == 0
 
 
 def tearDownModule():
@@ -389,22 +390,35 @@ class Refusals(Reported):
 
     def test_no_author_or_another(self):
         out = self.copy()
-        self.refuse(2, "give --author NAME", out, author=None)
-        self.refuse(2, "the author's name", out, author="Ada\nLovelace")
-        self.edit_results(out, lambda r: r.update(author="Alan Turing"))
-        self.refuse(2, "the report names 'Alan Turing' as its author, not 'Ada Lovelace'", out)
+        self.refuse(2, "--author is not at most 200 bytes on one line", out, author="Ada\nLovelace")
         self.assertEqual(self.submit(out, author=None).returncode, 0, "the report's own author is enough")
+        shutil.rmtree(out)
+        shutil.copytree(MADE, out)
+        self.refuse(2, "give --author NAME", out, author=None)
 
-    def test_an_author_is_put_on_the_report_afterwards(self):
-        out = self.copy()
-        remedy = f"meshfolio report --from {out}/results.json --out {out} --author NAME"
-        self.assertIn(f"the report names nobody; {remedy}", self.submit(out).stderr)
-        self.assertEqual(run("report", "--from", out / "results.json", "--out", out, "--author", AUTHOR).returncode, 0)
-        self.assertIn(AUTHOR, (out / "index.html").read_text())
-        for author in (AUTHOR, None):
-            self.assertNotIn("nobody", self.submit(out, author=author).stderr)
-        self.refuse(2, remedy, out, author="Alan Turing")
+    def test_the_author_is_put_on_the_report_in_the_same_command(self):
+        out, named = self.copy(), "Alan Turing"
+        shutil.rmtree(out)
+        shutil.copytree(MADE, out)
+        for author in (AUTHOR, named):
+            self.assertEqual(self.submit(out, author=author).returncode, 0)
+            self.assertIn(author, (out / "index.html").read_text())
+        self.assertNotIn(AUTHOR, (out / "report.md").read_text())
+        again = temporary_folder(self) / "out"
+        self.assertEqual(run("report", "--from", MADE / "results.json", "--out", again, "--author", named).returncode, 0)
+        (out / "submission.zip").unlink()
+        (again / "SHA256SUMS").unlink(), (out / "SHA256SUMS").unlink()
+        self.assertEqual(tree(out), tree(again))
         self.assertEqual(run("report", "--author", "a\nb", "--out", out).returncode, 2)
+
+    def test_without_tests_the_source_can_be_built(self):
+        out = self.copy()
+        self.assertEqual(self.submit(out, "--without-tests").returncode, 0)
+        with zipfile.ZipFile(out / "submission.zip") as packed:
+            names = set(packed.namelist())
+            sourced = re.findall(r'\$root/([\w/.-]+)', packed.read("source/build-report").decode())
+        self.assertTrue({"source/" + name for name in sourced if not name.startswith(("build", "out"))} <= names, sourced)
+        self.assertEqual([name for name in names if name.startswith("source/tests/") or name == "source/run-tests"], ["source/tests/setup.sh"])
 
 
 if __name__ == "__main__":

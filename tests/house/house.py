@@ -38,6 +38,7 @@ FEATURES = {
     "batch": ["src/run/batch"],
     "marking": ["src/run/mark"],
     "commands on one mesh": ["src/run/one_mesh"],
+    "what changed between reports": ["src/run/diff"],
     "command line": ["src/cli", "src/*.*"],
     "submission": ["src/submission"],
     "Python module": ["src/python"],

@@ -62,6 +62,36 @@ TEST(Numbering, PartsOfAFailedSupportingSectionHaveItsLabel) {
     EXPECT_NE(complaint([&] { (void)numbering.resolve("certificates_table"); }).find("certificates_table"), std::string::npos);
 }
 
+// Questions that were not asked for have no number and no link; letters are those of the sections that are shown.
+TEST(Numbering, SectionsNotAskedForAreNotCounted) {
+    Document document;
+    document.sections.resize(3);
+    for (std::size_t i = 0; i < 3; ++i) document.sections[i].id = std::vector{"q1", "truth", "modes"}[i];
+    for (std::size_t i = 0; i < 2; ++i) {
+        document.sections[i].title = "A & B";
+        document.sections[i].status = Status::skipped;
+        document.sections[i].extent = not_asked_for;
+    }
+    EXPECT_EQ(section_numbers(document), (std::vector<std::string>{"", "", "A"}));
+    const Reference hidden = Numbering(document, {}).resolve("truth_overview");
+    EXPECT_EQ(hidden.label, "“A & B” (not in this report)");
+    EXPECT_TRUE(hidden.anchor.empty() && !hidden.is_shown);
+}
+
+TEST(Numbering, QuestionsAreSortedByTheirNumbersAndOtherSectionsStayBehind) {
+    Document document;
+    for (const auto& [id, number] : {std::pair{"truth", ""}, {"q2", "10"}, {"q3", "2b"}, {"q5", "2"}, {"modes", ""}, {"q1", ""}}) {
+        Section& section = document.sections.emplace_back();
+        section.id = id;
+        section.number = number;
+    }
+    sort_by_number(document);
+    std::string order;
+    for (const Section& section : document.sections) order += section.id + " ";
+    EXPECT_EQ(order, "q1 q5 q3 q2 truth modes ");
+    EXPECT_EQ(Numbering(document, {}).resolve("q3").label, "Question 2b");
+}
+
 // A table for programs alone takes no number, and no page shows it; files keep it.
 TEST(Numbering, TablesForFilesAloneHaveNoNumber) {
     Document document = sample_document();

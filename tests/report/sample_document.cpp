@@ -175,6 +175,7 @@ Document sample_document() {
     skipped.id = "q3";
     skipped.title = "Cotangent curvature";
     skipped.status = Status::skipped;
+    skipped.extent = "stopped, because another question had failed";
     Section appendix;
     appendix.id = "ground_truth";
     appendix.title = "Ground truth";

@@ -110,6 +110,26 @@ TEST(Words, MissingKeysAndFactsAreLogicErrors) {
     EXPECT_THROW(Words("q3").line("plane.caption"), std::logic_error) << "without its fact";
 }
 
+// The user's own text is data: it has no facts, and refers to questions alone.
+TEST(OwnBlocks, ReadsParagraphsListsHeadingsAndFormulas) {
+    const auto blocks = own_blocks("# Head\r\nFirst\nline, \\* plain.\n\n- a\n* b\n1. one\n2. two\n$$ λ ≤ 2/μ $$\nSee [[q5]].");
+    ASSERT_EQ(blocks.size(), 7u);
+    EXPECT_EQ(std::get<Paragraph>(blocks[0]).text, text(strong("Head")));
+    EXPECT_EQ(std::get<Paragraph>(blocks[1]).text, text("First line, * plain."));
+    EXPECT_EQ(std::get<BulletList>(blocks[2]).items, (std::vector<Text>{text("a"), text("b")}));
+    EXPECT_EQ(std::get<Paragraph>(blocks[4]).text, text("2. two"));
+    EXPECT_EQ(std::get<Paragraph>(blocks[5]).text, text(math("λ ≤ 2/μ")));
+    EXPECT_EQ(std::get<Paragraph>(blocks[6]).text, text("See ", ref("q5"), "."));
+    EXPECT_TRUE(own_blocks("").empty());
+    EXPECT_TRUE(own_blocks("\n \n").empty());
+}
+
+TEST(OwnBlocks, WhatCannotBeReadIsALogicError) {
+    for (const char* bad :
+         {"{{fact}}", "{{#a}}b{{/a}}", "**open", "- *open", "[[truth]]", "[[q5_limits]]", "$$", "$$ x", "$$$$", "# **open"})
+        EXPECT_THROW(own_blocks(bad), std::logic_error) << bad;
+}
+
 TEST(Words, ACaptionHasNoReference) {
     int tried = 0;
     for (const Message& message : messages_of(Templates()["words/q5.md"], "q5.md")) {

@@ -76,7 +76,7 @@ TEST(WriteCsv, NoCellIsAFormulaWhateverTheSeparator) {
         for (const std::string sign : {"=", "+", "-", "@", "\uFF1D"}) {
             const std::string text = before + sign + "cmd|'/c calc'!A0";
             const Plot plot{.x_label = text, .y_label = "y", .series = {{text, {1}, {2}, {}, {}}}};
-            for (const std::string& csv : {write_csv(Table{"t", "", {{text}}, {{text}}}), write_csv(plot)}) {
+            for (const std::string& csv : {write_csv(Table{"t", "", {{text}}, {{text}}}), write_csv(table_of(plot))}) {
                 for (const auto& row : parsed(csv)) {
                     for (const std::string& field : row)
                         for (const std::string& cell : cells_of(field)) EXPECT_FALSE(cell.starts_with(sign)) << csv;
@@ -98,7 +98,7 @@ TEST(WriteCsv, APlotHasARowForEachPoint) {
     plot.x_label = "k";
     plot.y_label = "error, rms [%]";
     plot.series = {{"one", {1, 2}, {3, std::nan("")}, {2.5, 4}, {3.5, 6}}, {"two", {5}, {6}, {}, {}}};
-    const auto rows = parsed(write_csv(plot));
+    const auto rows = parsed(write_csv(table_of(plot)));
     ASSERT_EQ(rows.size(), 4u);
     EXPECT_EQ(rows[0], (std::vector<std::string>{"series", "k", "error, rms [%]", "low", "high"}));
     EXPECT_EQ(rows[1], (std::vector<std::string>{"one", "1", "3", "2.5", "3.5"}));
@@ -110,7 +110,7 @@ TEST(WriteCsv, ASeriesSaysItsPanel) {
     Plot plot{.x_label = "k", .y_label = "error"};
     plot.series = {{"one", {1}, {3}, {}, {}}, {"two", {5}, {6}, {}, {}}};
     plot.series[0].panel = "sphere, fine";
-    EXPECT_EQ(write_csv(plot), "panel,series,k,error\n\"sphere, fine\",one,1,3\n,two,5,6\n");
+    EXPECT_EQ(write_csv(table_of(plot)), "panel,series,k,error\n\"sphere, fine\",one,1,3\n,two,5,6\n");
 }
 
 TEST(WriteCsv, AMapHasARowForEachCellAndThenItsLines) {
@@ -121,7 +121,7 @@ TEST(WriteCsv, AMapHasARowForEachCellAndThenItsLines) {
     map.x = {0.1, 0.2, 0.4};
     map.y = {1, 10};
     map.panels = {{"explicit", {1, 2, 3, 4, 5, std::nan("")}, {{"limit", {0.3, 0.3}, {1, 10}}}}, {"implicit", {6, 7, 8, 9, 10, 11}}};
-    const auto rows = parsed(write_csv(map));
+    const auto rows = parsed(write_csv(table_of(map)));
     ASSERT_EQ(rows.size(), 1u + 6 + 2 + 6);
     EXPECT_EQ(rows[0], (std::vector<std::string>{"panel", "series", "λ, relative", "t", "error [%]"}));
     EXPECT_EQ(rows[2], (std::vector<std::string>{"explicit", "cells", "0.2", "1", "2"}));

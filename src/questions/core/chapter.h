@@ -54,11 +54,15 @@ struct ChapterCost {
     /// Default length of a run and default number of runs, full and small. A [[question]] of a settings file that asks for more costs more.
     std::vector<int> QuestionSettings::*lengths = nullptr;
     double length[2] = {1, 1}, runs[2] = {1, 1};
+    bool is_guess = false;   // the chapter gives none
 
     /// Returns (longest run / default length) × (number of λ × number of σ / default number of runs); a factor whose lists are empty is 1,
     /// and everything is 1 if `lengths` is null. @param small  compare with the defaults of --quick
     double work_of(const QuestionSettings& settings, bool small) const;
 };
+
+/// The cost of a chapter that gives none: that of a dear question.
+inline constexpr ChapterCost guessed_cost{.cpu = {{1, 40, 20}, {0.3, 10, 8}}, .memory = {{20, 400}, {10, 200}}, .is_guess = true};
 
 struct LabOffer;
 
@@ -74,7 +78,7 @@ struct Chapter {
     /// Roles of all meshes that it may read where the user names none, in order; the first `planned_roles` of them decide its cost.
     std::vector<std::string_view> roles = {};
     std::size_t planned_roles = roles.size();
-    ChapterCost cost;
+    ChapterCost cost = guessed_cost;
     Answer (*answer)(const MeshLibrary& meshes, const QuestionSettings& settings, const Progress& progress);
     const LabOffer* lab = nullptr;   // its panel of the live laboratory; null: none
     /// Values that `batch` takes: the key of each, and the column of this chapter's tables (or the table) that has it, without the id.

@@ -16,8 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* own_role = "your mesh";
-
 /// Returns true for a path that exists and is no folder.
 bool is_no_folder(const fs::path& path) {
     std::error_code unknown;
@@ -102,7 +100,7 @@ FoundMesh MeshFinder::found_file(const fs::path& path, const fs::path& base) con
 }
 
 FoundMesh MeshFinder::found_own(const fs::path& path) const {
-    return {path, {}, path.filename().string(), name_of(path), input_of(own_role, "", path)};
+    return {path, {}, path.filename().string(), name_of(path), input_of(name_of(path), "", path)};
 }
 
 FoundMesh MeshFinder::found(const MeshLookup& lookup, const fs::path& base) const {

@@ -35,6 +35,8 @@ inline constexpr double largest_noise = 10;          // box diagonals
 inline constexpr long long largest_threads = 1024;   // 0: all
 inline constexpr long long largest_list = 100;       // values of one list
 inline constexpr long long longest_text = 200;       // bytes of a title or author
+inline constexpr long long longest_page = 20'000;    // bytes of a text in Markdown
+inline constexpr double largest_points = 1e6;        // of a question
 }   // namespace limits
 
 /// Returns the text of a settings file of data/reports as compiled in, by its name without ending; empty if there is none.

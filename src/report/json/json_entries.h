@@ -126,6 +126,7 @@ struct ProvenanceEntry {
 struct ReportEntry {
     int version = schema_version;
     std::string title, author, course;
+    std::vector<OwnPage> pages;
     ProvenanceEntry provenance;
     std::vector<SectionEntry> questions, supporting;
     std::optional<std::vector<Timing>> timings;

@@ -120,6 +120,9 @@ void describe(auto& fields, part_of<SectionEntry> auto& entry) {
     fields("id", section.id);
     fields("title", section.title);
     fields("asked", section.asked);
+    fields.optional("number", section.number, {}, "of a question, in place of that of its id");
+    fields.optional("points", section.points, 0, "that the question gives");
+    fields.optional("intro", section.intro, {}, "Markdown of the teacher, in place of `asked`");
     fields("status", section.status);
     fields("extent", section.extent);
     fields.optional("answer", section.answer, {}, "in one sentence");
@@ -163,11 +166,18 @@ void describe(auto& fields, part_of<ProvenanceEntry> auto& entry) {
     fields("inputs", entry.inputs);
 }
 
+void describe(auto& fields, part_of<OwnPage> auto& page) {
+    fields("title", page.title);
+    fields("text", page.text, "Markdown");
+    fields("before", page.before, "id of the question that follows; empty: after the last");
+}
+
 void describe(auto& fields, part_of<ReportEntry> auto& report) {
     fields("schema_version", report.version, {"", schema_version, schema_version});
     fields("title", report.title);
     fields("author", report.author);
     fields("course", report.course);
+    fields.optional("pages", report.pages, {}, "of the user's own text, between the questions");
     fields("provenance", report.provenance);
     fields("questions", report.questions);
     fields("supporting", report.supporting);

@@ -8,6 +8,7 @@
 #include "report/json/json_line.h"
 #include "report/json/json_reader.h"
 #include "report/numbering.h"
+#include "report/words.h"
 
 namespace meshfolio::report {
 
@@ -91,6 +92,11 @@ private:
     }
 };
 
+/// @throws JsonProblem for a text of the user's that own_blocks() cannot read
+void require_readable(const std::string& text, const JsonPlace& place) try { own_blocks(text); } catch (const std::logic_error& problem) {
+    throw JsonProblem(place, std::string("has a text that cannot be read: ") + problem.what(), "take an unchanged results.json");
+}
+
 /// Returns the section of an entry and enters the data of its pictures into `drawn`.
 /// @throws JsonProblem if the parameters or the order of blocks refer to missing parts, or the order leaves a part out
 Section section_of(SectionEntry entry, DrawnFigures& drawn, const JsonPlace& place) {
@@ -106,6 +112,7 @@ Section section_of(SectionEntry entry, DrawnFigures& drawn, const JsonPlace& pla
         parameter->second.unit = std::move(one.unit);
     }
     section.timings = std::move(entry.timings).value_or(std::vector<Timing>());
+    require_readable(section.intro, {&place, "intro"});
     section.blocks = Joiner(entry, drawn, place).blocks();
     for (CheckEntry& check : entry.checks) section.checks.push_back(std::move(check.check));
     return section;
@@ -123,6 +130,8 @@ ReadReport report_of(const Json& json) {
     document.title = std::move(entry.title);
     document.author = std::move(entry.author);
     document.course = std::move(entry.course);
+    for (const OwnPage& page : entry.pages) require_readable(page.text, {&root, "pages"});
+    document.pages = std::move(entry.pages);
     document.provenance = std::move(entry.provenance.provenance);
     document.timings = std::move(entry.timings).value_or(std::vector<Timing>());
     std::set<std::string> ids;

@@ -81,6 +81,7 @@ std::string write_json(const Document& document, const DrawnFigures& figures, co
     entry.title = document.title;
     entry.author = document.author;
     entry.course = document.course;
+    entry.pages = document.pages;
     entry.provenance = {document.provenance, input_meshes(document.sections)};
     for (const Section& section : document.sections)
         (is_question(section.id) ? entry.questions : entry.supporting).push_back(entry_of(section, figures, options.timings));

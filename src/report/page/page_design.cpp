@@ -58,8 +58,9 @@ void add_design(nlohmann::json& model, const Templates& templates, const std::st
     std::vector<std::string> styles = {"figure.css", on_screen ? "report.css" : "print.css"}, scripts;
     if (design == "print") scripts = {"print_hyphens.js", "print_text.js", "print_pages.js", "print_float.js"};
     if (design == "report") styles.emplace_back("page_lightbox.css"), scripts = {"page_contents.js", "page_tables.js", "page_lightbox.js"};
-    for (const char* sheet : {"batch", "class", "compare", "mark"})
+    for (const char* sheet : {"batch", "class", "compare", "diff", "mark"})
         if (design == sheet) styles.emplace_back("sheets.css"), scripts = {"page_tables.js"};
+    if (design == "diff") scripts.emplace_back("page_slider.js");
     if (has_models) styles.emplace_back("models.css");
     if (with_viewer && !parts.labs.empty()) styles.emplace_back("lab.css");
     if (with_viewer) scripts.emplace_back("models.js");

@@ -179,6 +179,20 @@ json figure_view(const Figure& figure, const ViewContext& context) {
     return view;
 }
 
+/// Returns the text without parentheses that refer to a section which the report does not show, such as " ([[q4]])".
+Text without_hidden(Text text, const Numbering& numbering) {
+    for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+        if (text[i].kind != Run::Kind::reference || numbering.resolve(text[i].content).is_shown) continue;
+        std::string &before = text[i - 1].content, &after = text[i + 1].content;
+        const std::size_t open = before.rfind(" ("), close = after.find(')');
+        const bool encloses = open != std::string::npos && before.find(')', open) == std::string::npos && close < after.find('(');
+        if (!encloses) continue;
+        before = before.substr(0, open) + after.substr(close + 1);
+        text.erase(text.begin() + static_cast<std::ptrdiff_t>(i), text.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+    }
+    return text;
+}
+
 }   // namespace
 
 void enter_separators(json& list) {
@@ -188,7 +202,7 @@ void enter_separators(json& list) {
 
 json text_view(const Text& text, const Numbering& numbering) {
     json runs = json::array();
-    for (const Run& run : text) {
+    for (const Run& run : without_hidden(text, numbering)) {
         if (run.kind == Run::Kind::plain) {
             for (const Run& part : prose(run.content)) runs.push_back(run_view(part, {}));
         } else {

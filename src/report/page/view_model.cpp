@@ -10,6 +10,7 @@
 #include "report/page/view_blocks.h"
 #include "report/page/view_value.h"
 #include "report/page/volumes.h"
+#include "report/words.h"
 
 namespace meshfolio::report {
 
@@ -82,6 +83,8 @@ json code_view(const CodeReference& code) {
                     {"has_line", "src.txt has the function", code.line > 0}});
 }
 
+std::string points_of(const Section& section) { return plain_text(section.points) + (section.points == 1 ? " point" : " points"); }
+
 /// Returns the values that the opening table, the contents list and the section itself have in common.
 json section_head(const Section& section, const std::string& number, const ViewContext& context) {
     json checks = json::array();
@@ -95,10 +98,12 @@ json section_head(const Section& section, const std::string& number, const ViewC
                  {"href", "link to the section, in this page or that of the other volume", target.page + "#" + url_path(target.anchor)},
                  {"number", "\"4\"; letters for what the answers rest on", number},
                  {"title", "its title", safe_text(section.title)},
+                 {"points", "\"8 points\"", points_of(section)},
+                 {"has_points", "the question gives some", section.points > 0},
                  {"is_question", "it answers a question of the assignment", is_question(section.id)},
                  {"is_ok", "it was answered", section.status == Status::ok},
                  {"is_failed", "it failed", section.status == Status::failed},
-                 {"is_skipped", "it was not asked for, or stopped", section.status == Status::skipped},
+                 {"is_skipped", "it was left out or stopped; `extent` says why", section.status == Status::skipped},
                  {"answer", "in one sentence", text_view(section.answer, context.numbering)},
                  {"has_answer", "there is one", !section.answer.empty()},
                  {"extent", "how far it was achieved", prose_view(section.extent)},
@@ -133,8 +138,12 @@ json section_view(const Section& section, const std::string& number, const ViewC
     }
     json view = section_head(section, number, context);
     if (is_further) view["id"] = further_id(section);
+    int headings_of_intro = 0;   // none: own_blocks() makes no heading
+    json intro =
+        list_of(own_blocks(section.intro), [&](const Block& block) { return block_view(block, number, headings_of_intro, context); });
     enter(view, {{"asked", "the question in one sentence", prose_view(section.asked)},
-                 {"has_asked", "there is one", !section.asked.empty()},
+                 {"has_asked", "there is one", !section.asked.empty() && intro.empty()},
+                 {"intro", "the teacher's introduction in place of the sentence, as `blocks`", std::move(intro)},
                  {"is_further", "what a question leaves to the appendix", is_further},
                  {"has_lab", "the page has a mesh of the laboratory for it", has_lab(section, context)}});
     enter_list(view, "inputs", "meshes it read", list_of(section.inputs, input_view));
@@ -143,6 +152,17 @@ json section_view(const Section& section, const std::string& number, const ViewC
     enter_list(view, "outputs", "meshes it wrote", list_of(section.output_meshes, output));
     enter_list(view, "headings", "numbered headings within the section", std::move(headings));
     enter(view, {{"blocks", "what is read, in order; one of the is_… is true for each", std::move(blocks)}});
+    return view;
+}
+
+/// Returns the page as a section without number, answer and checks.
+json own_page_view(const OwnPage& page, const std::string& id, const ViewContext& context) {
+    Section section;
+    section.id = id;
+    section.title = page.title;
+    section.blocks = own_blocks(page.text);
+    json view = section_view(section, "", context);
+    view["is_ok"] = false;   // nothing was computed
     return view;
 }
 
@@ -253,12 +273,20 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
 
     Score total;
     json attempted = json::array(), sections = json::array();
+    const auto add_pages = [&](const std::string& before) {
+        for (std::size_t p = 0; p < document.pages.size() && options.volume == Volume::report; ++p)
+            if (document.pages[p].before == before) sections.push_back(own_page_view(document.pages[p], own_page_id(p), context));
+    };
     for (std::size_t s = 0; s < document.sections.size(); ++s) {
         const Section& section = document.sections[s];
+        if (!is_shown(section)) continue;
+        add_pages(section.id);
         total += score_of(section.checks);
         attempted.push_back(section_head(section, numbers[s], context));
         if (has_section(section, options.volume)) sections.push_back(section_view(section, numbers[s], context));
     }
+    add_pages("");
+    const bool has_supporting = std::ranges::any_of(document.sections, [](const Section& section) { return is_shown(section) && !is_question(section.id); });
     json score = score_view(total);
     enter(score, {{"is_complete", "the lists of checks hold those that passed, too", options.passed_checks},
                   {"lists_checks", "some check is listed", options.passed_checks || total.passed < total.total()}});
@@ -274,6 +302,8 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
                  {"other_page", "file of the other volume", url_path(options.other_page)},
                  {"has_paper", "it is printed as well", options.paper},
                  {"paper", "the file that is printed", pdf_file(options.volume)},
+                 {"has_supporting", "there are sections that are no questions", has_supporting},
+                 {"has_source", "the report has src.txt, and citations have lines", cites_source(document)},
                  {"series", "a figure of the first question with a laboratory; false: none", series_view(document, context)},
                  {"cover", "picture of the first page; false: none", cover == nullptr ? json(false) : cover_view(*cover, context)},
                  {"provenance", "what made this report", provenance_view(document)},

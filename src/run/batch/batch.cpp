@@ -181,7 +181,7 @@ void tell_of_failures(const report::Batch& batch) {
 }   // namespace
 
 ExitCode run_batch(const BatchFlags& flags) {
-    const ReportSettings settings = report_settings(flags.report);
+    const ReportSettings settings = report_settings(flags.report, true);
     if (!flags.jobs.empty()) integer_between("--jobs", flags.jobs, 1, limits::largest_threads);
     std::vector<BatchMesh> meshes = batch_meshes(flags.meshes, flags.lists, settings.out);
     if (flags.plan) {

@@ -54,8 +54,14 @@ const report::Input* input_with(const report::Document& document, const std::str
     return nullptr;
 }
 
+/// Returns true if a report of these settings has the words of this document.
 bool has_the_words_of(const report::Document& document, const ReportSettings& settings) {
-    return document.title == settings.title && document.author == settings.author && document.course == settings.course;
+    report::Document renewed = head_of(settings);
+    renewed.provenance = document.provenance;
+    renewed.timings = document.timings;
+    renewed.sections = document.sections;
+    enter_words(renewed, settings, false);
+    return renewed == document;
 }
 
 /// Returns true if every section that is asked for and planned is there and has no failure.
@@ -69,9 +75,11 @@ bool is_complete(const report::Document& document, const ReportSettings& setting
 
 bool is_the_same(const StoredReport& report, const BatchMesh& mesh, const std::string& sha256, const ReportSettings& settings) {
     const report::Input* input = input_with(report.document, sha256);
-    if (input == nullptr || report.timings != settings.timings || !has_the_words_of(report.document, settings)) return false;
+    if (input == nullptr || report.timings != settings.timings || report::cites_source(report.document) != has_source(settings))
+        return false;
     const ReportSettings own = settings_on(mesh, std::max<double>(input->vertices, 0.5 * input->triangles), settings);
-    return difference(report.document.provenance, provenance_of(described(own), own.seed)).empty() && is_complete(report.document, own);
+    return difference(report.document.provenance, provenance_of(described(own), own.seed)).empty() &&
+           has_the_words_of(report.document, own) && is_complete(report.document, own);
 }
 
 }   // namespace

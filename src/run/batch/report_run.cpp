@@ -22,6 +22,7 @@ std::vector<std::string> report_words(const BatchFlags& flags, const BatchMesh& 
                                          {"--views-files", report.view_files},
                                          {"--sheets-only", report.sheets_only},
                                          {"--no-timings", report.no_timings},
+                                         {"--no-source", report.no_source},
                                          {"--no-cache", report.no_cache}}) {
         if (is_given) words.emplace_back(name);
     }

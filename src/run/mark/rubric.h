@@ -1,5 +1,6 @@
 /// @file
-/// The rubric of a class (data/rubric.toml documents every key), and the settings that students name in answers.toml.
+/// The rubric of a class (data/rubric.toml documents every key; it may be one file with the settings of the sheet), and the settings that
+/// students name in answers.toml.
 #pragma once
 
 #include <filesystem>
@@ -58,7 +59,8 @@ struct Rubric {
 
 /// Parses a rubric. @param file  its name in messages @throws SettingsErrors with every problem and its line
 Rubric parse_rubric(std::string_view text, const std::string& file);
-/// Reads a rubric from a file; empty: the bundled example. @throws SettingsErrors, InputError for a file that cannot be read
+/// Reads a rubric from a file, or from the bundled settings of that name; empty: the bundled example. @throws SettingsErrors, InputError
+/// for a file that cannot be read
 Rubric read_rubric(const std::string& file);
 
 /// Returns the settings on which the answer to the item depends, as text: "area = mixed, k = 5"; empty if there are none.

@@ -20,6 +20,7 @@ std::string words_of(const PlannedSection& section) {
     if (effort.left_out) return "left out, to fit into the time";
     std::string words = effort.small ? "small settings" : "full settings";
     if (section.works_on_copies()) words += ", copies of at most " + std::to_string(effort.most_vertices) + " vertices";
+    if (section.chapter->cost.is_guess) words += "; its cost is a guess, as the chapter gives none";
     return words;
 }
 

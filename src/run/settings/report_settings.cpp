@@ -12,6 +12,9 @@
 #include "output/publish/folder_system.h"
 #include "output/publish/publish.h"
 #include "questions/core/mesh_roles.h"
+#include "questions/core/section_tools.h"
+#include "report/numbering.h"
+#include "report/words.h"
 #include "report/writers.h"
 #include "run/arguments.h"
 #include "run/settings/setting_list.h"
@@ -47,6 +50,8 @@ void take(double& zoom, const Setting&, const std::string&, const std::string& t
 
 void take(std::string& value, const Setting& setting, const std::string& name, const std::string& text) {
     if (setting.choices != nullptr) require_choice(name, text, setting.choices());
+    if (setting.text == Setting::Text::title && text.find_first_not_of(' ') == std::string::npos)
+        throw UsageError(name + " is blank", "write a title, or leave it out");
     const bool is_printed = *setting.table != '\0';   // in the report
     if (is_printed && (text.size() > limits::longest_text || printable(text) != text))
         throw UsageError(name + " is not at most " + std::to_string(limits::longest_text) + " bytes on one line", "write it shorter");
@@ -123,6 +128,7 @@ void take_flags(ReportSettings& settings, const ReportFlags& flags, Problems& pr
     settings.sheets_only = flags.sheets_only;
     settings.fail_fast = flags.fail_fast;
     settings.timings = !flags.no_timings;
+    if (flags.no_source) settings.source = false;
     if (flags.alone && flags.only.empty()) problems.add(0, "--alone is about --only", "name the sections with --only q1,q4");
     if (flags.part.empty()) return;
     if (!flags.out.empty()) problems.add(0, "--part and --out name two folders", "leave one of them out");
@@ -159,15 +165,61 @@ void require_inputs_outside(const ReportSettings& settings, const std::string& c
     }
 }
 
+/// Refuses two questions of the report with one number, such as q3 with number = 4 beside q4 without any.
+void require_own_numbers(const ReportSettings& settings, Problems& problems) {
+    std::map<std::string, std::string> ids;   // by number
+    for (const std::string& id : question_ids()) {
+        if (!is_asked_for(settings, id)) continue;
+        const std::string number = report::question_number(id, table_of(settings, id).number);
+        if (const auto [first, is_new] = ids.emplace(number, id); !is_new)
+            problems.add(0, "the questions " + first->second + " and " + id + " both have the number " + number,
+                         "give each its own, or name the questions of the report in [report] sections");
+    }
+}
+
 }   // namespace
+
+report::Document head_of(const ReportSettings& settings) {
+    report::Document head;
+    head.title = settings.title;
+    head.author = settings.author;
+    head.course = settings.course;
+    head.pages = settings.pages;
+    if (!head.title.empty()) return head;
+    constexpr std::size_t most_named = 3;
+    Names names;
+    for (const std::filesystem::path& mesh : settings.meshes) names.push_back(printable(mesh.stem().string()));
+    if (names.size() > most_named + 1) {
+        const std::size_t others = names.size() - most_named;
+        names.resize(most_named);
+        names.push_back(std::to_string(others) + " more");
+    }
+    head.title = report::Words("figures").line("own_title", "meshes"_a = listed(names));
+    return head;
+}
+
+void enter_words(report::Document& document, const ReportSettings& settings, bool keep) {
+    for (report::Section& section : document.sections) {
+        if (!keep) section.title = chapter_of_id(section.id).title(), section.number = section.intro = "", section.points = 0;
+        const QuestionTable& table = table_of(settings, section.id);
+        if (!table.title.empty()) section.title = table.title;
+        if (!table.number.empty()) section.number = table.number;
+        if (!table.intro.empty()) section.intro = table.intro;
+        if (table.points > 0) section.points = table.points;
+    }
+    report::sort_by_number(document);
+}
+
+bool has_source(const ReportSettings& settings) { return settings.source.value_or(settings.meshes.empty()); }
 
 bool is_asked_for(const ReportSettings& settings, std::string_view id) {
     return settings.only.empty() || contains(settings.only, std::string(id));
 }
 
-ReportSettings report_settings(const ReportFlags& flags) {
+ReportSettings report_settings(const ReportFlags& flags, bool own_meshes) {
     Problems problems("");
     ReportSettings settings = parse_settings(default_settings_text(), "report.toml");
+    if (own_meshes || !flags.meshes.empty()) settings.title = settings.course = "";
     if (flags.quick) settings.size = {quick_size, quick_size};
     take_texts(settings, &Setting::variable, environment, problems);
     problems.collect([&] {
@@ -179,6 +231,7 @@ ReportSettings report_settings(const ReportFlags& flags) {
             problems.add(0, in_quotes(mesh) + " is given twice; its outputs would collide", "name it once");
         else settings.meshes.emplace_back(mesh);
     }
+    require_own_numbers(settings, problems);
     problems.collect([&] { report::Templates(settings.templates); });   // checks the folder
     require_inputs_outside(settings, flags.config, problems);
     problems.raise();

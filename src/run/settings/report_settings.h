@@ -36,15 +36,16 @@ private:
 /// The options of the command line; empty: not given.
 struct ReportFlags : SightFlags {
     std::vector<std::string> meshes, data;
-    std::string only, out, config, threads, size, templates, pdf, pdf_browser, author, from, part, junit, time;
+    std::string only, out, config, threads, size, templates, pdf, pdf_browser, title, author, course, from, part, junit, time;
     std::vector<std::string> parts;   // of `merge`
     bool quick = false, fail_fast = false, no_timings = false, no_cache = false, view_files = false, sheets_only = false, alone = false,
-         plan = false, json = false;
+         plan = false, json = false, no_source = false;
 };
 
 /// The options that take one word.
 inline constexpr std::pair<const char*, std::string ReportFlags::*> word_flags[] = {
     {"--only", &ReportFlags::only},       {"--config", &ReportFlags::config},
+    {"--title", &ReportFlags::title},     {"--course", &ReportFlags::course},
     {"--author", &ReportFlags::author},   {"--size", &ReportFlags::size},
     {"--time", &ReportFlags::time},       {"--templates", &ReportFlags::templates},
     {"--pdf", &ReportFlags::pdf},         {"--pdf-browser", &ReportFlags::pdf_browser},
@@ -63,6 +64,8 @@ struct PageTemplate {
 
 /// A [[question]] table of a settings file. For a key that is not given, the question takes its own default.
 struct QuestionTable {
+    std::string title, number, intro;   // as in report::Section; empty: the question's own
+    double points = 0;
     std::vector<std::string> meshes;
     std::vector<int> k, iterations;
     std::vector<double> lambda, noise;
@@ -84,8 +87,9 @@ struct ReportSettings {
     std::vector<std::filesystem::path> meshes, data;
     std::filesystem::path out = "out", templates;
     PageTemplate page;
-    std::string pdf = "auto", pdf_browser;   // auto, require or off; name or path of the browser, empty: the first that is found
-    std::string title, author, course, colormap;
+    std::string pdf = "auto", pdf_browser;         // auto, require or off; name or path of the browser, empty: the first that is found
+    std::string title, author, course, colormap;   // an empty title names the user's own meshes
+    std::optional<bool> source;                    // write src.txt; none: unless the user gives own meshes
     ViewSize size;
     render::Sight sight;   // of the pictures, models and laboratories
     int threads = 0;       // 0: all
@@ -97,10 +101,11 @@ struct ReportSettings {
     std::map<std::string, Effort> efforts;            // by id; none: `quick` decides
     std::vector<std::string> only;                    // ids; empty: all
     std::map<std::string, QuestionTable> questions;   // by id
+    std::vector<report::OwnPage> pages;               // [[page]] tables
     std::filesystem::path base;                       // folder of the settings file, to which its meshes are relative
 };
 
-/// Parses a settings file over `before`. Its questions and sections replace the earlier ones, even by none.
+/// Parses a settings file over `before`. Its questions, pages and sections replace the earlier ones, even by none.
 /// @param file  its name in messages; paths are relative to its folder
 /// @throws SettingsErrors
 ReportSettings parse_settings(std::string_view text, const std::string& file, ReportSettings before = {});
@@ -108,9 +113,20 @@ ReportSettings parse_settings(std::string_view text, const std::string& file, Re
 /// Parses the settings file of this name, or else the bundled one of data/reports. @throws SettingsErrors, also if there is neither
 ReportSettings read_settings(const std::string& config, ReportSettings before = {});
 
-/// Returns the settings of a run: defaults, environment, settings file, flags, each over the ones before.
+/// Returns the settings of a run: defaults, environment, settings file, flags, each over the ones before. A report on own meshes has
+/// neither the title nor the course of the defaults. @param own_meshes  true: also if the flags name none
 /// @throws SettingsErrors, UsageError
-ReportSettings report_settings(const ReportFlags& flags);
+ReportSettings report_settings(const ReportFlags& flags, bool own_meshes = false);
+
+/// Returns title, author, course and pages of the report.
+report::Document head_of(const ReportSettings& settings);
+
+/// Puts title, number, points and introduction of the [[question]] tables in place of those of the sections, and sorts these by number.
+/// @param keep  what a table does not give is left as it is; false: it becomes that of the chapter
+void enter_words(report::Document& document, const ReportSettings& settings, bool keep);
+
+/// True if the report has src.txt.
+bool has_source(const ReportSettings& settings);
 
 /// Limits the threads of the process to settings.threads while the result lives. Returns null for 0, no limit.
 std::unique_ptr<tbb::global_control> limited_threads(const ReportSettings& settings);

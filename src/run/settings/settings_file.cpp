@@ -7,10 +7,12 @@
 #include "base/file_bytes.h"
 #include "base/in_quotes.h"
 #include "base/joined.h"
+#include "base/lower_case.h"
 #include "base/nearest_word.h"
 #include "base/number_text.h"
 #include "output/publish/folder_system.h"
 #include "report/page/template_render.h"
+#include "report/words.h"
 #include "report/writers.h"
 #include "run/settings/setting_list.h"
 #include "run/settings/settings_reader.h"
@@ -40,24 +42,30 @@ public:
     Reader(const toml::table& root, ReportSettings& settings, Problems& problems) : root_(root), settings_(settings), problems_(problems) {}
 
     void read() {
-        read_table("", root_, {"report", "render", "question"});
+        read_table("", root_, {"report", "render", "question", "page", "item"});   // items, like `title`, are of `mark`
         for (const std::string name : {"report", "render"}) {
             const toml::node* node = root_.get(name);
             if (node != nullptr && !node->is_table()) problems_.add(*node, name + " is not a table", "write [" + name + "]");
             if (node != nullptr && node->is_table()) read_table("[" + name + "]", *node->as_table());
         }
+        const auto given = [&](const char* key) { return root_.at_path(key).node() != nullptr; };
+        if (given("report.title") && !given("report.course")) settings_.course.clear();   // that of another report
         if (const toml::node* node = root_.get("question"))
             for_each_table(*node, "question", problems_, [&](const toml::table& table) { read_question(table); });
+        if (const toml::node* node = root_.get("page"))
+            for_each_table(*node, "page", problems_, [&](const toml::table& table) { read_page(table); });
     }
 
 private:
     const toml::table& root_;
     ReportSettings& settings_;
     Problems& problems_;
-    std::map<std::string, long> output_lines_;   // output name → line
+    std::map<std::string, long> output_lines_, number_lines_;   // output name, number of a question → line
 
     void read_table(const std::string& name, const toml::table& table, const std::vector<std::string>& tables = {}) {
-        const TableReader reader(table, name, keys_of<ReportSettings>(name), problems_, tables);
+        std::vector<std::string> known = keys_of<ReportSettings>(name);
+        if (name.empty()) known.emplace_back("title");
+        const TableReader reader(table, name, known, problems_, tables);
         for_each_setting(settings_, [&](const Setting& setting, auto& value) {
             if (setting.table == name) take_if_given(reader, setting, value);
         });
@@ -73,6 +81,15 @@ private:
         const auto id = reader.word("id", section_ids());
         if (id && !settings_.questions.emplace(*id, std::move(question)).second)
             problems_.add(*reader.node("id"), "question '" + *id + "' is given twice", "merge the two tables");
+    }
+
+    void read_page(const toml::table& table) {
+        report::OwnPage page;
+        const TableReader reader(table, "[[page]]", keys_of<report::OwnPage>(""), problems_);
+        for_each_setting(page, [&](const Setting& setting, auto& value) { take_if_given(reader, setting, value); });
+        for (const char* key : {"title", "text"})
+            if (reader.node(key) == nullptr) problems_.add(table, std::string("[[page]] has no ") + key, "add it");
+        settings_.pages.push_back(std::move(page));
     }
 
     template <class Value> void take_if_given(const TableReader& reader, const Setting& setting, Value& value) {
@@ -104,8 +121,8 @@ private:
         values = reader.numbers(setting.key, 0, setting.largest, setting.is_above_zero);
     }
 
-    void take(const TableReader& reader, const Setting& setting, double& zoom) {
-        zoom = reader.number(setting.key, smallest_zoom, largest_zoom, false, zoom);
+    void take(const TableReader& reader, const Setting& setting, double& value) {
+        value = reader.number(setting.key, setting.smallest, setting.largest, false, value);
     }
 
     void take(const TableReader& reader, const Setting& setting, std::optional<render::Up>& up) {
@@ -142,11 +159,40 @@ private:
             value = reader.word(setting.key, setting.choices()).value_or("");
             return;
         }
+        if (setting.text == Setting::Text::number) return take_number(reader, setting, value);
+        if (setting.text == Setting::Text::markdown) return take_markdown(reader, setting, value);
         value = reader.text(setting.key, limits::longest_text).value_or(value);
+        if (setting.text == Setting::Text::title && value.find_first_not_of(' ') == std::string::npos)
+            problems_.add(*reader.node(setting.key), reader.called(setting.key) + " is blank", "write a title, or leave the key out");
         const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
         if (std::ranges::any_of(value, is_control))
             problems_.add(*reader.node(setting.key), reader.called(setting.key) + " has a control character",
                           "write it on one line, with spaces for tabs");
+    }
+
+    /// Takes the number of a question, which begins with a digit: supporting sections have letters.
+    void take_number(const TableReader& reader, const Setting& setting, std::string& value) {
+        const toml::node& node = *reader.node(setting.key);
+        value = node.is_integer() ? std::to_string(node.as_integer()->get()) : reader.text(setting.key).value_or("");
+        const auto is_sign = [](unsigned char c) { return !is_alphanumeric(static_cast<char>(c)); };
+        if (value.empty() || value.size() > 4 || value[0] < '1' || value[0] > '9' || std::ranges::any_of(value, is_sign)) {
+            problems_.add(node, reader.called(setting.key) + " " + in_quotes(value) + " is no number of a question", "write 3, or \"3b\"");
+            return;
+        }
+        const auto line = static_cast<long>(node.source().begin.line);
+        if (const auto [first, is_new] = number_lines_.emplace(value, line); !is_new)
+            problems_.add(node, reader.called(setting.key) + " '" + value + "' is that of line " + std::to_string(first->second),
+                          "give each question its own");
+    }
+
+    void take_markdown(const TableReader& reader, const Setting& setting, std::string& value) {
+        value = reader.text(setting.key, limits::longest_page).value_or("");
+        try {
+            report::own_blocks(value);
+        } catch (const std::logic_error& problem) {
+            problems_.add(*reader.node(setting.key), reader.called(setting.key) + ": " + problem.what(),
+                          "close every mark on its paragraph, or put a backslash before it");
+        }
     }
 
     /// Takes the name of a bundled design, or a file.
@@ -207,6 +253,7 @@ private:
 ReportSettings parse_settings(std::string_view text, const std::string& file, ReportSettings settings) {
     Problems problems(file);
     settings.questions.clear();
+    settings.pages.clear();
     settings.only.clear();
     settings.base = fs::path(file).parent_path();
     if (const auto root = parsed_toml(text, file, problems)) Reader(*root, settings, problems).read();

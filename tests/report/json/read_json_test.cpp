@@ -135,6 +135,21 @@ TEST(ReadJson, ReadsBackTheDocumentThatWasWritten) {
     EXPECT_EQ(read(write_json(rich_document(), rich_figures())).figures, names_only(rich_figures()));
 }
 
+TEST(ReadJson, ReadsBackTheWordsOfASheet) {
+    Document document = sample_document();
+    document.sections[0].number = "3b";
+    document.sections[0].points = 7.5;
+    document.sections[0].intro = "Compute *it*.";
+    document.pages = {{"Page", "Text", "q1"}, {"", "", ""}};
+    EXPECT_EQ(without_nan(read(write_json(document, rich_figures())).document), without_nan(document));
+    EXPECT_TRUE(
+        says(refusal([](Json& json) { json["questions"][0]["intro"] = "**open"; }), "questions[0].intro has a text that cannot be read"));
+    EXPECT_TRUE(says(refusal([](Json& json) {
+                         json["pages"] = {{{"title", ""}, {"text", "{{x}}"}, {"before", ""}}};
+                     }),
+                     "pages has a text"));
+}
+
 TEST(ReadJson, WritesTheSameBytesAgain) {
     for (const Document& document : {sample_document(), rich_document(), hostile_document(), Document{}}) {
         for (const bool timings : {true, false}) {

@@ -6,6 +6,7 @@
 #include "base/base64.h"
 #include "base/sha256.h"
 #include "report/escape.h"
+#include "report/numbering.h"
 #include "report/page/page_design.h"
 #include "report/sample_document.h"
 #include "report/test_tools.h"
@@ -132,7 +133,62 @@ TEST(WriteHtml, HostileNamesStayText) {
 TEST(WriteHtml, FailedQuestionIsARedBoxWithItsMessage) {
     const std::string page = body_of(sample_page());
     EXPECT_NE(page.find("<strong>This section failed.</strong> ellipsoid.obj:3: not a number"), std::string::npos);
-    EXPECT_NE(page.find("Not asked for in this run."), std::string::npos);
+    EXPECT_NE(page.find("This section was stopped, because another question had failed."), std::string::npos);
+}
+
+/// q4 refers to q2, which is not asked for; a page of text stands before q4, one at the end.
+Document sheet() {
+    Document document;
+    document.title = "Sheet";
+    document.sections.resize(3);
+    for (std::size_t i = 0; i < 3; ++i) document.sections[i].id = "q" + std::to_string(2 + i), document.sections[i].title = "Chapter";
+    Section &hidden = document.sections[0], &last = document.sections[1], &first = document.sections[2];
+    hidden.title = "Hidden";
+    hidden.status = Status::skipped;
+    hidden.extent = not_asked_for;
+    first.number = "1";
+    first.title = "<b>Waves</b> & {{title}} | *co*";
+    first.asked = "The question of another course.";
+    first.intro = "# Setting\n\nCompute $λ_crit$ as in [[q3]].\n1. one\n2. two\n* <script>alert(1)</script>";
+    first.points = 2.5;
+    first.blocks = {Paragraph{text("As seen (", ref("q2"), ") and in ", ref("q2_table"), ".")}};
+    last.number = "10";
+    last.points = 1;
+    document.pages = {{"Last words", "The end.", ""}, {"Before", "**Read** this.", "q4"}, {"Lost", "Nobody sees it.", "q2"}};
+    sort_by_number(document);
+    return document;
+}
+
+TEST(WriteHtml, ASheetHasItsOwnNumbersWordsAndPagesAndNothingElse) {
+    const std::string page = body_of(write_html(sheet(), {}, Templates()));
+    const auto positions =
+        positions_of(page.substr(page.find("<main")),
+                     {"<span class=\"number\">1</span>", "id=\"page-2\"", "<strong>Read</strong> this.", "id=\"q4\"",
+                      "<span class=\"points\">2.5 points</span>", "<strong>Setting</strong>", "<p>1. one</p>", "<p>2. two</p>",
+                      "<li>&lt;script&gt;", "id=\"q3\"", "<span class=\"points\">1 point</span>", "id=\"page-1\""});
+    EXPECT_TRUE(std::is_sorted(positions.begin(), positions.end()));
+    for (const char* absent : {"Nobody sees", "id=\"q2\"", "of another course", "<b>Waves", "alert(1)</script>", "src.txt", "Not asked"})
+        EXPECT_EQ(page.find(absent), std::string::npos) << absent;
+    EXPECT_NE(page.find("<a href=\"#q3\">Question 10</a>"), std::string::npos) << "numbers of the sheet in references";
+    EXPECT_NE(page.find("As seen and in “Hidden” (not in this report)."), std::string::npos);
+    EXPECT_NE(page.find("<b>2</b> of 2 questions answered"), std::string::npos);
+}
+
+TEST(WriteHtml, ASheetIsTheSameInPrintAndMarkdown) {
+    const std::string print = write_html(sheet(), {}, Templates(), {.design = "print"}),
+                      markdown = write_markdown(sheet(), {}, Templates());
+    for (const char* part : {"Setting", "2.5 points", "Before", "Last words", "1. one"}) {
+        EXPECT_NE(print.find(part), std::string::npos) << part;
+        EXPECT_NE(markdown.find(part), std::string::npos) << part;
+    }
+    EXPECT_NE(markdown.find("## 1 "), std::string::npos);
+    for (const std::string& text : {print, markdown})
+        for (const char* absent : {"Nobody sees", "of another course", "<b>Waves", "src.txt"})
+            EXPECT_EQ(text.find(absent), std::string::npos) << absent;
+    if (has_program("xmllint")) {
+        EXPECT_TRUE(is_well_formed(print));
+        EXPECT_TRUE(is_well_formed(write_html(sheet(), {}, Templates())));
+    }
 }
 
 TEST(WriteHtml, SaysWhichMeshStandsInForAnother) {

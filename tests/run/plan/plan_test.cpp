@@ -35,13 +35,23 @@ const PlannedSection& section(const Plan& plan, std::string_view id) {
 
 TEST(CostModels, EachChapterHasOneThatNeverFallsWithSize) {
     for (const Chapter* chapter : chapter_list()) {
-        const auto& [cpu, memory, whole, lengths, length, runs] = chapter->cost;
+        const auto& [cpu, memory, whole, lengths, length, runs, is_guess] = chapter->cost;
         for (const CostModel& cost : {cpu.full, cpu.small, memory.full, memory.small, whole})
             EXPECT_TRUE(cost.fixed >= 0 && cost.linear >= 0 && cost.growing >= 0) << chapter->id;
         EXPECT_GT(cpu.small.fixed + cpu.small.per_mesh(1e5), 0) << chapter->id << " has no cost: tests/bench/fit_costs.py prints it";
         EXPECT_GE(cpu.full.fixed + cpu.full.per_mesh(1e5), cpu.small.fixed + cpu.small.per_mesh(1e5)) << chapter->id;
         EXPECT_LE(chapter->planned_roles, chapter->roles.size()) << chapter->id;
     }
+}
+
+TEST(CostModels, AChapterWithoutOneHasAGuessAndThePlanSaysSo) {
+    const Chapter eighth{.id = "q8", .code = {}, .answer = nullptr};
+    Plan plan;
+    plan.sections = {{&eighth, {{"a.obj", 1e4}}}};
+    EXPECT_GT(plan.sections.front().effort().cpu_seconds, 1);
+    EXPECT_GT(plan.sections.front().memory(), 10 * megabyte);
+    EXPECT_NE(text_of(plan).find("its cost is a guess"), std::string::npos);
+    EXPECT_EQ(text_of(plan_for(report_settings({}), plan.meshes)).find("guess"), std::string::npos) << "every chapter of ours has one";
 }
 
 TEST(Plan, ALargerMeshNeverCostsLess) {

@@ -69,6 +69,46 @@ TEST(ReportSettings, FlagsOverFileOverEnvironmentOverDefaults) {
     EXPECT_EQ(settings.out, "here");
 }
 
+TEST(ReportSettings, AReportOnOwnMeshesIsNamedAfterThemAndHasNoCourse) {
+    ReportFlags flags;
+    EXPECT_TRUE(has_source(report_settings(flags)));
+    EXPECT_NE(head_of(report_settings(flags)).course, "");
+    EXPECT_EQ(head_of(report_settings(flags, true)).course, "");
+    flags.meshes = {"a/spot.obj", "Bunny<b>.ply"};
+    const ReportSettings own = report_settings(flags);
+    EXPECT_EQ(head_of(own).title, "Curvature and Laplacian smoothing of spot and Bunny<b>");
+    EXPECT_EQ(head_of(own).course, "");
+    EXPECT_FALSE(has_source(own));
+    flags.meshes = {"a.obj", "b.obj", "c.obj", "d.obj", "e.obj"};
+    EXPECT_EQ(head_of(report_settings(flags)).title, "Curvature and Laplacian smoothing of a, b, c and 2 more");
+    const TemporaryFolder folder;
+    flags.config = settings_in(folder, "[report]\ntitle = \"Mine\"\ncourse = \"Yours\"\nsource = true\n");
+    EXPECT_EQ(head_of(report_settings(flags)).title, "Mine");
+    EXPECT_EQ(head_of(report_settings(flags)).course, "Yours");
+    EXPECT_TRUE(has_source(report_settings(flags)));
+    flags.title = "Other";
+    flags.course = "Ours";
+    flags.no_source = true;
+    EXPECT_EQ(head_of(report_settings(flags)).title, "Other");
+    EXPECT_EQ(head_of(report_settings(flags)).course, "Ours");
+    EXPECT_FALSE(has_source(report_settings(flags)));
+    for (const std::string& title : {std::string("  "), std::string(201, 'a'), std::string("a\nb")}) {
+        flags.title = title;
+        EXPECT_THROW(report_settings(flags), SettingsErrors) << title;
+    }
+}
+
+TEST(ReportSettings, TwoQuestionsOfAReportHaveTwoNumbers) {
+    const TemporaryFolder folder;
+    ReportFlags flags;
+    flags.config = settings_in(folder, "[[question]]\nid = \"q3\"\nnumber = 4\n");
+    EXPECT_THROW(report_settings(flags), SettingsErrors) << "q4 has it, too";
+    flags.only = "q3,q5";
+    EXPECT_NO_THROW(report_settings(flags));
+    flags.only = "q3,q4";
+    EXPECT_THROW(report_settings(flags), SettingsErrors);
+}
+
 TEST(ReportSettings, DataFoldersOfTheEnvironmentAreSeparatedByColons) {
     const Environment data("MESHFOLIO_DATA", "a:b");
     EXPECT_EQ(report_settings({}).data, (std::vector<std::filesystem::path>{"a", "b"}));

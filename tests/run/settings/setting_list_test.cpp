@@ -47,6 +47,7 @@ template <class Settings> std::multiset<std::string> names_of() {
 TEST(SettingList, EverySettingIsDocumented) {
     expect_documented<ReportSettings>();
     expect_documented<QuestionTable>();
+    expect_documented<report::OwnPage>();
 }
 
 TEST(SettingList, NoTwoSettingsShareAName) {

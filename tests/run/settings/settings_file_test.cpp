@@ -34,6 +34,70 @@ TEST(SettingsFile, MissingKeysKeepTheirValueButQuestionsSectionsAndExperimentsAr
     EXPECT_TRUE(after.only.empty() && after.questions.empty());
 }
 
+TEST(SettingsFile, ASheetHasItsOwnWords) {
+    const ReportSettings settings = parse_settings(R"(
+[report]
+title = "Sheet"
+source = false
+[[question]]
+id = "q4"
+title = "Waves"
+number = 1
+points = 7.5
+intro = """
+Compute $λ_crit$.
+"""
+[[question]]
+id = "q3"
+number = "2b"
+[[page]]
+title = "Before"
+text = "See [[q4]]."
+before = "q4"
+[[page]]
+title = "Last"
+text = ""
+[[item]]
+id = "of mark"
+)",
+                                                   "my.toml", parse_settings("[report]\ncourse = \"C\"", "first.toml"));
+    const QuestionTable& waves = settings.questions.at("q4");
+    EXPECT_EQ(waves.title, "Waves");
+    EXPECT_EQ(waves.number, "1");
+    EXPECT_EQ(waves.points, 7.5);
+    EXPECT_EQ(waves.intro, "Compute $λ_crit$.\n");
+    EXPECT_EQ(settings.questions.at("q3").number, "2b");
+    EXPECT_EQ(settings.pages, (std::vector<report::OwnPage>{{"Before", "See [[q4]].", "q4"}, {"Last", "", ""}}));
+    EXPECT_EQ(settings.source, false);
+    EXPECT_EQ(settings.course, "") << "that of a report with another title";
+    EXPECT_TRUE(parse_settings("", "other.toml", settings).pages.empty());
+    EXPECT_EQ(described(settings), described(parse_settings("[[question]]\nid = \"q4\"\n[[question]]\nid = \"q3\"", "my.toml")))
+        << "words do not shape the results";
+}
+
+TEST(SettingsFile, WordsOfASheetThatCannotBePrintedAreRefused) {
+    using testing_tools::expect_problem;
+    expect_problem(question("title = \"  \""), 3, {"title is blank"});
+    expect_problem(question("title = \"" + std::string(201, 'a') + "\""), 3, {"201 bytes", "at most 200"});
+    expect_problem(question("title = \"a\\nb\""), 3, {"control character"});
+    expect_problem(question("tittle = \"a\""), 3, {"'tittle'", "'title'"});
+    for (const char* number : {"\"A\"", "\"\"", "0", "-1", "12345", "\"1.2\"", "\"<b>\"", "\" 1\""})
+        expect_problem(question(std::string("number = ") + number), 3, {"is no number of a question", "write 3"});
+    expect_problem(question("number = 2") + "[[question]]\nid = \"q5\"\nnumber = \"2\"", 6, {"that of line 3"});
+    expect_problem(question("points = -1"), 3, {"out of range"});
+    expect_problem(question("points = [1, 2]"), 3, {"is a list"});
+    expect_problem(question("intro = \"**open\""), 3, {"intro: '**open' lacks **", "backslash"});
+    expect_problem(question("intro = \"{{title}}\""), 3, {"lacks the fact title"});
+    expect_problem(question("intro = \"[[q5_limits]]\""), 3, {"[[q5_limits]] is no question"});
+    expect_problem(question("intro = \"" + std::string(20'001, 'a') + "\""), 3, {"20001 bytes", "at most 20000"});
+    expect_problem("[[page]]\ntext = \"\"", 1, {"[[page]] has no title"});
+    expect_problem("[[page]]\ntitle = \"T\"", 1, {"[[page]] has no text"});
+    expect_problem("[[page]]\ntitle = \"T\"\ntext = \"\"\nbefore = \"q44\"", 4, {"'q44' is unknown", "'q4'"});
+    expect_problem("[[page]]\ntitle = \"T\"\ntext = \"\"\nbefore = \"truth\"", 4, {"'truth' is unknown"});
+    expect_problem("page = 1", 1, {"page is not a list of tables", "[[page]]"});
+    expect_problem("[report]\ntitle = \" \"", 2, {"title is blank"});
+}
+
 TEST(SettingsFile, EveryKeyIsRead) {
     const ReportSettings settings = parse_settings(R"(
 seed = 9
