@@ -10,12 +10,11 @@ local MOST_ROWS, DIGITS, LINE = 40, 4, 72   -- of a table, of a number, unless r
 local stringify, sha1, List, path = pandoc.utils.stringify, pandoc.utils.sha1, pandoc.List, pandoc.path
 local program = os.getenv("MESHFOLIO") or "meshfolio"   -- never from the document, which could name any program
 local document = quarto and quarto.doc.input_file or PANDOC_STATE.input_files[1] or "document.md"
-local folder, is_latex = path.directory(document), FORMAT == "latex" or FORMAT == "beamer"
+local folder, written = path.directory(document), path.directory(PANDOC_STATE.output_file or "x")
 local files = path.normalize(path.join{folder, path.split_extension(path.filename(document)) .. "_files"})   -- where the filter works
-local written = path.directory(PANDOC_STATE.output_file or "x")
 local shown_files = written == "." and files or path.make_relative(files, written, true)   -- as from the document that is written
 local settings, options, meshes, folders, sources, numbers = {}, List{}, {}, List{".", ".."}, {}, {}
-local digests, checked, line_of_block, identity = {}, {}, 0, nil
+local digests, checked, line_of_block, identity, is_latex = {}, {}, 0, nil, FORMAT == "latex" or FORMAT == "beamer"
 local function has(words, word) return (" " .. words .. " "):find(" " .. word .. " ", 1, true) ~= nil end
 local function option_of(element, name) return element.attributes[name] or settings[name] end
 local function lines_before(text, at) return select(2, text:sub(1, at - 1):gsub("\n", "")) end
