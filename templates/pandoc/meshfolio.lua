@@ -1,10 +1,9 @@
 -- Draws and measures meshes in documents of Pandoc (2.17 and later) and Quarto:  pandoc --lua-filter meshfolio.lua scan.md -o scan.html
 -- ```{.meshfolio #fig-h caption="Mean curvature"}     Lines are commands of meshfolio, with quotes as in a shell, but run by no shell.
 -- render scan.ply --field h-cotan                     Each yields a figure, a table, or a file for later blocks in <document>_files.
--- ```
--- @fig-h shows the `inspect scan.ply boundary_loops`{.meshfolio} holes; the volume is `inspect scan.ply volume`{.meshfolio digits=3}.
+-- ```                                                 Text: @fig-h shows the `inspect scan.ply boundary_loops`{.meshfolio digits=3} holes.
 local COMMANDS = "render inspect curvature spectrum smooth noise compare sample show"
-local WRITES = "o output out csv ply plot glb vectors html junit"         -- options that name outputs
+local WRITES = "o output out csv ply plot glb vectors html junit summary"   -- options that name outputs
 local FILTER_KEYS = "meshes data errors allow-outside echo digits size"   -- of the metadata; other keys are options of render
 local MOST_ROWS, DIGITS, LINE = 40, 4, 72   -- of a table, of a number, unless rows= and digits= are given; characters of a line
 local stringify, sha1, List, path = pandoc.utils.stringify, pandoc.utils.sha1, pandoc.List, pandoc.path
@@ -21,8 +20,7 @@ local function lines_before(text, at) return select(2, text:sub(1, at - 1):gsub(
 local function refuse(message) error({message = message}, 0) end
 local function contents(name)   -- nil without such a file, or for a folder
   local file = io.open(name, "rb")
-  local text = file and file:read("a")
-  if file then file:close() end
+  local text, _ = file and file:read("a"), file and file:close()
   return text
 end
 local function commands_of(text)   -- splits it into {words…, line= from 0}, with quotes and escapes of a POSIX shell, without its other powers
@@ -173,7 +171,7 @@ local function figure_of(pictures, block, caption)   -- an image, or several abo
     return pandoc.Image(alt, shown, title, {is_figure and id or "", {}, {width = given.width, height = given.height, alt = given.alt}})
   end)
   if pandoc.Figure and caption[1] then return pandoc.Figure({pandoc.Plain(images)}, {long = {pandoc.Plain(caption)}}, {id}) end
-  if is_latex and not is_figure then caption:insert(1, pandoc.RawInline("latex", "\\refstepcounter{figure}Figure \\thefigure: ")) end
+  if is_latex and not is_figure then caption:insert(1, pandoc.RawInline("latex", "\\refstepcounter{figure}\\label{" .. id .. "}Figure \\thefigure: ")) end
   return is_figure and pandoc.Para(images) or pandoc.Div({pandoc.Para(images), caption[1] and pandoc.Para(caption) or nil}, {id})
 end
 local function blocks_of_commands(block)   -- returns what the commands of a block yield
@@ -188,6 +186,7 @@ local function blocks_of_commands(block)   -- returns what the commands of a blo
   if pictures[1] then
     blocks:insert(figure_of(pictures, block, caption))
   elseif blocks[1] then
+    if is_latex and numbers[id] then caption:insert(pandoc.RawInline("latex", "\\label{" .. id .. "}")) end
     if blocks[1].t == "Table" and not quarto then blocks[1].caption.long = {pandoc.Plain(caption)} else blocks:insert(pandoc.Para(caption)) end
     blocks = List{pandoc.Div(blocks, {id})}
   end
@@ -213,9 +212,10 @@ local function replaced(element)   -- code by what its commands yield; a failure
   local box = pandoc.Span(text, {"", {"meshfolio-error"}, {style = "border: 2px solid; color: #b00020; padding: 0.2em 0.5em"}})
   return element.t == "Code" and box or pandoc.Para{box}
 end
-local function Cite(cite)   -- returns a link in place of @fig-h
+local function Cite(cite)   -- returns a link in place of @fig-h; LaTeX numbers by itself
   local id = #cite.citations == 1 and cite.citations[1].id
-  return numbers[id] and pandoc.Link(numbers[id], "#" .. id)
+  local latex = numbers[id] and pandoc.RawInline("latex", numbers[id]:gsub(" .*", "~\\ref{" .. id .. "}"))
+  return numbers[id] and pandoc.Link(is_latex and {latex} or numbers[id], "#" .. id)
 end
 function Pandoc(doc)
   local environment, counts, is_used = pandoc.system.environment(), {}, #PANDOC_STATE.input_files == 0

@@ -36,7 +36,7 @@ class Filter(InDocuments):
         [[attributes, blocks]] = nodes(self.tree(text), "Div")
         self.assertEqual((attributes[0], words(blocks[-1]), len(nodes(blocks, "Image"))), ("fig-c", "Figure 1: Both", 2))
         latex = self.make(text, "-t", "latex").text
-        self.assertRegex(latex, r"(?s)fig-c-\w{8}\.pdf.*fig-c-\w{8}\.pdf.*\\refstepcounter\{figure\}Figure \\thefigure: Both")
+        self.assertRegex(latex, r"(?s)fig-c-\w{8}\.pdf.*fig-c-\w{8}\.pdf.*\\refstepcounter\{figure\}\\label\{fig-c\}Figure \\thefigure: Both")
 
     def test_figures_and_tables_are_numbered_and_referred_to(self):
         text = ("See @tbl-b, [@fig-b] and @fig-a, not @other." + block("render cube.obj", '#fig-a caption="A"') +
@@ -44,7 +44,9 @@ class Filter(InDocuments):
         plain = self.make(text, "-t", "plain").text
         self.assertTrue(plain.startswith("See Table 1, Figure 2 and Figure 1, not @other."), plain)
         self.assertIn(": Table 1: T", plain)
-        self.assertIn(r"\caption{T}", self.make(text, "-t", "latex").text, "LaTeX numbers by itself")
+        latex = self.make(text, "-t", "latex").text
+        self.assertIn(r"Table~\ref{tbl-b}", latex)
+        self.assertIn(r"\caption{T\label{tbl-b}}", latex)
 
     def test_csv_is_a_table_with_rounded_numbers_on_the_right(self):
         tree = self.tree(block("curvature cube.obj", '#tbl-c caption="C" rows=2'))
