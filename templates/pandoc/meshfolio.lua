@@ -132,11 +132,11 @@ local function rounded(content, element)   -- rounds numbers for people, whole o
   end})
 end
 local function table_of(csv, has_head, element)   -- columns of numbers are on the right, long lines wrapped
-  local simple, widths, total = pandoc.utils.to_simple_table(rounded(pandoc.read(csv, "csv").blocks[1], element)), {}, 0
-  local most = tonumber(element.attributes.rows) or #simple.rows < MOST_ROWS and MOST_ROWS
-  simple.rows = List{table.unpack(simple.rows, 1, most or refuse("the table has " .. #simple.rows .. " rows; say by rows= how many to show"))}
+  local part = csv:match("^" .. ("[^\n]*\n"):rep((tonumber(element.attributes.rows) or MOST_ROWS) + 1)) or csv
+  if #part < #csv and not element.attributes.rows then refuse("the table has more than " .. MOST_ROWS .. " rows; say by rows= how many to show") end
+  local simple, widths, total = pandoc.utils.to_simple_table(rounded(pandoc.read(part, "csv").blocks[1], element)), {}, 0
   for j, title in ipairs(simple.header) do
-    local texts = simple.rows:map(function(row) return stringify(row[j]) end)
+    local texts = List(simple.rows):map(function(row) return stringify(row[j]) end)
     local is_text = texts:find_if(function(text) return not text:match("^[%d.%s+×-]*$") end)
     widths[j] = math.min(50, math.max(#stringify(title), table.unpack(texts:map(function(text) return #text end))) + 2)
     simple.aligns[j], total = is_text and "AlignLeft" or "AlignRight", total + widths[j]
@@ -162,17 +162,17 @@ local function blocks_of(text, element)   -- makes CSV, and columns parted by tw
   return blocks
 end
 local function figure_of(pictures, block, caption)   -- an image, or several above one caption
-  local id, given, is_figure = block.identifier, block.attributes, #pictures == 1 and caption[1]
-  local alt, title = is_figure and caption or given.alt or block.text, is_figure and "fig:" or ""
+  local id, given, single = block.identifier, block.attributes, #pictures == 1 and caption[1]
+  local alt, title = single and caption or given.alt or block.text, single and "fig:" or ""
   local images = pictures:map(function(name)
     local shown = path.normalize(path.join{shown_files, name})
     pandoc.mediabag.insert(shown, nil, contents(name))   -- for writers that embed pictures
     shown = shown:gsub("[%%#?]", function(char) return ("%%%02X"):format(char:byte()) end)
-    return pandoc.Image(alt, shown, title, {is_figure and id or "", {}, {width = given.width, height = given.height, alt = given.alt}})
+    return pandoc.Image(alt, shown, title, {single and id or "", {}, {width = given.width, height = given.height, alt = given.alt}})
   end)
   if pandoc.Figure and caption[1] then return pandoc.Figure({pandoc.Plain(images)}, {long = {pandoc.Plain(caption)}}, {id}) end
-  if is_latex and not is_figure then caption:insert(1, pandoc.RawInline("latex", "\\refstepcounter{figure}\\label{" .. id .. "}Figure \\thefigure: ")) end
-  return is_figure and pandoc.Para(images) or pandoc.Div({pandoc.Para(images), caption[1] and pandoc.Para(caption) or nil}, {id})
+  if is_latex and not single then caption:insert(1, pandoc.RawInline("latex", "\\refstepcounter{figure}\\label{" .. id .. "}Figure \\thefigure: ")) end
+  return single and pandoc.Para(images) or pandoc.Div({pandoc.Para(images), caption[1] and pandoc.Para(caption) or nil}, {id})
 end
 local function blocks_of_commands(block)   -- returns what the commands of a block yield
   local id, blocks, pictures = block.identifier, List{}, List{}
