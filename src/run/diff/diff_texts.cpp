@@ -74,25 +74,25 @@ std::string diff_json(const ReportDiff& diff) {
     using Json = nlohmann::ordered_json;
     Json changes = Json::array();
     for (const Change& change : diff.changes) {
-        Json json{{"kind", name_of(change.kind)}, {"section", change.section}, {"id", change.id}};
+        Json entry{{"kind", name_of(change.kind)}, {"section", change.section}, {"id", change.id}};
         for (const auto& [key, text] : {std::pair{"row", &change.row}, std::pair{"column", &change.column}})
-            if (!text->empty()) json[key] = *text;
-        json["before"] = change.before.empty() ? Json() : Json(change.before);
-        json["after"] = change.after.empty() ? Json() : Json(change.after);
-        json["size"] = std::isfinite(change.size) ? Json(change.size) : Json();
-        changes.push_back(std::move(json));
+            if (!text->empty()) entry[key] = *text;
+        entry["before"] = change.before.empty() ? Json() : Json(change.before);
+        entry["after"] = change.after.empty() ? Json() : Json(change.after);
+        entry["size"] = std::isfinite(change.size) ? Json(change.size) : Json();
+        changes.push_back(std::move(entry));
     }
     const report::ComparedParts& parts = diff.compared;
-    const Json json{{"before", diff.before},
-                    {"after", diff.after},
-                    {"compared",
-                     {{"checks", parts.checks},
-                      {"numbers", parts.numbers},
-                      {"tables", parts.tables},
-                      {"pictures", parts.pictures},
-                      {"meshes", parts.meshes}}},
-                    {"changes", changes}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const Json whole{{"before", diff.before},
+                     {"after", diff.after},
+                     {"compared",
+                      {{"checks", parts.checks},
+                       {"numbers", parts.numbers},
+                       {"tables", parts.tables},
+                       {"pictures", parts.pictures},
+                       {"meshes", parts.meshes}}},
+                     {"changes", changes}};
+    return whole.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string diff_junit(const ReportDiff& diff) {
