@@ -254,8 +254,10 @@ const char* name_of(Change::Kind kind) {
 }
 
 void sort_changes(std::vector<Change>& changes) {
-    std::ranges::stable_sort(changes,
-                             [](const Change& a, const Change& b) { return a.kind != b.kind ? a.kind < b.kind : a.size > b.size; });
+    std::ranges::stable_sort(changes, [](const Change& a, const Change& b) {
+        if (a.kind != b.kind) return a.kind < b.kind;
+        return std::isfinite(a.size) == std::isfinite(b.size) ? a.size > b.size : std::isfinite(a.size);
+    });
 }
 
 std::vector<Change> changes_between(const Document& before, const Document& after, double tolerance, ComparedParts& compared) {
