@@ -130,7 +130,7 @@ local function rounded(content, element)   -- rounds numbers for people, whole o
     local text = ("%." .. (digits or DIGITS) .. "g"):format(str.text)
     local mantissa, power = text:match("^(.*)e(.*)$")
     if power and tonumber(power) > 0 and tonumber(power) < 7 then return pandoc.Str(("%.0f"):format(text)) end
-    return power and pandoc.Math("InlineMath", mantissa .. "\\times10^{" .. math.tointeger(power) .. "}") or pandoc.Str(text)
+    return power and {pandoc.Str(mantissa .. "×10"), pandoc.Superscript(tostring(math.tointeger(power)))} or pandoc.Str(text)
   end})
 end
 local function table_of(csv, has_head, element)   -- columns of numbers are on the right, long lines wrapped
@@ -139,8 +139,8 @@ local function table_of(csv, has_head, element)   -- columns of numbers are on t
   simple.rows = List{table.unpack(simple.rows, 1, most or refuse("the table has " .. #simple.rows .. " rows; say by rows= how many to show"))}
   for j, title in ipairs(simple.header) do
     local texts = simple.rows:map(function(row) return stringify(row[j]) end)
-    local is_text = texts:find_if(function(text) return not text:gsub("\\times10.*", ""):match("^[%d.%s+-]*$") end)
-    widths[j] = math.max(#stringify(title), table.unpack(texts:map(function(text) return #text end))) + 2
+    local is_text = texts:find_if(function(text) return not text:match("^[%d.%s+×-]*$") end)
+    widths[j] = math.min(50, math.max(#stringify(title), table.unpack(texts:map(function(text) return #text end))) + 2)
     simple.aligns[j], total = is_text and "AlignLeft" or "AlignRight", total + widths[j]
     simple.header[j] = {pandoc.Plain((stringify(title):gsub("_", " ")))}
   end

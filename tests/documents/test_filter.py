@@ -70,8 +70,8 @@ class Filter(InDocuments):
         shutil.copy(SOURCE / "data" / "creature.obj", self.folder)
         text = ("`inspect cube.obj vertices`{.meshfolio} `inspect cube.obj smallest_angle_deg`{.meshfolio digits=2} "
                 "`inspect cube.obj box_diagonal`{.meshfolio} `inspect creature.obj gauss_bonnet.residual`{.meshfolio digits=1}")
-        self.assertRegex(self.make(text, "-t", "plain").text, r"^8 45 1\.732 \d\s×\s10[⁻¹²³⁴⁵⁶⁷]+\n$")
-        self.assertRegex(self.make(text, "-t", "latex").text, r"\\\(\d\\times10\^\{-1\d\}\\\)")
+        self.assertRegex(self.make(text, "-t", "plain").text, r"^8 45 1\.732 \d×10[⁻¹²³⁴⁵⁶⁷]+\n$")
+        self.assertRegex(self.make(text, "-t", "latex").text, r"\d×10\\textsuperscript\{-1\d\}")
 
     def test_a_mesh_of_a_block_is_an_input_of_later_blocks(self):
         tree = self.tree(block("noise cube.obj -o noisy.ply \\\n  --sigma 0.01") + block("# a comment\n\nrender noisy.ply", 'echo=true caption="x"'))
