@@ -3,7 +3,6 @@
 #include "cli/commands.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/io/polygon_list.h"
-#include "mesh/triangle_measures.h"
 #include "mesh/vertex_noise.h"
 #include "run/arguments.h"
 #include "run/console.h"
@@ -19,7 +18,7 @@ Command noise_command(CLI::App& parent) {
     app.required("MESH", options->mesh, formats_read);
     app.required("-o,--output FILE", options->output, formats_written);
     app.required("--sigma", options->sigma, "standard deviation of each coordinate");
-    app.choice("--unit", options->unit, {"raw", "bbox"}, "of sigma: raw (model units) or bbox (per axis, a fraction of its extent)");
+    app.choice("--unit", options->unit, noise_units, "of sigma: raw (model units), bbox (per axis, its extent), diagonal (of the bounding box), h (mean edge)");
     app.text("--seed", options->seed, "the same seed gives the same noise");
     app.footer(std::string(attributes_are_kept) + "Example: meshfolio noise bunny.off -o noisy.ply --sigma 0.01 --unit bbox --seed 7");
     return {app, [options] {
@@ -28,8 +27,8 @@ Command noise_command(CLI::App& parent) {
                 const std::uint64_t seed = seed_of(options->seed);
                 check_output("-o", options->output, mesh_or_standard_output());
                 const PreparedMesh prepared = load_mesh(options->mesh, Checks::all, Keep::attributes);
-                const Vector3 scale = options->unit == "bbox" ? bounding_box(prepared.mesh).extent() : Vector3::Ones();
-                write_mesh_to(options->output, moved_to(prepared.mesh, with_gaussian_noise(prepared.mesh.X, sigma * scale, seed)),
+                const Vector3 deviation = sigma * noise_unit(prepared.mesh, options->unit);
+                write_mesh_to(options->output, moved_to(prepared.mesh, with_gaussian_noise(prepared.mesh.X, deviation, seed)),
                               prepared.attributes);
                 return ExitCode::ok;
             }};

@@ -69,6 +69,11 @@ Positions with_gaussian_noise(const Positions& X, const Vector3& sigma, std::uin
     return noisy;
 }
 
+Vector3 noise_unit(const TriangleMesh& mesh, std::string_view name) {
+    if (name == "bbox") return bounding_box(mesh).extent();
+    return Vector3::Constant(name == "diagonal" ? bounding_box(mesh).diagonal() : name == "h" ? mean_edge_length(mesh) : 1);
+}
+
 std::span<const NoiseEntry> noise_list() { return kinds; }
 
 const NoiseEntry& noise_entry(NoiseKind kind) {

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <random>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "mesh/triangle_mesh.h"
 
@@ -28,6 +30,10 @@ private:
 
 /// Returns X plus independent normal noise, of standard deviation sigma[axis], drawn row by row in the order x y z. [length]
 Positions with_gaussian_noise(const Positions& X, const Vector3& sigma, std::uint64_t seed);
+
+inline const std::vector<std::string> noise_units{"raw", "bbox", "diagonal", "h"};
+/// Returns σ = 1 along each axis in a unit of noise_units: 1, the extents of the bounding box, its diagonal, the mean edge. [length]
+Vector3 noise_unit(const TriangleMesh& mesh, std::string_view name);
 
 enum class NoiseKind { gaussian, normal, box, impulsive };
 inline constexpr double impulsive_share = 0.1;   // of the vertices, but at least one

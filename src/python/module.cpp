@@ -172,9 +172,8 @@ Mesh noise(const Mesh& mesh, double sigma, long long asked, const std::string& u
     const auto seed = static_cast<std::uint64_t>(run::integer_between("seed", std::to_string(asked), 0, run::largest_seed));
     if (run::number_not_negative("sigma", plain_text(sigma)) > largest_coordinate)
         throw UsageError("sigma " + plain_text(sigma) + " is beyond 1e100", "take a smaller one");
-    run::require_choice("unit", unit, {"raw", "bbox"});
-    const Vector3 scale = unit == "bbox" ? bounding_box(mesh.triangles()).extent() : Vector3::Ones();
-    return moved_to(mesh, with_gaussian_noise(mesh.triangles().X, sigma * scale, seed));
+    run::require_choice("unit", unit, noise_units);
+    return moved_to(mesh, with_gaussian_noise(mesh.triangles().X, sigma * noise_unit(mesh.triangles(), unit), seed));
 }
 
 py::dict compare(const Mesh& a, const Mesh& b, bool surfaces, double accuracy) {

@@ -109,6 +109,14 @@ TEST(VertexNoise, ScalesWithSigmaAxisByAxis) {
     EXPECT_EQ(scaled.col(2), 4 * unit.col(2));
 }
 
+TEST(VertexNoise, HasUnitsOfTheMesh) {
+    const TriangleMesh box{.X = Positions{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {0, 0, 12}}, .F = Triangles{{0, 1, 2}, {0, 1, 3}}};
+    EXPECT_EQ(noise_unit(box, "raw"), Vector3(1, 1, 1));
+    EXPECT_EQ(noise_unit(box, "bbox"), Vector3(3, 4, 12));
+    EXPECT_EQ(noise_unit(box, "diagonal"), Vector3(13, 13, 13));
+    EXPECT_EQ(noise_unit(box, "h"), Vector3::Constant(mean_edge_length(box)));
+}
+
 TEST(VertexNoise, IsAddedToThePositions) {
     const Positions X = Positions::Random(100, 3);
     const Positions noise = with_gaussian_noise(Positions::Zero(100, 3), {0.1, 0.1, 0.1}, 8);

@@ -43,7 +43,7 @@ Operator = Literal[
 Area = Literal["barycentric", "voronoi", "mixed"]
 Scheme = Literal["explicit", "implicit", "taubin"]
 StepUnit = Literal["raw", "tau", "h2"]
-NoiseUnit = Literal["raw", "bbox"]
+NoiseUnit = Literal["raw", "bbox", "diagonal", "h"]
 Axis = Literal["x", "y", "z"]
 Fit = Literal["each", "common"]
 Words = Union[str, Sequence[str]]
@@ -156,8 +156,8 @@ def smooth(
 
 @worded
 def noise(mesh: MeshLike, sigma: float, *, seed: int = 1, unit: NoiseUnit = "raw") -> Mesh:
-    """Returns a mesh with Gaussian noise of standard deviation sigma per coordinate: in unit raw [length], or bbox, a share of each
-    extent. The same seed gives the same noise."""
+    """Returns a mesh with Gaussian noise of standard deviation sigma per coordinate: in unit raw [length], or as a share of each
+    extent (bbox), of the diagonal of the bounding box, or of the mean edge (h). The same seed gives the same noise."""
     return _core.noise(mesh, sigma, seed, unit)
 
 
