@@ -162,17 +162,17 @@ local function blocks_of(text, element)   -- makes CSV, and columns parted by tw
   return blocks
 end
 local function figure_of(pictures, block, caption)   -- an image, or several above one caption
-  local id, given, single = block.identifier, block.attributes, #pictures == 1 and caption[1]
-  local alt, title = single and caption or given.alt or block.text, single and "fig:" or ""
+  local id, given, alone = block.identifier, block.attributes, #pictures == 1 and caption[1]
+  local alt, title = alone and caption or given.alt or block.text, alone and "fig:" or ""
   local images = pictures:map(function(name)
     local shown = path.normalize(path.join{shown_files, name})
     pandoc.mediabag.insert(shown, nil, contents(name))   -- for writers that embed pictures
     shown = shown:gsub("[%%#?]", function(char) return ("%%%02X"):format(char:byte()) end)
-    return pandoc.Image(alt, shown, title, {single and id or "", {}, {width = given.width, height = given.height, alt = given.alt}})
+    return pandoc.Image(alt, shown, title, {alone and id or "", {}, {width = given.width, height = given.height, alt = given.alt}})
   end)
   if pandoc.Figure and caption[1] then return pandoc.Figure({pandoc.Plain(images)}, {long = {pandoc.Plain(caption)}}, {id}) end
-  if is_latex and not single then caption:insert(1, pandoc.RawInline("latex", "\\refstepcounter{figure}\\label{" .. id .. "}Figure \\thefigure: ")) end
-  return single and pandoc.Para(images) or pandoc.Div({pandoc.Para(images), caption[1] and pandoc.Para(caption) or nil}, {id})
+  if not alone and is_latex then caption:insert(1, pandoc.RawInline("latex", "\\refstepcounter{figure}\\label{" .. id .. "}Figure~\\thefigure: ")) end
+  return alone and pandoc.Para(images) or pandoc.Div({pandoc.Para(images), caption[1] and pandoc.Para(caption) or nil}, {id})
 end
 local function blocks_of_commands(block)   -- returns what the commands of a block yield
   local id, blocks, pictures = block.identifier, List{}, List{}
