@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 
 #include "base/number_text.h"
 #include "base/utf8.h"
@@ -210,6 +211,11 @@ std::string svg_head(const std::string& id, const std::string& subject, const st
 }
 
 std::string svg_on_white(std::string svg) {
+    constexpr std::string_view variable = "\"var(--";   // "var(--plot-1, #0b5fa5)" becomes its default, as some readers know no variables
+    for (std::size_t at = svg.find(variable); at != svg.npos; at = svg.find(variable, at)) {
+        const std::size_t comma = svg.find(", ", ++at), end = svg.find(')', comma);
+        svg.replace(at, end + 1 - at, svg.substr(comma + 2, end - comma - 2));
+    }
     svg.insert(svg.find('>') + 1, "\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>");
     svg.insert(svg.find(" role="), " color=\"#1b1b1f\"");
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg;
