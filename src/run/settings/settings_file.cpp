@@ -161,8 +161,9 @@ private:
         }
         if (setting.text == Setting::Text::number) return take_number(reader, setting, value);
         if (setting.text == Setting::Text::markdown) return take_markdown(reader, setting, value);
-        value = reader.text(setting.key, limits::longest_text).value_or(value);
-        if (setting.text == Setting::Text::title && value.find_first_not_of(' ') == std::string::npos)
+        const auto text = reader.text(setting.key, limits::longest_text);
+        value = text.value_or(value);
+        if (setting.text == Setting::Text::title && text && text->find_first_not_of(' ') == std::string::npos)
             problems_.add(*reader.node(setting.key), reader.called(setting.key) + " is blank", "write a title, or leave the key out");
         const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
         if (std::ranges::any_of(value, is_control))

@@ -127,6 +127,10 @@ json model_of(const Document& document, ViewOptions options = {}, const DrawnFig
 /// Models that together have every value: the sample has failed checks and no files of plots, all_well the opposite.
 std::vector<json> complete_models() {
     Document all_well = sample_document();
+    all_well.sections[0].points = 8;
+    all_well.sections[0].intro = "Compute *it*.";
+    Document without_questions = sample_document();
+    without_questions.sections.erase(without_questions.sections.begin(), without_questions.sections.begin() + 3);
     for (Section& section : all_well.sections) std::erase_if(section.checks, [](const Check& check) { return !check.passed(); });
     ViewOptions with_files;
     with_files.plot_files = true;
@@ -156,7 +160,8 @@ std::vector<json> complete_models() {
             model_of(parted, on_paper),
             model_of(parted, appendix, sample_models()),
             model_of(parted, short_appendix),
-            model_of(all_well, appendix)};
+            model_of(all_well, appendix),
+            model_of(without_questions)};
 }
 
 /// Expects that the models know every tag of the template, and that one of them meets it: an unknown tag put before it is an error.

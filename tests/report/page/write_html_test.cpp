@@ -162,10 +162,10 @@ Document sheet() {
 TEST(WriteHtml, ASheetHasItsOwnNumbersWordsAndPagesAndNothingElse) {
     const std::string page = body_of(write_html(sheet(), {}, Templates()));
     const auto positions =
-        positions_of(page.substr(page.find("<main")),
-                     {"<span class=\"number\">1</span>", "id=\"page-2\"", "<strong>Read</strong> this.", "id=\"q4\"",
-                      "<span class=\"points\">2.5 points</span>", "<strong>Setting</strong>", "<p>1. one</p>", "<p>2. two</p>",
-                      "<li>&lt;script&gt;", "id=\"q3\"", "<span class=\"points\">1 point</span>", "id=\"page-1\""});
+        positions_of(page.substr(page.find("id=\"page-2\"")),
+                     {"id=\"page-2\"", "<strong>Read</strong> this.", "id=\"q4\"", "<span class=\"points\">2.5 points</span>",
+                      "<strong>Setting</strong>", "<p>1. one</p>", "<p>2. two</p>", "<li>&lt;script&gt;", "id=\"q3\"",
+                      "<span class=\"points\">1 point</span>", "id=\"page-1\""});
     EXPECT_TRUE(std::is_sorted(positions.begin(), positions.end()));
     for (const char* absent : {"Nobody sees", "id=\"q2\"", "of another course", "<b>Waves", "alert(1)</script>", "src.txt", "Not asked"})
         EXPECT_EQ(page.find(absent), std::string::npos) << absent;
@@ -177,7 +177,7 @@ TEST(WriteHtml, ASheetHasItsOwnNumbersWordsAndPagesAndNothingElse) {
 TEST(WriteHtml, ASheetIsTheSameInPrintAndMarkdown) {
     const std::string print = write_html(sheet(), {}, Templates(), {.design = "print"}),
                       markdown = write_markdown(sheet(), {}, Templates());
-    for (const char* part : {"Setting", "2.5 points", "Before", "Last words", "1. one"}) {
+    for (const char* part : {"Setting", "2.5 points", "Before", "Last words", "one"}) {
         EXPECT_NE(print.find(part), std::string::npos) << part;
         EXPECT_NE(markdown.find(part), std::string::npos) << part;
     }
