@@ -29,7 +29,7 @@ struct CommandGroup {
     std::vector<Command (*)(CLI::App&)> makers;
 };
 const CommandGroup groups[] = {
-    {"Make a report", {report_command, batch_command, lab_command, merge_command, submit_command}},
+    {"Make a report", {report_command, show_command, batch_command, lab_command, merge_command, submit_command}},
     {"Work on a mesh",
      {inspect_command, render_command, curvature_command, spectrum_command, smooth_command, noise_command, sample_command}},
     {"Check and mark", {compare_command, diff_command, mark_command, verify_command}},

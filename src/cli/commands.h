@@ -78,6 +78,7 @@ Command smooth_command(CLI::App& parent);
 Command noise_command(CLI::App& parent);
 Command compare_command(CLI::App& parent);
 Command diff_command(CLI::App& parent);
+Command show_command(CLI::App& parent);
 Command lab_command(CLI::App& parent);
 Command sample_command(CLI::App& parent);
 Command list_command(CLI::App& parent);

@@ -1,13 +1,16 @@
 #include <memory>
 #include <numbers>
 
+#include "base/joined.h"
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "geometry/operators/laplace_operator.h"
 #include "mesh/io/mesh_files.h"
 #include "mesh/orientation.h"
 #include "questions/bench/defects.h"
+#include "report/writers.h"
 #include "run/console.h"
+#include "run/one_mesh/conditions.h"
 #include "run/one_mesh/fields.h"
 #include "run/one_mesh/inspection.h"
 #include "run/progress.h"
@@ -85,30 +88,70 @@ std::string in_words(const Inspection& inspection) {
     return text;
 }
 
+struct InspectFlags {
+    std::string mesh, measure, laplacian = "cotan", junit;
+    std::vector<std::string> conditions;
+    bool json = false;
+};
+
+/// Complains about the conditions that fail, in one line.
+ExitCode result_of(const std::vector<Condition>& conditions, const std::string& mesh) {
+    std::vector<std::string> failed;
+    for (const Condition& condition : conditions) {
+        const std::string measured = text_of(condition.measured);
+        if (!condition.holds) failed.push_back(condition.text + " (" + (measured.empty() ? "undefined" : measured) + ")");
+    }
+    if (failed.empty()) return ExitCode::ok;
+    complain(shown(mesh) + ": " + std::to_string(failed.size()) + " of " + std::to_string(conditions.size()) +
+                 " conditions failed: " + first_of_many(failed),
+             Ink::red);
+    return ExitCode::failed;
+}
+
+ExitCode run_inspect(const InspectFlags& options) {
+    std::vector<Condition> conditions = conditions_in(meshfolio::joined(options.conditions, ","));
+    if (!options.measure.empty() && (options.json || !conditions.empty()))
+        throw UsageError("one measure goes with neither --json nor --require", "take one of them");
+    if (!options.junit.empty() && conditions.empty()) throw UsageError("--junit needs --require", "name conditions, or leave it out");
+    check_output("--junit", options.junit, {".xml"});
+    const std::string key = options.measure.empty() ? "" : measure_key(options.measure);
+    const OperatorKind kind = operator_named(options.laplacian);
+    const Inspection inspection = about_mesh(options.mesh, [&] {
+        std::optional<Stage> stage;
+        return inspect_mesh(load_mesh(options.mesh), kind, [&](std::string_view what) { stage.emplace(std::string(what)); });
+    });
+    if (!inspection.no_stability.empty()) warn(options.mesh + ": largest stable step not computed: " + inspection.no_stability);
+    try_on(inspection, conditions);
+    if (!options.junit.empty()) output::replace_file(options.junit, write_junit(document_of(conditions, shown(options.mesh)), false));
+    if (!key.empty()) {
+        const std::string value = text_of(measures_of(inspection)[key]);
+        if (value.empty()) warn(shown(options.mesh) + ": " + key + " is undefined");
+        print(value + "\n");
+    } else if (options.json) {
+        print(inspection_json(inspection, conditions) + "\n");
+    } else {
+        print(for_terminal(conditions.empty() ? in_words(inspection) : lines_of(conditions)));
+    }
+    return result_of(conditions, options.mesh);
+}
+
 }   // namespace
 
 Command inspect_command(CLI::App& parent) {
-    struct Options {
-        std::string mesh, laplacian = "cotan";
-        bool json = false;
-    };
-    const auto options = std::make_shared<Options>();
-    CommandOptions app(parent, "inspect", "Preflight: counts, defects, Gauss-Bonnet, largest stable step");
+    const auto options = std::make_shared<InspectFlags>();
+    CommandOptions app(parent, "inspect", "Preflight: counts, defects, Gauss-Bonnet, largest stable step; conditions on a mesh");
     app.required("MESH", options->mesh, formats_read);
+    app.text("MEASURE", options->measure, "print this value of --json alone, such as genus or gauss_bonnet.residual");
     app.choice("--operator", options->laplacian, operator_choices(), "operator for the largest stable step");
     app.flag("--json", options->json, "for programs");
-    app.footer("Example: meshfolio inspect bunny.off --json");
-    return {app, [options] {
-                const OperatorKind kind = operator_named(options->laplacian);
-                const Inspection inspection = about_mesh(options->mesh, [&] {
-                    std::optional<Stage> stage;
-                    return inspect_mesh(load_mesh(options->mesh), kind, [&](std::string_view what) { stage.emplace(std::string(what)); });
-                });
-                if (!inspection.no_stability.empty())
-                    warn(options->mesh + ": largest stable step not computed: " + inspection.no_stability);
-                print(options->json ? inspection_json(inspection) + "\n" : for_terminal(in_words(inspection)));
-                return ExitCode::ok;
-            }};
+    app.texts("--require CONDITIONS", options->conditions,
+              "print whether conditions hold, with commas between them; a measure of --json that must be true, or that is compared by one "
+              "of = != < <= > >= with a number");
+    app.text("--junit FILE", options->junit, "the conditions as JUnit XML, for CI");
+    app.footer(
+        "Exit code 1 if a condition fails, as every one on an undefined measure. watertight is closed, manifold and orientable.\n"
+        "Example: meshfolio inspect bunny.off --require 'closed,manifold,components=1,genus=0,volume>0'");
+    return {app, [options] { return run_inspect(*options); }};
 }
 
 }   // namespace meshfolio::cli

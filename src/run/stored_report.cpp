@@ -10,7 +10,6 @@
 #include "output/draw/finished_picture.h"
 #include "output/publish/folder_system.h"
 #include "png/png.h"
-#include "report/json/read_json.h"
 #include "run/console.h"
 #include "run/report_files.h"
 
@@ -131,8 +130,14 @@ std::vector<report::Lab> StoredReport::labs() const try {
     return {};
 }
 
+report::ReadReport read_report(const fs::path& path) {
+    std::error_code error;
+    const fs::path file = fs::is_directory(path, error) ? path / results_file : path;
+    return report::read_json(read_file(file, largest_results), file.string());
+}
+
 bool ended_well(const fs::path& folder) try {
-    return !has_failed(report::read_json(read_file(folder / results_file, largest_results), results_file).document);
+    return !has_failed(read_report(folder / results_file).document);
 } catch (const InputError&) {   // no report; or one of another version, which counts as good
     return may_be_there(folder / results_file);
 }

@@ -13,6 +13,7 @@
 #include "output/cache/result_cache.h"
 #include "output/publish/file_sums.h"
 #include "questions/core/chapter.h"
+#include "report/json/read_json.h"
 #include "report/writers.h"
 
 namespace meshfolio::run {
@@ -68,6 +69,9 @@ private:
     void read(const std::string& results);
     bool restore(const std::string& id, report::DrawnFigure& figure) const;
 };
+
+/// Reads results.json of a folder, or a file. @throws InputError
+report::ReadReport read_report(const std::filesystem::path& path);
 
 /// Returns true if the folder holds a report without failures, or one of another version.
 bool ended_well(const std::filesystem::path& folder);

@@ -17,7 +17,7 @@ from in_folder import InFolder
 from program import PROGRAM
 
 COMMANDS = ['report', 'batch', 'render', 'inspect', 'curvature', 'spectrum', 'smooth', 'noise', 'compare', 'sample', 'list', 'doctor', 'verify',
-            'merge', 'mark']
+            'merge', 'mark', 'show']
 VIEWS = ['+x', '-x', '+y', '-y', '+z', '-z']
 
 # A box of 2 x 4 x 6 about the origin. Its sides are split by vertex order, so the number of a triangle identifies it.
@@ -62,7 +62,7 @@ class Usage(InFolder):
 
     def test_numbers_out_of_range_or_not_finite(self):
         mesh = self.sample('cube8')
-        for value in ('nan', 'inf', '1e999', '0x10', '1,5', '', '-1', '0'):
+        for value in ('nan', 'inf', '1e999', '0x10', '1,x', '0,5', '', '-1', '0'):
             self.refuse(2, 'smooth', mesh, '-o', 'x.ply', '--lambda=' + value)
         for value in ('nan', '-1', 'much'):
             self.refuse(2, 'noise', mesh, '-o', 'x.ply', '--sigma', value)
@@ -114,7 +114,7 @@ class Usage(InFolder):
         for arguments in (['smooth', '-o'], ['noise', '--sigma', 1, '-o'], ['curvature', '--csv'], ['curvature', '--ply'], ['spectrum', '-k', 3, '--csv'],
                           ['spectrum', '-k', 3, '--vectors'], ['spectrum', '-k', 3, '--ply'], ['lab', '-o'], ['compare', 'b.obj', '--csv'],
                           ['compare', 'b.obj', '--ply'], ['compare', 'b.obj', '--html'], ['render', '--glb'], ['report', '--quick', '--junit'],
-                          ['merge', '--junit']):
+                          ['merge', '--junit'], ['inspect', '--require', 'closed', '--junit'], ['smooth', '--csv'], ['smooth', '--plot']):
             command, option = [arguments[0], 'none.obj', *arguments[1:-1]], arguments[-1]
             told = self.refuse(2, *command, option, 'x.pdf')
             self.assertRegex(told, rf"{option} 'x.pdf' cannot be written as '.pdf'; let its name end in (\.\w+)")
@@ -181,7 +181,7 @@ class Manners(InFolder):
                              (['report', '--config', 'labratory'], 'laboratory'), (['report', '--pdf', 'requier'], 'require')):
             self.assertRegex(self.refuse(2, *words), f'did you mean [\'"]{meant}[\'"]')
         self.assertNotIn('did you mean', self.refuse(2, 'inspect', 'a.obj', '--xyzzyxyzzy'), 'nothing is like it')
-        self.assertIn('too many', self.refuse(2, 'inspect', 'a.obj', 'b.obj'))
+        self.assertIn('too many', self.refuse(2, 'curvature', 'a.obj', 'b.obj'))
         self.assertIn("meshfolio has no option '--bogus'", self.refuse(2, '--bogus'))
         self.assertIn('standard input', self.refuse(2, 'report', '-'))
 

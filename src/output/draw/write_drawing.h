@@ -15,4 +15,7 @@ std::string write_pdf(const render::Drawing& drawing, double resolution, const s
 /// Returns an SVG with its fonts inside; parameters as for write_pdf().
 std::string write_svg(const render::Drawing& drawing, double resolution, const std::string& title);
 
+/// Returns a plot or map as an SVG file of its own with the fonts of its words inside.
+std::string with_fonts(std::string svg);
+
 }   // namespace meshfolio::output

@@ -110,4 +110,9 @@ std::string write_svg(const Drawing& drawing, double resolution, const std::stri
     return svg + "</defs>\n" + elements.body + "</svg>\n";
 }
 
+std::string with_fonts(std::string svg) {
+    svg.insert(svg.find('>', svg.find("<svg ")) + 1, "\n<style>" + font_face(false) + font_face(true) + "</style>");
+    return svg;
+}
+
 }   // namespace meshfolio::output

@@ -13,7 +13,6 @@
 #include "output/publish/file_sums.h"
 #include "output/publish/folder_system.h"
 #include "png/png.h"
-#include "report/json/read_json.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/stored_report.h"
 
@@ -106,13 +105,6 @@ private:
                 {path, render::encode_jpeg(*before, jpeg_quality), render::encode_jpeg(*after, jpeg_quality), after->width, after->height});
     }
 };
-
-/// Reads results.json of a folder, or a file.
-report::ReadReport read_report(const fs::path& path) {
-    std::error_code error;
-    const fs::path file = fs::is_directory(path, error) ? path / results_file : path;
-    return report::read_json(read_file(file, largest_results), file.string());
-}
 
 /// Adds what changed between two reports. @param prefix  of sections, such as the name of the mesh in a batch: "bunny/"
 void add_reports(const fs::path& before, const fs::path& after, double tolerance, bool with_pictures, const std::string& prefix,

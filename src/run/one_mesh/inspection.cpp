@@ -94,6 +94,7 @@ std::string inspection_json(const Inspection& inspection) {
         {"orientable", p.orientable},
         {"closed", p.closed()},
         {"manifold", p.manifold()},
+        {"watertight", p.closed() && p.manifold() && p.orientable},
         {"nonmanifold_edges", p.nonmanifold_edges},
         {"nonmanifold_vertices", p.nonmanifold_vertices},
         {"zero_area_faces", p.zero_area_faces},
