@@ -1,5 +1,5 @@
 /// @file
-/// What changed between two reports, as a list of plain data.
+/// The changes between two reports, as plain data.
 #pragma once
 
 #include <string>
@@ -34,8 +34,8 @@ struct ComparedParts {
 
 inline constexpr double default_tolerance = 1e-9;   // relative
 
-/// Returns what changed in the documents, in the order of Change::Kind, the largest changes of a kind first. Sections, checks, tables,
-/// plots and maps are matched by their ids, columns by their names, rows by their first cells, as many as it takes to distinguish the rows.
+/// Returns the changes between two documents, in the order of Change::Kind, the largest changes of a kind first. Sections, checks, tables,
+/// plots and maps are matched by their ids, columns by their names, rows by the first cells that distinguish them.
 /// Numbers a and b differ if |a − b| > tolerance max(|a|, |b|), or if one of them is undefined.
 /// @param compared  counts what is in both
 std::vector<Change> changes_between(const Document& before, const Document& after, double tolerance, ComparedParts& compared);

@@ -9,7 +9,7 @@ import zipfile
 
 from document import FILTER, PROGRAM, SOURCE, Made, temporary_folder
 
-EXAMPLES = {"scan": (2, 4), "curvature": (3, 4), "taubin": (4, 6)}   # figures and tables; those of several commands count as one
+EXAMPLES = {"scan": (2, 3), "curvature": (3, 4), "taubin": (4, 6)}   # figures and tables; those of several commands count as one
 
 
 class Page(html.parser.HTMLParser):

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/errors.h"
@@ -11,7 +10,6 @@
 #include "mesh/io/mesh_files.h"
 #include "mesh/mesh_checks.h"
 #include "output/publish/file_sums.h"
-#include "output/publish/folder_system.h"
 #include "png/png.h"
 #include "run/one_mesh/difference_lines.h"
 #include "run/stored_report.h"
@@ -136,17 +134,11 @@ void add_reports(const fs::path& before, const fs::path& after, double tolerance
     }
 }
 
-/// Returns the folders of the meshes of a batch that have a report, by their names.
+/// Returns the names of the folders of a batch that hold a report.
 std::set<std::string> meshes_of_batch(const fs::path& folder) {
-    const fs::path file = folder / batch_file;
     std::set<std::string> names;
-    try {
-        for (const auto& mesh : nlohmann::json::parse(read_file(file, largest_results)).at("meshes"))
-            if (const auto name = mesh.at("name").get<std::string>(); mesh.contains("report") && output::is_safe_name(name))
-                names.insert(name);
-    } catch (const nlohmann::json::exception&) {
-        throw InputError({file.string()}, "is not the index of a batch", "make the batch anew");
-    }
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (has_file(entry.path(), results_file)) names.insert(entry.path().filename().string());
     return names;
 }
 

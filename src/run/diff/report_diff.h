@@ -1,5 +1,5 @@
 /// @file
-/// What changed between two reports or two batches: their documents, pictures and meshes.
+/// The changes between two reports or two batches: of documents, pictures and meshes.
 #pragma once
 
 #include <filesystem>
