@@ -28,6 +28,7 @@ function measured(main) {
             return one;
         });
         blocks.splice(blocks.indexOf(list), 1, ...items);
+        list.remove();
     }
     const across = new Set(blocks.filter((block) => block.matches(".attempted, .title")));
     narrow.append(...blocks.filter((block) => !across.has(block)));

@@ -49,6 +49,12 @@ std::vector<std::string> heads_of(const Table& table) {
     return heads;
 }
 
+/// Returns the number of first columns that hold words, such as the series of a plot: its points are matched by their order.
+std::size_t word_columns(const Table& table) {
+    const auto is_word = [](const Cell& cell) { return std::holds_alternative<std::string>(cell); };
+    return table.rows.empty() ? 0 : static_cast<std::size_t>(std::ranges::find_if_not(table.rows[0], is_word) - table.rows[0].begin());
+}
+
 /// Returns the least number of first columns that distinguish the rows; all columns if none does.
 std::size_t key_columns(const Table& table) {
     for (std::size_t count = 1; count < table.columns.size(); ++count) {
@@ -171,7 +177,7 @@ private:
         checks(a, b);
         const std::map<std::string, Table> tables_a = tables_of(a), tables_b = tables_of(b);
         for (const auto& [id, table] : tables_a) {
-            if (const auto other = tables_b.find(id); other != tables_b.end()) tables(table, other->second);
+            if (const auto other = tables_b.find(id); other != tables_b.end()) tables(table, other->second, table.caption.empty());
             else presence(section_, id, "table", true);
         }
         for (const auto& [id, table] : tables_b)
@@ -220,9 +226,9 @@ private:
         }
     }
 
-    void tables(const Table& a, const Table& b) {
+    void tables(const Table& a, const Table& b, bool is_drawing) {
         ++compared_.tables;
-        const std::size_t keys = std::max(key_columns(a), key_columns(b));
+        const std::size_t keys = is_drawing ? word_columns(a) : std::max(key_columns(a), key_columns(b));
         const std::vector<std::string> heads = heads_of(a);
         const auto columns =
             matched(heads, heads_of(b), [&](const std::string& head, bool is_gone) { presence(section_, a.id, "column", is_gone, head); });
@@ -248,8 +254,10 @@ const char* name_of(Change::Kind kind) {
 }
 
 void sort_changes(std::vector<Change>& changes) {
-    std::ranges::stable_sort(changes,
-                             [](const Change& a, const Change& b) { return a.kind != b.kind ? a.kind < b.kind : a.size > b.size; });
+    std::ranges::stable_sort(changes, [](const Change& a, const Change& b) {
+        if (a.kind != b.kind) return a.kind < b.kind;
+        return std::isfinite(a.size) == std::isfinite(b.size) ? a.size > b.size : std::isfinite(a.size);
+    });
 }
 
 std::vector<Change> changes_between(const Document& before, const Document& after, double tolerance, ComparedParts& compared) {

@@ -27,17 +27,17 @@ struct Change {
 /// The names of the kinds for people and files: "program", "setting", …
 const char* name_of(Change::Kind kind);
 
-/// Everything that two reports have in common and that was compared.
+/// The numbers of parts that both reports have.
 struct ComparedParts {
     int checks = 0, numbers = 0, tables = 0, pictures = 0, meshes = 0;
 };
 
 inline constexpr double default_tolerance = 1e-9;   // relative
 
-/// Returns the changes between two documents, in the order of Change::Kind, the largest changes of a kind first. Sections, checks, tables,
-/// plots and maps are matched by their ids, columns by their names, rows by the first cells that distinguish them.
-/// Numbers a and b differ if |a − b| > tolerance max(|a|, |b|), or if one of them is undefined.
-/// @param compared  counts what is in both
+/// Returns the changes between two documents, in the order of Change::Kind, the largest changes of a kind first, undefined ones last.
+/// Sections, checks, tables, plots and maps are matched by their ids, columns by their names, rows by the first cells that distinguish
+/// them. Numbers a and b differ if |a − b| > tolerance max(|a|, |b|), or if one of them is undefined.
+/// @param compared  counts the common parts
 std::vector<Change> changes_between(const Document& before, const Document& after, double tolerance, ComparedParts& compared);
 
 /// Sorts changes as changes_between() does.

@@ -77,7 +77,7 @@ void Numbering::add(const std::string& id, const std::string& kind, const std::s
 
 void Numbering::place_elsewhere(const std::string& id, const std::string& page) {
     const auto it = references_.find(id);
-    if (it == references_.end()) return;
+    if (it == references_.end() || !it->second.is_shown) return;
     it->second.elsewhere = true;
     it->second.page = page;
 }

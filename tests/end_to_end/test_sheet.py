@@ -127,7 +127,7 @@ class Sheet(unittest.TestCase):
         self.ended(0, "smooth", sample(folder, "bumpy_cube"), "-o", student / "fair.ply", "--scheme", "implicit", "--lambda", 100, "--unit", "tau")
         self.ended(0, "mark", student, "--rubric", "fairing", "--out", folder / "marks")
         self.assertRegex((folder / "marks" / "class.csv").read_text(), "ada,.*22")
-        self.assertIn("From vibrations to fair surfaces", body(folder / "marks"))
+        self.assertIn("From vibrations to fair surfaces", body(folder / "marks", "class.html"))
         (folder / "my.toml").write_text("[[item]]\nid = 'a'\nwhat = 'number'\nvalue = 1\npoints = 1\n[reprot]\ntitle = 'T'\n")
         process = self.ended(2, "mark", student, "--rubric", folder / "my.toml", "--out", folder / "marks")
         self.assertIn("my.toml:6: unknown table 'reprot'; did you mean 'report'?", process.stderr)

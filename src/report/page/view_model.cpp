@@ -118,6 +118,11 @@ bool has_lab(const Section& section, const ViewContext& context) {
     return context.options.lab_questions.find(section.id + " ") != std::string::npos;
 }
 
+json own_blocks_view(const std::string& text, const ViewContext& context) {
+    int headings = 0;   // none: own_blocks() makes no heading
+    return list_of(own_blocks(text), [&](const Block& block) { return block_view(block, "", headings, context); });
+}
+
 json section_view(const Section& section, const std::string& number, const ViewContext& context) {
     const auto warning = [](const std::string& words) { return view_of({{"text", "one line", safe_text(words)}}); };
     const auto output = [](const std::string& file) {
@@ -138,14 +143,12 @@ json section_view(const Section& section, const std::string& number, const ViewC
     }
     json view = section_head(section, number, context);
     if (is_further) view["id"] = further_id(section);
-    int headings_of_intro = 0;   // none: own_blocks() makes no heading
-    json intro =
-        list_of(own_blocks(section.intro), [&](const Block& block) { return block_view(block, number, headings_of_intro, context); });
+    json intro = own_blocks_view(section.intro, context);
     enter(view, {{"asked", "the question in one sentence", prose_view(section.asked)},
                  {"has_asked", "there is one", !section.asked.empty() && intro.empty()},
-                 {"intro", "the teacher's introduction in place of the sentence, as `blocks`", std::move(intro)},
                  {"is_further", "what a question leaves to the appendix", is_further},
                  {"has_lab", "the page has a mesh of the laboratory for it", has_lab(section, context)}});
+    enter_list(view, "intro", "the teacher's introduction in place of the sentence, as `blocks`", std::move(intro));
     enter_list(view, "inputs", "meshes it read", list_of(section.inputs, input_view));
     enter_list(view, "parameters", "its settings", names_and_values(texts_of(section.parameters), "of the setting", "what it is"));
     enter_list(view, "warnings", "what was unusual", list_of(section.warnings, warning));
@@ -160,8 +163,8 @@ json own_page_view(const OwnPage& page, const std::string& id, const ViewContext
     Section section;
     section.id = id;
     section.title = page.title;
-    section.blocks = own_blocks(page.text);
     json view = section_view(section, "", context);
+    view["blocks"] = own_blocks_view(page.text, context);
     view["is_ok"] = false;   // nothing was computed
     return view;
 }
@@ -286,7 +289,8 @@ json view_model(const Document& document, const DrawnFigures& figures, const Tem
         if (has_section(section, options.volume)) sections.push_back(section_view(section, numbers[s], context));
     }
     add_pages("");
-    const bool has_supporting = std::ranges::any_of(document.sections, [](const Section& section) { return is_shown(section) && !is_question(section.id); });
+    const bool has_supporting =
+        std::ranges::any_of(document.sections, [](const Section& section) { return is_shown(section) && !is_question(section.id); });
     json score = score_view(total);
     enter(score, {{"is_complete", "the lists of checks hold those that passed, too", options.passed_checks},
                   {"lists_checks", "some check is listed", options.passed_checks || total.passed < total.total()}});

@@ -1,6 +1,7 @@
 #include "run/batch/finished_report.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
@@ -56,12 +57,12 @@ const report::Input* input_with(const report::Document& document, const std::str
 
 /// Returns true if a report of these settings has the words of this document.
 bool has_the_words_of(const report::Document& document, const ReportSettings& settings) {
-    report::Document renewed = head_of(settings);
-    renewed.provenance = document.provenance;
-    renewed.timings = document.timings;
-    renewed.sections = document.sections;
-    enter_words(renewed, settings, false);
-    return renewed == document;
+    report::Document words = head_of(settings);
+    for (const report::Section& section : document.sections) words.sections.emplace_back().id = section.id;
+    enter_words(words, settings, false);
+    const auto of_head = [](const auto& one) { return std::tie(one.title, one.author, one.course, one.pages); };
+    const auto of_section = [](const auto& one) { return std::tie(one.id, one.title, one.number, one.points, one.intro); };
+    return of_head(words) == of_head(document) && std::ranges::equal(words.sections, document.sections, {}, of_section, of_section);
 }
 
 /// Returns true if every section that is asked for and planned is there and has no failure.
@@ -75,11 +76,11 @@ bool is_complete(const report::Document& document, const ReportSettings& setting
 
 bool is_the_same(const StoredReport& report, const BatchMesh& mesh, const std::string& sha256, const ReportSettings& settings) {
     const report::Input* input = input_with(report.document, sha256);
-    if (input == nullptr || report.timings != settings.timings || report::cites_source(report.document) != has_source(settings))
-        return false;
+    if (input == nullptr || report.timings != settings.timings) return false;
     const ReportSettings own = settings_on(mesh, std::max<double>(input->vertices, 0.5 * input->triangles), settings);
     return difference(report.document.provenance, provenance_of(described(own), own.seed)).empty() &&
-           has_the_words_of(report.document, own) && is_complete(report.document, own);
+           has_the_words_of(report.document, own) && report::cites_source(report.document) == has_source(own) &&
+           is_complete(report.document, own);
 }
 
 }   // namespace

@@ -52,7 +52,10 @@ json tables_of(const ReportDiff& diff) {
         }
         (*table)["changes"].push_back(view_of_change(change));
     }
-    for (json& table : tables) table["count"] = table["changes"].size();
+    for (json& table : tables) {
+        table["count"] = table["changes"].size();
+        table["is_short"] = table["changes"].size() <= 20;
+    }
     return tables;
 }
 

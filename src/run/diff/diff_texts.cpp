@@ -36,7 +36,7 @@ std::string title_of(Change::Kind kind) {
 
 std::string line_of(const Change& change) {
     const auto or_none = [](const std::string& text) { return text.empty() ? std::string("–") : text; };
-    std::string where = change.id;
+    std::string where = change.kind == Change::Kind::setting && !change.section.empty() ? change.section + ": " + change.id : change.id;
     for (const std::string& part : {change.row, change.column})
         if (!part.empty()) where += ": " + part;
     switch (change.kind) {
