@@ -20,7 +20,7 @@ namespace {
 constexpr int rows_of_numbers = 24, least_rows = 16;   // below a picture in the terminal; of the picture
 
 struct CompareFlags {
-    std::string a, b, csv, ply, html, accuracy = plain_text(default_accuracy);
+    std::string a, b, measure, csv, ply, html, accuracy = plain_text(default_accuracy);
     bool json = false, surfaces = false, terminal = false;
     SightFlags sight;
 };
@@ -34,6 +34,18 @@ std::string in_words(const std::vector<DifferenceLine>& lines) {
         text += "\n";
     }
     return text;
+}
+
+/// Returns the value of a measure by its key, in which hyphens are underscores. @throws UsageError if there is no such measure
+std::string value_of(std::string measure, const std::vector<DifferenceLine>& lines) {
+    std::ranges::replace(measure, '-', '_');
+    std::vector<std::string> keys;
+    for (const DifferenceLine& line : lines) {
+        if (line.key == measure) return plain_text(line.value);
+        keys.emplace_back(line.key);
+    }
+    require_choice("MEASURE", measure, keys);
+    return "";
 }
 
 /// Gives B the triangles of A if the files have equal triangles: repairs may have turned them in one mesh alone, such as a smoothed surface
@@ -67,6 +79,8 @@ ExitCode run_compare(const CompareFlags& options) {
     if (options.json && options.csv == "-") throw UsageError("--json and --csv - both write to standard output", "name a file for --csv");
     if (options.terminal && (options.json || options.csv == "-"))
         throw UsageError("--terminal goes with neither --json nor --csv -", "take one of them");
+    if (!options.measure.empty() && (options.json || options.terminal || options.csv == "-"))
+        throw UsageError("one measure goes with neither --json, --terminal nor --csv -", "take one of them");
     sight_of(options.sight);   // throws
     const TerminalRoom room = options.terminal ? terminal_room() : TerminalRoom();
     check_read_once(options.a, options.b);
@@ -88,7 +102,9 @@ ExitCode run_compare(const CompareFlags& options) {
         if (options.terminal) picture = picture_of_both(a, b, distances, sight_of(options.sight), room);
     }
     files.publish();
-    if (options.json) {
+    if (!options.measure.empty()) {
+        print(value_of(options.measure, difference.lines) + "\n");
+    } else if (options.json) {
         print(difference_json(difference));
     } else if (options.csv != "-") {
         print(picture + for_terminal(in_words(difference.lines)));
@@ -103,6 +119,7 @@ Command compare_command(CLI::App& parent) {
     CommandOptions app(parent, "compare", "Distances, normals, areas, volumes of two meshes, in model units");
     app.required("A", options->a, "the reference");
     app.required("B", options->b, "the other mesh, with the same triangles or others");
+    app.text("MEASURE", options->measure, "print this value of --json alone, such as rms");
     app.flag("--surfaces", options->surfaces, "compare surfaces, even if the triangles are the same and vertices correspond");
     app.text("--accuracy X", options->accuracy, "largest share by which hausdorff_bound exceeds hausdorff, from 1e-9 to 1");
     app.flag("--json", options->json, "for programs");

@@ -18,7 +18,8 @@ Command noise_command(CLI::App& parent) {
     app.required("MESH", options->mesh, formats_read);
     app.required("-o,--output FILE", options->output, formats_written);
     app.required("--sigma", options->sigma, "standard deviation of each coordinate");
-    app.choice("--unit", options->unit, noise_units, "of sigma: raw (model units), bbox (per axis, its extent), diagonal (of the bounding box), h (mean edge)");
+    app.choice("--unit", options->unit, noise_units,
+               "of sigma: raw (model units), bbox (per axis, its extent), diagonal (of the bounding box), h (mean edge)");
     app.text("--seed", options->seed, "the same seed gives the same noise");
     app.footer(std::string(attributes_are_kept) + "Example: meshfolio noise bunny.off -o noisy.ply --sigma 0.01 --unit bbox --seed 7");
     return {app, [options] {

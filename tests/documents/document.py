@@ -28,7 +28,7 @@ class Made:
         if data:
             words.append(f"--metadata=data={data}")
         began = time.monotonic()
-        done = subprocess.run(words, cwd=folder, env={**os.environ, "MESHFOLIO": PROGRAM, **environment}, capture_output=True, timeout=200, stdin=subprocess.DEVNULL)
+        done = subprocess.run(words, cwd=folder, env={**os.environ, "MESHFOLIO": PROGRAM, **environment}, capture_output=True, timeout=600, stdin=subprocess.DEVNULL)
         self.seconds = time.monotonic() - began
         self.code, self.text, self.message = done.returncode, done.stdout.decode(), done.stderr.decode()
 

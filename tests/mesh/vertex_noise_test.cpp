@@ -110,7 +110,7 @@ TEST(VertexNoise, ScalesWithSigmaAxisByAxis) {
 }
 
 TEST(VertexNoise, HasUnitsOfTheMesh) {
-    const TriangleMesh box{.X = Positions{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {0, 0, 12}}, .F = Triangles{{0, 1, 2}, {0, 1, 3}}};
+    const TriangleMesh box{.X = Positions{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {0, 0, 12}}, .F = Faces{{0, 1, 2}, {0, 1, 3}}};
     EXPECT_EQ(noise_unit(box, "raw"), Vector3(1, 1, 1));
     EXPECT_EQ(noise_unit(box, "bbox"), Vector3(3, 4, 12));
     EXPECT_EQ(noise_unit(box, "diagonal"), Vector3(13, 13, 13));
