@@ -25,29 +25,6 @@ namespace meshfolio::cli {
 
 namespace {
 
-render::DrawOptions draw_options(const RenderFlags& options) {
-    render::DrawOptions draw;
-    const std::size_t x = options.size.find('x');   // "1024" or "800x600"
-    const auto width = parse_integer(options.size.substr(0, x));
-    const auto height = x == std::string::npos ? width : parse_integer(options.size.substr(x + 1));
-    const auto fits = [](const std::optional<long long>& side) { return side && *side >= 1 && *side <= largest_side; };
-    if (!fits(width) || !fits(height))
-        throw UsageError("--size '" + options.size + "' is not N or WxH", "both between 1 and " + std::to_string(largest_side));
-    draw.width = static_cast<int>(*width);
-    draw.height = static_cast<int>(*height);
-    draw.edges = options.edges;
-    if (!options.isolines.empty()) draw.isoline_spacing = number_above_zero("--isolines", options.isolines);
-    draw.background = background_of(options);
-    draw.face_colors_from_id = options.field == "id";
-    if (options.plain) {
-        draw.fill = 0.95;
-        draw.surface_color = {200, 200, 200, 255};
-        draw.shading = draw.backface_tint = false;
-        draw.samples = 1;
-    }
-    return draw;
-}
-
 /// Returns "+x.png", or "x-pos.png" for programs that mistake a sign for an option.
 std::string file_name(const std::string& view, bool in_words) {
     if (!in_words || (view[0] != '+' && view[0] != '-')) return view + ".png";
@@ -76,11 +53,18 @@ void add_pictures(output::FileGroup& files, const std::vector<std::filesystem::p
 
 /// Writes the views of one mesh and their sheet into a folder.
 ExitCode run_views(const RenderFlags& options) {
-    const render::DrawOptions given = draw_options(options);
-    const render::Sight sight = sight_of(options.sight);
-    const std::vector<render::View> views = views_named(options.views, sight);
-    const bool bare = options.plain || given.face_colors_from_id;
-    if (const std::int64_t pixels = bare_sheet_pixels(views.size(), given); bare && pixels > render::largest_png)
+    PictureRequest request = picture_request(options);
+    if (!request.colors.warning.empty()) warn(request.colors.warning);
+    render::DrawOptions& draw = request.draw;
+    if (options.plain) {
+        draw.fill = 0.95;
+        draw.surface_color = {200, 200, 200, 255};
+        draw.shading = draw.backface_tint = false;
+        draw.samples = 1;
+    }
+    const std::vector<render::View>& views = request.views;
+    const bool bare = options.plain || draw.face_colors_from_id;
+    if (const std::int64_t pixels = bare_sheet_pixels(views.size(), draw); bare && pixels > render::largest_png)
         throw UsageError("a plain sheet of " + std::to_string(views.size()) + " views has " + std::to_string(pixels) +
                              " pixels, more than " + std::to_string(render::largest_png),
                          "take a smaller --size or fewer --views");
@@ -88,16 +72,12 @@ ExitCode run_views(const RenderFlags& options) {
     const std::filesystem::path folder = options.out.empty() ? mesh_name(mesh) : options.out;
     check_output("--glb", options.glb, {".glb"}, options.out);
     output::require_folder(folder);
-    const PictureRequest request{.draw = given,
-                                 .views = views,
-                                 .colors = color_choice(options),
-                                 .sight = sight,
-                                 .title = options.title.empty() ? std::filesystem::path(mesh).filename().string() : options.title};
+    if (request.title.empty()) request.title = std::filesystem::path(mesh).filename().string();
     const PreparedMesh prepared = load_mesh(mesh, options.values.empty() ? checks_for(options.field) : Checks::for_pictures);
     const Field field = options.values.empty() ? field_of(prepared, options.field) : field_from_file(prepared, options.values);
     MeshPictures drawn = draw_pictures(prepared, field, request);
     const auto is_empty = [&](const render::Image& picture) {
-        return std::ranges::all_of(picture.pixels, [&](render::Rgba pixel) { return pixel == given.background; });
+        return std::ranges::all_of(picture.pixels, [&](render::Rgba pixel) { return pixel == draw.background; });
     };
     if (std::ranges::all_of(drawn.sheet.pictures, is_empty))
         warn("nothing of the mesh is seen: it is thinner than the samples of a picture lie apart");
@@ -111,7 +91,7 @@ ExitCode run_views(const RenderFlags& options) {
     if (!options.glb.empty())
         files.add(options.glb, output::write_glb(prepared.mesh, field.values, drawn.range, output::ball_around(prepared.mesh)));
     for (const std::filesystem::path& path : paths) keep_others(path, is_our_picture);
-    add_pictures(files, paths, drawn.sheet, bare, sight);
+    add_pictures(files, paths, drawn.sheet, bare, request.sight);
     files.publish();
     for (const std::filesystem::path& path : paths) print_path(path);
     return ExitCode::ok;
@@ -149,8 +129,7 @@ void check_flags(const RenderFlags& options) {
     }
     for (const auto& [name, is_given] :
          {std::pair{"--out", !options.out.empty()}, std::pair{"--size", options.size != "1024"}, std::pair{"--plain", options.plain},
-          std::pair{"--glb", !options.glb.empty()}, std::pair{"--field id", contains(split(options.field, ','), "id")},
-          std::pair{"--width-mm", options.terminal && !options.width.empty()},
+          std::pair{"--glb", !options.glb.empty()}, std::pair{"--width-mm", options.terminal && !options.width.empty()},
           std::pair{"--dpi", options.terminal && !options.dpi.empty()}})
         if (is_given)
             refuse(name, options.terminal ? "--terminal" : "-o",

@@ -7,24 +7,16 @@
 
 #include "base/errors.h"
 #include "output/publish/file_group.h"
-#include "run/arguments.h"
 #include "run/one_mesh/mesh_pictures.h"
 
 namespace meshfolio::cli {
 
-struct RenderFlags {
+struct RenderFlags : run::PictureWords {
+    RenderFlags() : run::PictureWords{.size = "1024", .field = "none", .bar = "on"} {}
     std::vector<std::string> meshes;
-    std::string out, output, names = "sign", size = "1024", views, field = "none", values, colormap, range, isolines, glb, title,
-                             background, width, dpi, columns, fit, bar = "on";
-    run::SightFlags sight;
-    bool edges = false, plain = false, terminal = false;
+    std::string out, output, names = "sign", values, glb;
+    bool plain = false, terminal = false;
 };
-
-/// Returns the colour of --background, white by default. @throws UsageError
-render::Rgba background_of(const RenderFlags& options);
-
-/// Returns the choices of --colormap and --range, and warns of a map that is not perceptually uniform. @throws UsageError, InputError
-run::ColorChoice color_choice(const RenderFlags& options);
 
 /// Keeps the files that are read from being replaced.
 void keep_inputs(output::FileGroup& files, const RenderFlags& options);

@@ -44,7 +44,7 @@ inline py::array numbers_of(const py::handle& object, const std::string& problem
 }
 
 inline std::string shape_of(const py::array& array) {
-    std::string shape;
+    std::string shape = array.ndim() == 0 ? "()" : "";
     for (py::ssize_t axis = 0; axis < array.ndim(); ++axis) shape += (axis > 0 ? " x " : "") + std::to_string(array.shape(axis));
     return shape;
 }
@@ -52,7 +52,8 @@ inline std::string shape_of(const py::array& array) {
 /// @throws MeshError unless the array has n rows @param about  subject and verb of the message
 inline void require_rows(const py::array& array, Eigen::Index n, const std::string& about) {
     if (array.shape(0) != n)
-        throw MeshError(about + std::to_string(array.shape(0)) + " values, the mesh has " + std::to_string(n) + " vertices",
+        throw MeshError(about + std::to_string(array.shape(0)) + (array.shape(0) == 1 ? " value" : " values") + ", the mesh has " +
+                            std::to_string(n) + " vertices",
                         "give one row a vertex, NaN where undefined");
 }
 
@@ -215,6 +216,14 @@ inline PolygonList polygons_of(const py::object& faces, Eigen::Index n, const st
         }
     }
     return polygons;
+}
+
+// ---- objects of the module ---------------------------------------------------------------------------------------------------
+
+/// Makes uses of an object that was made by CLASS.__new__(CLASS), without its data, an error.
+template <class Object> void refuse_empty(const char* remedy) {
+    static const char* const kept = remedy;
+    py::detail::get_type_info(typeid(Object))->operator_new = [](std::size_t) -> void* { throw UsageError("the object is empty", kept); };
 }
 
 // ---- arrays out ------------------------------------------------------------------------------------------------------------

@@ -44,10 +44,8 @@ inline void set_vertices(Mesh& mesh, const py::object& vertices) {
 }
 
 inline void set_name(Mesh& mesh, const py::object& name) {
-    if (!py::isinstance<py::str>(name))
-        throw UsageError("name must be a word, not of type " + std::string(py::str(py::type::of(name).attr("__name__"))));
     PreparedMesh named = *mesh.prepared;
-    named.file = name.cast<std::string>();
+    named.file = py::module_::import("meshfolio._arguments").attr("checked")("name", name, "str").cast<std::string>();
     mesh.prepared = std::make_shared<const PreparedMesh>(std::move(named));
 }
 
@@ -76,13 +74,19 @@ inline py::list warnings_of(const Mesh& mesh) {
     return lines;
 }
 
+/// Returns the name of the mesh, with U+FFFD for bytes of a file name that are not UTF-8.
+inline py::str name_of(const Mesh& mesh) {
+    const std::string& name = mesh.prepared->file;
+    return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(name.data(), static_cast<py::ssize_t>(name.size()), "replace"));
+}
+
 inline Mesh copy_of(const Mesh& mesh) { return {mesh.prepared, copy_of(mesh.attributes), mesh.moved}; }
 
 /// Returns the complete state for pickling, which mesh_of_state() reads; the mesh then counts as moved, so that it is not oriented again.
 inline py::tuple state_of(const Mesh& mesh) {
     const Attributes& kept = mesh.prepared->attributes;
-    return py::make_tuple(mesh.triangles().X, mesh.triangles().F, mesh.prepared->file, warnings_of(mesh), mesh.attributes,
-                          py::bytes(kept.obj), kept.face_lines, !kept.columns.empty());
+    return py::make_tuple(mesh.triangles().X, mesh.triangles().F, name_of(mesh), warnings_of(mesh), mesh.attributes, py::bytes(kept.obj),
+                          kept.face_lines, !kept.columns.empty());
 }
 
 inline Mesh mesh_of_state(const py::tuple& state) {
@@ -125,8 +129,7 @@ inline void add_mesh(py::module_& m) {
                       "smooth() and noise() keep them. Normals are computed anew when they are written")
         .def_property("vertex_attributes", attributes, set_attributes, "attributes, under trimesh's name for them")
         .def_property("point_data", attributes, set_attributes, "attributes, under PyVista's name for them")
-        .def_property(
-            "name", [](const Mesh& mesh) { return mesh.prepared->file; }, &set_name, "file it was read from, or what it was called")
+        .def_property("name", &name_of, &set_name, "file it was read from, or what it was called")
         .def_property_readonly("warnings", &warnings_of, "a list of sentences: oddities found when it was read, and repairs");
     mesh_class
         .def_property_readonly(
@@ -151,6 +154,7 @@ inline void add_mesh(py::module_& m) {
             "vertex_normals", [](const Mesh& mesh) { return vertex_normals(mesh.triangles()); },
             "n x 3 of length 1, the area-weighted mean of the faces around; 0 without area");
     m.def("_attribute", &attribute_of);
+    refuse_empty<Mesh>("make it by Mesh(vertices, faces)");
     mesh_class.def("__copy__", copied)
         .def("__deepcopy__", [](const Mesh& mesh, const py::dict& /*seen*/) { return copy_of(mesh); })
         .def(py::pickle(&state_of, &mesh_of_state))

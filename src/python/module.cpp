@@ -202,6 +202,9 @@ py::object inspect(const Mesh& mesh, const std::string& laplacian) {
 
 void add_spectrum(py::module_& m) {
     py::class_<CertifiedSpectrum>(m, "Spectrum", "The smallest eigenpairs of -C phi = mu M phi, ascending.")
+        .def(py::init([](const py::args&, const py::kwargs&) -> CertifiedSpectrum {
+            throw UsageError("a Spectrum is not made of arguments", "take spectrum(mesh, k)");
+        }))
         .def_readonly("eigenvalues", &CertifiedSpectrum::eigenvalues, "k float64 [1/length^2]")
         .def_readonly("eigenvectors", &CertifiedSpectrum::eigenvectors, "n x k float64, Phi^T M Phi = I [1/length]")
         .def_readonly("residuals", &CertifiedSpectrum::residuals, "k float64, |-C phi - mu M phi| / (mu |M phi|)")
@@ -219,6 +222,7 @@ void add_spectrum(py::module_& m) {
                 found.certificate = state[3].cast<std::string>();
                 return found;
             }));
+    refuse_empty<CertifiedSpectrum>("take spectrum(mesh, k)");
 }
 
 /// Adds an exception class for each type of error.

@@ -79,6 +79,8 @@ class Figure(InFolder):
                       ['--up', 'w'], ['--views', '+q'], ['--background', 'pink'], ['--fit', 'both'], ['--field', 'h-cotan,gaus'],
                       ['--isolines', '1'], ['--values', 'v.csv:x']):
             self.refuse(2, 'render', *self.meshes, '-o', 'x.pdf', *words)
+        for field in ('', ',', 'x,'):
+            self.assertIn('--field', self.refuse(2, 'render', 'torus.obj', '-o', 'x.pdf', '--field', field))
         for words in (['--columns', '2'], ['--dpi', '100'], ['--width-mm', '85'], ['--fit', 'each'], ['--field', 'x,y']):
             self.assertIn('-o', self.refuse(2, 'render', 'torus.obj', *words))
         self.assertIn("'gauss'", self.refuse(2, 'render', 'torus.obj', '-o', 'x.pdf', '--field', 'gaus'))

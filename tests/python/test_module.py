@@ -268,6 +268,40 @@ class Errors(unittest.TestCase):
             self.assertIsInstance(caught.exception, also)
             self.assertIn(words, str(caught.exception))
 
+    def test_things_that_are_no_meshes_or_words_are_refused_in_words(self):
+        X, F = TETRAHEDRON
+        mesh, half = meshfolio.Mesh(X, F), "\ud800"
+        for words, call in (
+            ("vertices", lambda: meshfolio.curvature((5, 6))), ("vertices", lambda: meshfolio.curvature((None, F))),
+            ("vertices", lambda: meshfolio.Mesh(5, F)), ("vertices", lambda: meshfolio.curvature(thing(vertices=5, faces=F))),
+            ("attributes", lambda: meshfolio.Mesh(X, F, attributes=5)), ("faces", lambda: meshfolio.Mesh(X, [["x"]])),
+            ("faces", lambda: meshfolio.Mesh(X, [["x", "y", "z", "w"]])), ("a Mesh", lambda: meshfolio.curvature(((X, F), (X, F)))),
+            ("name", lambda: meshfolio.Mesh(X, F, half)), ("name", lambda: setattr(mesh, "name", half)), ("up", lambda: meshfolio.render(mesh, up=half)),
+            ("camera", lambda: meshfolio.render(mesh, camera=half)), ("path", lambda: meshfolio.save(mesh, half)),
+            ("title", lambda: meshfolio.figure(mesh, title=half)), ("views", lambda: meshfolio.figure(mesh, views=[half])),
+            ("views", lambda: meshfolio.render(mesh, views=b"+x")), ("fit", lambda: meshfolio.figure(mesh, fit=half)),
+            ("attribute", lambda: mesh.attributes.update({half: X[:, 0]})), ("label", lambda: meshfolio.figure(mesh, values={half: X[:, 0]})),
+            ("colour map", lambda: meshfolio.figure(mesh, colormap=b"\xff")), ("colormap", lambda: meshfolio.render(mesh, colormap=half)),
+            ("empty", lambda: meshfolio.Mesh.__new__(meshfolio.Mesh).vertices), ("empty", lambda: meshfolio.curvature(meshfolio.Mesh.__new__(meshfolio.Mesh))),
+            ("empty", lambda: meshfolio.Spectrum.__new__(meshfolio.Spectrum).eigenvalues), ("spectrum", lambda: meshfolio.Spectrum()),
+            ("spectrum", lambda: meshfolio.Spectrum(1, k=2)), ("1 value, ", lambda: meshfolio.render(mesh, values=[1])),
+            (r"shape \(\)", lambda: meshfolio.figure([mesh, mesh], values=[1, 2])),
+        ):  # fmt: skip
+            with self.subTest(words=words), self.assertRaisesRegex(meshfolio.Error, words) as caught:
+                call()
+            str(caught.exception).encode()
+        self.assertEqual(list(meshfolio.Mesh(thing(vertices=X, faces=F, point_data=[1])).attributes), [])
+        self.assertEqual(meshfolio.Mesh(thing(vertices=X, faces=F, name=half)).name, "?")
+
+    def test_a_file_called_by_other_bytes_has_a_name_that_can_be_printed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "a\udcff.ply"
+            meshfolio.save(TETRAHEDRON, path)
+            mesh = meshfolio.load(path)
+            self.assertTrue(mesh.name.endswith("a\ufffd.ply"), ascii(mesh.name))
+            self.assertEqual(pickle.loads(pickle.dumps(meshfolio.Mesh(mesh))).name, mesh.name)
+            self.assertIsNone(meshfolio.figure(mesh, path=Path(folder) / "b\udcff.png", dpi=36))
+
     def test_a_missing_file_has_its_number(self):
         with self.assertRaises(FileNotFoundError) as caught:
             meshfolio.load(Path("no") / "mesh.ply")
@@ -539,9 +573,30 @@ class Figures(unittest.TestCase):
                 meshfolio.figure([self.mesh, self.mesh], **wrong)
         with self.assertRaisesRegex(meshfolio.UsageError, "empty"):
             meshfolio.figure([])
+        for fields in ([], "", (), {}, ",", ["x", ""]):
+            with self.subTest(fields=fields), self.assertRaisesRegex(meshfolio.UsageError, "field"):
+                meshfolio.figure(self.mesh, fields)
+        np.testing.assert_array_equal(meshfolio.figure(self.mesh, [], values=x, dpi=72), meshfolio.figure(self.mesh, values=x, dpi=72))
+        with self.assertRaisesRegex(meshfolio.UsageError, "id does not go with a figure"):
+            meshfolio.figure(self.mesh, "id")
         for path in ("figure", "figure.eps", "/nowhere/at/all.pdf"):
             with self.assertRaisesRegex(meshfolio.Error, path):
                 meshfolio.figure(self.mesh, path=path)
+
+
+    def test_labels_are_words_with_commas_even_of_one_mesh(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for meshes, labels in ((self.mesh, "one, of one"), (self.mesh, ["one, of one"]), ([self.mesh] * 2, ["one, of one", "b"])):
+                path = Path(folder) / "f.svg"
+                meshfolio.figure(meshes, "x", path, labels=labels, dpi=72)
+                self.assertEqual(path.read_text(encoding="utf-8").count(">one, of one<"), 1)
+            meshfolio.figure(self.mesh, "x", path, labels="mine", views="+x,hero,camera", camera=(20, 5), dpi=72)
+            for words in ("mine, +x", "mine, three-quarter view", "mine, camera"):
+                self.assertIn(f">{words}<", path.read_text(encoding="utf-8"))
+        with self.assertRaisesRegex(meshfolio.UsageError, "as many as meshes"):
+            meshfolio.figure(self.mesh, labels=["a", "b"])
+        pair = ((self.mesh.vertices, self.mesh.faces), (self.mesh.vertices, self.mesh.faces))
+        np.testing.assert_array_equal(meshfolio.figure(pair, dpi=72), meshfolio.figure(list(pair), dpi=72))
 
 
 class Pictures(unittest.TestCase):
@@ -588,6 +643,10 @@ class Pictures(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             picture.save(Path(folder) / "cube.png")
             self.assertEqual((Path(folder) / "cube.png").read_bytes(), picture._repr_png_())
+            picture[::2, ::-1].save(Path(folder) / "half.png")
+            for wrong in (picture[:0], picture[0], picture / 255, picture[:, :, :3], picture.astype(int)):
+                with self.assertRaisesRegex(meshfolio.UsageError, "height x width x 4 uint8"):
+                    wrong.save(Path(folder) / "wrong.png")
 
 
 LONG = "meshfolio.smooth(meshfolio.sample('sphere', 1), 0.5, unit='tau', iterations=1_000_000)"

@@ -73,10 +73,13 @@ private:
         }
         if (cell_ > 0) width = cell_;
         const int left = request_.rows.empty() ? 0 : 6 * line_, top = request_.columns.empty() ? 0 : line_;
-        const bool named = panels_.size() > 1 && !matrix;
+        const bool named = (panels_.size() > 1 && !matrix) || (request_.new_line_after > 0 && !request_.panels[0].label.empty());
+        const std::size_t block = request_.new_line_after > 0 ? static_cast<std::size_t>(request_.new_line_after) : columns;
+        const std::size_t lines = (block + columns - 1) / columns;   // of a block
         const int across = width + gap_, down = height + gap_ + (named ? line_ : 0) + (bars ? line_ : 0);
         for (std::size_t p = 0; p < panels_.size(); ++p) {
-            const int x = left + static_cast<int>(p % columns) * across, y = top + static_cast<int>(p / columns) * down;
+            const int x = left + static_cast<int>(p % block % columns) * across;
+            const int y = top + static_cast<int>(p / block * lines + p % block / columns) * down;
             if (!panels_[p].empty()) place(panels_[p][0], x + (width - panels_[p][0]->width) / 2, y);
             if (named || bars) place_label(p, x, y + height, width, false);
             if (panels_[p].empty()) place_words(request_.panels[p].label, x, y + height / 2 - line_ / 2, width);

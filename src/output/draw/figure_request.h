@@ -35,7 +35,7 @@ struct Panel {
     Vector values = {};                         // one a vertex, NaN if undefined; empty: plain surface
     std::vector<int> marked_vertices = {};      // get a ring if they are visible
     std::optional<ColorRange> range = {};       // instead of the figure's; the label then has a small colour bar
-    std::string view = {};                      // "+x": that picture, instead of the one from three quarters
+    std::string view = {};                      // "+x", "hero", "camera": that picture; empty: from the camera, else from three quarters
 };
 
 enum class Layout {
@@ -53,9 +53,10 @@ struct FigureRequest {
     /// Index of the panel whose box frames all panels, so that a mesh that blew up does not make others small; −1: the union of all boxes.
     int frame_panel = 0;
     Layout layout = Layout::six_views;
-    bool turnable = false;                              // the page gets models of its meshes, which readers can turn
-    double isoline_spacing = 0;                         // lines at the multiples of this value; 0: none
-    int in_a_line = 0;                                  // panels in a line, without heads and six views; 0: as many as fit
+    bool turnable = false;        // the page gets models of its meshes, which readers can turn
+    double isoline_spacing = 0;   // lines at the multiples of this value; 0: none
+    int in_a_line = 0;            // panels in a line, without heads and six views; 0: as many as fit
+    int new_line_after = 0;       // of one's own figure: panels, which have their labels even if there is one; 0: none
     std::vector<std::string> columns = {}, rows = {};   // heads of a matrix of panels, given row by row (one_frame, multiples)
     bool view_files = false;                            // also write each view in full size, as the assignment requires of some figures
     bool coarse_edges = false;                          // draw the edges of meshes of fewer than 3000 triangles

@@ -99,9 +99,9 @@ const TriangleMesh& first_state(const FigureRequest& request, std::size_t panel)
 
 render::View hero_of(const FigureRequest& request, std::size_t panel) {
     const render::Sight& sight = request.sight;
-    if (const std::string& name = request.panels[panel].view; !name.empty())
-        return render::view_named(name, sight.up.value_or(render::Up::y));
-    if (sight.camera) return render::view_of(sight, {});
+    const std::string& name = request.panels[panel].view;
+    if (sight.camera && (name.empty() || name == "camera")) return render::view_of(sight, {});
+    if (!name.empty() && name != "hero") return render::view_named(name, sight.up.value_or(render::Up::y));
     const bool own = has_own_frames(request), is_matrix = !request.columns.empty() || !request.rows.empty();
     std::size_t group = request.panels.size();
     if (own && request.states > 1) group = static_cast<std::size_t>(request.states);

@@ -26,7 +26,7 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import attributes_of, is_mesh, mesh_of, name_of, parts_of, shown, triangles_or_counted, worded
+from ._arguments import attributes_of, checked, is_mesh, mesh_of, name_of, options, parts_of, shown, triangles_or_counted, worded
 from ._core import Error, InputError, Mesh, MeshError, MissingFileError, OutputError, SolverError, Spectrum, UsageError, __version__
 
 __all__ = [
@@ -46,7 +46,9 @@ StepUnit = Literal["raw", "tau", "h2"]
 NoiseUnit = Literal["raw", "bbox", "diagonal", "h"]
 Axis = Literal["x", "y", "z"]
 Fit = Literal["each", "common"]
-Words = Union[str, Sequence[str]]
+Words = Union[str, Sequence[str]]  # with commas
+Labels = Union[str, Sequence[str]]
+Size = Union[int, Tuple[int, int]]
 Path = Union[str, "os.PathLike[str]"]
 Limits = Tuple[float, float]
 Camera = Union[str, Sequence[float]]
@@ -61,8 +63,7 @@ class _Attributes(dict):
         self.update(arrays)
 
     def __setitem__(self, name, values):
-        _core._attribute(str(name), values, self._rows)
-        super().__setitem__(name, values)
+        self.update({name: values})
 
     def update(self, *arrays, **named):
         try:
@@ -70,7 +71,7 @@ class _Attributes(dict):
         except (TypeError, ValueError):
             raise UsageError(f"attributes must be a dict of names and arrays, not {shown(*arrays[:1])}") from None
         for name, values in new.items():  # all or none
-            _core._attribute(str(name), values, self._rows)
+            _core._attribute(checked("the name of an attribute", str(name), "str"), values, self._rows)
         super().update(new)
 
     def setdefault(self, name, values=None):
@@ -198,14 +199,10 @@ class Picture(numpy.ndarray):
         _core.save_png(self, path)
 
 
-def _sight(camera, up, zoom):
-    return camera or "", up or "", repr(zoom)
-
-
 @worded
 def render(
     mesh: MeshLike, field: str = "none", *, values: Optional[ArrayLike] = None, label: str = "value", views: Words = (),
-    camera: Optional[Camera] = None, zoom: float = 1, up: Optional[Axis] = None, size: Union[int, Tuple[int, int]] = 512,
+    camera: Optional[Camera] = None, zoom: float = 1, up: Optional[Axis] = None, size: Size = 512,
     colormap: Path = "", range: Optional[Limits] = None, isolines: float = 0, edges: bool = False, transparent: bool = False,
 ) -> Picture:  # fmt: skip
     """Returns a Picture, height x width x 4 uint8: of one view the view alone, of several a sheet with title, names and colour bar.
@@ -218,16 +215,18 @@ def render(
     size: pixels of one view, N or (width, height). colormap: a name, or a file. range: (low, high) of the colours; default: robust.
     isolines: lines where the value is a multiple of this; 0: none. edges: draw those of triangles. transparent: no background.
     """
-    sight = _sight(camera, up, zoom)
-    return _core.draw(
-        mesh, field, values, label, ",".join(views), sight, size, colormap, range, isolines, edges, transparent
-    ).view(Picture)  # fmt: skip
+    background = "none" if transparent else "white"
+    style = options(
+        field=field, views=views, camera=camera, zoom=zoom, up=up, size=size, colormap=colormap, range=range, isolines=isolines or None,
+        edges=edges, background=background,
+    )  # fmt: skip
+    return _core.draw(mesh, values, label, style).view(Picture)
 
 
 @worded
 def figure(
     meshes: Union[MeshLike, Sequence[MeshLike]], fields: Words = "none", path: Optional[Path] = None, *, values: Any = None,
-    labels: Optional[Words] = None, views: Words = (), camera: Optional[Camera] = None, zoom: float = 1, up: Optional[Axis] = None,
+    labels: Optional[Labels] = None, views: Words = (), camera: Optional[Camera] = None, zoom: float = 1, up: Optional[Axis] = None,
     fit: Fit = "each", columns: Optional[int] = None, width_mm: Optional[float] = None, dpi: float = 300, title: str = "", bar: bool = True,
     background: Color = "white", colormap: Path = "", range: Optional[Limits] = None, isolines: float = 0, edges: bool = False,
 ) -> Optional[Picture]:  # fmt: skip
@@ -243,15 +242,16 @@ def figure(
     """
     several = isinstance(meshes, (list, tuple)) and not is_mesh(meshes)
     drawn = [mesh_of(mesh, f"meshes[{i}]") for i, mesh in enumerate(meshes)] if several else [mesh_of(meshes, "meshes")]
-    names = list(labels or ())
-    if not drawn or (names and len(names) != len(drawn)):
-        raise UsageError(f"there are {len(names)} labels for {len(drawn)} meshes" if drawn else "meshes is empty; give one or more")
+    if not drawn:
+        raise UsageError("meshes is empty; give one or more")
+    if labels and len(labels) != len(drawn):
+        raise UsageError(f"labels must be as many as meshes, not {len(labels)} for {len(drawn)}")
     arrays = _arrays_by_label(values, len(drawn))
-    style = dict(
-        views=",".join(views), sight=_sight(camera, up, zoom), fit=fit, columns=columns, width_mm=width_mm, dpi=dpi, title=title, bar=bar,
-        background=background, colormap=colormap, range=range, isolines=isolines, edges=edges,
+    style = options(
+        views=views, camera=camera, zoom=zoom, up=up, fit=fit, columns=columns, width_mm=width_mm, dpi=dpi, title=title, bar=bar,
+        background=background, colormap=colormap, range=range, isolines=isolines or None, edges=edges,
     )  # fmt: skip
-    picture = _core.figure(drawn, names, [] if arrays and fields == ["none"] else fields, arrays, path, style)
+    picture = _core.figure(drawn, labels or [], [] if arrays and fields == ["none"] else fields, arrays, path, style)
     return picture if picture is None else picture.view(Picture)
 
 
@@ -263,7 +263,7 @@ def _arrays_by_label(values, meshes):
             arrays = [arrays]
         if not hasattr(arrays, "__len__") or len(arrays) != meshes:
             raise UsageError(f"values need a list of {meshes} arrays, one for each mesh, not {shown(arrays)}")
-        found.append((str(label), list(arrays)))
+        found.append((checked("the label of values", str(label), "str"), list(arrays)))
     return found
 
 
@@ -280,7 +280,7 @@ def _init(self, vertices, faces=None, name: Optional[str] = None, attributes=Non
     thing = vertices
     if faces is None:
         vertices, faces = parts_of(thing, "the argument of Mesh() without faces")
-        attributes = attributes_of(thing, len(vertices)) if attributes is None else attributes
+        attributes = attributes_of(thing, vertices) if attributes is None else attributes
     _made(self, vertices, triangles_or_counted(faces), name or name_of(thing), {} if attributes is None else attributes)
 
 

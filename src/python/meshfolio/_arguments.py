@@ -34,10 +34,18 @@ def _first(thing, *names):
     return next((value for value in (getattr(thing, name, None) for name in names) if value is not None), None)
 
 
+def _is_pair(thing):
+    """True for a tuple (vertices, faces); two vertices, and two faces, are none."""
+    try:
+        return isinstance(thing, tuple) and len(thing) == 2 and numpy.ndim(thing[0]) == 2
+    except ValueError:  # rows of several lengths
+        return False
+
+
 def is_mesh(thing):
     """True for an object with vertices, and for a tuple (vertices, faces)."""
     if isinstance(thing, tuple):
-        return len(thing) == 2 and not any(_first(part, "vertices", "points") is not None for part in thing)
+        return len(thing) == 2 and not any(_first(part, "vertices", "points") is not None or _is_pair(part) for part in thing)
     return _first(thing, "vertices", "points") is not None
 
 
@@ -74,7 +82,7 @@ def triangles_or_counted(faces):
             array = None
         if array is not None and array.size == 0:
             raise MeshError("there are no faces; give m x 3 vertices")
-        if array is not None and (array.ndim != 2 or array.shape[1] == 3):
+        if array is not None and (array.ndim != 2 or array.shape[1] == 3 or array.dtype.kind not in "iu"):
             return faces
         if array is not None and (array[:, 0] == array.shape[1] - 1).all():
             raise MeshError(f"all faces begin with {array.shape[1] - 1}, their number of corners; take faces[:, 1:]")
@@ -89,16 +97,16 @@ def name_of(thing):
     known = known if isinstance(known, dict) else {}
     source = getattr(thing, "source", None)
     names = (getattr(thing, "name", None), known.get("name"), known.get("file_name"), getattr(source, "file_name", None))
-    return next((name for name in names if isinstance(name, str) and name), "mesh")
+    return next((name for name in names if isinstance(name, str) and name), "mesh").encode("utf-8", "replace").decode()
 
 
-def attributes_of(thing, rows):
+def attributes_of(thing, vertices):
     """Returns the arrays that another package keeps for the vertices, if they have a row of numbers for each vertex."""
-    kept = {}
-    for name, values in dict(_first(thing, "vertex_attributes", "point_data", "attributes") or {}).items():
+    kept, arrays = {}, _first(thing, "vertex_attributes", "point_data", "attributes")
+    for name, values in dict(arrays).items() if hasattr(arrays, "keys") and hasattr(vertices, "__len__") else ():
         try:
-            kept[str(name)] = _core._attribute(str(name), values, rows)
-        except MeshError:  # words, or rows of something else
+            kept[str(name)] = _core._attribute(checked("name", str(name), "str"), values, len(vertices))
+        except (MeshError, UsageError):  # words, or rows of something else
             pass
     return kept
 
@@ -108,7 +116,7 @@ def mesh_of(thing, name):
     if isinstance(thing, Mesh):
         return thing
     vertices, faces = parts_of(thing, name)
-    return Mesh(vertices, faces, name_of(thing), attributes_of(thing, len(vertices)))
+    return Mesh(vertices, faces, name_of(thing), attributes_of(thing, vertices))
 
 
 # ---- checks of arguments ---------------------------------------------------------------------------------------------------
@@ -117,11 +125,16 @@ def mesh_of(thing, name):
 def _word(value):
     if not isinstance(value, str):
         raise TypeError
+    value.encode()  # raises UnicodeEncodeError, a ValueError, for half a surrogate
     return value
 
 
+def _labels(value):
+    return [_word(word) for word in ([value] if isinstance(value, str) else value)]
+
+
 def _words(value):
-    return value.split(",") if isinstance(value, str) and value else [_word(word) for word in value]
+    return [part for word in _labels(value) for part in word.split(",")]
 
 
 def _number(value):
@@ -143,36 +156,43 @@ def _truth(value):
 
 
 def _path(value):
-    if "\0" in os.fsdecode(value):
+    if b"\0" in os.fsencode(value):
         raise ValueError
-    return os.fsdecode(value)
+    return os.fsencode(value)
+
+
+def _numbers(value):
+    return ",".join(repr(_number(number)) for number in value)
 
 
 def _limits(value):
     low, high = value
-    return _number(low), _number(high)
+    return _numbers((low, high))
 
 
 def _camera(value):
-    return value if isinstance(value, str) else ",".join(repr(_number(angle)) for angle in value)
+    return _word(value) if isinstance(value, str) else _numbers(value)
 
 
-def _color(value):
-    colors = {"white": "ffffffff", "none": "ffffff00"}
-    return tuple(bytes.fromhex(colors.get(value) or re.fullmatch("#([0-9a-fA-F]{6})", value)[1] + "ff"))
+def _size(value):
+    if hasattr(value, "__index__"):
+        return str(_whole(value))
+    width, height = value
+    return f"{_whole(width)}x{_whole(height)}"
 
 
 KINDS = {  # annotation of an argument: words for it, and a function that returns its value or raises an error
     "str": ("a word", _word),
     "Words": ("a word or a list of words", _words),
+    "Labels": ("a word or a list of words", _labels),
     "int": ("a whole number", _whole),
     "float": ("a number", _number),
     "bool": ("True or False", _truth),
     "Path": ("a path", _path),
     "Limits": ("two numbers (low, high)", _limits),
     "Camera": ("(azimuth, elevation) or (azimuth, elevation, roll) in degrees", _camera),
-    **dict.fromkeys(("Area", "Axis", "Fit", "NoiseUnit", "Operator", "Scheme", "StepUnit"), ("a word", _word)),
-    "Color": ("white, none or #rrggbb, such as #fdf6e3", _color),
+    "Size": ("N or (width, height)", _size),
+    **dict.fromkeys(("Area", "Axis", "Color", "Fit", "NoiseUnit", "Operator", "Scheme", "StepUnit"), ("a word", _word)),
 }
 
 
@@ -189,6 +209,16 @@ def checked(name, value, kind):
         return convert(value)
     except (TypeError, ValueError, OverflowError):
         raise UsageError(f"{name} must be {words}, not {shown(value)}") from None
+
+
+def options(**given):
+    """Returns options as words of the command line, without those that are None."""
+    def text(value):
+        if isinstance(value, (bool, list)):
+            return ",".join(value) if isinstance(value, list) else "on" if value else "off"
+        return value if isinstance(value, (str, bytes)) else repr(value)
+
+    return {name: text(value) for name, value in given.items() if value is not None}
 
 
 def worded(function):

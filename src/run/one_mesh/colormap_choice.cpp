@@ -152,19 +152,21 @@ Colormap colormap_in(const std::string& file) {
     return {std::filesystem::path(file).stem().string(), render::kind_of(stops), "of a file", stops};
 }
 
-ColormapChoice choice_of(const std::string& name, std::shared_ptr<const Colormap> own_map) {
+ColorChoice choice_of(const std::string& name, std::shared_ptr<const Colormap> own_map) {
     const Colormap& map = own_map ? *own_map : render::colormap_named(name);
     const std::string uneven = render::unevenness_of(map);
     const std::string better = map.kind == "diverging" || map.kind == "cyclic" ? map.kind : "viridis";
-    return {name, std::move(own_map),
+    return {name,
+            std::move(own_map),
             uneven.empty()
                 ? ""
-                : "colour map " + name + " is not perceptually uniform: " + uneven + "; " + better + " shows equal steps as equal"};
+                : "colour map " + name + " is not perceptually uniform: " + uneven + "; " + better + " shows equal steps as equal",
+            {}};
 }
 
 }   // namespace
 
-ColormapChoice colormap_choice(const std::string& name_or_file) {
+ColorChoice colormap_choice(const std::string& name_or_file) {
     if (const Colormap* map = render::find_colormap(name_or_file)) return choice_of(map->name, nullptr);
     if (name_or_file.ends_with("_r"))
         if (const Colormap* map = render::find_colormap(name_or_file.substr(0, name_or_file.size() - 2))) {

@@ -41,7 +41,7 @@ struct Blocks {
         const int most = wanted > 0 ? wanted : meshes > 1 ? most_in_a_line : views > 1 ? views_in_a_line : most_in_a_line;
         const int lines = (pictures + most - 1) / most;
         columns = wanted > 0 ? std::min(wanted, pictures) : (pictures + lines - 1) / lines;   // fills the lines about equally
-        if (wanted == 0 && meshes > 1 && views > 1) columns = std::max(meshes, columns / meshes * meshes);
+        if (meshes > 1 && views > 1 && (wanted == 0 || columns > meshes)) columns = std::max(meshes, columns / meshes * meshes);
         in_a_line = std::clamp(wanted > 0 ? wanted / columns : pictures == 1 ? room : 1, 1, fields);
     }
 };
@@ -57,6 +57,7 @@ output::FigureRequest request_of(std::span<const FigureMesh> meshes, std::size_t
                                   .layout = style.common_fit ? output::Layout::one_frame : output::Layout::multiples,
                                   .isoline_spacing = style.isoline_spacing,
                                   .in_a_line = columns,
+                                  .new_line_after = std::max(columns, static_cast<int>(meshes.size())),
                                   .sight = style.sight};
     Field whole;   // of all meshes
     for (const FigureMesh& mesh : meshes) {
@@ -69,11 +70,13 @@ output::FigureRequest request_of(std::span<const FigureMesh> meshes, std::size_t
     }
     request.range = color_range(request.panels, whole, style.colors);
     const std::vector<output::Panel> once = std::exchange(request.panels, {});
-    const std::vector<std::string> views = style.views.empty() ? std::vector<std::string>{"hero"} : style.views;
+    const bool has_labels = once.size() > 1 || style.labels_single;
+    const std::vector<std::string> views = style.views.empty() ? std::vector<std::string>{""} : style.views;
     for (const std::string& view : views) {
         for (output::Panel panel : once) {
-            if (view != "hero" && view != "camera") panel.view = view;
-            if (views.size() > 1) panel.label = once.size() > 1 ? panel.label + ", " + label_of(view) : view;
+            panel.view = view;
+            if (!has_labels) panel.label = views.size() > 1 ? view : "";
+            else if (views.size() > 1) panel.label += ", " + label_of(view);
             request.panels.push_back(std::move(panel));
         }
     }
@@ -102,19 +105,49 @@ render::Drawing stacked(const FigureStyle& style, const std::vector<render::Draw
 
 }   // namespace
 
-std::vector<Field> fields_of(std::span<const PreparedMesh> meshes, const std::string& name) {
-    std::vector<Field> fields;
-    if (name == "distance" && meshes.size() < 2)
+FigureStyle figure_style(const PictureWords& words) {
+    FigureStyle style{.sight = sight_of(words.sight),
+                      .common_fit = words.fit == "common",
+                      .title = words.title,
+                      .bars = words.bar != "off",
+                      .background = background_of(words),
+                      .colors = color_choice(words),
+                      .edges = words.edges};
+    if (!words.fit.empty()) require_choice("--fit", words.fit, {"each", "common"});
+    if (!words.views.empty()) views_named(words.views, style.sight);   // throws
+    style.views = split(words.views, ',');
+    if (!words.columns.empty()) style.columns = static_cast<int>(integer_between("--columns", words.columns, 1, most_columns));
+    if (!words.width.empty()) style.width = number_between("--width-mm", words.width, smallest_width, largest_width);
+    if (!words.dpi.empty()) style.resolution = number_between("--dpi", words.dpi, least_resolution, largest_resolution);
+    if (!words.isolines.empty()) style.isoline_spacing = number_above_zero("--isolines", words.isolines);
+    return style;
+}
+
+void require_figure_fields(const std::vector<std::string>& names) {
+    if (names.empty()) throw UsageError("--field names nothing", "write none for plain surfaces");
+    if (contains(names, "id")) throw UsageError("--field id does not go with a figure", "it is for the views of one mesh");
+    std::vector<std::string> known = field_names();
+    std::erase(known, "id");
+    known.emplace_back("distance");
+    for (const std::string& name : names) require_choice("--field", name, known);
+}
+
+std::vector<FigureMesh> figure_meshes(std::span<const PreparedMesh> meshes, const std::vector<std::string>& labels,
+                                      const std::vector<std::string>& fields) {
+    if (contains(fields, "distance") && meshes.size() < 2)
         throw UsageError("the field distance needs another mesh", "name the mesh to which the distance is, and others");
+    std::vector<FigureMesh> figure;
     for (const PreparedMesh& mesh : meshes) {
-        if (name != "distance") {
-            fields.push_back(field_of(mesh, name));
-            continue;
+        std::vector<Field> drawn;
+        for (const std::string& name : fields) {
+            const PreparedMesh& other = meshes[&mesh == meshes.data() && meshes.size() > 1 ? 1 : 0];
+            drawn.push_back(name != "distance"
+                                ? field_of(mesh, name)
+                                : distance_field(vertex_distances(mesh.mesh, other.mesh), bounding_box(meshes[0].mesh).diagonal()));
         }
-        const PreparedMesh& other = meshes[&mesh == meshes.data() ? 1 : 0];
-        fields.push_back(distance_field(vertex_distances(mesh.mesh, other.mesh), bounding_box(meshes[0].mesh).diagonal()));
+        figure.push_back({labels[figure.size()], mesh, std::move(drawn)});
     }
-    return fields;
+    return figure;
 }
 
 std::vector<std::string> labels_of(std::span<const PreparedMesh> meshes) {
@@ -174,10 +207,13 @@ std::optional<output::ColorRange> range_of(std::span<const FigureMesh> meshes, s
     return request_of(meshes, field, style, 1).range;
 }
 
-std::string encode_figure(const render::Drawing& drawing, double resolution, const std::string& title, std::string_view ending) {
-    if (ending == ".pdf") return output::write_pdf(drawing, resolution, title);
-    if (ending == ".svg") return output::write_svg(drawing, resolution, title);
-    return render::encode_png(render::painted(drawing), resolution);
+std::string encode_figure(std::span<const FigureMesh> meshes, const FigureStyle& style, std::string_view ending) {
+    const render::Drawing drawing = figure_of(meshes, style);
+    if (ending == ".png") return render::encode_png(render::painted(drawing), style.resolution);
+    std::string title = style.title;
+    if (title.empty())
+        for (const FigureMesh& mesh : meshes) title += (title.empty() ? "" : ", ") + mesh.label;
+    return (ending == ".pdf" ? output::write_pdf : output::write_svg)(drawing, style.resolution, title);
 }
 
 }   // namespace meshfolio::run

@@ -26,7 +26,8 @@ struct FigureStyle {
     double resolution = 300;   // [dpi]
     double text_size = 8;      // [points]
     std::string title = {};
-    bool bars = true;   // a colour bar for each field
+    bool labels_single = false;   // also below a mesh that is alone
+    bool bars = true;             // a colour bar for each field
     render::Rgba background{255, 255, 255, 255};
     ColorChoice colors = {};
     double isoline_spacing = 0;   // 0: none
@@ -40,9 +41,16 @@ struct FigureMesh {
     std::vector<Field> fields;
 };
 
-/// Computes a field of all meshes. "distance" is that to the surface of the first mesh; that of the first is to the second.
-/// @throws UsageError for an unknown name, or the distance of a single mesh
-std::vector<Field> fields_of(std::span<const PreparedMesh> meshes, const std::string& name);
+/// Returns the style that the options ask for. @throws UsageError, InputError
+FigureStyle figure_style(const PictureWords& words);
+
+/// @throws UsageError unless the names are fields of figures: those of field_names() but id, and distance; and for no name
+void require_figure_fields(const std::vector<std::string>& names);
+
+/// Returns the meshes, which must outlive the result, with their fields. "distance" is that to the surface of the first mesh; that of the
+/// first is to the second. @throws UsageError for an unknown name, or the distance of a single mesh
+std::vector<FigureMesh> figure_meshes(std::span<const PreparedMesh> meshes, const std::vector<std::string>& labels,
+                                      const std::vector<std::string>& fields);
 
 /// Returns the names of the files, with their folders where two files have one name.
 std::vector<std::string> labels_of(std::span<const PreparedMesh> meshes);
@@ -54,8 +62,7 @@ render::Drawing figure_of(std::span<const FigureMesh> meshes, const FigureStyle&
 /// Returns the range of the colours of a field in all meshes of a figure; nothing if it has no values.
 std::optional<output::ColorRange> range_of(std::span<const FigureMesh> meshes, std::size_t field, const FigureStyle& style);
 
-/// Returns the drawing as the bytes of a file with this ending: .pdf, .svg or .png. Equal drawings give equal bytes.
-/// @param title  of the document
-std::string encode_figure(const render::Drawing& drawing, double resolution, const std::string& title, std::string_view ending);
+/// Draws a figure as the bytes of a file with this ending: .pdf, .svg or .png. Equal figures give equal bytes. @throws as figure_of()
+std::string encode_figure(std::span<const FigureMesh> meshes, const FigureStyle& style, std::string_view ending);
 
 }   // namespace meshfolio::run

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -15,7 +16,6 @@
 #include "mesh/io/polygon_list.h"
 #include "output/draw/figure_request.h"
 #include "output/draw/surface_of.h"
-#include "run/arguments.h"
 #include "scene/hero.h"
 
 namespace meshfolio::run {
@@ -103,16 +103,55 @@ std::vector<render::View> views_named(const std::string& names, const render::Si
     return views;
 }
 
-std::pair<double, double> value_limits(double low, double high, const std::string& name) {
-    if (!(low < high)) throw UsageError(name + " is not lo,hi with lo < hi", "write two numbers such as -1,1");
-    if (std::max(std::abs(low), std::abs(high)) > largest_coordinate || high - low < narrowest_range)
-        throw UsageError(name + " is beyond 1e100 or narrower than 1e-100", "scale the values");
-    return {low, high};
+std::pair<double, double> value_limits(const std::string& text) {
+    const std::vector<std::string> ends = split(text, ',');
+    const auto low = parse_number(ends.empty() ? "" : ends.front()), high = parse_number(ends.size() == 2 ? ends.back() : "");
+    if (!low || !high || !(*low < *high))
+        throw UsageError("--range " + in_quotes(text) + " is not lo,hi with lo < hi", "write two numbers such as -1,1");
+    if (std::max(std::abs(*low), std::abs(*high)) > largest_coordinate || *high - *low < narrowest_range)
+        throw UsageError("--range " + in_quotes(text) + " is beyond 1e100 or narrower than 1e-100", "scale the values");
+    return {*low, *high};
+}
+
+ColorChoice color_choice(const PictureWords& words) {
+    ColorChoice colors = words.colormap.empty() ? ColorChoice() : colormap_choice(words.colormap);
+    if (!words.range.empty()) colors.range = value_limits(words.range);
+    return colors;
+}
+
+render::Rgba background_of(const PictureWords& words) {
+    const std::string& text = words.background;
+    if (text.empty() || text == "white") return {255, 255, 255, 255};
+    if (text == "none") return {255, 255, 255, 0};
+    unsigned color = 0;
+    const char* end = text.data() + text.size();
+    if (text.size() != 7 || text[0] != '#' || std::from_chars(text.data() + 1, end, color, 16).ptr != end)
+        throw UsageError("--background " + in_quotes(text) + " is not a colour", "write white, none or #rrggbb, such as #fdf6e3");
+    return {static_cast<std::uint8_t>(color >> 16), static_cast<std::uint8_t>(color >> 8), static_cast<std::uint8_t>(color), 255};
+}
+
+PictureRequest picture_request(const PictureWords& words) {
+    PictureRequest request{.views = {}, .colors = color_choice(words), .sight = sight_of(words.sight), .title = words.title};
+    request.views = views_named(words.views, request.sight);
+    const std::vector<std::string> sides = split(words.size, 'x');   // "1024" or "800x600"
+    const auto width = parse_integer(sides.empty() ? "" : sides.front()),
+               height = parse_integer(sides.empty() || sides.size() > 2 ? "" : sides.back());
+    const auto fits = [](const std::optional<long long>& side) { return side && *side >= 1 && *side <= largest_side; };
+    if (!fits(width) || !fits(height))
+        throw UsageError("--size " + in_quotes(words.size) + " is not N or WxH", "both between 1 and " + std::to_string(largest_side));
+    render::DrawOptions& draw = request.draw;
+    draw.width = static_cast<int>(*width);
+    draw.height = static_cast<int>(*height);
+    draw.edges = words.edges;
+    if (!words.isolines.empty()) draw.isoline_spacing = number_above_zero("--isolines", words.isolines);
+    draw.background = background_of(words);
+    draw.face_colors_from_id = words.field == "id";
+    return request;
 }
 
 std::optional<output::ColorRange> color_range(const std::vector<output::Panel>& panels, const Field& field, const ColorChoice& colors) {
     if (field.values.size() == 0) return {};
-    const std::string& colormap = colors.colormap.empty() ? field.colormap : colors.colormap;
+    const std::string& colormap = colors.name.empty() ? field.colormap : colors.name;
     output::ColorRange range =
         output::robust_range(panels, colormap, field.quantity, field.unit, field.floor, output::usual_clip, colors.own_map);
     if (colors.range) {

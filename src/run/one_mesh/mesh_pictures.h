@@ -11,6 +11,8 @@
 
 #include "draw_mesh.h"
 #include "output/draw/figure_request.h"
+#include "run/arguments.h"
+#include "run/one_mesh/colormap_choice.h"
 #include "run/one_mesh/fields.h"
 #include "sheet/figure_sheet.h"
 
@@ -18,11 +20,12 @@ namespace meshfolio::run {
 
 inline constexpr int largest_side = 8192;   // of a picture [pixels]
 
-/// The colours of a field, as a user wants them.
-struct ColorChoice {
-    std::string colormap = {};                              // empty: that of the field
-    std::shared_ptr<const render::Colormap> own_map = {};   // instead: a map that was read from a file
-    std::optional<std::pair<double, double>> range = {};    // nothing: without outliers
+/// The options of `render` about pictures as they are given; empty: not given.
+struct PictureWords {
+    std::string views = {}, size = {}, field = {}, colormap = {}, range = {}, isolines = {}, title = {}, background = {}, width = {},
+                dpi = {}, columns = {}, fit = {}, bar = {};
+    SightFlags sight = {};
+    bool edges = false;
 };
 
 struct PictureRequest {
@@ -42,9 +45,18 @@ struct MeshPictures {
 /// @throws UsageError for another name
 std::vector<render::View> views_named(const std::string& names, const render::Sight& sight = {});
 
-/// Returns {low, high} for a range of colours that a colour bar can print: low < high, within ±1e100, at least 1e-100 wide.
-/// @param name  of the range in messages @throws UsageError
-std::pair<double, double> value_limits(double low, double high, const std::string& name);
+/// Returns {low, high} for the text "low,high", a range of colours that a colour bar can print: low < high, within ±1e100, at least 1e-100
+/// wide. @throws UsageError for another text
+std::pair<double, double> value_limits(const std::string& text);
+
+/// Returns the choices of the options colormap and range. @throws UsageError, InputError
+ColorChoice color_choice(const PictureWords& words);
+
+/// Returns the colour of the option background, white by default. @throws UsageError
+render::Rgba background_of(const PictureWords& words);
+
+/// Returns the request for views of a mesh. @throws UsageError, InputError
+PictureRequest picture_request(const PictureWords& words);
 
 /// Draws the views of a mesh in the colours of a field, and makes their sheet with title, counts and colour bar.
 /// @throws UsageError for an unknown colour map, or isolines that are too dense

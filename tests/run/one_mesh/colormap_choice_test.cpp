@@ -23,7 +23,7 @@ namespace {
 
 class ColormapFile : public ::testing::Test {
 protected:
-    ColormapChoice read(std::string_view text) {
+    ColorChoice read(std::string_view text) {
         write_file(file, text);
         return colormap_choice(file);
     }
@@ -49,7 +49,7 @@ TEST(ColormapChoiceOf, BundledMapsHaveNamesAndWarnings) {
 }
 
 TEST(ColormapChoiceOf, AnUnderlineAndRReverseAMap) {
-    const ColormapChoice choice = colormap_choice("rdbu_r");
+    const ColorChoice choice = colormap_choice("rdbu_r");
     EXPECT_EQ(choice.name, "RdBu_r");
     ASSERT_TRUE(choice.own_map);
     for (int i = 0; i <= 10; ++i)
@@ -99,7 +99,7 @@ TEST_F(ColormapFile, RoundTrip) {
     for (const Colormap& map : render::colormap_list()) {
         std::string text;
         for (const Rgba c : map.stops) text += std::to_string(c.r) + "," + std::to_string(c.g) + "," + std::to_string(c.b) + "\n";
-        const ColormapChoice choice = read(text);
+        const ColorChoice choice = read(text);
         EXPECT_EQ(choice.own_map->stops, map.stops) << map.name;
         EXPECT_EQ(choice.own_map->kind, map.kind);
         EXPECT_EQ(choice.warning.empty(), colormap_choice(map.name).warning.empty()) << map.name;
@@ -173,7 +173,7 @@ TEST_F(ColormapFile, DamagedIsReadOrRefusedInOneLine) {
         testing_tools::for_each_damage(whole, [&](const std::string& damaged) {
             write_file(file, damaged);
             try {
-                const ColormapChoice choice = colormap_choice(file);
+                const ColorChoice choice = colormap_choice(file);
                 EXPECT_GE(choice.own_map->stops.size(), 2U);
                 ++taken;
             } catch (const InputError& error) {

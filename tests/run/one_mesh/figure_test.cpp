@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "base/errors.h"
 #include "mesh/samples/sample_shapes.h"
@@ -23,12 +26,8 @@ PreparedMesh prepared(const std::string& sample, const std::string& file, double
     return prepare_mesh({mesh, file, {}, {}});
 }
 
-std::vector<FigureMesh> figure_meshes(const std::vector<PreparedMesh>& meshes, const std::vector<std::string>& fields) {
-    std::vector<FigureMesh> figure;
-    for (const std::string& label : labels_of(meshes)) figure.push_back({label, meshes[figure.size()], {}});
-    for (const std::string& name : fields)
-        for (std::size_t i = 0; Field & field : std::vector<Field>(fields_of(meshes, name))) figure[i++].fields.push_back(std::move(field));
-    return figure;
+std::vector<FigureMesh> labelled(std::span<const PreparedMesh> meshes, const std::vector<std::string>& fields) {
+    return figure_meshes(meshes, labels_of(meshes), fields);
 }
 
 template <class Item> std::vector<Item> items(const Drawing& drawing) {
@@ -51,7 +50,7 @@ class OwnFigure : public ::testing::Test {
 protected:
     const std::vector<PreparedMesh> meshes_{prepared("sphere", "a/sphere.obj"), prepared("sphere", "half.obj", 0.5),
                                             prepared("torus", "b/sphere.obj")};
-    const std::vector<FigureMesh> figure_ = figure_meshes(meshes_, {"h-cotan", "gauss"});
+    const std::vector<FigureMesh> figure_ = labelled(meshes_, {"h-cotan", "gauss"});
 };
 
 }   // namespace
@@ -79,6 +78,7 @@ TEST_F(OwnFigure, NamesMeshesByTheirFilesAndTellsEqualNamesApart) {
     EXPECT_EQ(count(drawing, "Three meshes"), 1);
     EXPECT_EQ(count(figure_of(std::span(figure_).first(1), {.width = 85, .resolution = 72}), "a/sphere.obj"), 0)
         << "a single mesh needs no label";
+    EXPECT_EQ(count(figure_of(std::span(figure_).first(1), {.width = 85, .resolution = 72, .labels_single = true}), "a/sphere.obj"), 2);
 }
 
 TEST_F(OwnFigure, FillsEachPictureOrKeepsSizes) {
@@ -98,7 +98,7 @@ TEST_F(OwnFigure, ShowsOneMeshFromAllSidesAtOneScale) {
     const std::vector<PreparedMesh> flat{prepared("sphere", "flat.obj")};
     std::vector<PreparedMesh> squashed = flat;
     squashed[0].mesh.X.col(2) *= 0.25;
-    const Drawing drawing = figure_of(figure_meshes(squashed, {"none"}), {.views = {"+x", "+z"}, .width = 80, .resolution = 100});
+    const Drawing drawing = figure_of(labelled(squashed, {"none"}), {.views = {"+x", "+z"}, .width = 80, .resolution = 100});
     const std::vector<Drawing::Picture> pictures = items<Drawing::Picture>(drawing);
     ASSERT_EQ(pictures.size(), 2U);
     EXPECT_NEAR(covered(*pictures[0].image) / covered(*pictures[1].image), 0.25, 0.02) << "an ellipse of axes 1 and 1/4 beside a disk";
@@ -123,10 +123,10 @@ TEST_F(OwnFigure, TakesItsColumns) {
 TEST_F(OwnFigure, IsTheSameTwiceAndHasIsolinesAsPaths) {
     const FigureStyle style{.sight = {.camera = render::Angles{20, 10}}, .width = 85, .resolution = 100, .isoline_spacing = 0.25};
     const std::vector<PreparedMesh> one{meshes_[0]};
-    const std::vector<FigureMesh> figure = figure_meshes(one, {"z"});
+    const std::vector<FigureMesh> figure = labelled(one, {"z"});
     for (const char* ending : {".svg", ".pdf", ".png"}) {
-        const std::string bytes = encode_figure(figure_of(figure, style), 100, "z", ending);
-        EXPECT_EQ(bytes, encode_figure(figure_of(figure, style), 100, "z", ending)) << ending;
+        const std::string bytes = encode_figure(figure, style, ending);
+        EXPECT_EQ(bytes, encode_figure(figure, style, ending)) << ending;
         EXPECT_GT(bytes.size(), 1000U);
     }
     FigureStyle plain = style;
@@ -135,12 +135,55 @@ TEST_F(OwnFigure, IsTheSameTwiceAndHasIsolinesAsPaths) {
 }
 
 TEST_F(OwnFigure, DistanceIsThatToTheFirstMesh) {
-    const std::vector<Field> fields = fields_of(std::span(meshes_).first(2), "distance");
-    EXPECT_NEAR(fields[0].values.maxCoeff(), 0.5, 0.02) << "between concentric spheres of radius 1 and 1/2";
-    EXPECT_NEAR(fields[1].values.minCoeff(), 0.5, 0.02);
-    EXPECT_EQ(fields[0].colormap, "pale");
-    EXPECT_THROW(fields_of(std::span(meshes_).first(1), "distance"), UsageError);
-    EXPECT_THROW(fields_of(meshes_, "height"), UsageError);
+    const std::vector<FigureMesh> pair = labelled(std::span(meshes_).first(2), {"distance"});
+    EXPECT_NEAR(pair[0].fields[0].values.maxCoeff(), 0.5, 0.02) << "between concentric spheres of radius 1 and 1/2";
+    EXPECT_NEAR(pair[1].fields[0].values.minCoeff(), 0.5, 0.02);
+    EXPECT_EQ(pair[0].fields[0].colormap, "pale");
+    EXPECT_THROW(labelled(std::span(meshes_).first(1), {"distance"}), UsageError);
+    EXPECT_THROW(labelled(meshes_, {"height"}), UsageError);
+}
+
+TEST_F(OwnFigure, RefusesFieldsThatItDoesNotDraw) {
+    require_figure_fields({"none", "distance", "h-cotan"});
+    for (const std::vector<std::string>& names : {std::vector<std::string>{}, {""}, {"", ""}, {"id"}, {"x", "id"}, {"height"}})
+        EXPECT_THROW(require_figure_fields(names), UsageError) << names.size();
+}
+
+TEST_F(OwnFigure, TellsTheThreeQuarterViewFromTheCamera) {
+    const std::vector<FigureMesh> one = labelled(std::span(meshes_).subspan(2), {"none"});
+    const auto pictures = [&](std::vector<std::string> views, bool common, bool with_camera = true) {
+        FigureStyle style{.views = std::move(views), .common_fit = common, .width = 85, .resolution = 72};
+        if (with_camera) style.sight.camera = render::Angles{90, 0};
+        return items<Drawing::Picture>(figure_of(one, style));
+    };
+    for (const bool common : {false, true}) {
+        const std::vector<Drawing::Picture> three = pictures({"+x", "hero", "camera"}, common);
+        const std::vector<Drawing::Picture> usual = pictures({"+x", "hero", "hero"}, common, false);
+        ASSERT_EQ(three.size(), 3U);
+        EXPECT_EQ(three[0].image->pixels, three[2].image->pixels) << "90° to the right of +z is +x";
+        EXPECT_NE(three[1].image->pixels, three[2].image->pixels);
+        EXPECT_EQ(three[1].image->pixels, usual[1].image->pixels);
+    }
+    EXPECT_EQ(pictures({}, false)[0].image->pixels, pictures({"camera"}, false)[0].image->pixels);
+    EXPECT_NE(pictures({"hero"}, false)[0].image->pixels, pictures({"camera"}, false)[0].image->pixels);
+}
+
+TEST_F(OwnFigure, BreaksLinesBetweenViews) {
+    const auto lines = [&](int columns) {   // numbers of pictures
+        const Drawing drawing =
+            figure_of(labelled(meshes_, {"none"}), {.views = {"+x", "+z"}, .columns = columns, .width = 170, .resolution = 72});
+        std::map<int, int> count;
+        for (const Drawing::Picture& picture : items<Drawing::Picture>(drawing)) ++count[picture.top];
+        std::vector<int> counts;
+        for (const auto& [top, pictures] : count) counts.push_back(pictures);
+        return counts;
+    };
+    using Lines = std::vector<int>;
+    EXPECT_EQ(lines(1), Lines(6, 1));
+    EXPECT_EQ(lines(2), (Lines{2, 1, 2, 1}));
+    EXPECT_EQ(lines(3), (Lines{3, 3}));
+    EXPECT_EQ(lines(4), (Lines{3, 3}));
+    EXPECT_EQ(lines(6), Lines{6});
 }
 
 TEST_F(OwnFigure, RefusesPicturesThatCannotBe) {
