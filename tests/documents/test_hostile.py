@@ -42,7 +42,7 @@ class Hostile(InDocuments):
     def test_there_is_no_shell(self):
         self.refuse(["inspect cube.obj; touch x", "inspect cube.obj && touch x", "inspect cube.obj | sh", "inspect cube.obj > x", "inspect < cube.obj",
                      "inspect `touch x`"], "without a shell")
-        self.refuse(["inspect $(touch x)", "inspect $HOME", "inspect ~/secret.obj", "inspect *.obj", "inspect {cube,x}.obj"], "cannot open the file")
+        self.refuse(["inspect $(touch)", "inspect $HOME", "inspect ~/secret.obj", "inspect *.obj", "inspect {cube,x}.obj"], "cannot open the file")
         self.assertFalse((self.folder / "x").exists())
 
     def test_inputs_outside_are_refused(self):
