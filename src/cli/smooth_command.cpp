@@ -149,6 +149,8 @@ public:
         if (!flags_.summary.empty()) print_to(files_, flags_.summary, write_csv(summary_of(traces_)));
         if (!flags_.plot.empty()) files_.add(flags_.plot, output::with_fonts(report::svg_on_white(svg_of(plot_of(traces_, curve)))));
         files_.publish();
+        if (meshes_.size() > 1 && flags_.csv != "-" && flags_.summary != "-")
+            for (const std::string& file : meshes_) print_path(file);
         for (const std::string& message : early_ends_)
             if (flags_.keep_reached) warn(message);
             else complain(message, Ink::red);
@@ -164,7 +166,7 @@ private:
     std::map<const PreparedMesh*, double> limits_;   // the largest stable steps computed so far
     output::FileGroup files_;
     std::vector<SmoothingTrace> traces_;
-    std::vector<std::string> early_ends_;
+    std::vector<std::string> meshes_, early_ends_;   // files written; messages
 
     void check_options() const {
         const std::vector<std::string> lambdas = flags_.lambdas();
@@ -222,6 +224,7 @@ private:
 
     void add_result(const std::string& file, const Positions& X) {
         add_mesh(files_, file, moved_to(prepared_.mesh, X), prepared_.attributes);
+        meshes_.push_back(file);
     }
 
     void run_one(const std::string& lambda) {

@@ -90,8 +90,11 @@ std::string in_words(const SpectrumCertificate& c, OperatorKind kind) {
 /// True if the bytes begin like the PLY files that this program writes.
 bool is_our_ply(const std::string& bytes) { return bytes.starts_with("ply\nformat binary_little_endian 1.0\nelement vertex "); }
 
-void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options, const std::vector<int>& counts, const TriangleMesh& mesh,
-                         const Spectrum& spectrum, const Vector& M) {
+/// Adds the reconstructions to the files. @return their paths
+std::vector<std::filesystem::path> add_reconstructions(output::FileGroup& files, const SpectrumFlags& options,
+                                                       const std::vector<int>& counts, const TriangleMesh& mesh, const Spectrum& spectrum,
+                                                       const Vector& M) {
+    std::vector<std::filesystem::path> paths;
     const std::string stem = mesh_name(options.mesh);
     output::make_folder(options.out);
     for (const int k : counts) {
@@ -99,7 +102,9 @@ void add_reconstructions(output::FileGroup& files, const SpectrumFlags& options,
         const auto file = std::filesystem::path(options.out) / (stem + "_k" + std::to_string(k) + ".ply");
         keep_others(file, is_our_ply);
         add_mesh(files, file, moved_to(mesh, reconstruct(spectrum, M, mesh.X, k)));
+        paths.push_back(file);
     }
+    return paths;
 }
 
 ExitCode run_spectrum(const SpectrumFlags& options, const Backend& backend) {
@@ -126,7 +131,8 @@ ExitCode run_spectrum(const SpectrumFlags& options, const Backend& backend) {
     complain(in_words(certificate, kind));
     output::FileGroup files;
     files.keep(options.mesh);
-    if (!counts.empty()) add_reconstructions(files, options, counts, prepared.mesh, spectrum, laplacian.M);
+    std::vector<std::filesystem::path> rebuilt;
+    if (!counts.empty()) rebuilt = add_reconstructions(files, options, counts, prepared.mesh, spectrum, laplacian.M);
     if (!options.vectors.empty()) {
         const bool is_table = lower_case_ending(options.vectors) == ".csv";
         print_to(files, options.vectors, is_table ? vertex_table(prepared, mode_columns(spectrum)) : npy_of(spectrum.eigenvectors));
@@ -135,6 +141,8 @@ ExitCode run_spectrum(const SpectrumFlags& options, const Backend& backend) {
     if (!options.csv.empty() || (options.vectors.empty() && options.ply.empty() && options.out.empty()))
         print_to(files, options.csv.empty() ? "-" : options.csv, eigenvalue_table(spectrum));
     files.publish();
+    if (options.csv != "-" && options.vectors != "-")
+        for (const std::filesystem::path& file : rebuilt) print_path(file);
     return certificate.verdict() == Proof::refuted ? ExitCode::failed : ExitCode::ok;
 }
 

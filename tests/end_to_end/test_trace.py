@@ -56,7 +56,8 @@ class Trace(InFolder):
 
     def test_frames_are_runs_of_their_own(self):
         options = ["--scheme", "implicit", "--lambda", 3, "--unit", "tau"]
-        self.succeed("smooth", "noisy.ply", "-o", "fair.ply", *options, "--iterations", 9, "--frames", "0,4,9")
+        written = self.succeed("smooth", "noisy.ply", "-o", "fair.ply", *options, "--iterations", 9, "--frames", "0,4,9").split()
+        self.assertEqual(written, ["fair_0.ply", "fair_4.ply", "fair_9.ply", "fair.ply"])
         for n in (0, 4, 9):
             self.succeed("smooth", "noisy.ply", "-o", "one.ply", *options, "--iterations", n)
             self.assertEqual(self.bytes(f"fair_{n}.ply"), self.bytes("one.ply"), n)
@@ -80,8 +81,27 @@ class Trace(InFolder):
             text = self.bytes("curve.svg").decode()
             ElementTree.fromstring(text)
             for part in ("@font-face", "font/woff2", "iteration", curve, "0.25", "0.5"):
-                self.assertIn(part, text)
-            self.assertNotIn("http", text.replace("http://www.w3.org/2000/svg", ""))
+                self.assertTrue(part in text, part)
+            self.assertFalse("var(" in text, "readers of SVG outside of browsers know no variables")
+            self.assertFalse("http" in text.replace("http://www.w3.org/2000/svg", ""))
+
+    def test_the_summary_is_that_of_the_table(self):
+        options = ["--lambda", "0.25,0.5", "--unit", "tau", "--iterations", 6, "--trace", "bumpy_cube.obj"]
+        rows, summary = self.table(*options), list(csv.DictReader(io.StringIO(self.succeed("smooth", "noisy.ply", "--summary", "-", *options))))
+        for told, run in zip(summary, (rows[:7], rows[7:])):
+            self.assertEqual((told["end"], told["iterations"], told["share"]), ("whole", "6", told["lambda"]))
+            for name in ("energy", "area", "volume"):
+                self.assertAlmostEqual(float(told[name]), run[-1][name] / run[0][name], delta=1e-12)
+            least = min(run, key=lambda row: row["error"])
+            self.assertEqual([float(told[name]) for name in ("error_before", "error_least", "least_at", "error_after")],
+                             [run[0]["error"], least["error"], least["iteration"], run[-1]["error"]])
+        self.assertEqual(len(summary), 2)
+
+    def test_units_of_another_mesh(self):
+        clean = json.loads(self.succeed("inspect", "bumpy_cube.obj", "--json"))
+        for unit, size in (("tau", clean["lambda_crit"]), ("h2", clean["mean_edge"] ** 2)):
+            rows = self.table("--lambda", 0.5, "--unit", unit, "--unit-of", "bumpy_cube.obj")
+            self.assertAlmostEqual(rows[1]["time"] / (0.5 * size), 1, delta=1e-9)
 
     def test_a_run_keeps_what_it_reached(self):
         options = ["--lambda", 3, "--unit", "tau", "--iterations", 200, "--trace", "bumpy_cube.obj"]
