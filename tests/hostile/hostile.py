@@ -264,7 +264,7 @@ class Bombs(Hostile):
 
     def test_templates(self):
         (self.folder / "mine").mkdir()
-        deep = "{{#sections}}" * 20 + "x" + "{{/sections}}" * 20
+        deep = "{{#sections}}{{#blocks}}" * 10 + "x" + "{{/blocks}}{{/sections}}" * 10
         for label, text in (
                 ("sections", "{{#title}}" * 50000 + "{{/title}}" * 50000), ("open sections", "{{#title}}" * 100000), ("lists in lists", deep),
                 ("an include of itself", "{{>report.html}}"), ("two of them", "{{>report.html}}{{>report.html}}"),
@@ -376,7 +376,7 @@ class Numbers(Hostile):
 
     def test_options(self):
         mesh = self.write("m.obj")
-        for word in ("nan", "inf", "1e999", "0x1", "1,5", "", " 1", "1 ", "--1", "١", "9" * 40):
+        for word in ("nan", "inf", "1e999", "0x1", "1;5", "", " 1", "1 ", "--1", "١", "9" * 40):
             for words in (["smooth", mesh, "-o", "x.ply", f"--lambda={word}"], ["spectrum", mesh, f"-k={word}"], ["render", mesh, f"--size={word}"],
                           ["render", mesh, "--field", "x", f"--range=0,{word}"], ["noise", mesh, "-o", "x.ply", f"--sigma={word}"],
                           ["report", f"--threads={word}"], ["report", f"--size={word}"], ["sample", "cube", "-o", "x.ply", f"--subdivide={word}"]):
