@@ -6,7 +6,7 @@
 namespace meshfolio::cli {
 
 void add_paper_options(CommandOptions& app, ReportFlags& flags) {
-    app.text("--title TEXT", flags.title, "title of the report; default: that of the settings, for own meshes their names");
+    app.text("--title WORDS", flags.title, "title of the report; default: that of the settings, for own meshes their names");
     app.text("--course NAME", flags.course, "course that the report is for; default: that of the settings, for own meshes none");
     app.text("--author NAME", flags.author, "author of the work");
     app.text("--config SETTINGS", flags.config,

@@ -29,7 +29,7 @@ class Earlier(unittest.TestCase):
             shutil.copy(mesh, folder)
         for name in FIGURES:
             path = folder / "documents" / "earlier" / f"{name}.md"
-            text = re.sub(r"(?m)^  size: \d+$", "  size: 100", path.read_text())
+            text = re.sub(r"(?m)^  size: \d+$", "  size: 150", path.read_text())
             path.write_text(text)
             made = Made(path.parent, path.name, "--standalone", "-o", f"{name}.html", **more)
             self.assertEqual(made.code, 0, made.message)

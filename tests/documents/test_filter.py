@@ -36,7 +36,7 @@ class Filter(InDocuments):
         [[attributes, blocks]] = nodes(self.tree(text), "Div")
         self.assertEqual((attributes[0], words(blocks[-1]), len(nodes(blocks, "Image"))), ("fig-c", "Figure 1: Both", 2))
         latex = self.make(text, "-t", "latex").text
-        self.assertRegex(latex, r"(?s)fig-c-\w{8}\.pdf.*fig-c-\w{8}\.pdf.*\\refstepcounter\{figure\}\\label\{fig-c\}Figure \\thefigure: Both")
+        self.assertRegex(latex, r"(?s)fig-c-\w{8}\.pdf.*fig-c-\w{8}\.pdf.*\\refstepcounter\{figure\}\\label\{fig-c\}Figure~\\thefigure: Both")
 
     def test_figures_and_tables_are_numbered_and_referred_to(self):
         text = ("See @tbl-b, [@fig-b] and @fig-a, not @other." + block("render cube.obj", '#fig-a caption="A"') +

@@ -79,7 +79,7 @@ int words_in(const std::string& literal) {
 TEST(WordsOfQuestions, NoMessageIsUnused) {
     std::set<std::string> literals;
     std::vector<fs::path> files = sources();
-    for (const char* folder : {"src/run/mark", "src/run/one_mesh"})
+    for (const char* folder : {"src/run/mark", "src/run/one_mesh", "src/run/settings"})
         for (fs::path& file : sources(fs::path(MESHFOLIO_SOURCE_DIR) / folder)) files.push_back(std::move(file));
     for (const fs::path& file : files)
         for (std::string& literal : literals_in(code_of(file))) {
