@@ -29,7 +29,7 @@ class Earlier(unittest.TestCase):
             shutil.copy(mesh, folder)
         for name in FIGURES:
             path = folder / "documents" / "earlier" / f"{name}.md"
-            text = re.sub(r"(?m)^  size: \d+$", "  size: 100", path.read_text())
+            text = re.sub(r"(?m)^  size: \d+$", "  size: 150", path.read_text())
             text = text.replace("30000", "3000").replace("5000", "600")   # the two longest runs of s2
             path.write_text(text)
             made = Made(path.parent, path.name, "--standalone", "-o", f"{name}.html", **more)
