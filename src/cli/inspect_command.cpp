@@ -139,7 +139,7 @@ ExitCode run_inspect(const InspectFlags& options) {
 
 Command inspect_command(CLI::App& parent) {
     const auto options = std::make_shared<InspectFlags>();
-    CommandOptions app(parent, "inspect", "Preflight: counts, defects, Gauss-Bonnet, largest stable step; conditions on a mesh");
+    CommandOptions app(parent, "inspect", "Counts, defects, Gauss-Bonnet, largest stable step; conditions");
     app.required("MESH", options->mesh, formats_read);
     app.text("MEASURE", options->measure, "print this value of --json alone, such as genus or gauss_bonnet.residual");
     app.choice("--operator", options->laplacian, operator_choices(), "operator for the largest stable step");

@@ -58,7 +58,7 @@ void export_files(const std::map<std::string, std::string>& contents, const fs::
 
 Command templates_command(CLI::App& parent) {
     const auto flags = std::make_shared<TemplatesFlags>();
-    CommandOptions app(parent, "templates", "The templates of the report, to be changed and used; the filter of Pandoc");
+    CommandOptions app(parent, "templates", "The templates of the report, to be changed; a filter of Pandoc");
     app.text("DIR", flags->folder, "folder to write them into");
     app.flag("--pandoc", flags->pandoc, "instead meshfolio.lua, the filter of Pandoc, and _extensions/meshfolio, the extension of Quarto");
     app.flag("--tags", flags->tags, "print the meaning of every tag");

@@ -77,12 +77,13 @@ class Diff(InFolder):
         self.assertNotEqual(json.loads(self.diff(1, 'old', 'new.json', '--json'))['changes'], [])
 
     def test_meshes_by_their_distance(self):
-        for out, lam in (('old', '0.01'), ('new', '0.02')):
-            self.write('s.toml', f'[[question]]\nid = "q6"\nlambda = {lam}\niterations = 2\n')
-            self.succeed('report', self.mesh, '--only', 'q6', '--config', 's.toml', *QUICK, '--out', out)
+        for out in ('old', 'new'):
+            self.succeed('report', self.mesh, '--only', 'q4', *QUICK, '--out', out)
+            self.succeed('noise', self.mesh, '-o', self.mesh, '--sigma', '0.001')
         changes = json.loads(self.diff(1, 'old', 'new', '--json'))['changes']
-        kinds = {change['kind'] for change in changes}
-        self.assertTrue(kinds & {'mesh', 'presence'}, kinds)
+        meshes = [change for change in changes if change['kind'] == 'mesh']
+        self.assertTrue(meshes and all(0 < change['size'] < 0.01 for change in meshes), meshes)
+        self.assertTrue(meshes[0]['id'].startswith('meshes/q4_cube8_k') and 'of the box diagonal' in meshes[0]['after'])
 
     def test_batches_are_compared_mesh_by_mesh(self):
         other = self.sample('sphere')
