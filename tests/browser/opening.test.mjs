@@ -77,7 +77,7 @@ for (const volume of volumes) test(`every link within ${volume} lands where it i
 test("a link into the other volume lands where it is seen", async () => {
     for (const [from, selector] of [[report, 'main a[href^="appendix.html#"]'], [appendix, 'main a[href^="index.html#"]']]) {
         const links = await from.$$eval(selector, (all) => [...new Set(all.map((link) => link.getAttribute("href")))]);
-        assert.ok(links.length > 3, `${links.length} links`);
+        assert.ok(links.length > 1, `${links.length} links`);
         const other = await from.context().newPage();
         for (const link of links) {
             await other.goto(pathToFileURL(path.join(reports.quick, link.split("#")[0])).href + "#" + link.split("#")[1]);
